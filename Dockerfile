@@ -11,7 +11,7 @@ RUN target=$(rustc -vV | sed -n 's/^host: //p') \
     && cargo build --locked --profile dist --bin tankcheck --target "$target" \
     && install -D -m 755 "target/$target/dist/tankcheck" /image/bin/tankcheck \
     && python3 packaging/licences --target "$target" /image/licences/THIRD-PARTY.txt \
-    && install -m 644 LICENSE-MIT LICENSE-APACHE /image/licences/ \
+    && install -m 644 LICENSE-MIT LICENSE-APACHE LICENSE-OFL /image/licences/ \
     && install -d -m 1777 /image/tmp /image/work
 
 FROM scratch

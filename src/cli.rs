@@ -8,16 +8,19 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::{EXIT_INPUT, EXIT_OK, Error};
+use files::code::Code;
 use files::text;
 use terminal::say;
 
 mod base;
+mod browser;
 mod budget;
 mod check;
 mod checks;
 mod compare;
 mod completions;
 mod diff;
+mod explain;
 mod fault;
 mod findings;
 mod fragility;
@@ -27,6 +30,7 @@ mod init;
 mod inputs;
 mod modes;
 mod nonlinear;
+mod outfile;
 mod progress;
 mod push;
 mod quake;
@@ -40,6 +44,7 @@ mod study;
 mod style;
 mod table;
 mod tanks;
+mod templates;
 mod terminal;
 mod verify;
 mod wall;
@@ -78,14 +83,18 @@ enum Command {
     Modes(modes::Args),
     /// Compute the response spectra of a record.
     Spectrum(spectrum::Args),
-    /// Print the properties of an accelerogram.
+    /// Accelerograms: properties, conversion, sets, synthetic and harmonic motion.
     Quake(quake::Args),
     /// Render the report of a results folder again.
     Report(report::Args),
+    /// Write the templates of the report, to change them.
+    Templates(templates::Args),
     /// Compare two results folders number by number.
     Diff(diff::Args),
     /// Run the benchmarks of the verification manual.
     Verify(verify::Args),
+    /// Explain a code of an error or warning, a quantity, a check or a procedure.
+    Explain(explain::Args),
     /// Write a commented tank.json to start from.
     Init(init::Args),
     /// Print the JSON Schema of tank.json, or its reference page.
@@ -112,6 +121,7 @@ Examples:
   tankcheck study plan study.json --out farm/
   tankcheck fragility --stripes stripes.csv --hazard hazard.csv
   tankcheck diff golden/ out/
+  tankcheck explain T0206
 
 Exit codes: 0 done, and everything required was checked and holds; 1 a check fails or diff found a change; 2 bad input or
 usage; 3 the computation failed or was interrupted, its results could not be written, or the tank collapsed; 4 something
@@ -156,8 +166,10 @@ impl Cli {
             Command::Spectrum(args) => spectrum::run(args, &self.global),
             Command::Quake(args) => quake::run(args, &self.global),
             Command::Report(args) => report::run(args, &self.global),
+            Command::Templates(args) => templates::run(args, &self.global),
             Command::Diff(args) => diff::run(args, &self.global),
             Command::Verify(args) => verify::run(args, &self.global),
+            Command::Explain(args) => explain::run(args, &self.global),
             Command::Init(args) => init::run(args, &self.global),
             Command::Schema(args) => schema::run(args, &self.global),
             Command::Completions(args) => completions::run(args, &self.global),
@@ -168,13 +180,19 @@ impl Cli {
 /// Prints the output of clap for help, version or bad usage; returns the exit code. Help and version are results.
 fn refused(answer: &clap::Error) -> u8 {
     let text = answer.render();
+    let coded = |text: String| match answer.use_stderr() {
+        true => text.replacen("error:", &format!("{}:", Code::Usage.head()), 1),
+        false => text,
+    };
     // Colours of clap cannot be distinguished from escapes in an argument: print without colours.
     if std::env::args_os().any(|a| a.to_string_lossy().chars().any(text::hostile)) {
-        say!("{}", text.to_string().trim_end());
+        say!("{}", coded(text.to_string()).trim_end());
         return EXIT_INPUT;
     }
     if answer.use_stderr() {
-        let _ = anstream::stderr().lock().write_all(text.ansi().to_string().as_bytes());
+        let _ = anstream::stderr()
+            .lock()
+            .write_all(coded(text.ansi().to_string()).as_bytes());
         return EXIT_INPUT;
     }
     let styled = anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never;
@@ -194,8 +212,7 @@ fn report_failure(error: &Error) -> u8 {
     match error {
         // The user's text is already escaped; the remaining escapes are our own colours.
         Error::Files(files::error::Error::Faults(rendered)) => terminal::coloured(rendered.trim_end()),
-        Error::Files(files::error::Error::Input(rendered)) => say!("{}", rendered.trim_end()),
-        other => say!("error: {other}"),
+        other => say!("{}", other.message()),
     }
     error.exit_code()
 }

@@ -1,6 +1,7 @@
 //! The error of the whole program.
 
 use engines::FeError;
+use files::code::Code;
 pub use files::error::{
     EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_NOT_CHECKED, EXIT_OK, describe,
 };
@@ -31,9 +32,41 @@ pub enum Error {
 }
 
 impl Error {
-    /// A fault of the command line or between files (`error: …`, `help: …`).
-    pub fn input(text: String) -> Error {
-        Error::Files(files::error::Error::Input(text))
+    /// A fault of the command line or between files: its kind, what is wrong, and a line `help: …`.
+    pub fn input(code: Code, text: String) -> Error {
+        Error::Files(files::error::Error::Input(code, text))
+    }
+
+    /// Its kind; none where every fault of a file has its own.
+    pub fn code(&self) -> Option<Code> {
+        Some(match self {
+            Error::Files(error) | Error::Verification(verification::Error::Files(error)) => return error.code(),
+            Error::Verification(verification::Error::Benchmark { .. }) => Code::Benchmark,
+            Error::Code { .. } => Code::Procedure,
+            Error::Base(_) => Code::Base,
+            Error::Fe(error) => match error {
+                FeError::NoRecord => Code::MissingInput,
+                FeError::Unsupported(_) => Code::Unsupported,
+                FeError::Option { .. } => Code::OptionValue,
+                FeError::NotPositiveDefinite { .. } => Code::NotPositiveDefinite,
+                FeError::Eigen(_) => Code::Eigenvalues,
+                FeError::Memory { .. } => Code::Memory,
+                FeError::TooLong { .. } => Code::TooLong,
+                FeError::Analysis(_) => Code::Analysis,
+                FeError::Checkpoint(_) => Code::Checkpoint,
+                FeError::Interrupted { .. } => Code::Interrupted,
+                FeError::NotFinite { .. } => Code::ResultNotFinite,
+            },
+        })
+    }
+
+    /// The whole message: `error[T0102]: what is wrong`, and its help.
+    pub fn message(&self) -> String {
+        match (self, self.code()) {
+            (_, Some(code)) => format!("{}: {}", code.head(), self.to_string().trim_end()),
+            // Every fault has its own head.
+            (_, None) => self.to_string().trim_end().to_owned(),
+        }
     }
 
     /// Standard output that cannot be written.

@@ -73,6 +73,8 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         volatile: volatile(),
         key,
         name: job.job.case.name.clone(),
+        project: job.job.project.clone(),
+        tank: Some(job.job.tank()),
         files: job.job.files.clone(),
         model: tank.facts()?,
         assumptions: [warnings(job), tank.assumptions()].concat(),
@@ -118,7 +120,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
 
 /// Warnings about the input, placed above the assumptions of the engine.
 fn warnings(job: &IdaJob) -> Vec<String> {
-    job.job.warnings.iter().map(|w| format!("Warning: {w}")).collect()
+    job.job.warnings.iter().map(|w| format!("Warning {w}")).collect()
 }
 
 /// Whether a run of this scale exists.

@@ -4,6 +4,7 @@ pub mod csv;
 pub mod diagnostic;
 pub mod fragility;
 pub mod records;
+mod stdin;
 pub mod study;
 pub mod tank;
 pub mod target;

@@ -1,5 +1,6 @@
 //! Input of a computation: plain, validated data in SI.
 
+use files::code::Warning;
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
@@ -14,7 +15,7 @@ use engines::Task;
 use engines::nonlinear::push::PushOptions;
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
-use results::{EngineId, InputValue, SourceFile};
+use results::{Deformability, EngineId, InputValue, SourceFile, TankSummary};
 
 /// Refusals of an analysis for a tank file, each with its place in the file.
 ///
@@ -56,7 +57,7 @@ pub struct Job {
     /// Input files of the job, with their hashes.
     pub files: Vec<SourceFile>,
     /// Warnings about the input, one sentence each.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<oscillator::record::Record>,
 }
@@ -73,9 +74,31 @@ impl Job {
         }
     }
 
+    /// Geometry for sketches and scales of figures.
+    pub fn tank(&self) -> TankSummary {
+        let case = &self.case;
+        TankSummary {
+            tank: case.tank.clone(),
+            liquid: case.liquid,
+            gravity: case.gravity,
+            liquid_mass: case.liquid_mass(),
+            wall_mass: case.tank.wall_mass(),
+            deformability: codes::deformability::of(case).map(|k| Deformability {
+                as_printed: k.as_printed,
+                corrected: k.corrected,
+                note: k.note,
+            }),
+        }
+    }
+
     /// Hash of the input of a nonlinear run.
     pub fn key(&self) -> String {
-        identity("history", &self.case, json!(self.nonlinear))
+        let options = match self.solid.snapshot_interval {
+            None => json!(self.nonlinear),
+            // A checkpoint holds the states that are kept for pictures.
+            Some(every) => json!({ "nonlinear": self.nonlinear, "states": every }),
+        };
+        identity("history", &self.case, options)
     }
 
     /// Hash of the input of an incremental dynamic analysis, without its scales.

@@ -11,6 +11,7 @@ mod series;
 mod site;
 mod standing;
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::Procedure;
@@ -28,8 +29,7 @@ use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{self, Context, Incomplete};
 use results::{
-    Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
-    Verdict, Volatile, finite,
+    EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, Verdict, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -38,10 +38,10 @@ use results::{
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        return Err(Error::input(format!(
-            "error: procedures: found `{unknown}`, expected any of {}",
-            known.join(", ")
-        )));
+        return Err(Error::input(
+            Code::UnknownId,
+            format!("procedures: found `{unknown}`, expected any of {}", known.join(", ")),
+        ));
     }
     Ok(known
         .iter()
@@ -134,18 +134,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         project: job.project.clone(),
         files: job.files.clone(),
         input: job.echo.clone(),
-        tank: TankSummary {
-            tank: job.case.tank.clone(),
-            liquid: job.case.liquid,
-            gravity: job.case.gravity,
-            liquid_mass: job.case.liquid_mass(),
-            wall_mass: job.case.tank.wall_mass(),
-            deformability: codes::deformability::of(&job.case).map(|k| Deformability {
-                as_printed: k.as_printed,
-                corrected: k.corrected,
-                note: k.note,
-            }),
-        },
+        tank: job.tank(),
         records,
         spectra,
         standing: None,

@@ -7,6 +7,7 @@ use crate::job::PushJob;
 use codes::api650::hold_down::allowable_compression;
 use codes::ec8::{buckling, plate_uplift};
 use engines::nonlinear::push::{Formula, pushover};
+use files::code::{Code, Warning};
 use files::{Kind, OutputFolder, kept_complete};
 use report::{self, FIGURES_FOLDER, REPORT_FILE};
 use results::{PUSH_FILE, PUSH_FORMAT, Push, PushJoint, Volatile, finite, read_push, write_push};
@@ -44,6 +45,8 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         format: PUSH_FORMAT.into(),
         volatile: volatile(),
         name: case.name.clone(),
+        project: job.job.project.clone(),
+        tank: Some(job.job.tank()),
         gravity: case.gravity,
         files: job.job.files.clone(),
         model: pushed.model,
@@ -52,7 +55,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         limits: pushed.limits,
         joint,
         incomplete: !pushed.interruption.is_empty(),
-        doubts: [job.job.warnings.clone(), pushed.doubts].concat(),
+        doubts: [job.job.warnings.clone(), doubts(pushed.doubts)].concat(),
         interruption: pushed.interruption,
     };
     finite::check("pushover", &push)?;
@@ -126,4 +129,10 @@ fn formulas(case: &Case) -> Vec<Formula<'_>> {
         });
     }
     out
+}
+
+/// What of the model may not hold for this tank, as warnings.
+fn doubts(found: Vec<String>) -> Vec<Warning> {
+    let warning = |text| Warning::new(Code::PushAssumption, text);
+    found.into_iter().map(warning).collect()
 }

@@ -18,6 +18,7 @@
 //! | [`keep`] | whole results of single rows |
 //! | [`rule`] | whether the records stand for a spectrum |
 //! | `page` | what the report shows |
+//! | `parquet` | rows as a table of columns |
 //!
 //! **State is in files.** A task's key is the hash of everything its numbers depend on: the resolved tank, the samples of its records, the
 //! scales, the engine and its options, the procedures, and [`METHOD`]. Its result stands at a path made of the key; a last line with the
@@ -30,6 +31,8 @@ pub mod keep;
 mod key;
 pub mod merge;
 mod page;
+#[cfg(feature = "parquet")]
+mod parquet;
 pub mod pilot;
 pub mod plan;
 pub mod rows;

@@ -10,7 +10,9 @@
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
 //! | `slab` | a rigid slab on soil |
 //! | [`hazard`] | ordinates of the user's spectrum |
+//! | [`ordinates`] | ordinates of a record, shared by its multiples |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
+//! | [`meaning`] | what each check compares, in words |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
@@ -24,8 +26,10 @@ pub mod housner;
 #[cfg(test)]
 mod ingredients;
 pub mod lifted;
+pub mod meaning;
 pub mod mechanical;
 pub mod modal_action;
+pub mod ordinates;
 pub mod procedure;
 pub mod record_set;
 mod roof;

@@ -28,7 +28,10 @@
 //! `m_i + Σ m_n = m`, `m_i h_i + Σ m_n h_n = m H/2` and `C γ + Σ p_n/(ρ a) = ξ` (a liquid that is frozen in the first
 //! instant) and published four-digit values check the formulas in the tests.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::rc::Rc;
 
 use crate::bessel::{i1_over_i1_prime, i1_prime_scaled, i1_scaled, j, j_prime_zero};
 use tank::Shape;
@@ -220,12 +223,35 @@ pub fn cosh_ratio(x: f64, zeta: f64) -> f64 {
 /// Impulsive pressure of a rigid tank, `p = ρ H C(ξ,ζ) cos θ A`.
 ///
 /// The series converges like 1/ν²; with 1000 terms `C` is exact to 1e-6 except within H/1000 of the surface (1e-4).
-#[derive(Clone, Debug, PartialEq)]
+///
+/// A field depends on the shape of the liquid alone. This thread remembers the last ones with their sums: two editions ask for the same heights of
+/// one tank, and a study again for every record and scale.
+#[derive(Clone, Debug)]
 pub struct ImpulsiveField {
     plan: Plan,
     slenderness: f64,
     /// `2 (−1)ⁿ F_n/ν_n²`.
-    wall: Vec<f64>,
+    wall: Rc<Vec<f64>>,
+    /// Sum and height ζ → value.
+    known: Rc<RefCell<HashMap<(Sum, u64), f64>>>,
+}
+
+/// The sums of a field over the height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Sum {
+    Wall,
+    Moment,
+    Shear,
+}
+
+/// Fields that a thread remembers.
+const FIELDS: usize = 8;
+/// Values of a field that are remembered: more heights than a procedure looks at.
+const VALUES: usize = 4096;
+
+thread_local! {
+    /// The last fields, the newest last.
+    static LAST: RefCell<Vec<ImpulsiveField>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Terms kept by [`ImpulsiveField`].
@@ -234,6 +260,21 @@ const FIELD_TERMS: usize = 1000;
 impl ImpulsiveField {
     /// Field at slenderness γ = H/a.
     pub fn new(plan: Plan, slenderness: f64) -> ImpulsiveField {
+        let same = |field: &&ImpulsiveField| field.plan == plan && field.slenderness.to_bits() == slenderness.to_bits();
+        if let Some(known) = LAST.with_borrow(|last| last.iter().find(same).cloned()) {
+            return known;
+        }
+        let field = ImpulsiveField::computed(plan, slenderness);
+        LAST.with_borrow_mut(|last| {
+            if last.len() == FIELDS {
+                last.remove(0);
+            }
+            last.push(field.clone());
+        });
+        field
+    }
+
+    fn computed(plan: Plan, slenderness: f64) -> ImpulsiveField {
         let wall = (0..FIELD_TERMS)
             .map(|n| {
                 let (nu, sign) = nu(n);
@@ -243,8 +284,24 @@ impl ImpulsiveField {
         ImpulsiveField {
             plan,
             slenderness,
-            wall,
+            wall: Rc::new(wall),
+            known: Rc::default(),
         }
+    }
+
+    /// A sum at a height, found once.
+    fn remembered(&self, sum: Sum, zeta: f64, find: impl FnOnce() -> f64) -> f64 {
+        let key = (sum, zeta.to_bits());
+        if let Some(value) = self.known.borrow().get(&key) {
+            return *value;
+        }
+        let value = find();
+        let mut known = self.known.borrow_mut();
+        if known.len() >= VALUES {
+            known.clear();
+        }
+        known.insert(key, value);
+        value
     }
 
     /// `C` at the wall, `p/(ρ H A)`. Known values (circle, γ = 1): 0.7403 at the base, 0.6178 at mid-height.
@@ -252,25 +309,26 @@ impl ImpulsiveField {
         if zeta >= 1.0 {
             return 0.0;
         }
-        self.sum(zeta, |_, cosine, _| cosine)
+        self.remembered(Sum::Wall, zeta, || self.sum(zeta, |_, cosine, _| cosine))
     }
 
     /// Moment at height ζ of the wall pressure above it, `M(z)/(m H A)`; at ζ = 0 mass × lever (EBP).
     pub fn moment_above(&self, zeta: f64) -> f64 {
         let zeta = zeta.min(1.0);
-        self.slenderness * self.sum(zeta, |nu, cosine, sign| (1.0 - zeta) * sign / nu - cosine / (nu * nu))
+        let term = |nu: f64, cosine: f64, sign: f64| (1.0 - zeta) * sign / nu - cosine / (nu * nu);
+        self.remembered(Sum::Moment, zeta, || self.slenderness * self.sum(zeta, term))
     }
 
     /// Shear at height ζ of the wall pressure above it, `Q(z)/(m A)`; at ζ = 0 the mass ratio.
     pub fn shear_above(&self, zeta: f64) -> f64 {
         let zeta = zeta.min(1.0);
-        let shear: f64 = (0..self.wall.len())
-            .map(|n| {
-                let (nu, sign) = nu(n);
-                self.wall[n] * (sign - (nu * zeta).sin()) / nu
-            })
-            .sum();
-        self.slenderness * shear
+        let term = |n: usize| {
+            let (nu, sign) = nu(n);
+            self.wall[n] * (sign - (nu * zeta).sin()) / nu
+        };
+        self.remembered(Sum::Shear, zeta, || {
+            self.slenderness * (0..self.wall.len()).map(term).sum::<f64>()
+        })
     }
 
     /// `C` at `ξ = r/R` or `x/L` (0 ≤ ξ ≤ 1) and ζ, in the direction of motion.

@@ -22,11 +22,26 @@
 //! assert_eq!(steps[0].substitution, "4.903 m/s²·7600.6 kg");
 //! ```
 
+use std::cell::Cell;
+
 use tank::assessment::Step;
 use tank::formula::{Formula, FormulaError};
 use tank::units::Dimension;
 
 pub use tank::formula::{Term, number, with_unit};
+
+thread_local! {
+    /// Whether the sheets of this thread keep their lines.
+    static LINES: Cell<bool> = const { Cell::new(true) };
+}
+
+/// Runs procedures whose lines nobody reads: values are computed as always, sheets stay empty.
+pub fn without_lines<T>(compute: impl FnOnce() -> T) -> T {
+    let before = LINES.replace(false);
+    let found = compute();
+    LINES.set(before);
+    found
+}
 
 /// A calculation sheet under construction.
 #[derive(Clone, Debug, Default)]
@@ -50,6 +65,9 @@ impl Sheet {
 
     /// Adds an input: a value of the tank file, of another sheet or of a table of the report. Returns the value.
     pub fn input(&mut self, symbol: &str, name: &str, value: f64, dimension: Dimension, source: &str) -> f64 {
+        if !LINES.get() {
+            return value;
+        }
         self.push(Step {
             symbol: symbol.into(),
             name: name.into(),
@@ -71,11 +89,16 @@ impl Sheet {
         dimension: Dimension,
         clause: &str,
     ) -> f64 {
-        let evaluated = Formula::cached(formula).and_then(|f| Ok((f.value(terms)?, f.substitution(terms))));
+        let lines = LINES.get();
+        let substitution = |f: &Formula| if lines { f.substitution(terms) } else { String::new() };
+        let evaluated = Formula::cached(formula).and_then(|f| Ok((f.value(terms)?, substitution(&f))));
         let (value, substitution) = evaluated.unwrap_or_else(|error| {
             self.fault.get_or_insert(error);
             (f64::NAN, String::new())
         });
+        if !lines {
+            return value;
+        }
         self.push(Step {
             symbol: symbol.into(),
             name: name.into(),
@@ -99,6 +122,9 @@ impl Sheet {
         dimension: Dimension,
         clause: &str,
     ) -> f64 {
+        if !LINES.get() {
+            return value;
+        }
         self.push(Step {
             symbol: symbol.into(),
             name: name.into(),
@@ -155,6 +181,25 @@ mod tests {
             let error = sheet.into_steps().unwrap_err().to_string();
             assert!(error.starts_with(fault), "{error}");
         }
+    }
+
+    /// Without lines: the same values, and a faulty formula still is an error.
+    #[test]
+    fn without_lines_the_values_are_the_same() {
+        let compute = |formula: &str| {
+            let mut sheet = Sheet::new();
+            let a = sheet.input("a", "", 2.0, Dimension::Length, "tank");
+            let b = sheet.look_up("b", "", "table 1", 3.0, Dimension::Length, "");
+            let terms = [("a", a, Dimension::Length), ("b", b, Dimension::Length)];
+            let c = sheet.calc("c", "", formula, &terms, Dimension::Length, "");
+            (c, sheet.into_steps())
+        };
+        let (with, lines) = compute("a·b");
+        let (without, none) = without_lines(|| compute("a·b"));
+        assert_eq!((with, lines.unwrap().len()), (without, 3));
+        assert!(none.unwrap().is_empty());
+        assert!(without_lines(|| compute("a·d")).1.is_err());
+        assert_eq!(compute("a·b").1.unwrap().len(), 3);
     }
 
     #[test]

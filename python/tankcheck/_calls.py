@@ -101,8 +101,10 @@ def _results(command: str, tank: Tank, out: Path | None, options: Mapping[str, A
         raise errors.of_exit_code(done.exit_code, done.stderr.strip())
     messages = tuple(line for line in done.stderr.splitlines() if line.strip())
     for line in messages:
-        if line.startswith("warning: "):
-            warnings.warn(line[len("warning: ") :], errors.TankcheckWarning, stacklevel=3)
+        if line.startswith("warning[") or line.startswith("warning: "):
+            # The code stays: `T0903: …`, as `tankcheck explain` knows it.
+            text = line[len("warning") :].removeprefix(": ").removeprefix("[").replace("]: ", ": ", 1)
+            warnings.warn(text, errors.TankcheckWarning, stacklevel=3)
     return Results(data, exit_code=done.exit_code, messages=messages, folder=out)
 
 

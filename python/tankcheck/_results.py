@@ -233,7 +233,9 @@ class Results:
             rows = csv.reader(file)
             head = next(rows, [])
             columns = list(zip(*rows)) or [() for _ in head]
-        return {name: [float(v) if v else float("nan") for v in column] for name, column in zip(head, columns)}
+        # Heads are `base_shear [N]`.
+        names = [name.split(" [", 1)[0] for name in head]
+        return {name: [float(v) if v else float("nan") for v in column] for name, column in zip(names, columns)}
 
     def to_frame(self) -> Any:
         """Quantities as a ``pandas.DataFrame``: a row for each, a column for each method and excitation; needs pandas."""

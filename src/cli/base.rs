@@ -8,9 +8,10 @@ use tank::units::{Dimension, UnitError, display, parse};
 
 use crate::cli::global::{Format, Global, json as pretty};
 use crate::cli::table::Table;
-use crate::cli::terminal::{print, say};
+use crate::cli::terminal::{print, warn};
 use crate::error::{EXIT_OK, Error};
 use crate::input;
+use files::code::{Code, Warning};
 use files::text;
 use report::words::base as words;
 
@@ -70,15 +71,15 @@ struct OnGround {
 pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
     for warning in &tank.warnings {
-        say!("warning: {}", text::line(warning));
+        warn("", warning);
     }
     let base = Base::of(&tank.case).map_err(absent)?;
     let base = if args.elastic { base.elastic() } else { base };
     if !base.yields() && !args.elastic {
-        say!("warning: {}", words::ELASTIC);
+        warn("", &Warning::new(Code::BaseModel, words::ELASTIC));
     }
     if tank.case.tank.anchors.is_some() {
-        say!("warning: {}", words::ANCHORS);
+        warn("", &Warning::new(Code::BaseModel, words::ANCHORS));
     }
     let suction = pressure(args.bottom_pressure.as_deref(), base.pressure)?;
     let uplifts = list(
@@ -107,7 +108,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
 
 fn absent(missing: Missing) -> Error {
     let (found, help) = words::absent(missing == Missing::Cylinder, missing == Missing::Plate);
-    Error::input(format!("error: {found}\n  help: {help}"))
+    Error::input(Code::Unsupported, format!("{found}\n  help: {help}"))
 }
 
 fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
@@ -125,17 +126,17 @@ fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(format!(
-        "error: {option}: found `{}`, expected {allowed}",
-        text::line(found)
-    ))
+    Error::input(
+        Code::OptionValue,
+        format!("{option}: found `{}`, expected {allowed}", text::line(found)),
+    )
 }
 
 /// A value that is not a quantity of its dimension.
 fn unreadable(option: &str, found: &str, error: &UnitError) -> Error {
     let help = error.help().map_or(String::new(), |help| format!("\n  help: {help}"));
     let found = text::line(found);
-    Error::input(format!("error: {option}: found `{found}`: {error}{help}"))
+    Error::input(Code::OptionValue, format!("{option}: found `{found}`: {error}{help}"))
 }
 
 fn list(

@@ -1,5 +1,6 @@
 //! `tankcheck check`: the code procedures alone.
 
+use std::path::Path;
 use std::time::Instant;
 
 use fem::progress::Silent;
@@ -13,6 +14,7 @@ use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
+use files::code::Code;
 use report;
 use results::{self, COMPARE};
 
@@ -56,7 +58,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
     solve: Option<String>,
     /// Check the tanks of this CSV table, whose columns are paths of the tank file; prints a CSV table.
-    #[arg(long, value_name = "CSV", conflicts_with = "out")]
+    #[arg(long, value_name = "FILE", conflicts_with = "out")]
     table: Option<std::path::PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
@@ -92,6 +94,22 @@ impl CheckFormat {
     }
 }
 
+/// Errors: a folder with the results of finite elements, which those of the codes alone would replace.
+fn keeps_runs(out: &Path) -> Result<(), Error> {
+    let histories = out.join(results::SERIES_FILE);
+    if !histories.is_file() {
+        return Ok(());
+    }
+    Err(Error::input(
+        Code::FileTaken,
+        format!(
+            "{}: contains the results of `tankcheck compare` with finite elements, and `check` has none\n  help: name another folder with \
+             --out, or remove this one",
+            files::text::line(&out.display().to_string())
+        ),
+    ))
+}
+
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
@@ -105,14 +123,16 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             .map(|_| "--table")
             .or(args.solve.as_ref().map(|_| "--solve")),
     ) {
-        return Err(Error::input(format!(
-            "error: {option}: found a test report as --format, expected human, json or csv"
-        )));
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!("{option}: found a test report as --format, expected human, json or csv"),
+        ));
     }
     if let Some(table) = &args.table {
         if args.format == CheckFormat::Json {
             return Err(Error::input(
-                "error: --table: found --format json, expected csv\n  help: leave --format out".into(),
+                Code::OptionConflict,
+                "--table: found --format json, expected csv\n  help: leave --format out".into(),
             ));
         }
         return tanks::run(&args.inputs, table, args.solve.as_deref());
@@ -121,6 +141,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     inputs::shaken(&job)?;
     if let Some(variable) = &args.solve {
         return solve::run(&job, variable, args.format.plain().unwrap_or(Format::Human), global);
+    }
+    if let Some(out) = &args.out {
+        keeps_runs(out)?;
     }
     let folder = args
         .out
@@ -135,7 +158,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         pipeline::draw(&job, &mut results)?;
         results::write(&folder.path(), &results, &series)?;
         report::render(&folder.path(), None, args.level.level())?;
+        let stale = folder.stale();
         folder.commit()?;
+        compare::replaced(args.out.as_deref().unwrap_or(Path::new("")), &stale);
     }
     if args.format == CheckFormat::Human {
         for line in wall::lines(&job.case.tank) {

@@ -6,7 +6,8 @@ use tank::assessment::{Check, CheckStatus};
 use tank::units;
 
 use crate::cli::style;
-use crate::cli::table::Table;
+use crate::cli::table::{Mark, Table};
+use crate::cli::terminal::width;
 use report::words::{self, terminal};
 use results::{Method, Results};
 
@@ -22,7 +23,8 @@ pub(crate) fn tables(results: &Results) -> String {
         let placed = method.checks.iter().any(|check| check.time_s.is_some());
         let head = [corner.as_str(), "demand", "capacity", "ratio", "result"];
         let mut table = Table::new(head.into_iter().chain(placed.then_some("where and when")));
-        for check in &method.checks {
+        let required = |check: &&Check| check.status != CheckStatus::NotApplicable;
+        for check in method.checks.iter().filter(required) {
             let unit = units::column_unit(check.demand.into_iter().chain(check.capacity), check.dimension);
             let value = |value: Option<f64>| match value {
                 Some(value) => units::significant(units::in_unit(value, unit), 3),
@@ -40,9 +42,27 @@ pub(crate) fn tables(results: &Results) -> String {
                 words::verdict::result(check).to_owned(),
             ];
             let place = placed.then(|| words::verdict::place(check));
-            table.row(cells.into_iter().chain(place));
+            let mark = match check.status {
+                CheckStatus::Fails => Mark::Fails,
+                CheckStatus::NotChecked => Mark::Open,
+                _ => Mark::None,
+            };
+            table.marked(mark, cells.into_iter().chain(place));
         }
-        let _ = writeln!(text, "{table}");
+        let table = match placed {
+            true => table.with_words(),
+            false => table,
+        };
+        let _ = writeln!(text, "{}", table.fitted(width()));
+        let not: Vec<&str> = method
+            .checks
+            .iter()
+            .filter(|check| !required(check))
+            .map(|check| check.id.as_str())
+            .collect();
+        if !not.is_empty() {
+            let _ = writeln!(text, "  not required of this tank: {}", not.join(", "));
+        }
         for (states, reason, status) in gaps(&method.checks) {
             let state = words::verdict::status(status);
             let _ = writeln!(text, "  {} {state}: {reason}", states.join(", "));

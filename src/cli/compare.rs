@@ -26,7 +26,8 @@ use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::{FeError, Integrator, Task, engine};
-use files::{OutputFolder, kept_complete, text};
+use files::code::{Code, Warning};
+use files::{OutputFolder, kept_complete};
 use report::words::{self, terminal};
 use report::{self, Level};
 use results::compare::unusable;
@@ -71,7 +72,7 @@ pub(crate) struct Args {
     nonlinear: nonlinear::NonlinearArgs,
     #[command(flatten)]
     memory: MemoryArg,
-    /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
+    /// Write ParaView files (tank.pvd) into this folder: of the three-dimensional or the nonlinear run, else of the bottom plate that lifts.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,
     /// Time between two states in the ParaView files [default: a hundredth of the record].
@@ -160,7 +161,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     };
     let missing = || {
         Error::input(
-            "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
+            Code::MissingInput,
+            "the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
              the linear engines run without a record under the design spectrum of `site`"
                 .into(),
         )
@@ -190,10 +192,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
-        return Err(Error::input(format!(
-            "error: --vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
-            args.out.display()
-        )));
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!(
+                "--vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
+                args.out.display()
+            ),
+        ));
     }
     let folder = match job.checkpoint {
         Some(_) => OutputFolder::prepare_alone(&args.out, results::COMPARE)?,
@@ -211,6 +216,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     } = pipeline::run(&job, &watch)?;
     stamp(&mut results, started);
     let interrupted = watch.interrupted() && results.verdict.unfinished;
+    let mut stale = Vec::new();
     if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
         watch.warn(&kept_complete(&args.out));
     } else {
@@ -222,6 +228,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
             vtu::write(&vtu.path(), snapshots)?;
         }
+        stale = folder.stale();
         folder.commit()?;
         // Without a state the folder is not changed.
         vtu.filter(|_| snapshots.is_some())
@@ -232,8 +239,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let out = (!args.no_report).then_some(args.out.as_path());
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
+    replaced(&args.out, &stale);
     for found in unusable(&results) {
-        say!("warning: {}", words::verdict::unusable(&found));
+        stream::warn("", &Warning::new(Code::Unusable, words::verdict::unusable(&found)));
     }
     for line in terminal::apart(&results.comparison.measured_apart) {
         say!("note: {line}");
@@ -243,7 +251,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         (Some(folder), Some(_)) if !global.quiet => {
             say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
         }
-        (Some(_), None) => say!("ParaView: no files written; the run was interrupted before the first state"),
+        (Some(_), None) if interrupted => {
+            say!("ParaView: no files written; the run was interrupted before the first state");
+        }
+        (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
         _ => {}
     }
     Ok(exit_code(&results.verdict))
@@ -272,21 +283,39 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
         None => {}
     }
-    args.nonlinear.apply(job, &args.out)?;
-    if !job.engines.contains(&EngineId::Solid) {
-        let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
-        return match unused {
-            Some(option) => Err(Error::input(format!(
-                "error: {option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"
-            ))),
-            None => Ok(()),
-        };
-    }
-    args.solid.apply(job);
     if args.vtu.is_some() {
+        if !draws(job) {
+            return Err(Error::input(
+                Code::OptionConflict,
+                "--vtu: there is nothing to draw; the harmonic engine has states of a steel bottom plate under a cylinder alone\n  help: \
+                 add --fe solid, --fe both or, for a cylinder, --fe nonlinear; or give `tank.bottom`"
+                    .into(),
+            ));
+        }
         job.solid.snapshot_interval = Some(interval(job, args.vtu_every)?);
     }
+    // After the interval, which is part of what a checkpoint is of.
+    args.nonlinear.apply(job, &args.out)?;
+    if job.engines.contains(&EngineId::Solid) {
+        args.solid.apply(job);
+    } else if let Some(option) = args.solid.given() {
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"),
+        ));
+    }
     Ok(())
+}
+
+/// Whether an engine may have states for ParaView.
+fn draws(job: &Job) -> bool {
+    let round = matches!(job.case.tank.shape, tank::Shape::Cylinder { .. });
+    let lifts = || base::Base::of(&job.case).is_ok();
+    job.engines.iter().any(|engine| match engine {
+        EngineId::Solid => true,
+        EngineId::Nonlinear => round,
+        EngineId::Harmonic => lifts(),
+    })
 }
 
 /// Default number of states in the ParaView files: enough for a smooth animation.
@@ -302,10 +331,13 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
     match given {
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
-        Some(every) => Err(Error::input(format!(
-            "error: --vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
-            record.dt
-        ))),
+        Some(every) => Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "--vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
+                record.dt
+            ),
+        )),
     }
 }
 
@@ -354,7 +386,7 @@ pub(crate) fn print(
                 text.push_str(&table(results, excitation));
             }
             text.push_str(&verdict(results));
-            stream::print(&text)?;
+            stream::print_marked(&text)?;
         }
     }
     if let (Some(out), false) = (out, global.quiet) {
@@ -363,10 +395,24 @@ pub(crate) fn print(
     Ok(())
 }
 
+/// Names what of an earlier run is gone.
+///
+/// * `stale`: of [`OutputFolder::stale`], before its commit
+pub(crate) fn replaced(out: &Path, stale: &[String]) {
+    if !stale.is_empty() {
+        let text = format!(
+            "{}: {} of the earlier results removed, of which the new ones have none",
+            out.display(),
+            stale.join(", ")
+        );
+        stream::warn("", &Warning::new(Code::Replaced, text));
+    }
+}
+
 /// Warnings that follow from the results; those about the input were printed before the run.
 pub(crate) fn late_warnings(job: &Job, results: &Results) {
     for warning in results.warnings.iter().filter(|w| !job.warnings.contains(w)) {
-        say!("warning: {}", text::line(warning));
+        stream::warn("", warning);
     }
 }
 
@@ -418,7 +464,7 @@ fn table(results: &Results, excitation: Excitation) -> String {
         let title = format!("{} [{}]", row.title, unit.symbol);
         table.row(std::iter::once(title).chain(cells));
     }
-    let mut text = format!("{table}\n");
+    let mut text = format!("{}\n", table.fitted(stream::width()));
     let marked = |mark: fn(&results::Cell) -> bool| {
         let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
         results.comparison.rows.iter().any(of)
@@ -453,6 +499,10 @@ fn table(results: &Results, excitation: Excitation) -> String {
         if let Some(line) = terminal::not_applicable(method) {
             let _ = writeln!(text, "{line}");
         }
+    }
+    // Before what follows; the table has a line of its own after it.
+    if !text.ends_with("\n\n") {
+        text.push('\n');
     }
     text
 }
@@ -528,12 +578,12 @@ fn verdict(results: &Results) -> String {
     for run in &results.runs {
         let exceeded: Vec<&Limit> = run.limits.iter().filter(|l| !l.holds).collect();
         for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
-            let _ = writeln!(text, "{}", terminal::exceeded(limit));
+            let _ = writeln!(text, "{}: {}", Code::LimitExceeded.head(), terminal::exceeded(limit));
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }
     if results.runs.iter().any(Run::parted) {
-        let _ = writeln!(text, "warning: {}", words::verdict::LIQUID_PARTED);
+        let _ = writeln!(text, "{}: {}", Code::LiquidParted.head(), words::verdict::LIQUID_PARTED);
     }
     text
 }

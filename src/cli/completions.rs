@@ -1,6 +1,7 @@
 //! `tankcheck completions`: shell completions and the manual page.
 
 use clap_complete::Shell;
+use files::code::Code;
 
 use crate::cli::{Global, command, print};
 use crate::error::{EXIT_OK, Error};
@@ -35,10 +36,13 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
                 "" => command,
                 name => command.find_subcommand(name).cloned().ok_or_else(|| {
                     let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-                    Error::input(format!(
-                        "error: unknown subcommand; found `{name}`, expected one of {}",
-                        known.join(", ")
-                    ))
+                    Error::input(
+                        Code::UnknownId,
+                        format!(
+                            "unknown subcommand; found `{name}`, expected one of {}",
+                            known.join(", ")
+                        ),
+                    )
                 })?,
             };
             clap_mangen::Man::new(chosen)

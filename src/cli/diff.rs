@@ -10,6 +10,7 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
+use files::code::Code;
 use files::text as visible;
 use files::{Kind, OutputFolder, write_whole};
 use report::words;
@@ -111,14 +112,16 @@ const ACCEPTED_FILE: &str = "accepted.json";
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::input(format!(
-                "error: {name}: found {value}, expected a number ≥ 0"
-            )));
+            return Err(Error::input(
+                Code::OptionValue,
+                format!("{name}: found {value}, expected a number ≥ 0"),
+            ));
         }
     }
     if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
         return Err(Error::input(
-            "error: --reason: found an empty text, expected a sentence\n  help: state why the numbers may move".into(),
+            Code::OptionValue,
+            "--reason: found an empty text, expected a sentence\n  help: state why the numbers may move".into(),
         ));
     }
     let options = Options {
@@ -369,6 +372,7 @@ fn bless(args: &Args, report: &Report) -> Result<(), Error> {
     let mut history: Vec<serde_json::Value> = match std::fs::read_to_string(&accepted) {
         Ok(text) => serde_json::from_str(&text).map_err(|e| {
             Error::Files(files::error::Error::File {
+                code: Code::NotResults,
                 path: accepted.clone(),
                 what: format!("found no list of acceptances: {e}"),
             })

@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cli::terminal::say;
 use crate::error::EXIT_COMPUTATION;
+use files::code::Code;
 
 /// Set by the first thread that panics.
 static FAULT: AtomicBool = AtomicBool::new(false);
@@ -40,7 +41,7 @@ fn message(info: &PanicHookInfo<'_>, arguments: impl Iterator<Item = String>) ->
     line(what, &place, arguments)
 }
 
-/// `error: internal fault at src/a.rs:7: what; please report it to … with the command and the files tank.json`.
+/// `error[T0711]: internal fault at src/a.rs:7: what; please report it to … with the command and the files tank.json`.
 fn line(what: &str, place: &str, arguments: impl Iterator<Item = String>) -> String {
     let arguments: Vec<String> = arguments.collect();
     let files: Vec<String> = arguments
@@ -54,7 +55,8 @@ fn line(what: &str, place: &str, arguments: impl Iterator<Item = String>) -> Str
         false => format!(" and {}", files.join(", ")),
     };
     format!(
-        "error: internal fault at {place}: {}; please report it to {} with the command `tankcheck {}`{input} (tankcheck {})",
+        "{}: internal fault at {place}: {}; please report it to {} with the command `tankcheck {}`{input} (tankcheck {})",
+        Code::Internal.head(),
         what.escape_debug(),
         maintainers(env!("CARGO_PKG_REPOSITORY")),
         arguments.join(" ").escape_debug(),
@@ -112,7 +114,7 @@ mod tests {
         assert_eq!(child.status.code(), Some(3), "{text}");
         assert_eq!(text.lines().count(), 1, "{text}");
         for part in [
-            "error: internal fault at ",
+            "error[T0711]: internal fault at ",
             "fault.rs:",
             "index out of bounds",
             "please report it to",

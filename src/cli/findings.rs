@@ -14,6 +14,7 @@ use serde_json::json;
 use tank::assessment::{Check, CheckStatus};
 
 use crate::error::Error;
+use files::code::{Code, Warning};
 use report::words::{self, terminal};
 use results::{Method, Results, VerdictStatus};
 
@@ -39,7 +40,7 @@ pub(crate) struct Finding {
     pub message: String,
 }
 
-/// The verdict, and the checks of the deciding methods; of all methods where none decides. What is not required of the tank is left out.
+/// The verdict, the checks of the deciding methods (of all methods where none decides), and the warnings. What is not required of the tank is left out.
 pub(crate) fn of_checks(results: &Results) -> Vec<Finding> {
     let decides = |m: &&Method| results.verdict.decides(m);
     let any = results.methods.iter().any(|m| decides(&m) && !m.checks.is_empty());
@@ -51,6 +52,7 @@ pub(crate) fn of_checks(results: &Results) -> Vec<Finding> {
     };
     std::iter::once(of_verdict(results))
         .chain(methods.flat_map(of))
+        .chain(results.warnings.iter().map(of_warning))
         .collect()
 }
 
@@ -91,6 +93,18 @@ fn of_check(group: &str, check: &Check) -> Finding {
         id: check.id.clone(),
         outcome,
         message,
+    }
+}
+
+/// Group of warnings, whose ids are their codes.
+const WARNINGS: &str = "warnings";
+
+fn of_warning(warning: &Warning) -> Finding {
+    Finding {
+        group: WARNINGS.into(),
+        id: warning.code().map_or_else(|| "warning".into(), |code| code.id().into()),
+        outcome: Outcome::Warns,
+        message: warning.text().into(),
     }
 }
 
@@ -159,7 +173,20 @@ pub(crate) fn junit(name: &str, findings: &[Finding]) -> String {
 /// Errors: none in practice; JSON that cannot be written.
 pub(crate) fn sarif(place: &str, findings: &[Finding]) -> Result<String, Error> {
     let told = || findings.iter().filter(|f| f.outcome != Outcome::Holds);
-    let rule_of = |f: &Finding| format!("{}/{}", f.group, f.id);
+    // A warning is its code, which `tankcheck explain` knows.
+    let rule_of = |f: &Finding| match f.group.as_str() {
+        WARNINGS => f.id.clone(),
+        group => format!("{group}/{}", f.id),
+    };
+    let rule = |id: &String| match Code::find(id) {
+        Some(code) => json!({
+            "id": id,
+            "shortDescription": { "text": code.title() },
+            "fullDescription": { "text": code.explanation() },
+            "help": { "text": format!("tankcheck explain {id}") },
+        }),
+        None => json!({ "id": id }),
+    };
     let mut rules: Vec<String> = Vec::new();
     for finding in told() {
         let rule = rule_of(finding);
@@ -190,7 +217,7 @@ pub(crate) fn sarif(place: &str, findings: &[Finding]) -> Result<String, Error> 
             "tool": { "driver": {
                 "name": "tankcheck",
                 "version": env!("CARGO_PKG_VERSION"),
-                "rules": rules.iter().map(|id| json!({ "id": id })).collect::<Vec<_>>(),
+                "rules": rules.iter().map(rule).collect::<Vec<_>>(),
             } },
             "results": results,
         }],

@@ -10,6 +10,7 @@ use crate::curves::{Asked, Curve, FORMAT};
 use crate::error::{EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::input::fragility::{self as input, STATE};
 use ::fragility::export::{Component, nrml, pelicun};
+use files::code::Code;
 use files::{text, write_whole};
 
 /// Most resamples.
@@ -87,10 +88,13 @@ struct Data {
 pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
     for (option, path) in [("--pelicun", &args.pelicun), ("--nrml", &args.nrml)] {
         if let Some(path) = path.as_ref().filter(|path| path.exists()) {
-            return Err(Error::input(format!(
-                "error: {option}: found `{}`, which exists, expected the name of a new file",
-                path.display()
-            )));
+            return Err(Error::input(
+                Code::FileTaken,
+                format!(
+                    "{option}: found `{}`, which exists, expected the name of a new file",
+                    path.display()
+                ),
+            ));
         }
     }
     let asked = Asked {
@@ -103,14 +107,16 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         (Some(path), _, _) => asked.of_stripes(&input::stripes(path)?),
         (_, Some(path), _) => {
             if let Some(largest) = args.im_max.filter(|im| !(*im > 0.0 && im.is_finite())) {
-                return Err(Error::input(format!(
-                    "error: --im-max: found {largest}, expected a number greater than 0"
-                )));
+                return Err(Error::input(
+                    Code::OptionValue,
+                    format!("--im-max: found {largest}, expected a number greater than 0"),
+                ));
             }
             let data = input::capacities(path, args.im_max)?;
             if args.im_max.is_some() && data.len() > 1 {
                 return Err(Error::input(
-                    "error: --censored counts the runs of one state, and the file has several\n  help: give each state a file of its own"
+                    Code::OptionConflict,
+                    "--censored counts the runs of one state, and the file has several\n  help: give each state a file of its own"
                         .into(),
                 ));
             }
@@ -163,17 +169,18 @@ fn components(curves: &[Curve]) -> Vec<Component> {
 fn limits(given: &[String]) -> Result<Vec<(String, f64)>, Error> {
     if given.is_empty() {
         return Err(Error::input(
-            "error: --cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4"
-                .into(),
+            Code::MissingInput,
+            "--cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4".into(),
         ));
     }
     let one = |text: &String| {
         let (name, number) = text.split_once('=').unwrap_or((STATE, text));
         match number.trim().parse::<f64>() {
             Ok(limit) if limit > 0.0 && limit.is_finite() => Ok((name.trim().to_owned(), limit)),
-            _ => Err(Error::input(format!(
-                "error: --limit: found `{text}`, expected a number greater than 0, or NAME=number"
-            ))),
+            _ => Err(Error::input(
+                Code::OptionValue,
+                format!("--limit: found `{text}`, expected a number greater than 0, or NAME=number"),
+            )),
         }
     };
     given.iter().map(one).collect()

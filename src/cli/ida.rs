@@ -15,6 +15,7 @@ use crate::ida;
 use crate::input::records::plausible;
 use crate::job::IdaJob;
 use engines::{engine, nonlinear};
+use files::code::Code;
 use files::text;
 use report::words;
 use results::{EngineId, ida_csv};
@@ -155,7 +156,8 @@ impl Args {
 
 /// The factors of `--scale` and `--steps`, ascending.
 fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
-    let refuse = |what: String, help: &str| Err(Error::input(format!("error: {what}\n  help: {help}")));
+    let refuse_as = |code: Code, what: String, help: &str| Err(Error::input(code, format!("{what}\n  help: {help}")));
+    let refuse = |what: String, help: &str| refuse_as(Code::OptionValue, what, help);
     let expected = format!("expected factors from 0 to {MAX_SCALE}");
     let number = |part: &str| part.trim().parse::<f64>().ok();
     let sound = |scale: &f64| (0.0..=MAX_SCALE).contains(scale);
@@ -218,7 +220,8 @@ fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
         );
     }
     let Some(steps) = steps else {
-        return refuse(
+        return refuse_as(
+            Code::MissingInput,
             format!("--steps is missing; expected the number of factors in `{text}`"),
             "add for example --steps 12",
         );
@@ -245,7 +248,7 @@ mod tests {
 
     fn refused(text: &str, steps: Option<&str>) -> String {
         match scales(text, steps) {
-            Err(Error::Files(files::error::Error::Input(message))) => message,
+            Err(Error::Files(files::error::Error::Input(_, message))) => message,
             other => panic!("{text}: {other:?}"),
         }
     }

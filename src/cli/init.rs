@@ -1,13 +1,18 @@
 //! `tankcheck init`: a commented tank file or study file to start from.
 
-use crate::cli::{Global, print};
+use crate::cli::Global;
+use crate::cli::outfile::OutFile;
 use crate::error::{EXIT_OK, Error};
+use crate::input::diagnostic::Source;
+use crate::input::tank::parse;
+use tank::Support;
+use tank::case::Case;
 
 /// Arguments.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
-  tankcheck init > tank.json
+  tankcheck init --out tank.json
   tankcheck init --shape rectangle > basin.json
   tankcheck init | tankcheck check -
   tankcheck init --study > study.json")]
@@ -18,6 +23,8 @@ pub(crate) struct Args {
     /// Write a study file instead.
     #[arg(long, conflicts_with = "shape")]
     study: bool,
+    #[command(flatten)]
+    out: OutFile,
 }
 
 /// The study file.
@@ -41,9 +48,35 @@ impl Shape {
     }
 }
 
+/// The tanks of both files, and the cylinder without anchors and with gas above the liquid: between them every limit state is declared.
+pub(crate) fn cases() -> Vec<Case> {
+    let read = |shape: Shape| {
+        let file = parse(&Source::new("tank.json", shape.text()));
+        // A test reads both files.
+        file.map(|file| file.case).ok()
+    };
+    let mut all: Vec<Case> = [Shape::Cylinder, Shape::Rectangle]
+        .into_iter()
+        .filter_map(read)
+        .collect();
+    if let Some(mut lifted) = all.first().cloned() {
+        lifted.tank.support = Support::Unanchored;
+        lifted.tank.anchors = None;
+        lifted.tank.pressure.internal = GAS;
+        if let Some(site) = &mut lifted.site.api650 {
+            site.design_pressure = GAS;
+        }
+        all.push(lifted);
+    }
+    all
+}
+
+/// Pressure above the liquid of the third of [`cases`] [Pa].
+const GAS: f64 = 1e3;
+
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
-    print(if args.study { STUDY } else { args.shape.text() })?;
+    args.out.put(if args.study { STUDY } else { args.shape.text() })?;
     Ok(EXIT_OK)
 }
 
@@ -52,9 +85,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::input::diagnostic::Source;
     use crate::input::study;
-    use crate::input::tank::parse;
 
     /// The study file with the files that it names beside it.
     #[test]

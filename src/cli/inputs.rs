@@ -7,12 +7,13 @@ use tank::case::GroundMotion;
 use tank::check::Decision;
 use tank::refusal::Refusal;
 
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, warn};
 use crate::error::Error;
 use crate::input::{self, TankFile, records};
 use crate::job::{self, Job};
 use engines::Task;
 use engines::nonlinear::NonlinearOptions;
+use files::code::Code;
 use files::text;
 use results::{InputValue, SourceFile};
 
@@ -103,7 +104,7 @@ impl Inputs {
             });
         }
         for warning in &warnings {
-            say!("warning: {}{}", text::line(origin), text::line(warning));
+            warn(origin, warning);
         }
         let procedures = match &self.procedures {
             Some(ids) => ids.clone(),
@@ -133,19 +134,25 @@ impl Inputs {
     fn decision(&self, file: Decision, procedures: &[String]) -> Result<Decision, Error> {
         let code = |id: &str| codes::ALL.iter().any(|p| p.id() == id);
         if let Some(absent) = file.decide.iter().find(|id| code(id) && !procedures.contains(id)) {
-            return Err(Error::input(format!(
-                "error: procedures.decide: `{absent}` does not run\n  help: add it to the procedures to run, or remove it \
+            return Err(Error::input(
+                Code::UnknownId,
+                format!(
+                    "procedures.decide: `{absent}` does not run\n  help: add it to the procedures to run, or remove it \
                  from `decide`"
-            )));
+                ),
+            ));
         }
         let Some(accept) = &self.accept else {
             return Ok(file);
         };
         let Some(ids) = accept.strip_prefix("not-checked=") else {
-            return Err(Error::input(format!(
-                "error: --accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \
+            return Err(Error::input(
+                Code::OptionValue,
+                format!(
+                    "--accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \
                  the tank file"
-            )));
+                ),
+            ));
         };
         let mut decision = Decision {
             accepted: Vec::new(),
@@ -153,10 +160,13 @@ impl Inputs {
         };
         for id in ids.split(',') {
             let Some(gap) = file.accepted.iter().find(|gap| gap.check == id) else {
-                return Err(Error::input(format!(
-                    "error: --accept: `{id}` has no reason in the tank file\n  help: add {{ \"check\": \"{id}\", \"reason\": \
+                return Err(Error::input(
+                    Code::UnknownId,
+                    format!(
+                        "--accept: `{id}` has no reason in the tank file\n  help: add {{ \"check\": \"{id}\", \"reason\": \
                      \"…\" }} to `accepted`"
-                )));
+                    ),
+                ));
             };
             decision.accepted.push(gap.clone());
         }
@@ -182,7 +192,8 @@ fn whole_tank(options: &mut NonlinearOptions, echo: &mut [InputValue]) {
 pub(crate) fn shaken(job: &Job) -> Result<(), Error> {
     if job.case.ground_motion.is_none() && !job.case.site.is_given() {
         return Err(Error::input(
-            "error: the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
+            Code::MissingInput,
+            "the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
              with --quake"
                 .into(),
         ));

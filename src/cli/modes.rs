@@ -10,12 +10,13 @@ use tank::{Case, Shape};
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, warn};
 use crate::cli::{self, Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
 use crate::{input, job};
 use engines::solid::SolidOptions;
 use engines::{engine, harmonic};
+use files::code::Code;
 use files::text;
 use report::words::terminal as words;
 use results::{EngineId, Mode, finite};
@@ -87,7 +88,7 @@ impl Engine {
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
     for warning in &tank.warnings {
-        say!("warning: {}", text::line(warning));
+        warn("", warning);
     }
     let fe = args.fe.unwrap_or(match tank.case.tank.bends_as_plates() {
         true => Engine::Solid,
@@ -111,9 +112,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let (modes, notes) = match fe {
         Engine::Harmonic => {
             if let Some(option) = args.solid.given() {
-                return Err(Error::input(format!(
-                    "error: {option} applies to the three-dimensional engine only\n  help: add --fe solid"
-                )));
+                return Err(Error::input(
+                    Code::OptionConflict,
+                    format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid"),
+                ));
             }
             let mut estimate = harmonic::estimate(&case, &options)?;
             estimate.seconds *= harmonics.len() as f64;
@@ -143,10 +145,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let mut notes = harmonic::notes(&case, &modes);
             let most = engines::solid::most_waves(&case, &options, &solid)?;
             if let Some(n) = harmonics.iter().find(|n| **n > most) {
-                return Err(Error::input(format!(
-                    "error: --harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
+                return Err(Error::input(
+                    Code::OptionValue,
+                    format!(
+                        "--harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
                      needs six"
-                )));
+                    ),
+                ));
             }
             notes.push(match case.tank.shape {
                 Shape::Cylinder { .. } => words::wave_numbers(most),
@@ -180,7 +185,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
 
 fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
-        Error::input(format!("error: {option}: found `{found}`, expected {allowed}"))
+        Error::input(
+            Code::OptionValue,
+            format!("{option}: found `{found}`, expected {allowed}"),
+        )
     };
     let largest = match (shape, engine) {
         (Shape::Cylinder { .. }, _) => MAX_HARMONIC,
@@ -301,7 +309,7 @@ mod tests {
         ] {
             assert!(matches!(
                 check(&harmonics, count, (shape, Engine::Harmonic)),
-                Err(Error::Files(files::error::Error::Input(_)))
+                Err(Error::Files(files::error::Error::Input(..)))
             ));
         }
     }

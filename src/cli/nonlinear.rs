@@ -1,5 +1,6 @@
 //! Checkpoint arguments of the nonlinear engine, shared by `compare` and `push`.
 
+use files::code::Code;
 use std::path::{Path, PathBuf};
 
 use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect, unfinished};
@@ -11,7 +12,7 @@ use crate::job::Job;
 use engines::nonlinear::CheckpointFile;
 use report::number::plain;
 use results::nonlinear::End;
-use results::{EngineId, Results, describe};
+use results::{EngineId, Results};
 
 /// Checkpoint options.
 #[derive(clap::Args, Clone, Debug)]
@@ -33,6 +34,7 @@ impl NonlinearArgs {
             let unused = self.checkpoint.as_ref().map(|_| "--checkpoint");
             return match unused.or(self.resume.then_some("--resume")) {
                 Some(option) => refuse(
+                    Code::OptionConflict,
                     &format!("{option} applies to the nonlinear engine only"),
                     "add --fe nonlinear",
                 ),
@@ -52,6 +54,7 @@ impl NonlinearArgs {
         let shown = path.display();
         if path.is_dir() {
             return refuse(
+                Code::OptionValue,
                 &format!("--checkpoint: `{shown}` is a folder, expected a file"),
                 "name a file",
             );
@@ -59,6 +62,7 @@ impl NonlinearArgs {
         match path.parent() {
             Some(parent) if self.checkpoint.is_some() && !parent.as_os_str().is_empty() && !parent.is_dir() => {
                 return refuse(
+                    Code::OptionValue,
                     &format!("--checkpoint: folder `{}` does not exist", parent.display()),
                     "create it, or name a file in another folder",
                 );
@@ -77,6 +81,7 @@ impl NonlinearArgs {
                 let own = |head: Vec<u8>| if part { MAGIC.starts_with(&head) } else { head == MAGIC };
                 if !begins(&path)?.is_none_or(own) {
                     return refuse(
+                        Code::FileTaken,
                         &format!("--checkpoint: `{}` is not a checkpoint", path.display()),
                         "name another file; tankcheck does not overwrite this one",
                     );
@@ -90,8 +95,8 @@ impl NonlinearArgs {
     }
 }
 
-fn refuse<T>(what: &str, help: &str) -> Result<T, Error> {
-    Err(Error::input(format!("error: {what}\n  help: {help}")))
+fn refuse<T>(code: Code, what: &str, help: &str) -> Result<T, Error> {
+    Err(Error::input(code, format!("{what}\n  help: {help}")))
 }
 
 /// Rejects a checkpoint that cannot be resumed. The engine checks later that it belongs to this run.
@@ -99,10 +104,12 @@ fn sound(path: &Path) -> Result<(), Error> {
     match inspect(path) {
         Ok(()) => Ok(()),
         Err(CheckpointError::File { reason, .. }) => Err(Error::Files(files::error::Error::File {
+            code: Code::FileUnreadable,
             path: path.into(),
             what: reason,
         })),
         Err(fault) => refuse(
+            Code::Checkpoint,
             &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
             "remove --resume to start over and overwrite it, or name another file with --checkpoint",
         ),
@@ -124,12 +131,7 @@ fn beside(out: &Path) -> PathBuf {
 /// First bytes of a file as long as those of a checkpoint; `None` if there is no file.
 fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     use std::io::Read;
-    let fault = |e: std::io::Error| {
-        Error::Files(files::error::Error::File {
-            path: path.into(),
-            what: describe(&e),
-        })
-    };
+    let fault = |e: std::io::Error| Error::Files(files::error::Error::unreadable(path, &e));
     if !path.exists() {
         return Ok(None);
     }

@@ -2,6 +2,7 @@
 //! every tenth of a stage, or every minute if that is sooner. The first Ctrl-C stops the analysis, which returns the
 //! finished part, marked incomplete. The second ends the process immediately and removes partial files.
 
+use files::code::{Code, Warning};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -10,7 +11,7 @@ use fem::progress::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::Global;
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, warn};
 use crate::error::{EXIT_COMPUTATION, EXIT_INTERRUPTED};
 use engines::estimate::span;
 
@@ -109,7 +110,7 @@ impl Progress for Watch {
     }
 
     fn warn(&self, what: &str) {
-        self.bar.suspend(|| say!("warning: {what}"));
+        self.bar.suspend(|| warn("", &Warning::new(Code::PartlyKept, what)));
     }
 }
 

@@ -8,13 +8,14 @@ use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
 use crate::cli::style::StyleArg;
 use crate::cli::table::Table;
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, warn};
 use crate::cli::{Format, Global, json, nonlinear, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::PushJob;
 use crate::push;
 use engines::FeError;
 use engines::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate, refuses};
+use files::code::Code;
 use files::text;
 use report;
 use report::number::with_unit;
@@ -56,6 +57,9 @@ pub(crate) struct Args {
     /// Height of a weld depression above the base, `2m` [default: where the perfect shell buckles].
     #[arg(long, value_name = "HEIGHT", requires = "imperfection", allow_hyphen_values = true)]
     imperfection_at: Option<String>,
+    /// Keeps the foot of an unanchored tank a plane, as the strips of the fast engine have it and a stiff roof does.
+    #[arg(long)]
+    plane_foot: bool,
     /// Folder for the results.
     #[arg(long, short, value_name = "FOLDER", default_value = "push")]
     out: PathBuf,
@@ -125,7 +129,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         // Warnings about the input were printed before the run.
         for doubt in found.doubts.iter().filter(|d| !job.job.warnings.contains(d)) {
-            say!("warning: {doubt}");
+            warn("", doubt);
         }
         if found.incomplete {
             say!("incomplete: {}", found.interruption);
@@ -146,6 +150,7 @@ impl Args {
         let height = self.imperfection_at.as_deref().map(height).transpose()?;
         if self.imperfection_shape == Shape::Mode && height.is_some() {
             return refuse(
+                Code::OptionConflict,
                 "--imperfection-at: does not apply to a buckling mode".into(),
                 "remove --imperfection-at, or choose --imperfection-shape weld",
             );
@@ -167,9 +172,16 @@ impl Args {
         if let (tank::Shape::Cylinder { .. }, Some(no_steel)) = (job.case.tank.shape, NoSteel::of(&job.case)) {
             let file = job.files.first().map_or("tank", |f| f.name.as_str());
             return refuse(
+                Code::Unsupported,
                 format!("{file}: {no_steel}"),
                 "for a steel wall add \"behaviour\": { \"steel\": { \"yield_strength\": \"235 MPa\" } } to its material; run walls of \
                  concrete with compare --fe nonlinear",
+            );
+        }
+        if self.plane_foot && job.case.tank.support != tank::Support::Unanchored {
+            return refuse(
+                "--plane-foot: found an anchored tank, expected an unanchored one with a bottom plate".into(),
+                "remove --plane-foot: the foot of an anchored wall does not move",
             );
         }
         let mut job = PushJob {
@@ -178,6 +190,7 @@ impl Args {
                 imperfection,
                 form,
                 height,
+                plane_foot: self.plane_foot,
             },
             out: self.out.clone(),
             checkpoint: None,
@@ -187,8 +200,8 @@ impl Args {
     }
 }
 
-fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
-    Err(Error::input(format!("error: {what}\n  help: {help}")))
+fn refuse<T>(code: Code, what: String, help: &str) -> Result<T, Error> {
+    Err(Error::input(code, format!("{what}\n  help: {help}")))
 }
 
 /// `0.5t`, `6mm`, `class-b`.
@@ -201,6 +214,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             "b" => Ok(Amplitude::Quality(Quality::B)),
             "c" => Ok(Amplitude::Quality(Quality::C)),
             _ => refuse(
+                Code::OptionValue,
                 format!("--imperfection: found `{text}`, expected class-a, class-b or class-c"),
                 HELP,
             ),
@@ -209,6 +223,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
     if let Some(number) = plain.strip_suffix('t').and_then(|n| n.trim().parse::<f64>().ok()) {
         if number == 0.0 || number.is_nan() || number.abs() > MAX_THICKNESSES {
             return refuse(
+                Code::OptionValue,
                 format!(
                     "--imperfection: found `{text}`, expected up to {MAX_THICKNESSES} thicknesses inward or outward, not zero"
                 ),
@@ -221,6 +236,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
         Ok(value) if value != 0.0 && value.is_finite() => {
             if value.abs() > 1.0 {
                 return refuse(
+                    Code::OptionValue,
                     format!(
                         "--imperfection: found {}, expected up to 1 m",
                         with_unit(value, Dimension::Length)
@@ -231,6 +247,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             Ok(Amplitude::Length(value))
         }
         _ => refuse(
+            Code::OptionValue,
             format!("--imperfection: found `{text}`, expected an amplitude with its unit, not zero"),
             HELP,
         ),
@@ -241,6 +258,7 @@ fn height(text: &str) -> Result<f64, Error> {
     match units::parse(text.trim(), Dimension::Length) {
         Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
         _ => refuse(
+            Code::OptionValue,
             format!("--imperfection-at: found `{text}`, expected a height above the base with its unit"),
             "write for example 2m",
         ),
@@ -261,7 +279,7 @@ mod tests {
         for text in [
             "", "0", "0t", "0.5", "class-d", "11t", "2 m", "NaNt", "half", "5 s", "inf t",
         ] {
-            let Err(Error::Files(files::error::Error::Input(message))) = amplitude(text) else {
+            let Err(Error::Files(files::error::Error::Input(_, message))) = amplitude(text) else {
                 panic!("{text}");
             };
             assert!(

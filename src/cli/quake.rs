@@ -13,11 +13,11 @@ use tank::STANDARD_GRAVITY;
 
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
-use crate::cli::terminal::say;
+use crate::cli::terminal::warn;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, ReadRecord};
-use files::text;
+use files::code::Code;
 use results::finite;
 
 /// Arguments.
@@ -53,7 +53,7 @@ K-NET and KiK-net; USGS SMC; COSMOS; CSMIP volume 2 (--channel where there are s
 The unit comes from the header or from --units, never from the size of the numbers.")]
 struct Info {
     /// The record (`-` reads standard input).
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "RECORD")]
     record: PathBuf,
     #[command(flatten)]
     reading: Reading,
@@ -107,7 +107,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     let facts = facts(&read);
     finite::check("the measures of the record", &facts)?;
     for warning in records::plausible::doubts(&read.record, &records::Processing::default()) {
-        say!("warning: {}", text::line(&warning));
+        warn("", &warning);
     }
     match info.format {
         Format::Human => print(&human(&facts))?,
@@ -116,7 +116,8 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
         }
         Format::Csv => {
             return Err(Error::input(
-                "error: --format: found csv, expected human or json".into(),
+                Code::OptionConflict,
+                "--format: found csv, expected human or json".into(),
             ));
         }
     }

@@ -1,20 +1,30 @@
-//! `tankcheck report`: render the report of a results folder again, without computing.
+//! `tankcheck report`: render the report of a results folder again, without computing, also for print, text processors and spreadsheets.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
 use crate::cli::style::StyleArg;
-use crate::cli::terminal::say;
-use crate::cli::{Global, print};
+use crate::cli::terminal::warn;
+use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
+use files::code::{Code, Warning};
+use files::text::line;
 use files::{self, OutputFolder};
-use report::{self, Level};
-use results::{COMPARE_REPORT, REPORT_FILE};
+use report::document::document;
+use report::{self, Level, Report};
+use results::{COMPARE_REPORT, FORMS, REPORT_FILE};
 
 /// Arguments.
 #[derive(clap::Args)]
-#[command(
-    after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --report full\n  tankcheck report out/ --lang de --units both\n  tankcheck report out/ --templates our-letterhead/"
-)]
+#[command(after_help = "\
+Examples:
+  tankcheck report out/
+  tankcheck report out/ --report full
+  tankcheck report out/ --lang de --units both
+  tankcheck report out/ --pdf                     out/report.pdf, through an installed Chromium (CHROME names another one)
+  tankcheck report out/ --pdf=TK-104.pdf
+  tankcheck report out/ --format docx,xlsx        out/report.docx (through pandoc), out/report.xlsx
+  tankcheck report out/ --templates our-letterhead/")]
 pub(crate) struct Args {
     /// Results folder written by `tankcheck compare` or `tankcheck check`.
     folder: PathBuf,
@@ -22,9 +32,40 @@ pub(crate) struct Args {
     level: LevelArg,
     #[command(flatten)]
     style: StyleArg,
+    /// Forms next to report.html, separated by commas.
+    #[arg(long, value_enum, value_name = "FORM", value_delimiter = ',')]
+    format: Vec<Form>,
+    /// Print the report through an installed Chromium [default file: report.pdf in the folder].
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    pdf: Option<Option<PathBuf>>,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
+}
+
+/// Form of a report.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// The page, which is always written.
+    Html,
+    /// A4, printed by an installed Chromium.
+    Pdf,
+    /// A text document, converted by an installed pandoc.
+    Docx,
+    /// A workbook: a sheet a method, checks, profiles, histories.
+    Xlsx,
+}
+
+impl Form {
+    /// Name of its file in the folder.
+    fn file(self) -> &'static str {
+        match self {
+            Form::Html => REPORT_FILE,
+            Form::Pdf => FORMS[0],
+            Form::Docx => FORMS[1],
+            Form::Xlsx => FORMS[2],
+        }
+    }
 }
 
 /// Option `--report`, of all commands that write one.
@@ -61,13 +102,133 @@ enum ReportLevel {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let _style = args.style.apply();
-    for name in files::edited(&args.folder, COMPARE_REPORT) {
-        say!("warning: {name} has changed since tankcheck wrote it; the report shows the changed file");
+    let mut forms: Vec<Form> = args.format.iter().copied().filter(|form| *form != Form::Html).collect();
+    let aside = args.pdf.clone().flatten();
+    if args.pdf == Some(None) {
+        forms.push(Form::Pdf);
     }
+    forms.dedup();
+    for name in files::edited(&args.folder, COMPARE_REPORT) {
+        match forms.iter().any(|form| form.file() == name) {
+            true => return Err(taken(args.folder.join(&name), "has changed since tankcheck wrote it")),
+            false if FORMS.contains(&name.as_str()) => {}
+            false => {
+                let text = format!("{name} has changed since tankcheck wrote it; the report shows the changed file");
+                warn("", &Warning::new(Code::ChangedResults, text));
+            }
+        }
+    }
+    if let Some(file) = aside.as_ref().filter(|file| file.symlink_metadata().is_ok()) {
+        return Err(taken(file.clone(), "exists"));
+    }
+    // Missing programs are named before anything is written.
+    let chromium = match forms.contains(&Form::Pdf) || aside.is_some() {
+        true => Some(browser::find()?),
+        false => None,
+    };
     let report = report::of_folder(&args.folder, args.templates.as_deref(), args.level.level())?;
     let folder = OutputFolder::prepare(&args.folder, COMPARE_REPORT)?;
     report.write(&folder.path())?;
+    let pdf = match &chromium {
+        Some(program) => browser::print(program, &report.html)?,
+        None => Vec::new(),
+    };
+    for form in &forms {
+        let bytes = match form {
+            Form::Html => continue,
+            Form::Pdf => pdf.clone(),
+            Form::Docx => converted(&report)?,
+            Form::Xlsx => {
+                let (results, series) = (results::read(&args.folder)?, results::read_series(&args.folder)?);
+                report::workbook::workbook(&results, &series)?
+            }
+        };
+        results::put(&folder.path().join(form.file()), &bytes)?;
+    }
     folder.commit()?;
     print(&format!("{}\n", args.folder.join(REPORT_FILE).display()))?;
+    for form in &forms {
+        print(&format!("{}\n", args.folder.join(form.file()).display()))?;
+    }
+    if let Some(file) = aside {
+        results::put(&file, &pdf)?;
+        print(&format!("{}\n", file.display()))?;
+    }
     Ok(EXIT_OK)
+}
+
+fn taken(path: PathBuf, what: &str) -> Error {
+    Error::Files(files::error::Error::Taken {
+        path,
+        what: what.into(),
+        help: "move it away, or name another file with --pdf=FILE".into(),
+    })
+}
+
+/// The report as a text document, by pandoc.
+///
+/// Errors: pandoc is not installed or fails; a temporary folder that cannot be made.
+fn converted(report: &Report) -> Result<Vec<u8>, Error> {
+    let failed = |what: String| Error::report(format!("docx: {what}"));
+    let folder = tempfile::Builder::new()
+        .prefix("tankcheck-")
+        .tempdir()
+        .map_err(|e| failed(e.to_string()))?;
+    let place = folder.path();
+    let document = document(report);
+    let put = |path: &Path, text: &str| std::fs::write(path, text).map_err(|e| failed(e.to_string()));
+    std::fs::create_dir(place.join("figures")).map_err(|e| failed(e.to_string()))?;
+    put(&place.join("report.html"), &document.html)?;
+    for (name, svg) in &document.figures {
+        put(&place.join(name), svg)?;
+    }
+    let has = |program: &str| {
+        let mut command = Command::new(program);
+        command
+            .arg("--version")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        command.status().is_ok_and(|s| s.success())
+    };
+    if !has("rsvg-convert") {
+        say!(
+            "warning: rsvg-convert is not installed (Debian: librsvg2-bin): the document has its figures as SVG alone, which many text \
+             processors do not show"
+        );
+    }
+    let run = Command::new("pandoc")
+        .args([
+            "--from=html",
+            "--to=docx",
+            "--standalone",
+            "--toc",
+            "--toc-depth=2",
+            "--output=report.docx",
+            "report.html",
+        ])
+        .current_dir(place)
+        .stdin(Stdio::null())
+        .output();
+    let run = match run {
+        Ok(run) => run,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
+            return Err(Error::input(
+                Code::ProgramMissing,
+                "--format docx: pandoc is not installed, which converts the report\n  help: install it (Debian: `apt install pandoc`; \
+                 macOS: `brew install pandoc`; Windows: `winget install pandoc`)"
+                    .into(),
+            ));
+        }
+        Err(e) => return Err(failed(e.to_string())),
+    };
+    if !run.status.success() {
+        let said = String::from_utf8_lossy(&run.stderr).into_owned();
+        let last = said
+            .lines()
+            .rfind(|l| !l.trim().is_empty())
+            .unwrap_or("it said nothing");
+        return Err(failed(format!("pandoc failed ({}): {}", run.status, line(last))));
+    }
+    std::fs::read(place.join("report.docx")).map_err(|e| failed(e.to_string()))
 }

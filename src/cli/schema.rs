@@ -1,6 +1,7 @@
 //! `tankcheck schema`: the JSON Schema of the tank file or the study file, or the reference page.
 
-use crate::cli::{Global, print};
+use crate::cli::Global;
+use crate::cli::outfile::OutFile;
 use crate::error::{EXIT_OK, Error};
 use crate::input::{study, tank};
 
@@ -8,7 +9,7 @@ use crate::input::{study, tank};
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
-  tankcheck schema > tank.schema.json
+  tankcheck schema --out tank.schema.json
   tankcheck schema --markdown > input.md
   tankcheck schema --study > study.schema.json
 
@@ -20,14 +21,17 @@ pub(crate) struct Args {
     /// Write the schema of study.json.
     #[arg(long, conflicts_with = "markdown")]
     study: bool,
+    #[command(flatten)]
+    out: OutFile,
 }
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
-    match (args.markdown, args.study) {
-        (true, _) => print(&tank::markdown())?,
-        (false, true) => print(&format!("{:#}\n", study::json_schema()))?,
-        (false, false) => print(&format!("{:#}\n", tank::json_schema()))?,
-    }
+    let text = match (args.markdown, args.study) {
+        (true, _) => tank::markdown(),
+        (false, true) => format!("{:#}\n", study::json_schema()),
+        (false, false) => format!("{:#}\n", tank::json_schema()),
+    };
+    args.out.put(&text)?;
     Ok(EXIT_OK)
 }

@@ -10,6 +10,7 @@ use tank::assessment::{Check, CheckStatus};
 
 use crate::cli::{Format, json as whole};
 use crate::error::Error;
+use files::code::Code;
 use files::text;
 use report::words::terminal;
 use results::{Method, Results, finite};
@@ -56,17 +57,21 @@ impl SelectArg {
     pub(crate) fn admit(&self, format: Format) -> Result<(), Error> {
         if self.is_given() && format != Format::Json {
             return Err(Error::input(
-                "error: --select: parts are selected of --format json\n  help: add --format json".into(),
+                Code::OptionConflict,
+                "--select: parts are selected of --format json\n  help: add --format json".into(),
             ));
         }
         let known = || SHORT.into_iter().chain(PARTS).chain([ALL]);
         match self.select.iter().find(|part| !known().any(|k| k == part.trim())) {
             None => Ok(()),
-            Some(unknown) => Err(Error::input(format!(
-                "error: --select: found `{}`, expected parts of {}",
-                text::line(unknown),
-                known().collect::<Vec<_>>().join(", ")
-            ))),
+            Some(unknown) => Err(Error::input(
+                Code::UnknownId,
+                format!(
+                    "--select: found `{}`, expected parts of {}",
+                    text::line(unknown),
+                    known().collect::<Vec<_>>().join(", ")
+                ),
+            )),
         }
     }
 

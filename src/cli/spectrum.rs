@@ -13,11 +13,12 @@ use crate::cli::budget;
 use crate::cli::inputs::Reading;
 use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, warn};
 use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, AccelerationUnit, Processing};
 use engines::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
+use files::code::Code;
 use files::text;
 
 /// Largest number of oscillators in one call.
@@ -43,7 +44,7 @@ pub(crate) struct Args {
     /// Periods [s]: a range `0.02..20` (evenly spaced in log T) or a list `0.1,0.5,2`.
     #[arg(
         long,
-        value_name = "RANGE or LIST",
+        value_name = "RANGE|LIST",
         default_value = "0.02..20",
         allow_hyphen_values = true
     )]
@@ -104,7 +105,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let origin = format!("--{}", processing.scaled_by().replace('_', "-"));
     records::plausible::check(&record, &origin, args.reading.allow_implausible)?;
     for warning in records::plausible::doubts(&record, &processing) {
-        say!("warning: {}", text::line(&warning));
+        warn("", &warning);
     }
     let method = match args.method {
         How::Exact => Method::Exact,
@@ -218,7 +219,10 @@ fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, 
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(format!("error: {option}: found `{found}`, expected {allowed}"))
+    Error::input(
+        Code::OptionValue,
+        format!("{option}: found `{found}`, expected {allowed}"),
+    )
 }
 
 /// A comma-separated list.

@@ -20,6 +20,7 @@ use crate::study::scripts::{self, Scheduler};
 use crate::study::store::{self, State};
 use crate::study::{merge, rows::RowStatus};
 use engines::estimate::span;
+use files::code::Code;
 use files::{OutputFolder, text, write_whole};
 use report::{Level, REPORT_FILE};
 
@@ -271,7 +272,8 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
             true => Ok(study),
             false => Err(Error::input(
-                "error: the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
+                Code::StudyChanged,
+                "the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
                  whose input is unchanged are kept"
                     .into(),
             )),
@@ -310,9 +312,10 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
         let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
         return match numbers {
             Some((number, of)) if of >= 1 && (1..=of).contains(&number) => Ok(Which::Shard { number, of }),
-            _ => Err(Error::input(format!(
-                "error: --shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"
-            ))),
+            _ => Err(Error::input(
+                Code::OptionValue,
+                format!("--shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"),
+            )),
         };
     }
     let Some(text) = &args.task else { return Ok(Which::All) };
@@ -322,9 +325,12 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
     };
     match number {
         Some(number) if (1..=tasks).contains(&number) => Ok(Which::One(number)),
-        _ => Err(Error::input(format!(
-            "error: --task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
-        ))),
+        _ => Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "--task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
+            ),
+        )),
     }
 }
 
@@ -380,7 +386,8 @@ fn status(args: &StatusArgs) -> Result<u8, Error> {
         Format::Human => print(&human(&plan, &found))?,
         Format::Csv => {
             return Err(Error::input(
-                "error: --format: found csv, expected human or json".into(),
+                Code::OptionConflict,
+                "--format: found csv, expected human or json".into(),
             ));
         }
     }
@@ -459,14 +466,31 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
             found.missing
         );
     }
+    let (all, fitted) = curves(&found);
+    if all > 0 {
+        let _ = writeln!(said, "  curves    {fitted:>9}  of {all} identified");
+    }
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
+    if fitted < all && !global.quiet {
+        say!("help: {}", IDENTIFY);
+    }
     if !global.quiet {
-        for file in merge::FILES.into_iter().chain([REPORT_FILE]) {
+        for file in merge::FILES.iter().copied().chain([REPORT_FILE]) {
             say!("{}", args.folder.join(file).display());
         }
     }
     Ok(EXIT_OK)
+}
+
+/// What identifies more curves.
+const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records, or \
+                        `\"method\": \"capacities\"` in the study file identify more";
+
+/// Curves of the tanks: all, and those that the data identify.
+fn curves(found: &merge::Merged) -> (usize, usize) {
+    let all = found.study.iter().flat_map(|study| &study.curves);
+    (all.clone().count(), all.filter(|curve| curve.fit.is_some()).count())
 }
 
 /// Runs the worst row of each tank again, with all that `compare` writes.

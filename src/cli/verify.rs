@@ -1,5 +1,6 @@
 //! `tankcheck verify`: the benchmarks of the verification manual.
 
+use files::code::Code;
 use std::path::{Path, PathBuf};
 
 use fem::progress::Progress;
@@ -106,10 +107,13 @@ fn pattern(text: &str) -> Result<Pattern, Error> {
             false => format!("did you mean {}? ", near.join(" or ")),
         };
         let shown = files::text::line(text);
-        Error::input(format!(
-            "error: PATTERN: found `{shown}`, expected an id of rows or a page, a part of one, or a glob\n  \
+        Error::input(
+            Code::UnknownId,
+            format!(
+                "PATTERN: found `{shown}`, expected an id of rows or a page, a part of one, or a glob\n  \
              help: {meant}list them with `tankcheck verify --list`"
-        ))
+            ),
+        )
     })
 }
 
@@ -146,6 +150,7 @@ fn records(args: &Args) -> Result<Option<Records>, Error> {
     };
     if !folder.is_dir() {
         return Err(Error::Files(files::error::Error::File {
+            code: Code::FileUnreadable,
             path: folder.clone(),
             what: "folder not found, expected a folder with accelerograms".into(),
         }));
@@ -209,7 +214,8 @@ fn list(choice: Choice, form: Form) -> Result<String, Error> {
             Ok(text)
         }
         Form::Html => Err(Error::input(
-            "error: --list: found --format html, expected human, json or csv\n  help: leave --list out to get the rows as a page"
+            Code::OptionConflict,
+            "--list: found --format html, expected human, json or csv\n  help: leave --list out to get the rows as a page"
                 .into(),
         )),
         Form::Human => {

@@ -8,6 +8,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::input::diagnostic::{Fault, Faults, Source};
+use crate::input::stdin;
+use files::code::Code;
 use files::error::Error;
 
 /// Largest file that is read [bytes].
@@ -35,14 +37,20 @@ pub struct Table {
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// Reads a table.
+/// Reads a table (`-`: standard input).
 ///
 /// Errors: a file that cannot be read, is larger than 1 MiB or is not UTF-8; the faults of [`parse`].
 pub fn read(path: &Path) -> Result<Table, Error> {
-    let source = bytes(path).map_err(|what| Error::File {
+    let fault = |what| Error::File {
+        code: Code::FileUnreadable,
         path: path.into(),
         what,
-    })?;
+    };
+    let source = match path == Path::new("-") {
+        true => limited(stdin::take()?, path),
+        false => bytes(path),
+    };
+    let source = source.map_err(fault)?;
     parse(&source).map_err(|faults| faults.into_error(&source))
 }
 
@@ -63,9 +71,14 @@ fn bytes(path: &Path) -> Result<Source, String> {
     if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
         return Err("found a folder, expected a CSV file".into());
     }
+    limited(std::fs::File::open(path).map_err(unreadable)?, path)
+}
+
+/// The text that a reader gives, at most as much as is read of a table.
+fn limited(reader: impl Read, path: &Path) -> Result<Source, String> {
+    let unreadable = |e: std::io::Error| format!("cannot read the table: {}", files::error::describe(&e));
     let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    reader.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err("found a file larger than 1 MiB, expected a table".into());
     }
@@ -93,13 +106,13 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
     for (i, cell) in head.iter().enumerate() {
         if cell.text.is_empty() {
             faults.push(
-                Fault::new("a column without a name")
+                Fault::new(Code::TableColumn, "a column without a name")
                     .at(cell.span.clone())
                     .allowed("a name; in a table of tanks a path of the tank file, such as liquid.fill_height"),
             );
         } else if head[..i].iter().any(|other| other.text == cell.text) {
             faults.push(
-                Fault::new(format!("the column `{}` occurs twice", cell.text))
+                Fault::new(Code::TableColumn, format!("the column `{}` occurs twice", cell.text))
                     .at(cell.span.clone())
                     .allowed("each path once"),
             );
@@ -108,7 +121,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
     let rows: Vec<Vec<Cell>> = lines.collect();
     for row in rows.iter().filter(|row| row.len() != head.len()) {
         faults.push(
-            Fault::new("a row with another number of cells than the head")
+            Fault::new(Code::TableShape, "a row with another number of cells than the head")
                 .at(span(row))
                 .found(format!("{} cells", row.len()))
                 .allowed(format!("{} cells", head.len())),
@@ -116,7 +129,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
     }
     if rows.is_empty() || rows.len() > MAX_ROWS {
         faults.push(
-            Fault::new("too few or too many rows")
+            Fault::new(Code::TableShape, "too few or too many rows")
                 .found(format!("{} rows", rows.len()))
                 .allowed(format!("a line of column names, then 1 to {MAX_ROWS} rows")),
         );
@@ -170,7 +183,7 @@ fn records(text: &str, faults: &mut Faults) -> Vec<Vec<Cell>> {
     if quoted {
         let open = text.rfind('"').unwrap_or_default();
         faults.push(
-            Fault::new("this quote is not closed")
+            Fault::new(Code::CutOff, "this quote is not closed")
                 .at(open..open + 1)
                 .help("the file may have been cut off"),
         );

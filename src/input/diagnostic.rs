@@ -1,9 +1,9 @@
-//! Faults in an input file, collected and shown all at once. A [`Fault`] has a message, a place (bytes of the file,
+//! Faults in an input file, collected and shown all at once. A [`Fault`] has a [`Code`], a message, a place (bytes of the file,
 //! path in the document), the found and the expected value, and a help. [`Faults`] renders them as rustc does, with
 //! the place in the file underlined:
 //!
 //! ```text
-//! error: a mass where a length belongs
+//! error[T0214]: a mass where a length belongs
 //!  --> tank.json:4:27
 //!   |
 //! 4 |   "tank": { "radius": "1.83 kg",
@@ -22,6 +22,7 @@ use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
+use files::code::Code;
 use files::error::Error;
 use files::text;
 
@@ -29,6 +30,8 @@ use files::text;
 const SHOWN_TEXT: usize = 400;
 /// Largest number of faults shown.
 const SHOWN_FAULTS: usize = 50;
+/// Largest number of codes whose explanation is named.
+const EXPLAINED: usize = 3;
 /// Largest number of faults kept: the first ones of the file; the others are only counted.
 const KEPT_FAULTS: usize = 1000;
 /// Longest line passed to the renderer as a whole [bytes]; of a longer line only a piece around the place.
@@ -37,8 +40,10 @@ const LONGEST_LINE: usize = 1000;
 const PIECE: (usize, usize) = (60, 240);
 
 /// One fault.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
+    /// Kind.
+    pub code: Code,
     /// Message, one line ("unknown key `radios`").
     pub message: String,
     /// Bytes of the file to underline; `None` for a fault without a place.
@@ -50,15 +55,20 @@ pub struct Fault {
     /// Expected values; may be empty.
     pub allowed: Box<str>,
     /// How to fix it, if known.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
 }
 
 impl Fault {
-    /// A fault with only a message.
-    pub fn new(message: impl Into<String>) -> Fault {
+    /// A fault of a kind, with only a message.
+    pub fn new(code: Code, message: impl Into<String>) -> Fault {
         Fault {
+            code,
             message: message.into(),
-            ..Fault::default()
+            span: None,
+            path: Box::default(),
+            found: Box::default(),
+            allowed: Box::default(),
+            help: None,
         }
     }
 
@@ -88,7 +98,7 @@ impl Fault {
 
     /// Sets the help.
     pub fn help(mut self, help: impl Into<String>) -> Fault {
-        self.help = Some(help.into());
+        self.help = Some(help.into().into());
         self
     }
 }
@@ -184,7 +194,7 @@ impl Faults {
             && help.starts_with(SUGGESTION)
             && help.len() < SHOWN_TEXT
         {
-            self.suggested.insert(help.clone());
+            self.suggested.insert(help.to_string());
         }
         self.count += 1;
         self.list.push(fault);
@@ -207,6 +217,11 @@ impl Faults {
     /// The faults; of more than a thousand the first ones of the file.
     pub fn list(&self) -> &[Fault] {
         &self.list
+    }
+
+    /// Notes that a fault asks for this key in place of another, as "did you mean" does: it is then not missing as well.
+    pub fn asks_for(&mut self, key: &str) {
+        self.suggested.insert(format!("{SUGGESTION}`{key}`?"));
     }
 
     /// Whether a fault has exactly this help, which begins with "did you mean".
@@ -238,6 +253,10 @@ impl Faults {
             Level::ERROR.primary_title(format!("{count}; nothing was computed")),
         )]));
         out.push('\n');
+        let codes: BTreeSet<Code> = ordered.iter().take(SHOWN_FAULTS).map(|fault| fault.code).collect();
+        for code in codes.iter().take(EXPLAINED) {
+            out.push_str(&format!("  help: `tankcheck explain {code}` ({})\n", code.title()));
+        }
         out
     }
 
@@ -257,7 +276,7 @@ impl From<Fault> for Faults {
 }
 
 fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
-    let mut group = Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)));
+    let mut group = Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)).id(fault.code.id()));
     let label = match &*fault.found {
         "" => String::new(),
         found => format!("found {}", one_line(found)),

@@ -7,6 +7,7 @@ use ::fragility::stripes::Stripe;
 
 use crate::input::csv::{self, Cell, Table};
 use crate::input::diagnostic::{Fault, Faults};
+use files::code::Code;
 use files::error::Error;
 
 /// Name of the state of a table without the column `damage_state`.
@@ -27,7 +28,8 @@ impl Reader {
         let mut faults = Faults::new();
         let known: Vec<&str> = required.iter().chain(optional).copied().collect();
         for cell in table.head.iter().filter(|cell| !known.contains(&cell.text.as_str())) {
-            let fault = Fault::new(format!("unexpected column `{}`", cell.text)).at(cell.span.clone());
+            let fault =
+                Fault::new(Code::TableColumn, format!("unexpected column `{}`", cell.text)).at(cell.span.clone());
             faults.push(fault.allowed(known.join(", ")));
         }
         for name in required
@@ -35,7 +37,8 @@ impl Reader {
             .filter(|name| !table.head.iter().any(|cell| cell.text == **name))
         {
             let found: Vec<&str> = table.head.iter().map(|cell| cell.text.as_str()).collect();
-            let fault = Fault::new(format!("the column `{name}` is missing")).found(found.join(", "));
+            let fault =
+                Fault::new(Code::TableColumn, format!("the column `{name}` is missing")).found(found.join(", "));
             faults.push(fault.allowed(known.join(", ")));
         }
         match faults.is_empty() {
@@ -53,7 +56,7 @@ impl Reader {
         match cell.text.parse::<f64>() {
             Ok(value) if value.is_finite() && holds(value) => value,
             _ => {
-                let fault = Fault::new("a number out of range, or none").at(cell.span.clone());
+                let fault = Fault::new(Code::TableValue, "a number out of range, or none").at(cell.span.clone());
                 self.faults.push(fault.found(cell.text.clone()).allowed(allowed));
                 f64::NAN
             }
@@ -61,8 +64,11 @@ impl Reader {
     }
 
     fn fault(&mut self, row: &[Cell], message: &str, allowed: &str) {
-        self.faults
-            .push(Fault::new(message).at(csv::span(row)).allowed(allowed));
+        self.faults.push(
+            Fault::new(Code::TableValue, message)
+                .at(csv::span(row))
+                .allowed(allowed),
+        );
     }
 
     fn finish<T>(self, found: T) -> Result<T, Error> {
@@ -180,6 +186,7 @@ pub fn hazard(path: &Path) -> Result<Vec<[f64; 2]>, Error> {
     let points: Vec<[f64; 2]> = found.into_iter().flat_map(|(_, points)| points).collect();
     match points.len() {
         0 | 1 => Err(Error::File {
+            code: Code::ItemCount,
             path: path.into(),
             what: format!("found {} point(s) of a hazard curve, expected at least 2", points.len()),
         }),

@@ -39,6 +39,7 @@ use oscillator::record::Record;
 
 use crate::input::diagnostic::{Fault, Faults, Source};
 use draft::{Draft, printable, token_at};
+use files::code::Code;
 use files::error::Error;
 
 pub use columns::LOW_CUT;
@@ -60,10 +61,13 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
 /// As [`read`].
 pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
     if let Some(dt) = options.dt.filter(|dt| !(*dt > 0.0 && *dt <= plausible::LONGEST_STEP)) {
-        return Err(Error::Input(format!(
-            "error: --dt: found {dt}, expected a time step in seconds greater than 0, at most {}",
-            plausible::LONGEST_STEP
-        )));
+        return Err(Error::Input(
+            Code::OptionValue,
+            format!(
+                "--dt: found {dt}, expected a time step in seconds greater than 0, at most {}",
+                plausible::LONGEST_STEP
+            ),
+        ));
     }
     let text = load::decode(bytes).map_err(|fault| Faults::from(fault).into_error(&Source::at(path, "")))?;
     let source = Source::at(path, text);
@@ -101,7 +105,8 @@ fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     ];
     let agency = agencies.into_iter().find(|(sniff, _)| sniff(text));
     if let (Some(channel), true) = (options.channel, !csmip::sniff(text)) {
-        let fault = Fault::new("--channel is for files with several channels").found(format!("--channel {channel}"));
+        let fault = Fault::new(Code::RecordChannel, "--channel is for files with several channels")
+            .found(format!("--channel {channel}"));
         return Err(fault.allowed("a CSMIP volume 2 file").into());
     }
     let draft = match agency {
@@ -124,7 +129,7 @@ fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
 /// above 1000 g).
 fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Faults> {
     if draft.values.len() < 2 {
-        return Err(Fault::new("a record needs at least two samples")
+        return Err(Fault::new(Code::RecordLength, "a record needs at least two samples")
             .found(format!("{} sample(s)", draft.values.len()))
             .into());
     }
@@ -134,7 +139,7 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best },
         );
     if draft.dt > plausible::LONGEST_STEP {
-        return Err(Fault::new("the time step is out of range")
+        return Err(Fault::new(Code::TimeStep, "the time step is out of range")
             .found(format!("a step of {} s", draft.dt))
             .allowed(format!(
                 "at most {} s; usual values are 0.002 to 0.02 s",
@@ -145,27 +150,32 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
     }
     // In SI, where the smallest numbers of a file vanish.
     if peak * draft.unit.si() == 0.0 {
-        return Err(Fault::new("all accelerations are zero")
+        return Err(Fault::new(Code::PeakAcceleration, "all accelerations are zero")
             .allowed("a record with motion")
             .into());
     }
     let peak_si = peak * draft.unit.si();
     if !(MIN_PEAK..=MAX_PEAK).contains(&peak_si) {
-        return Err(Fault::new("the peak ground acceleration is out of range")
-            .at(token_at(text, place as usize))
-            .found(format!("{peak:e} {}, unit from {}", draft.unit, draft.unit_source))
-            .allowed("1e-9 m/s2 to 1000 g")
-            .help("correct the number, or the unit in the header or --units")
-            .into());
+        return Err(
+            Fault::new(Code::PeakAcceleration, "the peak ground acceleration is out of range")
+                .at(token_at(text, place as usize))
+                .found(format!("{peak:e} {}, unit from {}", draft.unit, draft.unit_source))
+                .allowed("1e-9 m/s2 to 1000 g")
+                .help("correct the number, or the unit in the header or --units")
+                .into(),
+        );
     }
     if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
         let g = peak_si / tank::STANDARD_GRAVITY;
-        return Err(Fault::new(format!("implausible peak ground acceleration of {g:.4} g"))
-            .at(token_at(text, place as usize))
-            .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
-            .allowed("up to 5 g (the largest recorded are near 3 g)")
-            .help("correct the unit in the header or --units; if the peak is right, add --allow-implausible")
-            .into());
+        return Err(Fault::new(
+            Code::PeakAcceleration,
+            format!("implausible peak ground acceleration of {g:.4} g"),
+        )
+        .at(token_at(text, place as usize))
+        .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
+        .allowed("up to 5 g (the largest recorded are near 3 g)")
+        .help("correct the unit in the header or --units; if the peak is right, add --allow-implausible")
+        .into());
     }
     Ok(())
 }

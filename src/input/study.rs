@@ -19,6 +19,7 @@ use crate::input::tank::keys::project::project;
 use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::{schema, syntax};
+use files::code::Code;
 use files::error::Error;
 use keys::{CurveMethod, StudyEngine, StudyFile};
 use results::EngineId;
@@ -111,8 +112,10 @@ pub(crate) fn together(mut errors: Vec<Error>) -> Error {
         1 => errors.remove(0),
         _ => {
             let text = |error: &Error| match error {
-                Error::Faults(text) | Error::Input(text) => text.trim_end().to_owned(),
-                other => format!("error: {other}"),
+                Error::Faults(text) => text.trim_end().to_owned(),
+                other => other
+                    .code()
+                    .map_or_else(|| other.to_string(), |code| format!("{}: {other}", code.head())),
             };
             Error::Faults(errors.iter().map(text).collect::<Vec<_>>().join("\n\n"))
         }
@@ -147,6 +150,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
         let path = folder.join(r.text(field)?);
         if !path.is_file() {
             r.faults.push(range_fault(
+                Code::FileUnreadable,
                 field,
                 "no such file",
                 "a CSV file with the columns im and rate",
@@ -158,7 +162,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
     let method = method(&mut r, &file, scales.as_ref());
     let rule = match &file.rule.given {
         Some(field) if records.is_empty() && file.records.given.is_none() => {
-            let fault = range_fault(field, "a rule without records", "`records`");
+            let fault = range_fault(Code::Incomplete, field, "a rule without records", "`records`");
             r.faults.push(fault.found("{ … }"));
             None
         }
@@ -198,6 +202,7 @@ fn method(r: &mut Resolver<'_>, file: &StudyFile, scales: Option<&Scales>) -> Me
         Some(CurveMethod::Cloud) => Method::Cloud,
         Some(CurveMethod::Capacities) if !levels => {
             let fault = range_fault(
+                Code::Incomplete,
                 field,
                 "capacities without levels",
                 "`scales.levels`, the same for every record",
@@ -215,7 +220,7 @@ fn procedures(r: &mut Resolver<'_>, file: &StudyFile) -> Option<Vec<String>> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     for field in list {
         if field.value.as_ref().is_some_and(|id| !known.contains(&id.as_str())) {
-            let fault = range_fault(field, "an unknown procedure", &known.join(", "));
+            let fault = range_fault(Code::UnknownChoice, field, "an unknown procedure", &known.join(", "));
             r.faults.push(fault);
         }
     }
@@ -246,8 +251,12 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
     let path = folder.join(&text);
     if !text.contains(['*', '?', '[']) {
         if !path.is_file() {
-            r.faults
-                .push(range_fault(field, "no such file", "a file relative to the study file"));
+            r.faults.push(range_fault(
+                Code::FileUnreadable,
+                field,
+                "no such file",
+                "a file relative to the study file",
+            ));
             return Vec::new();
         }
         return vec![path];
@@ -258,13 +267,18 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
             let mut files: Vec<PathBuf> = found.flatten().filter(|path| path.is_file()).collect();
             files.sort();
             if files.is_empty() {
-                r.faults
-                    .push(range_fault(field, "no file matches", "a pattern that matches files"));
+                r.faults.push(range_fault(
+                    Code::BadForm,
+                    field,
+                    "no file matches",
+                    "a pattern that matches files",
+                ));
             }
             files
         }
         Err(error) => {
             r.faults.push(range_fault(
+                Code::BadForm,
                 field,
                 &format!("a faulty pattern: {error}"),
                 "a pattern with * and ?",

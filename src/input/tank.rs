@@ -4,6 +4,7 @@
 
 pub(in crate::input) mod bytes;
 mod file;
+mod hints;
 pub(in crate::input) mod key;
 pub(in crate::input) mod keys;
 mod page;

@@ -8,6 +8,7 @@ use tank::hazard::SpectrumTable;
 use crate::input::csv;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::AccelerationUnit;
+use files::code::Code;
 use files::error::Error;
 
 /// Names of the column of periods, without unit.
@@ -49,7 +50,10 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
             match factor {
                 Some(factor) => acceleration = Some((i, factor)),
                 None => {
-                    let fault = Fault::new(format!("the column `{}` does not say its unit", cell.text));
+                    let fault = Fault::new(
+                        Code::TableColumn,
+                        format!("the column `{}` does not say its unit", cell.text),
+                    );
                     let fault = fault.at(cell.span.clone()).allowed("a name that ends with _g or _m_s2");
                     faults.push(fault.help("rename the column, or give --units"));
                     acceleration = Some((i, f64::NAN));
@@ -59,7 +63,7 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
     }
     let (Some(period), Some((acceleration, factor))) = (period, acceleration) else {
         let found: Vec<&str> = table.head.iter().map(|cell| cell.text.as_str()).collect();
-        let fault = Fault::new("the table is no spectrum")
+        let fault = Fault::new(Code::TableShape, "the table is no spectrum")
             .found(found.join(", "))
             .allowed(ALLOWED);
         return Err(Faults::from(fault).into_error(&table.source));
@@ -69,7 +73,7 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
         let mut number = |i: usize| match row[i].text.parse::<f64>() {
             Ok(value) if value.is_finite() => value,
             _ => {
-                let fault = Fault::new("not a number").at(row[i].span.clone());
+                let fault = Fault::new(Code::TableValue, "not a number").at(row[i].span.clone());
                 faults.push(fault.found(row[i].text.clone()).allowed("a finite number"));
                 f64::NAN
             }
@@ -80,7 +84,8 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
         return Err(faults.into_error(&table.source));
     }
     SpectrumTable::new(rows).map_err(|wrong| {
-        let fault = Fault::new(wrong.to_string()).allowed("T = 0 first, T ascending, accelerations greater than 0");
+        let fault = Fault::new(Code::TableValue, wrong.to_string())
+            .allowed("T = 0 first, T ascending, accelerations greater than 0");
         let fault = match wrong.row().and_then(|row| table.rows.get(row)) {
             Some(row) => fault.at(csv::span(row)),
             None => fault,

@@ -1,6 +1,7 @@
 //! Who decides, which limit states are asked for, and which gaps the user accepts.
 
 use codes::{Procedure, time_history};
+use files::code::{Code, Warning};
 use results::{Deciding, Method, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
@@ -152,7 +153,7 @@ fn accept(id: &str, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
 }
 
 /// Accepted gaps that are none: the limit state is checked, not required, or unknown.
-pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<String> {
+pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<Warning> {
     let used = |gap: &check::Accepted| {
         methods.iter().any(|m| {
             let mut accepted = m.checks.iter().filter(|c| c.status == CheckStatus::Accepted);
@@ -160,33 +161,34 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<String> {
         })
     };
     let unused = job.decision.accepted.iter().filter(|gap| !used(gap));
-    unused
-        .map(|gap| {
-            let why = Outside::ALL.iter().find(|why| gap.check.ends_with(why.limit_state()));
-            if let Some(why) = why {
-                let run = match why {
-                    Outside::Uplift => "a run whose clamped wall pulls",
-                    Outside::Plates => "a run whose cantilevers stand for plates",
-                };
-                return format!(
-                    "accepted: `{}` cannot be accepted: {run} is outside its model",
-                    gap.check
-                );
-            }
-            let fails = |m: &Method| {
-                let mut failing = m.checks.iter().filter(|c| c.status == CheckStatus::Fails);
-                failing.any(|c| gap.means(&m.id, &c.limit_state))
+    let text = |gap: &check::Accepted| {
+        let why = Outside::ALL.iter().find(|why| gap.check.ends_with(why.limit_state()));
+        if let Some(why) = why {
+            let run = match why {
+                Outside::Uplift => "a run whose clamped wall pulls",
+                Outside::Plates => "a run whose cantilevers stand for plates",
             };
-            if methods.iter().any(fails) {
-                return format!(
-                    "accepted: `{}` fails; only what was not checked can be accepted",
-                    gap.check
-                );
-            }
-            format!(
-                "accepted: `{}` is not an open limit state of this tank; remove the entry",
+            return format!(
+                "accepted: `{}` cannot be accepted: {run} is outside its model",
                 gap.check
-            )
-        })
+            );
+        }
+        let fails = |m: &Method| {
+            let mut failing = m.checks.iter().filter(|c| c.status == CheckStatus::Fails);
+            failing.any(|c| gap.means(&m.id, &c.limit_state))
+        };
+        if methods.iter().any(fails) {
+            return format!(
+                "accepted: `{}` fails; only what was not checked can be accepted",
+                gap.check
+            );
+        }
+        format!(
+            "accepted: `{}` is not an open limit state of this tank; remove the entry",
+            gap.check
+        )
+    };
+    unused
+        .map(|gap| Warning::new(Code::UnusedAcceptance, text(gap)))
         .collect()
 }

@@ -2,6 +2,7 @@
 
 use codes::time_history::{self, Codes, Findings};
 use fem::progress::Progress;
+use files::code::Code;
 use tank::assessment::Excitation;
 use tank::demand::Demands;
 
@@ -25,7 +26,7 @@ pub(super) fn admit(job: &Job) -> Result<(), Error> {
         .iter()
         .find_map(|&id| engine(id).refuses(&task).into_iter().next());
     let Some(refusal) = refused else { return Ok(()) };
-    let mut text = format!("error: {}", refusal.message);
+    let mut text = refusal.message.clone();
     for (word, what) in [("found", &refusal.found), ("expected", &refusal.allowed)] {
         if !what.is_empty() {
             text.push_str(&format!(", {word} {what}"));
@@ -34,7 +35,7 @@ pub(super) fn admit(job: &Job) -> Result<(), Error> {
     if !refusal.help.is_empty() {
         text.push_str(&format!("\n  help: {}", refusal.help));
     }
-    Err(Error::input(text))
+    Err(Error::input(Code::Unsupported, text))
 }
 
 /// Runs the engines after the first. If one stops or fails without results, the report contains the runs before it, and the

@@ -249,11 +249,8 @@ impl Gathered {
             }
             let reached = worse.clone().next().is_some();
             let fell = worse.clone().any(|s| s.fell);
-            let largest = found[number]
-                .iter()
-                .chain(worse.clone())
-                .map(|s| s.ratio)
-                .fold(0.0, f64::max);
+            // Those of worse states below their limits count too: between two levels the tank may come into a worse state first.
+            let largest = found[number..].iter().flatten().map(|s| s.ratio).fold(0.0, f64::max);
             data.runs.push(Seen {
                 record,
                 sample: row.sample,
@@ -355,6 +352,20 @@ mod tests {
         assert_eq!(ratios, [Some(1.3), Some(1.2), None]);
         assert_eq!(gathered.curves[&("a".to_owned(), 2)].ways["buckling_elastic"], 1);
         assert_eq!(gathered.counts.values().next().unwrap(), &[[3, 3], [3, 2], [3, 2]]);
+    }
+
+    /// Buckling at 0.95 of its limit and a wave at 0.2: the mildest state is as near as the worst one, whose capacity is then not below its own.
+    #[test]
+    fn a_worse_state_that_is_near_is_near_for_the_milder_ones() {
+        let states = default_set();
+        let mut gathered = Gathered::default();
+        let use_of = Ending::Utilisation;
+        let near = row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(0.95))]);
+        gathered.add(&near, &states);
+        for state in 0..states.len() {
+            let run = gathered.curves[&("a".to_owned(), state)].runs[0];
+            assert_eq!((run.ratio, run.reached), (Some(0.95), false), "{state}");
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Whole results of single rows: histories and report, as `compare` gives them, of the worst row of each tank.
 
 use fem::progress::Progress;
+use files::code::Code;
 
 use super::damage::Worst;
 use super::plan::Plan;
@@ -25,10 +26,10 @@ pub fn run(
     let number = plan.tanks.iter().position(|known| known.id == tank);
     let record = plan.records.iter().position(|known| known.id == row.record);
     let (Some(number), Some(record)) = (number, record) else {
-        return Err(Error::input(format!(
-            "error: the tank `{tank}` or the record `{}` is not in the plan",
-            row.record
-        )));
+        return Err(Error::input(
+            Code::UnknownId,
+            format!("the tank `{tank}` or the record `{}` is not in the plan", row.record),
+        ));
     };
     let job = task::single(study, plan, (number, row.sample), record, row.factor)?;
     let mut outcome = pipeline::run(&job, progress)?;

@@ -18,12 +18,21 @@ use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
 use super::store::{self, Rolling};
 use crate::error::Error;
+use files::code::Code;
 use files::error::describe;
 use files::write_whole;
 use results::Study;
 
 /// Names of the merged files.
-pub const FILES: [&str; 5] = ["rows.csv", "rows.sha256", "tanks.csv", "farm.csv", "fragility.json"];
+pub const FILES: &[&str] = &[
+    "rows.csv",
+    "rows.sha256",
+    #[cfg(feature = "parquet")]
+    super::parquet::FILE,
+    "tanks.csv",
+    "farm.csv",
+    "fragility.json",
+];
 
 /// What was merged.
 #[derive(Clone, Debug, Default)]
@@ -57,7 +66,10 @@ pub fn merge(
     progress.stage("reading results", tasks.len() as u64);
     let (columns, missing) = survey(folder, tasks, progress)?;
     if !partial && !missing.is_empty() {
-        return Err(Error::input(refusal(folder, tasks.len(), &missing)));
+        return Err(Error::input(
+            Code::StudyIncomplete,
+            refusal(folder, tasks.len(), &missing),
+        ));
     }
     progress.stage("writing rows", tasks.len() as u64);
     let path = folder.join("rows.csv");
@@ -98,6 +110,8 @@ pub fn merge(
     file.sync_all().map_err(unwritten)?;
     drop(file);
     std::fs::rename(&part, &path).map_err(unwritten)?;
+    #[cfg(feature = "parquet")]
+    super::parquet::write(&path, &folder.join(super::parquet::FILE))?;
     all.merged.sha256 = hash.hex();
     all.write(folder)
 }
@@ -199,7 +213,7 @@ fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {
 }
 
 fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
-    let mut text = format!("error: {} of {tasks} tasks have no result", missing.len());
+    let mut text = format!("{} of {tasks} tasks have no result", missing.len());
     let failed: Vec<_> = missing
         .iter()
         .filter_map(|task| store::failure(folder, &task.key))

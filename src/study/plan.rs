@@ -18,6 +18,7 @@ use crate::curves::runs::Method;
 use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::study::{self, Shaking, StudyInput};
+use files::code::Code;
 use files::error::describe;
 use files::write_whole;
 use results::EngineId;
@@ -153,9 +154,12 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
     };
     let rows = tanks.len() * samples as usize * per_tank;
     if rows == 0 || rows > MOST_ROWS {
-        return Err(Error::input(format!(
-            "error: the study has {rows} rows, expected 1 to {MOST_ROWS}\n  help: rows are tanks × samples × records × scales"
-        )));
+        return Err(Error::input(
+            Code::ItemCount,
+            format!(
+                "the study has {rows} rows, expected 1 to {MOST_ROWS}\n  help: rows are tanks × samples × records × scales"
+            ),
+        ));
     }
     let damage = study.damage.as_ref().map_or_else(default_set, |given| states(given));
     let mut plan = Plan {
@@ -352,7 +356,10 @@ pub fn write(folder: &Path, plan: &Plan, tasks: &[Task]) -> Result<(), Error> {
 ///
 /// Errors: a folder without a plan; files that are not a plan, or do not belong together.
 pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
-    let fault = |path: PathBuf, what: String| Error::Files(files::error::Error::File { path, what });
+    let fault = |path: PathBuf, what: String| {
+        let code = Code::NotResults;
+        Error::Files(files::error::Error::File { code, path, what })
+    };
     let load = |name: &str| {
         let path = folder.join(name);
         std::fs::read_to_string(&path).map_err(|e| {

@@ -96,7 +96,7 @@ pub fn run(
                 // Input that changed since the plan is the same for all tasks; nothing is recorded.
                 Err(error) if error.exit_code() == crate::error::EXIT_INPUT => Err(error),
                 Err(error) => {
-                    let message = task::plain(&error.to_string());
+                    let message = task::plain(&error.message());
                     store::fail(folder, &task.key, task.task, &message).map(|()| failed.fetch_add(1, Ordering::SeqCst))
                 }
             });

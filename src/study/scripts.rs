@@ -43,7 +43,8 @@ impl Scheduler {
             ),
             Scheduler::Slurm => write!(
                 text,
-                "#!/bin/sh\n# Submit in this folder: sbatch {arguments} slurm.sh\n#SBATCH --array=1-{elements}\n#SBATCH --cpus-per-task=1\n{}\
+                "#!/bin/sh\n# Submit in this folder: sbatch {arguments} slurm.sh\n#SBATCH --array=1-{elements}\n#SBATCH --cpus-per-task=1\n\
+                 #SBATCH --output=slurm-%A.log\n#SBATCH --open-mode=append\n{}\
                  exec tankcheck study run . --shard \"$SLURM_ARRAY_TASK_ID/{elements}\" --jobs 1 --quiet\n",
                 directives("#SBATCH", arguments)
             ),

@@ -13,6 +13,7 @@ use sha2::{Digest, Sha256};
 
 use super::rows::Line;
 use crate::error::Error;
+use files::code::Code;
 use files::error::describe;
 
 /// Folder of the results.
@@ -266,6 +267,7 @@ pub fn read(folder: &Path, key: &str) -> Result<Option<Vec<Line>>, Error> {
 
 fn unreadable(file: &Path, what: &str) -> Error {
     Error::Files(files::error::Error::File {
+        code: Code::NotResults,
         path: file.into(),
         what: format!("not a result of this program: {what}"),
     })

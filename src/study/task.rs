@@ -1,13 +1,16 @@
 //! The computation of one task: rows of one or a few tanks under a block of records.
 //!
 //! The harmonic engine builds one model for the block and runs a record once; its scales are the scaled response
-//! ([`engines::Response::values_under`]), and its checks take the factor ([`Ready`]). A tank whose base lifts or slides, isolators, and the other
+//! ([`engines::Response::values_under`]), its checks take the factor ([`Ready`]), and its codes the spectrum of the record once ([`Shared`]). A tank whose base lifts or slides, isolators, and the other
 //! engines run every scale.
 
 mod values;
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
+use codes::ordinates::Shared;
+use codes::sheet::without_lines;
 use codes::time_history::Ready;
 use fem::progress::Silent;
 use oscillator::record::Record;
@@ -97,9 +100,12 @@ fn unchanged(
 ) -> Result<(), Error> {
     match changed(plan, tanks, records) {
         None => Ok(()),
-        Some(what) => Err(Error::input(format!(
-            "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
-        ))),
+        Some(what) => Err(Error::input(
+            Code::StudyChanged,
+            format!(
+                "{what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
+            ),
+        )),
     }
 }
 
@@ -315,19 +321,21 @@ impl Unit<'_> {
         lines: &mut Vec<Line>,
     ) -> Result<(), Error> {
         let scales = &self.study.scales;
-        let intensity = scales
-            .axis
-            .intensity(periods)
-            .ok_or_else(|| Error::input(format!("error: the tank has no period for the measure {}", scales.name)))?;
+        let intensity = scales.axis.intensity(periods).ok_or_else(|| {
+            Error::input(
+                Code::Unsupported,
+                format!("the tank has no period for the measure {}", scales.name),
+            )
+        })?;
         let measure = match &shaking.across {
             None => intensity.of(&shaking.along),
             Some(across) => (intensity.of(&shaking.along) * intensity.of(across)).sqrt(),
         };
         if !(measure > 0.0 && measure.is_finite()) {
-            return Err(Error::input(format!(
-                "error: {} of the record is {measure}",
-                scales.name
-            )));
+            return Err(Error::input(
+                Code::OutOfRange,
+                format!("{} of the record is {measure}", scales.name),
+            ));
         }
         let measures = shaking.along.measures();
         let all: Vec<Scaled> = match scales.levels.is_empty() {
@@ -343,6 +351,7 @@ impl Unit<'_> {
         let demands = unit.as_ref().map(|unit| unit.demands.as_ref().unwrap_or(&none));
         let ready = demands.map(|demands| Ready::new(&job.case, demands));
         let linear = unit.as_ref().zip(ready.as_ref());
+        let spectra = Shared::new(motion(shaking, 1.0));
         for (level, factor) in all {
             let peak = shaking.along.pga() * factor;
             let mut row = Row {
@@ -354,7 +363,11 @@ impl Unit<'_> {
             };
             let outcome = plausible::check_peak(peak, format!("the factor {factor}"), false)
                 .map_err(Error::Files)
-                .and_then(|()| self.row(job, prepared, linear, (&motion(shaking, factor), factor), &mut row));
+                .and_then(|()| {
+                    job.case.ground_motion = Some(motion(shaking, factor));
+                    self.row(job, prepared, linear, (&spectra, factor), &mut row)
+                });
+            job.case.ground_motion = None;
             if let Err(error) = outcome {
                 row.status = RowStatus::Error;
                 row.message = Some(plain(&error.to_string()));
@@ -369,26 +382,30 @@ impl Unit<'_> {
     /// Codes and engine under a scaled record.
     fn row(
         &self,
-        job: &mut Job,
+        job: &Job,
         prepared: Option<&Prepared>,
         linear: Option<(&Response, &Ready<'_>)>,
-        (motion, factor): (&GroundMotion, f64),
+        (spectra, factor): (&Shared, f64),
         row: &mut Row,
     ) -> Result<(), Error> {
-        job.case.ground_motion = Some(motion.clone());
-        let methods = pipeline::under(job, Excitation::Record)?;
+        // Of procedures and checks a row keeps numbers alone.
+        let procedures = || without_lines(|| pipeline::under(job, Excitation::Record));
+        let methods = match &job.case.ground_motion {
+            Some(motion) => spectra.during(motion, factor, procedures)?,
+            None => procedures()?,
+        };
         values_of(&methods, Excitation::Record, &mut row.values);
         let (values, checks) = match (self.study.engine, linear) {
             (None, _) => (BTreeMap::new(), Vec::new()),
             (Some(_), Some((unit, ready))) => {
-                let checks = pipeline::checks_of_demands(job, ready, factor);
+                let checks = without_lines(|| pipeline::checks_of_demands(job, ready, factor));
                 (unit.values_under(factor), checks)
             }
             (Some(id), None) => {
                 let response = self.run(job, prepared, id, row)?;
                 let none = Demands::default();
                 let ready = Ready::new(&job.case, response.demands.as_ref().unwrap_or(&none));
-                let checks = pipeline::checks_of_demands(job, &ready, 1.0);
+                let checks = without_lines(|| pipeline::checks_of_demands(job, &ready, 1.0));
                 (response.values, checks)
             }
         };
@@ -396,7 +413,6 @@ impl Unit<'_> {
             put(FE, quantity, value, &mut row.values);
         }
         checks_of(&checks, &mut row.checks);
-        job.case.ground_motion = None;
         Ok(())
     }
 

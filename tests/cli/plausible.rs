@@ -32,6 +32,9 @@ fn warnings(from: &str, to: &str) -> Vec<String> {
     parse(&source)
         .unwrap_or_else(|f| panic!("{}", f.render(&source, false)))
         .warnings
+        .iter()
+        .map(|warning| warning.text().to_owned())
+        .collect()
 }
 
 fn refusal(from: &str, to: &str) -> String {
@@ -215,6 +218,7 @@ fn examples_have_no_warning() {
                 let doubtful = tank
                     .warnings
                     .iter()
+                    .map(|w| w.text())
                     .filter(|w| !w.starts_with("`tank.isolators` enters"));
                 assert_eq!(doubtful.collect::<Vec<_>>(), [""; 0], "{}", path.display());
                 seen += 1;
@@ -406,7 +410,7 @@ fn unusual_records_are_computed_with_a_warning_and_milliseconds_are_refused() {
             let message = stderr(&run);
             assert_eq!(run.status.code(), Some(0), "{message}");
             assert!(
-                message.contains("warning: ") && message.contains(part) && message.contains("usual"),
+                message.contains("warning[T09") && message.contains(part) && message.contains("usual"),
                 "{message}"
             );
         }
@@ -462,7 +466,7 @@ fn warnings_reach_terminal_results_and_report() {
         assert_eq!(
             message
                 .lines()
-                .filter(|l| l.starts_with("warning: ") && l.contains(part))
+                .filter(|l| l.starts_with("warning[T09") && l.contains(part))
                 .count(),
             1,
             "{message}"

@@ -107,7 +107,7 @@ fn a_full_device_is_one_message_and_never_a_panic() {
         assert_eq!(out.status.code(), Some(3), "{command:?}: {message}");
         assert_eq!(message.matches("error").count(), 1, "{command:?}: {message}");
         assert!(
-            message.contains("error: cannot write to standard output: no space left on the device"),
+            message.contains("error[T0604]: cannot write to standard output: no space left on the device"),
             "{command:?}: {message}"
         );
 

@@ -114,7 +114,7 @@ fn a_pattern_without_match_is_an_error_with_suggestions() {
         assert_eq!(output.status.code(), Some(2));
         let message = String::from_utf8_lossy(&output.stderr);
         assert!(
-            message.contains(&format!("error: PATTERN: found `{pattern}`")),
+            message.contains(&format!("error[T0105]: PATTERN: found `{pattern}`")),
             "{message}"
         );
         assert!(message.contains("did you mean") && message.contains(near), "{message}");

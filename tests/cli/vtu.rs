@@ -1,7 +1,8 @@
-//! ParaView files: one collection and two well-formed files a moment. `tests/tools` reads them with meshio.
+//! ParaView files: one collection and a well-formed file for every part and moment. `tests/tools` reads them with meshio.
 
 use results::vtu;
 
+use crate::compare::{stderr, tankcheck};
 use crate::vtu_sample::snapshots;
 
 #[test]
@@ -9,9 +10,48 @@ fn files_are_well_formed() {
     let home = tempfile::tempdir().expect("a temporary folder");
     vtu::write(home.path(), &snapshots()).expect("writable");
     let files = std::fs::read_dir(home.path()).expect("readable").count();
-    assert_eq!(files, 5);
+    assert_eq!(files, 7);
     for entry in std::fs::read_dir(home.path()).expect("readable").flatten() {
         let text = std::fs::read_to_string(entry.path()).expect("text");
         roxmltree::Document::parse(&text).unwrap_or_else(|e| panic!("{:?}: {e}", entry.path()));
+    }
+}
+
+/// The bottom of a tank that lifts in the harmonic engine: pressures of the ground where it rests, none where it is off it.
+#[test]
+fn a_lifting_bottom_is_written() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let [out, paraview] = ["out", "paraview"].map(|name| home.path().join(name));
+    let run = tankcheck(&[
+        "compare",
+        "examples/09_slender_unanchored/tank.json",
+        "--quake",
+        "examples/records/elcentro.csv",
+        "--no-mesh-error",
+        "--no-report",
+        "--out",
+        out.to_str().expect("text"),
+        "--vtu",
+        paraview.to_str().expect("text"),
+        "--vtu-every",
+        "5",
+    ]);
+    let text = String::from_utf8_lossy(&run.stdout);
+    assert!(text.contains("tank.pvd"), "{text} {}", stderr(&run));
+    let list = std::fs::read_to_string(paraview.join("tank.pvd")).expect("text");
+    let list = roxmltree::Document::parse(&list).expect("XML");
+    let sets = list.descendants().filter(|n| n.has_tag_name("DataSet"));
+    let files: Vec<&str> = sets.filter_map(|n| n.attribute("file")).collect();
+    assert!(
+        files.len() > 4 && files.iter().all(|f| f.starts_with("bottom_")),
+        "{files:?}"
+    );
+    for file in files {
+        let text = std::fs::read_to_string(paraview.join(file)).expect("text");
+        let grid = roxmltree::Document::parse(&text).expect("XML");
+        let names: Vec<&str> = grid.descendants().filter_map(|n| n.attribute("Name")).collect();
+        for name in ["displacement [m]", "contact pressure [Pa]", "plastic rotation [rad]"] {
+            assert!(names.contains(&name), "{names:?}");
+        }
     }
 }

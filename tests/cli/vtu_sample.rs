@@ -2,7 +2,7 @@
 
 use results::{Resultants, Snapshot, Snapshots};
 
-/// Two hexahedra on each other and the two faces of one side, at two moments; node 3 does not belong to a drawn cell.
+/// Two hexahedra on each other, the two faces of one side and the floor, at two moments; node 3 does not belong to a drawn cell.
 pub(crate) fn snapshots() -> Snapshots {
     let mut nodes = Vec::new();
     for z in 0..3 {
@@ -32,10 +32,13 @@ pub(crate) fn snapshots() -> Snapshots {
                 q_v: 7.0 * time,
             })
             .collect(),
+        ground: (0..nodes.len()).map(|k| 100.0 * k as f64).collect(),
+        plastic: vec![0.5 * time],
     };
     Snapshots {
         liquid: vec![hexahedron(lower, middle), hexahedron(middle, upper)],
         wall: vec![[0, 1, 6, 5], [5, 6, 10, 9]],
+        bottom: vec![lower],
         states: vec![state(0.0), state(0.125)],
         nodes,
     }

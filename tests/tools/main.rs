@@ -1,7 +1,8 @@
 //! Tests that need another program: where it is absent they are counted as ignored, with the reason.
 //!
 //! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files; `unshare` makes file
-//! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter) and snakemake (`SNAKEMAKE`) run studies;
+//! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter), snakemake (`SNAKEMAKE`) and Slurm of Debian run studies, python3 with pandas
+//! and pyarrow (`PANDAS_PYTHON`) reads their rows;
 //! python3 runs the package of `python/` and collects the licences of an archive.
 
 mod report_print;
@@ -47,6 +48,12 @@ fn main() -> ExitCode {
             hyperqueue,
             study::hyperqueue_is_killed_and_resumed,
         ),
+        trial(
+            "study::a_slurm_array_is_killed_and_resumed",
+            slurm,
+            study::a_slurm_array_is_killed_and_resumed,
+        ),
+        trial("study::pandas_reads_the_rows", pandas, study::pandas_reads_the_rows),
         trial(
             "study::snakemake_runs_the_written_rule",
             snakemake,
@@ -134,6 +141,28 @@ fn snakemake() -> Result<PathBuf, &'static str> {
     match succeeds(&program, &["--version"]) {
         true => Ok(program),
         false => Err("skipped: snakemake (PyPI) is not installed (SNAKEMAKE names another binary)"),
+    }
+}
+
+/// A Slurm of one node needs root, its daemons and munge.
+fn slurm() -> Result<PathBuf, &'static str> {
+    let node = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tools/slurm-node"));
+    match succeeds(&node, &["sinfo"]) {
+        true => Ok(node),
+        false => Err(
+            "skipped: slurmctld, slurmd, slurm-client and munge (Debian) are not installed, or this user is not root",
+        ),
+    }
+}
+
+fn pandas() -> Result<PathBuf, &'static str> {
+    let python = std::env::var_os("PANDAS_PYTHON").map_or_else(|| PathBuf::from("python3"), PathBuf::from);
+    match succeeds(&python, &["-c", "import pandas, pyarrow"]) {
+        true if cfg!(feature = "parquet") => Ok(python),
+        true => Err("skipped: built without the feature `parquet`"),
+        false => Err(
+            "skipped: python3 with pandas and pyarrow (PyPI) is not installed (PANDAS_PYTHON names another interpreter)",
+        ),
     }
 }
 

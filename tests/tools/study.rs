@@ -188,6 +188,89 @@ with LocalCluster() as cluster:
     assert_eq!(merged(path, "hq"), whole);
 }
 
+/// The written array script under a Slurm of one node: tasks and their supervisors are killed after a few, the job is cancelled and submitted again. What
+/// was finished is kept, and the rows are those of local threads.
+pub(crate) fn a_slurm_array_is_killed_and_resumed(node: &Path) {
+    let folder = planned(4, 4, &["out", "slurm"]);
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out"]);
+    let whole = merged(path, "out");
+    let plan = tankcheck(
+        path,
+        &["study", "plan", "study.json", "--out", "slurm", "--for", "slurm"],
+    );
+    assert!(plan.status.success(), "{}", said(&plan));
+    let script = r#"
+done_of() { tankcheck study status . --format json | sed -n 's/^ *"done": \([0-9]*\).*/\1/p'; }
+first=$(sbatch --parsable slurm.sh)
+for _ in $(seq 600); do [ "$(done_of)" -ge 3 ] && break; sleep 0.1; done
+kill -9 $(pidof slurmstepd tankcheck)
+scancel "$first"
+while squeue --noheader | grep -q .; do sleep 0.2; done
+echo "done $(done_of)"
+sbatch --wait slurm.sh
+echo "exit $?"
+sacct=$(scontrol show job | grep -c 'JobState=COMPLETED')
+echo "completed $sacct"
+"#;
+    let folder_of_program = Path::new(PROGRAM).parent().expect("a folder").display();
+    let found = Command::new(node)
+        .args(["sh", "-c", script])
+        .current_dir(path.join("slurm"))
+        .env(
+            "PATH",
+            format!("{folder_of_program}:{}", std::env::var("PATH").unwrap_or_default()),
+        )
+        .output()
+        .expect("the node starts");
+    let text = said(&found);
+    let done = text.split("done ").nth(1).and_then(|rest| rest.lines().next());
+    let done: u64 = done
+        .and_then(|number| number.parse().ok())
+        .unwrap_or_else(|| panic!("{text}"));
+    assert!((3..16).contains(&done) && text.contains("exit 0"), "{text}");
+    assert_eq!(merged(path, "slurm"), whole, "{text}");
+    // One log for the array, and nothing in it.
+    let logs = fs::read_dir(path.join("slurm")).expect("a folder").filter(|entry| {
+        let name = entry.as_ref().expect("an entry").file_name();
+        name.to_string_lossy().ends_with(".log")
+    });
+    assert!(logs.count() <= 2, "{text}");
+}
+
+/// The rows as pandas reads them from rows.parquet and from rows.csv: the same columns, words and numbers.
+pub(crate) fn pandas_reads_the_rows(python: &Path) {
+    let folder = planned(2, 2, &["out"]);
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out"]);
+    merged(path, "out");
+    let script = r#"
+import pandas
+table, columns = pandas.read_csv("out/rows.csv"), pandas.read_parquet("out/rows.parquet")
+extra = [name for name in columns.columns if name.endswith("_ending")]
+assert list(columns.columns.drop(extra)) == list(table.columns), columns.columns
+for name in table.columns:
+    of = name.removesuffix("_utilisation") + "_ending"
+    if of in extra:
+        words = pandas.to_numeric(table[name], errors="coerce").isna() & table[name].notna()
+        assert columns[of].notna().equals(words) and columns[of][words].equals(table[name][words])
+        numbers = pandas.to_numeric(table[name], errors="coerce")
+    else:
+        numbers = table[name]
+    if pandas.api.types.is_numeric_dtype(columns[name]):
+        assert (columns[name].astype(float).fillna(-1) == numbers.astype(float).fillna(-1)).all(), name
+    else:
+        assert (columns[name].fillna("") == numbers.fillna("").astype(str)).all(), name
+print(len(table), "rows")
+"#;
+    let found = Command::new(python)
+        .args(["-c", script])
+        .current_dir(path)
+        .output()
+        .expect("python starts");
+    assert!(said(&found).contains("8 rows"), "{}", said(&found));
+}
+
 /// The written Snakefile computes and merges a study.
 pub(crate) fn snakemake_runs_the_written_rule(snakemake: &Path) {
     let folder = planned(2, 2, &["out", "snake"]);

@@ -14,8 +14,8 @@ import sys, xml.etree.ElementTree as tree
 import meshio, numpy as np
 folder = sys.argv[1]
 sets = tree.parse(folder + "/tank.pvd").getroot().findall("Collection/DataSet")
-assert [(float(s.get("timestep")), s.get("part")) for s in sets] == [(0, "0"), (0, "1"), (0.125, "0"), (0.125, "1")]
-liquid, wall = (meshio.read(folder + "/" + s.get("file")) for s in sets[2:])
+assert [(float(s.get("timestep")), s.get("part")) for s in sets] == [(t, p) for t in (0, 0.125) for p in "012"]
+liquid, wall, bottom = (meshio.read(folder + "/" + s.get("file")) for s in sets[3:])
 assert liquid.points.shape == (12, 3) and wall.points.shape == (6, 3)
 (block,) = liquid.cells
 assert block.type == "hexahedron" and block.data.shape == (2, 8)
@@ -31,6 +31,11 @@ assert block.type == "quad" and block.data.shape == (2, 4)
 names = ["n_phi [N/m]", "n_v [N/m]", "n_phi_v [N/m]", "m_phi [N]", "m_v [N]", "m_phi_v [N]", "q_v [N/m]"]
 values = [np.ravel(wall.cell_data[name][0]).tolist() for name in names]
 assert values == [[1, 2], [2, 2], [3, 3], [4, 4], [5, 5], [6, 6], [0.875, 0.875]], values
+(block,) = bottom.cells
+assert block.type == "quad" and block.data.shape == (1, 4)
+assert np.ravel(bottom.point_data["contact pressure [Pa]"]).tolist() == [0, 100, 200, 400]
+assert np.all(bottom.point_data["displacement [m]"][:, 2] == -0.03125)
+assert np.ravel(bottom.cell_data["plastic rotation [rad]"][0]).tolist() == [0.0625]
 print("read back")
 "#;
 

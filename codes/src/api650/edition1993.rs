@@ -7,7 +7,7 @@
 //!
 //! * [`Excitation::Site`]: zone method, needs `zone_factor` in the site data.
 //! * [`Excitation::Record`]: the spectrum alternative of E.3.3. `Z I C_1` becomes the largest spectral acceleration in the
-//!   impulsive range at 2 % damping ([`impulsive_plateau`]), `Z I C_2` becomes S_a(T) at 0.5 % damping. The appendix fixes
+//!   impulsive range at 2 % damping ([`plateau`]), `Z I C_2` becomes S_a(T) at 0.5 % damping. The appendix fixes
 //!   both damping ratios.
 //!
 //! The ratio `x = M/(D² (w_t + w_L))` gives the shell compression b per length: the linear `w_t + 1.273 M/D²` up to 0.785
@@ -18,7 +18,6 @@
 use crate::lifted;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
-use oscillator::spectrum::ordinates;
 use tank::assessment::{Assessment, Check, CheckStatus, Excitation, NotApplicable};
 use tank::case::{Case, Combination};
 use tank::factor::Factor;
@@ -28,10 +27,10 @@ use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
 
 use super::basis::Basis;
-use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};
 use super::hold_down as hd;
 use super::ingredients::{Action, Liquid, axial, ladders, resultant};
 use super::masses::{ARGUMENT, COEFFICIENT_1993, PERIOD_1993, charts};
+use crate::ordinates::{IMPULSIVE_RANGE, plateau, psa};
 
 const EDITION: &str = "API 650:1993";
 const E3_1: &str = "API 650:1993 E.3.1";
@@ -192,19 +191,19 @@ fn coefficients(
     match (excitation, &case.ground_motion, case.site.zone()) {
         (Excitation::Record, Some(motion), _) => {
             let record = &motion.horizontal;
-            let (at, plateau) = impulsive_plateau(record, DAMPING.0);
+            let (at, largest) = plateau(record, DAMPING.0);
             let source = format!("{E3_3}, spectrum of `{}`", record.name);
             let impulsive = sheet.input(
                 "A_1",
                 &format!("largest spectral acceleration, 2 % damping, at T = {at:.3} s [g]"),
-                plateau / case.gravity,
+                largest / case.gravity,
                 Dimensionless,
                 &source,
             );
             let convective = sheet.input(
                 "A_2",
                 "spectral acceleration at T, 0.5 % damping [g]",
-                ordinates(record, period, DAMPING.1).psa / case.gravity,
+                psa(record, period, DAMPING.1) / case.gravity,
                 Dimensionless,
                 &source,
             );
@@ -293,7 +292,7 @@ fn ingredients(
             (impulsive, convective.split(&[long, importance]))
         }
         (_, Some(motion), _) => {
-            let period = Some(impulsive_plateau(&motion.horizontal, DAMPING.0).0);
+            let period = Some(plateau(&motion.horizontal, DAMPING.0).0);
             (Ordinate { period, ..impulsive }, convective)
         }
         _ => return Vec::new(),

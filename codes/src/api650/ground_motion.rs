@@ -19,8 +19,6 @@
 //! there is no number to interpolate: the coefficients of that study must be given.
 
 use crate::procedure::CodeError;
-use oscillator::record::Record;
-use oscillator::spectrum::{Method, spectrum};
 use tank::case::{Api650Site, SiteClass};
 
 /// Abscissae and values of one row of a site-coefficient table; `values` is shorter where the table asks for a study.
@@ -237,28 +235,6 @@ impl DesignSpectrum {
     }
 }
 
-/// Impulsive range of periods [s] over which [`impulsive_plateau`] looks for the largest ordinate.
-pub const IMPULSIVE_RANGE: (f64, f64) = (0.05, 0.5);
-
-/// Largest spectral acceleration of a record in the impulsive range: (period [s], pseudo-acceleration [m/s²]).
-///
-/// The standard wants the plateau of the spectrum for the impulsive part, whatever the tank's period. Here it is the
-/// largest of the peak ground acceleration (T = 0) and of S_a at 41 periods in equal ratios from 0.05 to 0.5 s, which
-/// covers the impulsive periods of steel tanks; neighbouring periods are 6 % apart.
-pub fn impulsive_plateau(record: &Record, damping: f64) -> (f64, f64) {
-    let (first, last) = IMPULSIVE_RANGE;
-    let periods: Vec<f64> = (0..=40)
-        .map(|i| first * (last / first).powf(f64::from(i) / 40.0))
-        .collect();
-    let row = &spectrum(record, &periods, &[damping], Method::Exact).ordinates[0];
-    periods.iter().zip(row).fold(
-        (0.0, record.pga()),
-        |best, (&period, o)| {
-            if o.psa > best.1 { (period, o.psa) } else { best }
-        },
-    )
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
@@ -406,29 +382,6 @@ pub(crate) mod tests {
         ] {
             assert!((value - printed).abs() <= digits, "{value} {printed}");
         }
-    }
-
-    /// A harmonic motion of 0.2 s: the plateau is its resonance, 1/(2ξ) in the steady state.
-    #[test]
-    fn plateau_of_a_harmonic_motion() {
-        let record = Record {
-            name: "sine".into(),
-            dt: 0.002,
-            acceleration: (0..15_000)
-                .map(|i| (f64::from(i) * 0.002 * std::f64::consts::TAU / 0.2).sin())
-                .collect(),
-            processing: vec![],
-        };
-        let (period, psa) = impulsive_plateau(&record, 0.02);
-        // 41 periods meet 0.2 s within 3 %, where the amplification is between 13 and 25.
-        assert!((period / 0.2 - 1.0).abs() < 0.03, "{period}");
-        assert!(psa > 12.0 && psa < 25.2, "{psa}");
-        let still = Record {
-            acceleration: vec![0.0, 0.3, 0.0],
-            dt: 10.0,
-            ..record
-        };
-        assert!(impulsive_plateau(&still, 0.02).1 >= 0.3);
     }
 
     proptest! {

@@ -13,10 +13,10 @@ use super::spectrum::{
 use super::tabulated::{EN_CORRECTION, ENV_CORRECTION, Tabulated};
 use super::vertical::BREATHING_DAMPING;
 use crate::hazard::{self, CLAUSE};
+use crate::ordinates::psa;
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term, number, with_unit};
 use oscillator::record::Record;
-use oscillator::spectrum::ordinates;
 use tank::Shape;
 use tank::assessment::{Excitation, NotApplicable};
 use tank::case::{Case, Components, Ec8Site};
@@ -363,7 +363,7 @@ impl<'a> Demand<'a> {
                     symbol,
                     &format!("{part} spectral acceleration of the record"),
                     &format!("spectrum of the record at T = {at}, ξ = {percent} %"),
-                    ordinates(horizontal, period, damping).psa,
+                    psa(horizontal, period, damping),
                     Dimension::Acceleration,
                     "spectrum of the record",
                 );
@@ -450,7 +450,7 @@ impl<'a> Demand<'a> {
                 None => (vertical_elastic(s.vertical_peak(), period, damping), EN_VERTICAL),
             },
             Source::Record { vertical, .. } => (
-                vertical.map_or(0.0, |v| ordinates(v, period, damping).psa),
+                vertical.map_or(0.0, |v| psa(v, period, damping)),
                 "spectrum of the vertical record",
             ),
         }

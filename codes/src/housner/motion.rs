@@ -5,9 +5,9 @@ use crate::api650::ground_motion::DesignSpectrum;
 use crate::ec8::demand::long_period;
 use crate::ec8::spectrum::ElasticSpectrum;
 use crate::hazard;
+use crate::ordinates::psa;
 use crate::procedure::CodeError;
 use oscillator::record::Record;
-use oscillator::spectrum;
 use tank::STANDARD_GRAVITY;
 use tank::assessment::{Excitation, NotApplicable};
 use tank::case::Case;
@@ -168,7 +168,7 @@ impl<'a> Motion<'a> {
         let percent = 100.0 * self.damping;
         match &self.spectrum {
             Spectrum::Record(record) => Ordinate {
-                value: spectrum::ordinates(record, period, self.damping).psa,
+                value: psa(record, period, self.damping),
                 look_up: "spectrum of the record at T".into(),
                 clause: format!("spectrum of the record, {percent} % damping"),
             },

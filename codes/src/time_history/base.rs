@@ -135,7 +135,7 @@ fn lifting(work: &mut Work<'_>, base: &FreeBase) {
     };
     let clause = work.clause(UPLIFT);
     let name = "Plastic rotation of the joint of the bottom plate";
-    let note = "strip of the bottom plate at the largest uplift of the run";
+    let note = "joint of wall and bottom plate, the largest of the run";
     let check = Check::new(UPLIFT, name, joint.value, ROTATION, Angle, &clause, note);
     work.checks
         .push(check.at(Some(joint.time), Some(0.0), Some(joint.theta)));

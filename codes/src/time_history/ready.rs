@@ -1,5 +1,8 @@
 //! Demands of a run, ready to be compared with capacities under the record times any factor.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use tank::case::Case;
 use tank::demand::{Demands, Place, Terms};
 
@@ -11,6 +14,8 @@ use super::search::{Searched, directions};
 pub struct Ready<'a> {
     pub(super) demands: &'a Demands,
     pub(super) directions: Vec<Direction>,
+    /// For each limit state of the wall and each course the number of the place that governed last, where a search begins.
+    pub(super) governing: RefCell<BTreeMap<(&'static str, usize), usize>>,
     /// Places on the wall of a metal cylinder as corrosion leaves it, by course and height.
     pub(super) wall: Vec<Searched<'a>>,
     /// Places at the base of a cylinder as the engine has them.
@@ -88,6 +93,7 @@ impl<'a> Ready<'a> {
             moment: demands.overturning_moment.as_ref().map(history),
             vertical: demands.vertical.as_ref().map(|terms| demands.history(terms)),
             base: at_base,
+            governing: RefCell::default(),
             wall,
             directions,
             demands,

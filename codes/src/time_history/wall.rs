@@ -58,18 +58,35 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
     }
 }
 
-/// The worst place of each course for each limit state.
+/// The worst place of each course for each limit state: the first of those with the largest utilisation.
+///
+/// Where the same demands were searched under another factor, what is found now at the place that governed then passes over most others.
 fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
-    for searched in &work.ready.wall {
+    let mut governing = work.ready.governing.borrow_mut();
+    // Of each limit state and course a utilisation that its worst place reaches.
+    let reached: Vec<Vec<f64>> = { all.iter() }
+        .map(|asked| {
+            let of = |number: usize| {
+                let place = governing.get(&(asked.id, number));
+                let searched = place.and_then(|&place| work.ready.wall.get(place));
+                let found =
+                    searched.and_then(|place| (asked.find)(&work.search(place), &courses[number], f64::NEG_INFINITY));
+                found.map_or(f64::NEG_INFINITY, |found| found.utilisation.next_down())
+            };
+            (0..courses.len()).map(of).collect()
+        })
+        .collect();
+    for (of_place, searched) in work.ready.wall.iter().enumerate() {
         let (number, place) = (searched.place.course, searched.place);
         let search = work.search(searched);
-        for (asked, worst) in all.iter().zip(&mut worst) {
+        for ((asked, worst), reached) in all.iter().zip(&mut worst).zip(&reached) {
             let (course, best) = (&courses[number], &mut worst[number]);
-            let above = best.map_or(f64::NEG_INFINITY, |best| best.found.utilisation);
+            let above = best.map_or(reached[number], |best| best.found.utilisation);
             let found = (asked.find)(&search, course, above).filter(|found| found.utilisation > above);
             if let Some(found) = found {
+                governing.insert((asked.id, number), of_place);
                 *best = Some(Worst {
                     course: number,
                     found: found.turned(place.turned),

@@ -49,4 +49,59 @@ impl Edge {
             free: [self.pressure * membrane, -self.gradient * membrane],
         }
     }
+
+    /// Largest von Mises stress of the elastic wall at its foot, over both faces [Pa].
+    ///
+    /// ```text
+    /// δ = δ_0 − (N + k_12 (δ′ − δ_0′))/k_11 ,  δ′ = −θ          σ_z = F/s ± 6 M/s² ,  σ_φ = E δ/R + ν σ_z
+    /// ```
+    ///
+    /// * `forces`: tension N of the plate [N/m], moment M at the rim [N], tension F of the wall [N/m]
+    /// * `rotation`: θ of the rim [rad]
+    pub(crate) fn stress(&self, [tension, moment, pull]: [f64; 3], rotation: f64) -> f64 {
+        let EdgeStiffness { k, free } = self.stiffness();
+        let turn = -rotation - free[1];
+        let out = free[0] - (tension + k[0][1] * turn) / k[0][0];
+        let bending = 6.0 * moment / (self.thickness * self.thickness);
+        let face = |bending: f64| {
+            let axial = pull / self.thickness + bending;
+            let hoop = self.young_modulus * out / self.radius + self.poisson_ratio * axial;
+            (axial * axial - axial * hoop + hoop * hoop).sqrt()
+        };
+        face(bending).max(face(-bending))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Long cylinder under forces P at its edge without moment: δ = P/(2 β³ D), δ′ = −P/(2 β² D) (Timoshenko & Woinowsky-Krieger 1959, art. 114);
+    /// the edge has hoop stress alone. Under a moment M: δ = −M/(2 β² D), δ′ = M/(β D). Closed forms, 1e-12.
+    #[test]
+    fn stress_at_the_edge_of_a_long_cylinder() {
+        let edge = Edge {
+            radius: 5.0,
+            thickness: 8e-3,
+            young_modulus: 205e9,
+            poisson_ratio: 0.3,
+            pressure: 0.0,
+            gradient: 0.0,
+        };
+        let d = 205e9 * 8e-3_f64.powi(3) / (12.0 * 0.91);
+        let beta = (3.0_f64 * 0.91).powf(0.25) / (5.0_f64 * 8e-3).sqrt();
+        // The plate pulls inwards with N = −P.
+        let p = 1e5;
+        let pulled = edge.stress([p, 0.0, 0.0], -p / (2.0 * beta * beta * d));
+        let hoop = 205e9 * p / (2.0 * beta.powi(3) * d) / 5.0;
+        assert!((pulled / hoop - 1.0).abs() < 1e-12, "{pulled} {hoop}");
+        let m = 1e3;
+        let bent = edge.stress([0.0, m, 0.0], -m / (beta * d));
+        let (axial, ring) = (6.0 * m / 64e-6, 205e9 * m / (2.0 * beta * beta * d) / 5.0);
+        let face = |axial: f64| {
+            let hoop = -ring + 0.3 * axial;
+            (axial * axial - axial * hoop + hoop * hoop).sqrt()
+        };
+        assert!((bent / face(axial).max(face(-axial)) - 1.0).abs() < 1e-12, "{bent}");
+    }
 }

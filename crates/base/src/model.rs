@@ -5,7 +5,7 @@
 
 use tank::{Bottom, Case, FoundationKind, STANDARD_GRAVITY, Shape};
 
-use crate::curve::Curve;
+use crate::curve::{Curve, Point};
 use crate::edge::Edge;
 use crate::error::BaseError;
 use crate::ground::{Soil, subgrade_modulus};
@@ -60,6 +60,8 @@ pub struct Base {
     pub modulus: f64,
     /// Its origin.
     pub origin: Origin,
+    /// Yield strength of the lowest course [Pa], where it is known.
+    pub wall_yield: Option<f64>,
     /// Whether strips that rock have elements twice as long.
     long: bool,
 }
@@ -110,6 +112,7 @@ impl Base {
             weight: tank.mass_above(0.0).0 * gravity / (std::f64::consts::TAU * radius),
             modulus,
             origin,
+            wall_yield: wall.material.yield_strength,
             long: false,
         })
     }
@@ -151,6 +154,13 @@ impl Base {
     /// Thickness of the lowest course [m].
     pub fn wall_thickness(&self) -> f64 {
         self.edge.thickness
+    }
+
+    /// Largest von Mises stress of the lowest course at the joint, in a state of the strips, whose wall is elastic [Pa]. Beyond the
+    /// yield strength the joint turns in the wall, too, and the plate's part of the plastic rotation is smaller than that of the strips.
+    pub fn wall_stress(&self, point: &Point) -> f64 {
+        self.edge
+            .stress([point.axial_force, point.rim_moment, point.hold_down], point.rotation)
     }
 
     /// A strip under a pressure on the plate [Pa].

@@ -23,7 +23,7 @@ pub struct Task<'a> {
     pub case: &'a Case,
     /// Options of the linear engines.
     pub linear: &'a Options,
-    /// Options of the three-dimensional engine alone.
+    /// Options of the three-dimensional engine; the others keep states as often as it does.
     pub solid: &'a SolidOptions,
     /// Options of the nonlinear engine alone.
     pub nonlinear: &'a NonlinearOptions,
@@ -44,7 +44,7 @@ pub struct Simulation {
     pub assumptions: Vec<String>,
     /// Warnings, one sentence each.
     pub notes: Vec<String>,
-    /// States of the three-dimensional model at given times, if requested.
+    /// States of the model at given times, if requested: of the three-dimensional engine, a nonlinear cylinder, a bottom plate that lifts.
     pub snapshots: Option<Snapshots>,
     /// What limit states compare with capacities; none of an engine or a tank that does not give it.
     pub demands: Option<Demands>,

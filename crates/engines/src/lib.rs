@@ -16,11 +16,13 @@ pub mod harmonic;
 pub mod modes;
 pub mod nonlinear;
 
+mod floor_pressure;
 mod histories;
 mod impulsive;
 mod linear;
 mod out_of_round;
 pub mod probe;
+mod rainflow;
 mod registry;
 pub mod response;
 pub mod solid;

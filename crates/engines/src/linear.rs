@@ -58,6 +58,18 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
 ///
 /// Errors: as [`simulate`].
 pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
+    simulate_with_states(case, options, None, progress)
+}
+
+/// [`simulate_watched`] that keeps states of a bottom plate that lifts every `states` [s] for pictures.
+///
+/// Errors: as [`simulate`].
+pub(crate) fn simulate_with_states(
+    case: &Case,
+    options: &Options,
+    states: Option<f64>,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
     let motion = match case.ground_motion {
         None if case.site.is_given() => None,
         _ => Some(checked_motion(case)?),
@@ -100,6 +112,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
                 model: &model,
                 direct: None,
                 across: None,
+                states,
             };
             complete(case, options, &linear, progress)
         });
@@ -194,6 +207,8 @@ pub(crate) struct Linear<'a> {
     pub direct: Option<&'a dyn Direct>,
     /// Motion along y of a box.
     pub across: Option<Across<'a>>,
+    /// Time between states of a bottom that lifts, for pictures [s]; none keeps none.
+    pub states: Option<f64>,
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -267,7 +282,13 @@ fn report(
         );
     }
     let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
-    let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
+    let mut free = rocking::free(
+        case,
+        (linear.engine, model),
+        &analysis,
+        motion,
+        (options, linear.states),
+    );
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
     let held_hoop = Hoop::of(&analysis, model, fill);
@@ -319,7 +340,7 @@ fn report(
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
     rocking::say(&free, &mut notes, &mut assumptions);
     let modelled = free.is_modelled();
-    let repeats = rocking::limit(&free);
+    let of_base = rocking::limits(&free);
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
@@ -327,6 +348,7 @@ fn report(
     if let Some(moved) = free.moved() {
         moved.correct(&mut envelopes);
     }
+    let snapshots = free.take_states();
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
@@ -353,7 +375,7 @@ fn report(
         )
         .into_iter()
         .filter(|limit| !(modelled && limit.id == limits::UPLIFT))
-        .chain(repeats)
+        .chain(of_base)
         .collect(),
         ..Run::new(linear.engine)
     };
@@ -363,7 +385,7 @@ fn report(
         series: histories.series,
         assumptions,
         notes,
-        snapshots: None,
+        snapshots,
         demands: Some(Demands {
             wave: around.as_ref().map_or(demands.wave, |around| around.wave),
             plates: linear.engine == EngineId::Solid,

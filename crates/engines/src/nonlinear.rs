@@ -66,9 +66,21 @@ pub fn simulate(
     checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
+    simulate_with_states(case, options, (None, checkpoint), progress)
+}
+
+/// [`simulate`] that keeps states of a cylinder every `states` [s] for pictures; a strip keeps none.
+///
+/// Errors: as [`simulate`].
+pub(crate) fn simulate_with_states(
+    case: &Case,
+    options: &NonlinearOptions,
+    (states, checkpoint): (Option<f64>, Option<&CheckpointFile>),
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
     check_depth(case)?;
     match case.tank.shape {
-        Shape::Cylinder { .. } => cylinder::simulate(case, options, checkpoint, progress),
+        Shape::Cylinder { .. } => cylinder::simulate(case, options, (states, checkpoint), progress),
         Shape::Rectangle { .. } => strip::simulate(case, options, checkpoint, progress),
     }
 }

@@ -7,8 +7,9 @@ use tank::{PLANE_WALLS, Shape};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
+use crate::linear::simulate_with_states;
 use crate::nonlinear::scope::{self, Purpose};
-use crate::{FeError, harmonic, nonlinear, simulate_watched, solid};
+use crate::{FeError, harmonic, nonlinear, solid};
 
 /// All engines, in the order of [`EngineId`].
 pub const ALL: [&dyn Engine; 3] = [&Harmonic, &Solid, &Nonlinear];
@@ -86,7 +87,7 @@ impl Engine for Harmonic {
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        let mut simulation = simulate_watched(task.case, task.linear, progress)?;
+        let mut simulation = simulate_with_states(task.case, task.linear, task.solid.snapshot_interval, progress)?;
         if !task.solid.imperfections.is_empty() {
             simulation.notes.push(PERFECT.into());
         }
@@ -148,7 +149,12 @@ impl Engine for Nonlinear {
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        let mut simulation = nonlinear::simulate(task.case, task.nonlinear, task.checkpoint, progress)?;
+        let mut simulation = nonlinear::simulate_with_states(
+            task.case,
+            task.nonlinear,
+            (task.solid.snapshot_interval, task.checkpoint),
+            progress,
+        )?;
         if task.linear.frequency.is_some() {
             let note =
                 "`analysis.frequency`: transfer functions are those of the linear engines (--fe harmonic, --fe solid).";

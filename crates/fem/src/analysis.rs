@@ -47,6 +47,7 @@ pub mod statics;
 pub mod sweep;
 pub mod system;
 pub mod transient;
+pub mod zone;
 
 use crate::element::ElementError;
 use crate::linalg::LinalgError;

@@ -9,7 +9,7 @@ mod respond;
 mod turn;
 
 pub use operators::PlacedOperator;
-pub(crate) use respond::Ask;
+pub(crate) use respond::{Apart, Ask};
 pub use respond::{Forces, Kept, LinearPart};
 
 use crate::dofs::Dof;

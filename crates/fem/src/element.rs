@@ -23,6 +23,7 @@ pub use potential_surface::PotentialSurface;
 pub use potential8::Potential8;
 pub use wet_face::WetFace;
 
+pub mod anchor;
 pub mod beam2;
 pub mod beam_section;
 pub mod contact8;

@@ -1,7 +1,8 @@
 //! Errors of files, each with one message: the file, the found and the expected value.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use crate::code::Code;
 use crate::text;
 
 /// Exit code 0: computed, everything that the deciding codes require was checked and holds (or `diff` found no change).
@@ -21,9 +22,9 @@ pub const EXIT_INTERRUPTED: u8 = 130;
 /// A failure of reading or writing.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Faults of the command line or between files, in full sentences (`error: …`, `help: …`).
-    #[error("{0}")]
-    Input(String),
+    /// A fault of the command line or between files: its kind, what is wrong, and a line `help: …`.
+    #[error("{1}")]
+    Input(Code, String),
     /// Faults of an input file, rendered as diagnostics (file, line, JSON path, found, expected), all together;
     /// coloured if standard error is, with the user's text escaped.
     #[error("{0}")]
@@ -31,6 +32,8 @@ pub enum Error {
     /// A file that cannot be read or written.
     #[error("{path}: {what}", path = text::line(&path.to_string_lossy()), what = text::line(what))]
     File {
+        /// Kind.
+        code: Code,
         /// The file.
         path: PathBuf,
         /// Cause and expected value.
@@ -80,10 +83,32 @@ pub enum Error {
 }
 
 impl Error {
+    /// A file that cannot be read.
+    pub fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+        Error::File {
+            code: Code::FileUnreadable,
+            path: path.into(),
+            what: describe(error),
+        }
+    }
+
+    /// Its kind; none for [`Error::Faults`], where every fault has its own.
+    pub fn code(&self) -> Option<Code> {
+        match self {
+            Error::Input(code, _) | Error::File { code, .. } => Some(*code),
+            Error::Faults(_) => None,
+            Error::Taken { .. } => Some(Code::FileTaken),
+            Error::Unwritten { .. } => Some(Code::NotWritten),
+            Error::Output(_) => Some(Code::Output),
+            Error::NotFinite { .. } => Some(Code::ResultNotFinite),
+            Error::Report(_) => Some(Code::Report),
+        }
+    }
+
     /// Exit code of this failure.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Input(_) | Error::Faults(_) | Error::File { .. } | Error::Taken { .. } => EXIT_INPUT,
+            Error::Input(..) | Error::Faults(_) | Error::File { .. } | Error::Taken { .. } => EXIT_INPUT,
             Error::Unwritten { .. } | Error::Output(_) | Error::NotFinite { .. } | Error::Report(_) => EXIT_COMPUTATION,
         }
     }

@@ -1,11 +1,13 @@
 //! The output folder of a command.
 
+use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::manifest::{self, Found, MANIFEST_FILE, Manifest};
 use super::staging::{self, Commit, Staging};
 use super::{files_below, sync, unwritten, write_whole};
+use crate::code::Code;
 use crate::error::{Error, describe};
 
 /// A kind of results: folders of different kinds do not replace each other.
@@ -37,19 +39,20 @@ impl OutputFolder {
     /// target is a file, or contains results of another kind, or foreign or changed files at the paths of the
     /// results; a folder that cannot be created.
     pub fn prepare(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
-        let fault = |what: String| Error::File {
+        let fault = |code: Code, what: String| Error::File {
+            code,
             path: target.into(),
             what,
         };
         settle(target);
         let exists = target.symlink_metadata().is_ok();
         if exists && !target.is_dir() {
-            return Err(fault("is a file, expected an output folder".into()));
+            return Err(fault(Code::FileTaken, "is a file, expected an output folder".into()));
         }
         if exists {
             vacant(target, kind)?;
             if std::fs::metadata(target).is_ok_and(|m| m.permissions().readonly()) {
-                return Err(fault("is read-only".into()));
+                return Err(fault(Code::NotWritten, "is read-only".into()));
             }
         }
         // Inside an existing target (it may be a mount point, its parent read-only), else next to it.
@@ -64,6 +67,7 @@ impl OutputFolder {
                 .map(Path::to_path_buf)
                 .collect();
             std::fs::create_dir_all(&parent).map_err(|e| Error::File {
+                code: Code::NotWritten,
                 path: parent.clone(),
                 what: describe(&e),
             })?;
@@ -85,7 +89,7 @@ impl OutputFolder {
                 unmake(&made);
                 match error.kind() {
                     ErrorKind::StorageFull | ErrorKind::QuotaExceeded => Err(unwritten(target, &error)),
-                    _ => Err(fault(describe(&error))),
+                    _ => Err(fault(Code::NotWritten, describe(&error))),
                 }
             }
         }
@@ -109,6 +113,21 @@ impl OutputFolder {
     /// Where to write.
     pub fn path(&self) -> PathBuf {
         self.staging.files()
+    }
+
+    /// Top names of the earlier results in the target that these do not have: the commit removes them.
+    pub fn stale(&self) -> Vec<String> {
+        let Found::Own(old) = Manifest::find(&self.target) else {
+            return Vec::new();
+        };
+        let new = files_below(&self.path()).unwrap_or_default();
+        let tops = |path: &str| path.split('/').next().unwrap_or_default().to_owned();
+        let written: BTreeSet<String> = new.iter().map(|path| tops(&manifest::key(path))).collect();
+        let earlier: BTreeSet<String> = old.files.keys().map(|name| tops(name)).collect();
+        earlier
+            .into_iter()
+            .filter(|top| !written.contains(top) && !(self.kind.keeps)(top))
+            .collect()
     }
 
     /// Moves everything to the target, replacing the results of an earlier run. Errors: [`Error::Unwritten`], with
@@ -208,10 +227,7 @@ pub fn settle(folder: &Path) {
 ///
 /// Errors: results of another kind, foreign or changed files in the way.
 fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
-    let fault = |what: String| Error::File {
-        path: target.into(),
-        what,
-    };
+    let fault = |e: std::io::Error| Error::unreadable(target, &e);
     let manifest = match Manifest::find(target) {
         Found::None => None,
         Found::Own(manifest) => Some(manifest),
@@ -224,16 +240,10 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
             kind,
         ));
     }
-    let entries = std::fs::read_dir(target).map_err(|e| fault(describe(&e)))?;
+    let entries = std::fs::read_dir(target).map_err(fault)?;
     let mut names = Vec::new();
     for entry in entries {
-        names.push(
-            entry
-                .map_err(|e| fault(describe(&e)))?
-                .file_name()
-                .to_string_lossy()
-                .into_owned(),
-        );
+        names.push(entry.map_err(fault)?.file_name().to_string_lossy().into_owned());
     }
     names.sort();
     let own = |name: &String| manifest.as_ref().is_some_and(|m| m.has(name));

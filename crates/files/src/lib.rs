@@ -14,6 +14,7 @@
 //!   its predecessor by a rename, the manifest last, and obsolete files are removed.
 //! * **Unfinished work** that a later run can resume is in a folder next to the results (`work`).
 
+pub mod code;
 pub mod error;
 mod folder;
 mod manifest;

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::{PART, unwritten};
+use crate::code::Code;
 use crate::error::{Error, describe};
 
 const FORMAT: &str = "tankcheck-work/1";
@@ -44,9 +45,10 @@ impl WorkFolder {
     /// in use by another process; those of the file system.
     pub fn open(out: &Path, kind: &str, owns: fn(&str) -> bool, resume: bool) -> Result<WorkFolder, Error> {
         let folder = out.join(FOLDER);
-        let fault = |what: String| Error::File {
+        let fault = |e: std::io::Error| Error::File {
+            code: Code::NotWritten,
             path: folder.clone(),
-            what,
+            what: describe(&e),
         };
         let taken = |what: String| Error::Taken {
             path: folder.clone(),
@@ -59,7 +61,7 @@ impl WorkFolder {
             return Err(taken("is not a folder of unfinished work of tankcheck".into()));
         }
         let made = (!out.exists()).then(|| out.to_path_buf());
-        std::fs::create_dir_all(&folder).map_err(|e| fault(describe(&e)))?;
+        std::fs::create_dir_all(&folder).map_err(fault)?;
         let mut options = OpenOptions::new();
         let mut file = options
             .read(true)
@@ -67,14 +69,16 @@ impl WorkFolder {
             .create(true)
             .truncate(false)
             .open(&marker)
-            .map_err(|e| fault(describe(&e)))?;
+            .map_err(fault)?;
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
-            return Err(fault(
-                "is in use by another process; wait for it, or name another folder with --out".into(),
-            ));
+            return Err(Error::File {
+                code: Code::FileTaken,
+                path: folder,
+                what: "is in use by another process; wait for it, or name another folder with --out".into(),
+            });
         }
         let mut text = String::new();
-        file.read_to_string(&mut text).map_err(|e| fault(describe(&e)))?;
+        file.read_to_string(&mut text).map_err(fault)?;
         // Empty: ended while it was written.
         if !text.is_empty()
             && !serde_json::from_str::<Marker>(&text).is_ok_and(|m| m.format == FORMAT && m.kind == kind)
@@ -117,10 +121,7 @@ impl WorkFolder {
     ///
     /// Errors: those of the file system.
     pub fn names(&self) -> Result<Vec<String>, Error> {
-        let fault = |e: std::io::Error| Error::File {
-            path: self.folder.clone(),
-            what: describe(&e),
-        };
+        let fault = |e: std::io::Error| Error::unreadable(&self.folder, &e);
         let mut names = Vec::new();
         for entry in std::fs::read_dir(&self.folder).map_err(fault)? {
             let name = entry.map_err(fault)?.file_name().to_string_lossy().into_owned();

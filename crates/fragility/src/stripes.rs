@@ -62,18 +62,23 @@ pub fn refusal(stripes: &[Stripe]) -> Option<NotIdentifiable> {
             bounds,
         });
     };
-    if last <= first {
-        let reason = match last < first {
-            true => {
-                "an intensity separates the runs that reached the state from those that did not: the dispersion is not identified"
-            }
-            false => {
-                "runs that reached the state and others share one intensity alone: the dispersion is not identified"
-            }
-        };
+    if last < first {
+        let reason = "an intensity separates the runs that reached the state from those that did not: the dispersion is not identified";
         return Some(NotIdentifiable {
             reason: reason.into(),
             bounds: [Some(last), Some(first)],
+        });
+    }
+    if last == first {
+        // That intensity is near the median; the next ones, which no run and every run survived, bound it.
+        let reason =
+            "runs that reached the state and others share one intensity alone: the dispersion is not identified";
+        return Some(NotIdentifiable {
+            reason: reason.into(),
+            bounds: [
+                extreme(&mut runs().filter(|s| s.im < first), f64::max),
+                extreme(&mut runs().filter(|s| s.im > last), f64::min),
+            ],
         });
     }
     None
@@ -192,11 +197,11 @@ mod tests {
         assert!(all.reason.contains("every run") && all.bounds == [None, Some(0.1)]);
         let parted = reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 0.0), (0.3, 5.0, 5.0)]);
         assert!(parted.reason.contains("separates") && parted.bounds == [Some(0.2), Some(0.3)]);
-        assert!(
-            reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 2.0), (0.3, 5.0, 5.0)])
-                .reason
-                .contains("share one")
-        );
+        // Two of five at 0.2: the median is between the intensities beside it, where no run and every run reached the state.
+        let shared = reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 2.0), (0.3, 5.0, 5.0)]);
+        assert!(shared.reason.contains("share one") && shared.bounds == [Some(0.1), Some(0.3)]);
+        let lowest = reason(&[(0.2, 5.0, 2.0), (0.3, 5.0, 5.0)]);
+        assert!(lowest.reason.contains("share one") && lowest.bounds == [None, Some(0.3)]);
         assert!(
             reason(&[(0.1, 10.0, 8.0), (0.5, 10.0, 2.0)])
                 .reason

@@ -47,6 +47,8 @@ pub struct Factor {
     pivots: Pivots,
     /// Working space of solves, reused.
     space: Mutex<Option<(usize, MemBuffer)>>,
+    /// Working space of the factorisation, kept from the second one on: fresh pages cost more than a small factor.
+    scratch: Option<MemBuffer>,
 }
 
 /// Additional data of a pivoted factor.
@@ -75,8 +77,9 @@ impl Factor {
             kind,
             pivots: Pivots::default(),
             space: Mutex::new(None),
+            scratch: None,
         };
-        factor.refactor(matrix)?;
+        factor.fill(matrix)?;
         Ok(factor)
     }
 
@@ -84,6 +87,14 @@ impl Factor {
     ///
     /// Errors: a pivot that is not positive (`Definite`), a zero pivot, not enough memory.
     pub fn refactor(&mut self, matrix: &Symmetric) -> Result<(), LinalgError> {
+        let buffer = self.fill(matrix)?;
+        self.scratch = Some(buffer);
+        Ok(())
+    }
+
+    /// Factors; returns the working space.
+    // Long: the three kinds side by side.
+    fn fill(&mut self, matrix: &Symmetric) -> Result<MemBuffer, LinalgError> {
         let size = self.size();
         assert!(
             Arc::ptr_eq(&matrix.pattern, &self.symbolic.pattern) || matrix.pattern == self.symbolic.pattern,
@@ -95,7 +106,11 @@ impl Factor {
             Kind::QuasiDefinite => symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
             Kind::Indefinite => symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
         };
-        let mut buffer = memory(scratch, size)?;
+        // The pattern is that of the last time, and so is the size.
+        let mut buffer = match self.scratch.take() {
+            Some(kept) => kept,
+            None => memory(scratch, size)?,
+        };
         let stack = MemStack::new(&mut buffer);
         let pattern = &*self.symbolic.pattern;
         let places = SymbolicSparseColMatRef::new_checked(size, size, &pattern.starts, None, &pattern.rows);
@@ -149,7 +164,7 @@ impl Factor {
         }
         // A NaN passes the comparison of the pivots, and pivoting divides by zero without an error.
         if self.values.iter().all(|v| v.is_finite()) {
-            Ok(())
+            Ok(buffer)
         } else if self.kind == Kind::Definite {
             Err(LinalgError::NotPositiveDefinite { pivot: 0, size })
         } else {
@@ -168,10 +183,15 @@ impl Factor {
     }
 
     /// The analysis of this kind, which exists since the factor does.
-    fn analysis(&self) -> &SymbolicCholesky<usize> {
+    pub(super) fn analysis(&self) -> &SymbolicCholesky<usize> {
         self.symbolic
             .of_kind(self.kind)
             .expect("the analysis was made before the factor")
+    }
+
+    /// Values of the factor, supernode after supernode.
+    pub(super) fn values(&self) -> &[f64] {
+        &self.values
     }
 
     /// B ← A⁻¹ B for all columns.

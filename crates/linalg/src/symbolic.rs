@@ -51,6 +51,21 @@ impl Symbolic {
         })
     }
 
+    /// Analyses a pattern whose unknowns are eliminated in their order, with supernodes throughout.
+    ///
+    /// Errors: not enough memory.
+    pub(super) fn supernodal(pattern: Arc<Pattern>) -> Result<Symbolic, LinalgError> {
+        let size = pattern.size();
+        let all: Vec<usize> = (0..size).collect();
+        let order = SymmetricOrdering::Custom(PermRef::new_checked(&all, &all, size));
+        let symbolic = analyse(&pattern, order, SupernodalThreshold::FORCE_SUPERNODAL)?;
+        Ok(Symbolic {
+            pattern,
+            symbolic,
+            pivoting: OnceLock::new(),
+        })
+    }
+
     /// The analysis for a kind of factor.
     pub(super) fn of_kind(&self, kind: Kind) -> Result<&SymbolicCholesky<usize>, LinalgError> {
         if kind != Kind::Indefinite || matches!(self.symbolic.raw(), SymbolicCholeskyRaw::Supernodal(_)) {

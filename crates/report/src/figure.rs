@@ -12,6 +12,7 @@ pub mod cracks;
 pub mod decimate;
 pub mod fourway;
 pub mod map;
+pub mod plain;
 pub mod rocking;
 pub mod scene;
 pub mod shapes;

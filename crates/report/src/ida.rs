@@ -4,12 +4,12 @@ use tank::units::Dimension;
 use tera::Context;
 
 use super::Report;
-use super::sections::FigureView;
+use super::sections::{self, FigureView};
 use super::template::Templates;
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room};
+use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
-use crate::numbering::number;
 use crate::style;
 use crate::table::{Column, Table};
 use crate::words::ida as words;
@@ -94,11 +94,16 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
         class: "k-fe".into(),
         label: String::new(),
     }];
-    chart.marks = runs
-        .iter()
-        .map(|r| Mark {
+    // Of neighbours with the same label the first and the last have it: the others would lie over each other.
+    let label = |i: usize| runs.get(i).map(words::mark);
+    chart.marks = (0..)
+        .zip(runs)
+        .map(|(i, r)| Mark {
             at: (r.pga, value(r)),
-            label: words::mark(r).into(),
+            label: match i > 0 && label(i - 1) == label(i) && label(i + 1) == label(i) {
+                true => String::new(),
+                false => words::mark(r).into(),
+            },
             class: "k-fe".into(),
         })
         .collect();
@@ -227,40 +232,92 @@ pub fn table(ida: &Ida) -> Table {
     table
 }
 
+/// A table as two of the same rows: the second has the first column and the last three, how a run was computed.
+fn split(table: Table) -> [Table; 2] {
+    const COMPUTED: usize = 3;
+    let at = table.columns.len().saturating_sub(COMPUTED);
+    let mut second = Table::new([&table.columns[..1], &table.columns[at..]].concat());
+    let mut first = Table::new(table.columns[..at].to_vec());
+    for row in table.rows {
+        second.row([&row[..1], &row[at..]].concat());
+        first.row(row[..at].to_vec());
+    }
+    [first, second]
+}
+
+/// The first page.
+fn cover(ida: &Ida) -> Cover {
+    let collapsed = ida.runs.iter().any(|run| run.collapse.is_some());
+    let (class, sign) = match (ida.incomplete, collapsed) {
+        (true, _) => ("fail", "✗"),
+        (false, true) => ("open", "!"),
+        (false, false) => ("none", "–"),
+    };
+    let mut facts = ida.tank.as_ref().map_or_else(Vec::new, frame::tank);
+    facts.extend(words::cover::facts(ida).into_iter().map(|(l, v)| Pair::new(l, v)));
+    let sketch = ida.tank.as_ref().map(|tank| FigureView::of(&sections::sketch(tank)));
+    Cover {
+        name: ida.name.clone(),
+        subtitle: heading("ida").into(),
+        project: frame::document(ida.project.as_ref()),
+        signatures: frame::signatures(ida.project.as_ref()),
+        verdict: Verdict {
+            class,
+            sign,
+            headline: words::cover::headline(ida),
+            lines: words::cover::lines(ida),
+        },
+        warnings: match ida.incomplete {
+            true => sentences("ida")
+                .get("interrupted")
+                .map(|s| (*s).into())
+                .into_iter()
+                .collect(),
+            false => Vec::new(),
+        },
+        facts,
+        sketch: sketch.into_iter().collect(),
+    }
+}
+
 /// The page with its figures.
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(ida: &Ida) -> Result<Report, Error> {
-    let _style = style::of(None);
+    let _style = style::of(ida.project.as_ref());
     let figures = figures(ida)?;
     let templates = Templates::new(None)?;
-    let mut page = Context::new();
+    let mut context = Context::new();
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
-    page.insert("words", &sentences("ida"));
-    page.insert("title", heading("ida"));
-    page.insert("name", &ida.name);
-    page.insert("incomplete", &ida.incomplete);
-    page.insert("runs", &table(ida));
-    page.insert("model", &super::facts(&ida.model));
-    page.insert("files", &super::files(&ida.files));
-    page.insert("assumptions", &ida.assumptions);
-    page.insert("collapses", &words::collapses(ida));
-    page.insert("partings", &words::partings(ida));
-    page.insert("departures", &words::departures(ida));
-    page.insert("outside", &words::outside(ida));
+    context.insert("words", &sentences("ida"));
+    let [runs, computed] = split(table(ida));
+    context.insert("runs", &runs);
+    context.insert("computed", &computed);
+    context.insert("model", &super::facts(&ida.model));
+    context.insert("assumptions", &ida.assumptions);
+    context.insert("collapses", &words::collapses(ida));
+    context.insert("partings", &words::partings(ida));
+    context.insert("departures", &words::departures(ida));
+    context.insert("outside", &words::outside(ida));
     let extremes = ida.runs.iter().map(|r| (Some(r.scale), r.extremes.as_slice()));
-    page.insert("extremes", &super::extremes::table(extremes));
-    page.insert("moments", &ida.runs.iter().any(|r| r.section_moment.is_some()));
-    page.insert("figures", &views);
-    page.insert("version", &ida.volatile.version);
-    page.insert("created", &ida.volatile.created);
-    page.insert("command", &ida.volatile.command);
-    page.insert("style", templates.css("style.css"));
-    page.insert("figure_style", templates.css("figure.css"));
+    context.insert("extremes", &super::extremes::table(extremes));
+    context.insert("moments", &ida.runs.iter().any(|r| r.section_moment.is_some()));
+    context.insert("figures", &views);
+    let mut body = Body::new(&templates, cover(ida), ida.tank.as_ref())?;
+    for part in words::cover::PARTS {
+        body.part("ida.html", part, &mut context)?;
+    }
+    body.provenance(&ida.files, &ida.format, &ida.volatile)?;
     let css = templates.css("figure.css");
-    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(css)));
-    Ok(Report::new(
-        &number(&templates.render("ida.html", &page)?),
-        drawn.collect(),
-    ))
+    let html = Page {
+        name: &ida.name,
+        running: words::cover::RUNNING,
+        project: ida.project.as_ref(),
+        parts: &body.parts,
+        css,
+    }
+    .html(&templates)?;
+    let drawn = body.figures.iter().chain(&figures);
+    let drawn = drawn.map(|f| (format!("{}.svg", f.id), f.standalone(css)));
+    Ok(Report::new(&html, drawn.collect()))
 }

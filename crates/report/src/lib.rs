@@ -14,7 +14,9 @@
 //! |---|---|
 //! | [`sections`] | selects the content, one file a section |
 //! | [`level`] | how much of it |
+//! | [`document`] | the page for text processors |
 //! | [`figure`] | draws |
+//! | [`frame`] | cover, contents and running head of every page |
 //! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
 //! | [`study`] | that of a study |
@@ -23,10 +25,13 @@
 //! | [`language`], [`style`] | German pages; language and units of a page |
 //! | [`words`] | every sentence |
 //! | [`template`] | holds the templates, embedded or the user's |
+//! | [`workbook`] | writes the results as a workbook |
 //! | [`verification`] | the page and the figures of the verification manual |
 
+pub mod document;
 mod extremes;
 pub mod figure;
+mod frame;
 pub mod ida;
 pub mod language;
 pub mod level;
@@ -41,11 +46,9 @@ pub mod style;
 pub mod table;
 pub mod template;
 pub mod words;
+pub mod workbook;
 
 use std::path::{Path, PathBuf};
-
-use serde::Serialize;
-use tera::Context;
 
 pub use level::Level;
 pub use numbering::number as numbered;
@@ -53,10 +56,11 @@ pub use numbering::number as numbered;
 use figure::Figure;
 use files::error::Error;
 use files::text::visible;
-use number::{percent, with_unit};
-use results::{self, EngineId, Fact, Results, Series, SourceFile, describe, put};
+use number::{fixed, percent, with_unit};
+use results::{self, EngineId, Fact, Results, Series, describe, put};
 use sections::Source;
 use table::{Column, Table};
+use tank::units::Dimension;
 use template::Templates;
 
 pub use results::{FIGURES_FOLDER, REPORT_FILE};
@@ -127,32 +131,15 @@ fn facts(model: &[Fact]) -> Table {
     for fact in model {
         let value = match fact.kind.is_damping() {
             true => percent(fact.value),
+            // A number of things.
+            false if fact.dimension == Dimension::Dimensionless && fact.value >= 1.0 && fact.value.fract() == 0.0 => {
+                fixed(fact.value, 0)
+            }
             false => with_unit(fact.value, fact.dimension),
         };
         table.row(vec![words::facts::name(fact.kind).into(), value]);
     }
     table
-}
-
-/// Files with their hashes, one a row.
-fn files(list: &[SourceFile]) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Role"),
-        Column::words("File"),
-        Column::words("SHA-256"),
-    ]);
-    for file in list {
-        table.row(vec![file.role.clone(), file.name.clone(), file.sha256.clone()]);
-    }
-    table
-}
-
-/// A rendered section as the page template sees it.
-#[derive(Serialize)]
-struct SectionView {
-    id: &'static str,
-    title: &'static str,
-    html: String,
 }
 
 /// Renders results and histories.
@@ -178,35 +165,34 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
                 section.id
             )));
         }
-        views.push(SectionView {
+        views.push(frame::Part {
             id: section.id,
             title: section.title,
             html,
         });
         figures.extend(section.figures);
     }
-    // The styles of spatial and nonlinear figures burden only the reports that have them.
+    // The styles of spatial, coloured and nonlinear figures burden only the reports that have them.
     let mut css = templates.css("figure.css").to_owned();
     let nonlinear = results.beside(EngineId::Nonlinear).is_some();
     if views.iter().any(|v| ["spatial", "around"].contains(&v.id))
         || results.beside(EngineId::Solid).is_some()
         || nonlinear
+        || figures.iter().any(|figure| figure.markup.contains(r#"class="v "#))
     {
         css.push_str(templates.css("fields.css"));
     }
     if nonlinear {
         css.push_str(templates.css("nonlinear.css"));
     }
-    let mut page = Context::new();
-    page.insert("name", &results.name);
-    page.insert("sections", &views);
-    page.insert("style", templates.css("style.css"));
-    page.insert("figure_style", &css);
-    page.insert(
-        "mark",
-        &results.project.as_ref().map_or(String::new(), tank::Project::mark),
-    );
-    let html = numbering::number(&templates.render("report.html", &page)?);
+    let page = frame::Page {
+        name: &results.name,
+        running: words::summary::RUNNING,
+        project: results.project.as_ref(),
+        parts: &views,
+        css: &css,
+    };
+    let html = page.html(templates)?;
     let figures = figures
         .iter()
         .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))

@@ -4,18 +4,19 @@ use tank::units::Dimension;
 use tera::Context;
 
 use super::Report;
-use super::sections::FigureView;
+use super::sections::{self, FigureView};
 use super::template::Templates;
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
+use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
-use crate::numbering::number;
 use crate::style;
 use crate::table::{Column, Table, spread};
+use crate::words::capital;
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
 use files::error::Error;
-use results::{Push, PushBase, PushPoint, PushShell};
+use results::{Push, PushBase, PushPoint, PushShell, PushStrip};
 
 /// States in the table of the base.
 const BASE_STATES: usize = 25;
@@ -101,7 +102,41 @@ pub fn base(push: &Push) -> Option<Table> {
             fixed(-1e3 * base.toe, 1),
             fixed(base.lifted_width, 2),
             fixed(2.0 * base.lifted_angle.to_degrees(), 0),
+            fixed(base.joint_rotation(), 3),
+        ]);
+    }
+    Some(table)
+}
+
+/// Shells beside strips at the same rotation and acceleration; `None` of an anchored tank.
+pub fn strips(push: &Push) -> Option<Table> {
+    let path = &push.shells.first()?.path;
+    let states: Vec<(PushBase, PushStrip)> = path.iter().filter_map(|p| Some((p.base?, p.base?.strip?))).collect();
+    if states.is_empty() {
+        return None;
+    }
+    let stress = Scale::of(Dimension::Stress, states.iter().map(|s| s.0.toe_stress));
+    let mut table = Table::new(vec![
+        Column::numbers("Rotation", "mrad"),
+        Column::numbers("Uplift", "mm"),
+        Column::numbers(heads::OF_STRIPS, "mm"),
+        Column::numbers("Toe stress", stress.symbol()),
+        Column::numbers(heads::OF_STRIPS, stress.symbol()),
+        Column::numbers("Plastic rotation of the plate", "rad"),
+        Column::numbers(heads::OF_STRIPS, "rad"),
+        Column::numbers("Plastic rotation of the wall", "rad"),
+    ]);
+    for i in spread(states.len(), BASE_STATES) {
+        let (base, strip) = &states[i];
+        table.row(vec![
+            fixed(1e3 * base.rotation, 3),
+            fixed(1e3 * base.uplift, 1),
+            fixed(1e3 * strip.uplift, 1),
+            stress.text(base.toe_stress),
+            stress.text(strip.toe_stress),
             fixed(base.plastic_rotation, 3),
+            fixed(strip.plastic_rotation, 3),
+            fixed(base.wall_rotation, 3),
         ]);
     }
     Some(table)
@@ -136,7 +171,7 @@ pub fn csv(push: &Push) -> String {
     use std::fmt::Write;
     let mut text = String::from(
         "shell,acceleration_m_s2,base_shear_n,base_moment_nm,top_m,bulge_m,compression_pa,compression_height_m,plastic_strain,\
-         base_rotation,ground_moment_nm,uplift_m,lifted_width_m,plastic_rotation\n",
+         base_rotation,ground_moment_nm,uplift_m,lifted_width_m,plastic_rotation,wall_rotation,toe_stress_pa\n",
     );
     for shell in &push.shells {
         for p in &shell.path {
@@ -157,10 +192,10 @@ pub fn csv(push: &Push) -> String {
             let _ = match p.base {
                 Some(b) => writeln!(
                     text,
-                    ",{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
-                    b.rotation, b.moment, b.uplift, b.lifted_width, b.plastic_rotation
+                    ",{:.6e},{:.6e},{:.6e},{:.4},{:.6e},{:.6e},{:.6e}",
+                    b.rotation, b.moment, b.uplift, b.lifted_width, b.plastic_rotation, b.wall_rotation, b.toe_stress
                 ),
-                None => writeln!(text, ",,,,,"),
+                None => writeln!(text, ",,,,,,,"),
             };
         }
     }
@@ -198,12 +233,13 @@ fn path_figure(
         chart.lines.push(Line {
             points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
             class: (*class).into(),
-            label: shell_name(shell),
+            // The capacity is in the legend: points of shells that are alike lie side by side, and their labels over each other.
+            label: words::capacity(push, shell),
         });
         let best = &shell.capacity.state;
         chart.marks.push(Mark {
             at: (value(best), best.acceleration / g),
-            label: format!("{} g", significant(best.acceleration / g, 3)),
+            label: String::new(),
             class: (*class).into(),
         });
         for i in spread(shell.path.len(), 12) {
@@ -218,7 +254,7 @@ fn path_figure(
     let chart = chart.with_plot_height(190.0);
     Ok(Figure {
         id: id.into(),
-        title: title.into(),
+        title: capital(title),
         caption: words::PATH.into(),
         titled: false,
         description: words::path(title),
@@ -319,40 +355,67 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     Ok(out)
 }
 
+/// The first page.
+fn cover(push: &Push) -> Cover {
+    let mut facts = push.tank.as_ref().map_or_else(Vec::new, frame::tank);
+    facts.extend(words::facts(push).into_iter().map(|(l, v)| Pair::new(l, v)));
+    let sketch = push.tank.as_ref().map(|tank| FigureView::of(&sections::sketch(tank)));
+    Cover {
+        name: push.name.clone(),
+        subtitle: heading("push").into(),
+        project: frame::document(push.project.as_ref()),
+        signatures: frame::signatures(push.project.as_ref()),
+        verdict: Verdict {
+            class: if push.incomplete { "fail" } else { "none" },
+            sign: if push.incomplete { "✗" } else { "–" },
+            headline: words::headline(push),
+            lines: words::lines(push),
+        },
+        warnings: push.doubts.clone(),
+        facts,
+        sketch: sketch.into_iter().collect(),
+    }
+}
+
 /// The page with its figures.
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(push: &Push) -> Result<Report, Error> {
-    let _style = style::of(None);
+    let _style = style::of(push.project.as_ref());
     let figures = figures(push)?;
     let templates = Templates::new(None)?;
     let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
     let ends: Vec<String> = push.shells.iter().map(words::end).collect();
-    let mut page = Context::new();
-    page.insert("words", &sentences("push"));
-    page.insert("title", heading("push"));
-    page.insert("name", &push.name);
-    page.insert("incomplete", &push.incomplete);
-    page.insert("doubts", &push.doubts);
-    page.insert("interruption", &push.interruption);
-    page.insert("summary", &summary(push));
-    page.insert("base", &base(push));
-    page.insert("joint", &push.joint.as_ref().map(|j| words::joint(j, push.gravity)));
-    page.insert("limits", &limits(push));
-    page.insert("ends", &ends);
-    page.insert("model", &super::facts(&push.model));
-    page.insert("files", &super::files(&push.files));
-    page.insert("assumptions", &push.assumptions);
-    page.insert("figures", &views);
-    page.insert("version", &push.volatile.version);
-    page.insert("created", &push.volatile.created);
-    page.insert("command", &push.volatile.command);
-    page.insert("style", templates.css("style.css"));
-    page.insert("figure_style", &css);
-    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(
-        &number(&templates.render("push.html", &page)?),
-        drawn.collect(),
-    ))
+    let base = base(push);
+    let mut context = Context::new();
+    context.insert("words", &sentences("push"));
+    context.insert("summary", &summary(push));
+    context.insert("base", &base);
+    context.insert("strips", &strips(push));
+    let joint = push.joint.as_ref().map(|j| capital(&words::joint(j, push.gravity)));
+    context.insert("joint", &joint);
+    context.insert("limits", &limits(push));
+    context.insert("ends", &ends);
+    context.insert("model", &super::facts(&push.model));
+    context.insert("assumptions", &push.assumptions);
+    context.insert("figures", &views);
+    let mut body = Body::new(&templates, cover(push), push.tank.as_ref())?;
+    for part in words::PARTS {
+        if part.0 != "base" || base.is_some() {
+            body.part("push.html", part, &mut context)?;
+        }
+    }
+    body.provenance(&push.files, &push.format, &push.volatile)?;
+    let html = Page {
+        name: &push.name,
+        running: words::RUNNING,
+        project: push.project.as_ref(),
+        parts: &body.parts,
+        css: &css,
+    }
+    .html(&templates)?;
+    let drawn = body.figures.iter().chain(&figures);
+    let drawn = drawn.map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
+    Ok(Report::new(&html, drawn.collect()))
 }

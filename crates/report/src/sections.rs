@@ -36,6 +36,8 @@ mod transfer;
 use crate::level::Level;
 use files::error::Error;
 
+pub(crate) use self::provenance::of as provenance_of;
+pub(crate) use self::tank::{of as tank_data, sketch};
 pub use section::{FigureView, Section, Source};
 
 /// Makes a section; `None` without content.

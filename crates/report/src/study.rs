@@ -8,18 +8,19 @@ use tera::Context;
 
 use crate::Report;
 use crate::figure::Figure;
-use crate::numbering::number;
+use crate::frame::{self, Cover, Page, Pair, Part, Verdict};
 use crate::sections::FigureView;
 use crate::style;
 use crate::table::Table;
 use crate::template::Templates;
-use crate::words::study as words;
-use crate::words::summary::{COVER, SIGNATURES};
+use crate::words::study::{self as words, captions};
 use files::error::Error;
 use results::{Study, VerdictStatus};
 
 /// Most tanks whose curves are drawn; the table has all.
 const DRAWN: usize = 24;
+/// Longest name that is kept on one line of a table [characters]: with it every table fits on a page of paper.
+const SHORT: usize = 18;
 
 /// A part of a section; one of its fields has content.
 #[derive(Default, Serialize)]
@@ -28,6 +29,8 @@ struct Block {
     text: String,
     items: Vec<String>,
     table: Option<Table>,
+    /// Whether the first column of the table is of short names, which stay on one line.
+    names: bool,
     figures: Vec<FigureView>,
 }
 
@@ -84,10 +87,15 @@ impl Builder {
         }
     }
 
-    fn table(&mut self, table: Table) {
+    fn table(&mut self, caption: &str, table: Table) {
         if !table.rows.is_empty() {
+            let short = |row: &Vec<String>| row.first().is_some_and(|name| name.chars().count() <= SHORT);
             self.add(Block {
-                table: Some(table),
+                names: table.rows.iter().all(short),
+                table: Some(Table {
+                    caption: caption.into(),
+                    ..table
+                }),
                 ..Block::default()
             });
         }
@@ -102,20 +110,6 @@ impl Builder {
             self.figures.extend(figures);
         }
     }
-}
-
-#[derive(Serialize)]
-struct Pair {
-    label: String,
-    value: String,
-}
-
-#[derive(Serialize)]
-struct Verdict {
-    class: &'static str,
-    sign: &'static str,
-    headline: String,
-    lines: Vec<String>,
 }
 
 /// The page with its figures.
@@ -139,63 +133,42 @@ pub fn report(study: &Study) -> Result<Report, Error> {
     basis(study, &mut page);
     let templates = Templates::new(None)?;
     let css = templates.css("figure.css").to_owned();
-    let mut context = Context::new();
-    context.insert("name", &study.name);
-    context.insert("subtitle", words::SUBTITLE);
-    context.insert("running", words::RUNNING);
-    context.insert(
-        "mark",
-        &study.project.as_ref().map_or(String::new(), tank::Project::mark),
-    );
-    context.insert("cover", &cover(study));
-    context.insert("signatures", &signatures(study));
-    context.insert("heads", &words::SIGNATURE_HEADS);
-    context.insert("verdict", &verdict(study));
-    context.insert("warnings", &words::warnings(study));
-    context.insert("facts", &facts(study));
-    context.insert("contents", words::CONTENTS);
-    context.insert("sections", &page.sections);
-    context.insert("style", templates.css("style.css"));
-    context.insert("figure_style", &css);
+    let project = study.project.as_ref();
+    let mut parts = vec![
+        Cover {
+            name: study.name.clone(),
+            subtitle: words::SUBTITLE.into(),
+            project: frame::document(project),
+            signatures: frame::signatures(project),
+            verdict: verdict(study),
+            warnings: words::warnings(study),
+            facts: facts(study),
+            sketch: Vec::new(),
+        }
+        .part(&templates)?,
+    ];
+    for section in &page.sections {
+        let mut context = Context::new();
+        context.insert("s", section);
+        parts.push(Part {
+            id: section.id,
+            title: section.title,
+            html: templates.render("study.html", &context)?,
+        });
+    }
+    let html = Page {
+        name: &study.name,
+        running: words::RUNNING,
+        project,
+        parts: &parts,
+        css: &css,
+    }
+    .html(&templates)?;
     let drawn = page
         .figures
         .iter()
         .map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(
-        &number(&templates.render("study.html", &context)?),
-        drawn.collect(),
-    ))
-}
-
-/// Entries of the cover that are given.
-fn cover(study: &Study) -> Vec<Pair> {
-    let project = study.project.clone().unwrap_or_default();
-    let given = [
-        project.name,
-        project.client,
-        project.document,
-        project.revision,
-        project.date,
-    ];
-    let pair = |(label, value): (&str, Option<String>)| {
-        Some(Pair {
-            label: label.into(),
-            value: value?,
-        })
-    };
-    COVER.into_iter().zip(given).filter_map(pair).collect()
-}
-
-fn signatures(study: &Study) -> Vec<Pair> {
-    let Some(project) = &study.project else {
-        return Vec::new();
-    };
-    let names = [&project.author, &project.checker, &project.approver];
-    let pair = |(label, name): (&str, &Option<String>)| Pair {
-        label: label.into(),
-        value: name.clone().unwrap_or_default(),
-    };
-    SIGNATURES.into_iter().zip(names).map(pair).collect()
+    Ok(Report::new(&html, drawn.collect()))
 }
 
 /// The verdict of the farm is that of its worst tank; a tank without a result is not a tank that holds.
@@ -218,30 +191,27 @@ fn verdict(study: &Study) -> Verdict {
 }
 
 fn facts(study: &Study) -> Vec<Pair> {
-    let pair = |(label, value): (&str, String)| Pair {
-        label: label.into(),
-        value,
-    };
+    let pair = |(label, value): (&str, String)| Pair::new(label, value);
     words::facts(study).into_iter().map(pair).collect()
 }
 
 fn tanks(study: &Study, page: &mut Builder) {
     page.section(words::TANKS);
     page.text(words::tanks(study));
-    page.table(tables::tanks(study));
+    page.table(captions::TANKS, tables::tanks(study));
 }
 
 fn states(study: &Study, page: &mut Builder) {
     page.section(words::STATES);
     page.text(words::ABOUT_STATES);
-    page.table(tables::states(study));
+    page.table(captions::STATES, tables::states(study));
 }
 
 fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.section(words::CURVES);
     page.text(words::curves::method(study));
     page.text(words::curves::bands(study));
-    page.table(tables::curves(study, &study.curves));
+    page.table(captions::CURVES, tables::curves(study, &study.curves));
     page.items(words::curves::remarks(&study.curves));
     let drawn = figures::tanks(study, DRAWN)?;
     if drawn.len() < study.tanks.len() {
@@ -259,11 +229,11 @@ fn losses(study: &Study, page: &mut Builder) -> Result<(), Error> {
     }
     page.text(words::ABOUT_LOSSES);
     page.figures(figures::losses(study)?);
-    page.table(tables::losses(study));
+    page.table(captions::LOSSES, tables::losses(study));
     if !study.system.is_empty() {
         page.heading(words::SYSTEM);
         page.text(words::ABOUT_SYSTEM);
-        page.table(tables::curves(study, &study.system));
+        page.table(captions::SYSTEM, tables::curves(study, &study.system));
         page.items(words::curves::remarks(&study.system));
     }
     Ok(())
@@ -274,13 +244,13 @@ fn records(study: &Study, page: &mut Builder) -> Result<(), Error> {
     match &study.rule {
         Some(rule) => {
             page.text(words::rule(rule));
-            page.table(tables::rule(rule));
+            page.table(captions::RULE, tables::rule(rule));
         }
         None => page.text(words::NO_RULE),
     }
     page.heading(words::SINGLE);
     page.text(words::ABOUT_RECORDS);
-    page.table(tables::records(study));
+    page.table(captions::RECORDS, tables::records(study));
     page.figures(figures::traces(study)?);
     Ok(())
 }
@@ -288,14 +258,14 @@ fn records(study: &Study, page: &mut Builder) -> Result<(), Error> {
 fn faults(study: &Study, page: &mut Builder) {
     page.section(words::FAULTS);
     page.text(words::basis::faults(study));
-    page.table(tables::faults(study));
+    page.table(captions::FAULTS, tables::faults(study));
     page.items(words::basis::unchecked(study));
 }
 
 fn basis(study: &Study, page: &mut Builder) {
     page.section(words::BASIS);
     page.items(words::basis::stands_on(study));
-    page.table(tables::cost(study));
+    page.table(captions::COST, tables::cost(study));
 }
 
 #[cfg(test)]

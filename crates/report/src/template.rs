@@ -8,15 +8,17 @@ use tera::{Context, Tera};
 use crate::figure::svg::escape;
 use crate::math;
 use crate::sections::TEMPLATES;
+use files::code::Code;
 use files::error::Error;
 use files::text::line;
-use results::describe;
 
 /// The embedded pages and style sheets by name; [`crate::sections::TEMPLATES`] has the sections.
 const PAGES: &[(&str, &str)] = &[
     ("report.html", include_str!("../../../templates/report.html")),
+    ("cover.html", include_str!("../../../templates/cover.html")),
     ("components.html", include_str!("../../../templates/components.html")),
     ("style.css", include_str!("../../../templates/style.css")),
+    ("math.css", include_str!("../../../templates/math.css")),
     ("figure.css", include_str!("../../../templates/figure.css")),
     (
         "verification.html",
@@ -29,8 +31,8 @@ const PAGES: &[(&str, &str)] = &[
     ("nonlinear.css", include_str!("../../../templates/nonlinear.css")),
 ];
 
-/// All embedded templates by name.
-fn embedded() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+/// All embedded templates: name in a folder of templates, and text.
+pub fn embedded() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
     PAGES.iter().chain(TEMPLATES)
 }
 
@@ -82,10 +84,7 @@ impl Templates {
 /// Puts the files of `folder` in the place of the embedded templates of the same name; other `.html` files are added for
 /// `{% include %}`.
 fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), Error> {
-    let fault = |path: &Path, e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
+    let fault = |path: &Path, e: std::io::Error| Error::unreadable(path, &e);
     let mut replaced = 0;
     for prefix in ["", "sections/"] {
         let place = folder.join(prefix);
@@ -109,6 +108,7 @@ fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), 
     if replaced == 0 {
         let known: Vec<&str> = embedded().map(|(name, _)| *name).collect();
         return Err(Error::File {
+            code: Code::NotResults,
             path: folder.into(),
             what: format!("holds no template; known names are {}", known.join(", ")),
         });

@@ -8,6 +8,7 @@
 //! | [`differences`] | where methods differ and why |
 //! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |
 //! | [`sections`] | titles of sections and the sentences of their templates |
+//! | [`sheets`] | calculation sheets: what stands elsewhere |
 //! | [`base`] | the command of that name |
 //! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
@@ -23,6 +24,7 @@
 //! | [`terminal`] | the summaries on the terminal |
 //! | [`transfer`] | transfer functions |
 //! | [`uplift`] | the base of a tank that lifts or slides |
+//! | [`workbook`] | sheets and heads of the workbook |
 
 pub mod after_record;
 pub mod apart;
@@ -38,6 +40,7 @@ pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod sections;
+pub mod sheets;
 pub mod soil;
 pub mod standing;
 pub mod study;
@@ -46,6 +49,7 @@ pub mod terminal;
 pub mod transfer;
 pub mod uplift;
 pub mod verdict;
+pub mod workbook;
 
 use tank::Quantity;
 

@@ -38,7 +38,8 @@ pub struct BaseRun {
     pub dashpot: f64,
     /// Time step [s].
     pub step: f64,
-    /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `anchor_force`,
+    /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `slip_path`,
+    /// `anchor_force`,
     /// `base_shear`, `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
     pub quantities: Vec<BaseQuantity>,
     /// Limit of the plastic rotation of the joint [rad].
@@ -72,8 +73,53 @@ pub struct BaseRun {
     /// Distance from the rim to the ground [m] by angle [°] there and then.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lifted: Vec<[f64; 2]>,
+    /// Pressure of the ground on the bottom there and then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<GroundPlan>,
+    /// Cycles of the joint.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<JointCycles>,
     /// What it assumes, one sentence each.
     pub assumptions: Vec<String>,
+}
+
+/// Pressure of the ground on a bottom plate at an instant, symmetric about the direction of the motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundPlan {
+    /// Time [s].
+    pub time: f64,
+    /// Pressure of the liquid on the bottom at rest [Pa].
+    pub rest: f64,
+    /// Distances from the axis [m], rising to the radius.
+    pub radii: Vec<f64>,
+    /// Angles from 0 to 180° [°], rising.
+    pub degrees: Vec<f64>,
+    /// Pressure [Pa] by angle, then by distance; 0 off the ground.
+    pub pressure: Vec<Vec<f64>>,
+}
+
+impl GroundPlan {
+    /// Whether every angle has its pressures, and both are in order.
+    pub fn is_whole(&self) -> bool {
+        let rises = |v: &[f64]| v.len() > 1 && v.windows(2).all(|w| w[1] > w[0]);
+        let row = |p: &Vec<f64>| p.len() == self.radii.len() && p.iter().all(|v| v.is_finite());
+        rises(&self.radii)
+            && rises(&self.degrees)
+            && self.pressure.len() == self.degrees.len()
+            && self.pressure.iter().all(row)
+    }
+}
+
+/// Cycles of the plastic rotation of the joint between wall and bottom plate, by the rainflow method.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointCycles {
+    /// Angle of the joint with the largest range [°].
+    pub degrees: f64,
+    /// Largest range [rad].
+    pub range: f64,
+    /// Number of cycles whose range is at least this share of the limit of the plastic rotation, both as [share, cycles]; half cycles count
+    /// as halves.
+    pub counts: Vec<[f64; 2]>,
 }
 
 impl BaseRun {

@@ -307,6 +307,8 @@ pub enum Channel {
     BaseRotation,
     /// Displacement of the rim upwards, from the ground without load.
     Uplift(Side),
+    /// Plastic rotation of the joint between wall and bottom plate, positive where the plate lifts.
+    PlasticRotation(Side),
     /// Axial stress of the wall at the toe, compression.
     ToeStress,
     /// Slip of the base against the ground.
@@ -376,6 +378,7 @@ impl Channel {
             Channel::IsolatorForceY => "isolator_force_y".into(),
             Channel::BaseRotation => "base_rotation".into(),
             Channel::Uplift(side) => format!("uplift_{}", side.id()),
+            Channel::PlasticRotation(side) => format!("plastic_rotation_{}", side.id()),
             Channel::ToeStress => "toe_axial_stress".into(),
             Channel::Slip => "slip".into(),
             Channel::AnchorForce => "anchor_force".into(),
@@ -436,6 +439,7 @@ impl Channel {
                 Channel::Deflection(side),
                 Channel::OpenOn(side),
                 Channel::Uplift(side),
+                Channel::PlasticRotation(side),
             ]
         });
         let across = Ground::ALL.map(Channel::GroundY);
@@ -521,6 +525,7 @@ impl Channel {
             Channel::IsolatorForceY => "Force of the isolators, y".into(),
             Channel::BaseRotation => "Rotation of the base, with uplift".into(),
             Channel::Uplift(side) => format!("Uplift of the rim, {}", side.title()),
+            Channel::PlasticRotation(side) => format!("Plastic rotation of the joint, {}", side.title()),
             Channel::ToeStress => "Axial stress at the toe, compression, with uplift".into(),
             Channel::Slip => "Slip of the base".into(),
             Channel::AnchorForce => "Force of the anchor that pulls most".into(),
@@ -551,7 +556,7 @@ impl Channel {
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
             Channel::Open | Channel::OpenOn(_) => Dimension::Dimensionless,
-            Channel::BaseRotation | Channel::FoundationRotation => Dimension::Angle,
+            Channel::BaseRotation | Channel::PlasticRotation(_) | Channel::FoundationRotation => Dimension::Angle,
             Channel::ToeStress => Dimension::Stress,
             Channel::Uplift(_) | Channel::Slip | Channel::FoundationTranslation => Dimension::Length,
             Channel::Wave(_) | Channel::WaveAt { .. } | Channel::Top | Channel::Belly | Channel::Deflection(_) => {

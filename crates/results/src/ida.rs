@@ -7,7 +7,7 @@ use tank::units::Dimension;
 
 use super::nonlinear::{BaseMoment, Departure, TwoSided};
 use super::store::{read_document, write_document};
-use super::{Fact, Limit, SourceFile, Volatile};
+use super::{Fact, Limit, SourceFile, TankSummary, Volatile};
 use files::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -28,6 +28,12 @@ pub struct Ida {
     pub key: String,
     /// Title of the case.
     pub name: String,
+    /// Cover of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub project: Option<tank::Project>,
+    /// Geometry for the sketch; none in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tank: Option<TankSummary>,
     /// Files read, with hashes.
     pub files: Vec<SourceFile>,
     /// The model in numbers.
@@ -226,6 +232,8 @@ mod tests {
             volatile: Volatile::default(),
             key: "k".into(),
             name: "strip".into(),
+            project: None,
+            tank: None,
             files: Vec::new(),
             model: Vec::new(),
             assumptions: Vec::new(),

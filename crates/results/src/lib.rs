@@ -32,6 +32,7 @@ mod value;
 mod verdict;
 pub mod vtu;
 
+use files::code::Warning;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -39,7 +40,10 @@ use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
-pub use base_run::{AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, MissedBand};
+pub use base_run::{
+    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, GroundPlan, JointCycles,
+    MissedBand,
+};
 pub use changes::{Changes, Ending, MovedCheck, MovedQuantity, Side};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;
@@ -52,7 +56,7 @@ pub use ida::{
 pub use isolation_run::{IsolationBand, IsolationEnergy, IsolationRun};
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
-    PushShell, read_push, write_push,
+    PushShell, PushStrip, read_push, write_push,
 };
 pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
@@ -60,8 +64,8 @@ pub use run::{
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use soil_run::{EffectiveMode, OnSoil, SoilRun};
 pub use store::{
-    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put, read,
-    read_series, write,
+    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, FORMS, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put,
+    read, read_series, write,
 };
 
 pub use standing::{Standing, StandingGround, StandingPlate, StandingValues};
@@ -113,7 +117,7 @@ pub struct Results {
     pub verdict: Verdict,
     /// Unusual input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Results {

@@ -1,11 +1,12 @@
 //! `push.json`: a pushover of a cylinder.
 
+use files::code::Warning;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use super::store::{read_document, write_document};
-use super::{Fact, SourceFile, Volatile, WallMap};
+use super::{Fact, SourceFile, TankSummary, Volatile, WallMap};
 use files::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -22,6 +23,12 @@ pub struct Push {
     pub volatile: Volatile,
     /// Title of the case.
     pub name: String,
+    /// Cover of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub project: Option<tank::Project>,
+    /// Geometry for the sketch; none in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tank: Option<TankSummary>,
     /// Acceleration of free fall [m/s²].
     pub gravity: f64,
     /// Files read, with hashes.
@@ -32,7 +39,7 @@ pub struct Push {
     pub assumptions: Vec<String>,
     /// Reasons to doubt the results, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub doubts: Vec<String>,
+    pub doubts: Vec<Warning>,
     /// The perfect shell, then the imperfect ones.
     pub shells: Vec<PushShell>,
     /// Limits of formulas at the lower edges of the courses.
@@ -135,11 +142,37 @@ pub struct PushBase {
     pub lifted_width: f64,
     /// Half of the angle over which the foot is off the ground [rad].
     pub lifted_angle: f64,
-    /// Plastic rotation of the joint of wall and plate at π [rad].
+    /// Plastic rotation of the plate at its joint with the wall, at π [rad].
     pub plastic_rotation: f64,
+    /// Plastic rotation of the wall at that joint, at π [rad].
+    #[serde(default)]
+    pub wall_rotation: f64,
+    /// Axial membrane compression of the wall at the toe, in the lowest row of cells [Pa].
+    #[serde(default)]
+    pub toe_stress: f64,
+    /// Reaction of the ground on the meridian of the toe less the pressure on the plate there, over the thickness of the lowest course [Pa]: that
+    /// stress where the foot is free to warp, the force of the strips where it is kept a plane.
+    #[serde(default)]
+    pub toe_reaction: f64,
     /// Moment of the strips at the same rotation and acceleration [N m]; `None` where they have no equilibrium.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strips: Option<f64>,
+    /// The strips there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strip: Option<PushStrip>,
+}
+
+/// Strips side by side under a plane foot, at the rotation and acceleration of a state.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushStrip {
+    /// Uplift at π [m].
+    pub uplift: f64,
+    /// Axial compression at the toe, force of the wall over the thickness of the lowest course [Pa].
+    pub toe_stress: f64,
+    /// The same where the rim settles as the toe of the shells does, under the pressure at rest [Pa].
+    pub settled: f64,
+    /// Plastic rotation of the plate at its joint with a wall that stays elastic, at π, under the pressure at rest [rad].
+    pub plastic_rotation: f64,
 }
 
 /// The plastic rotation of the joint of wall and bottom plate beside the largest that a code allows: the perfect shell, lifted side.
@@ -156,13 +189,20 @@ pub struct PushJoint {
     pub passed: Option<f64>,
 }
 
+impl PushBase {
+    /// Plastic rotation of the joint of wall and plate, which turns in either [rad].
+    pub fn joint_rotation(&self) -> f64 {
+        self.plastic_rotation + self.wall_rotation
+    }
+}
+
 impl PushJoint {
     /// The joint along the path of `shell`; `None` of a tank without a lifting base.
     pub fn of(shell: &PushShell, limit: f64, source: &str) -> Option<PushJoint> {
         let states: Vec<(f64, f64)> = shell
             .path
             .iter()
-            .filter_map(|p| Some((p.acceleration, p.base?.plastic_rotation)))
+            .filter_map(|p| Some((p.acceleration, p.base?.joint_rotation())))
             .collect();
         states.first()?;
         Some(PushJoint {

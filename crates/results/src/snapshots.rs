@@ -1,4 +1,5 @@
-//! States of the three-dimensional model at moments, for files that other programs draw (`--vtu`).
+//! States of a model at moments, for files that other programs draw (`--vtu`): of the three-dimensional engine, of a nonlinear cylinder, and of
+//! the bottom plate that lifts in the harmonic engine.
 //!
 //! They are too large for `results.json` and are not read back.
 
@@ -12,6 +13,8 @@ pub struct Snapshots {
     pub liquid: Vec<[usize; 8]>,
     /// Quadrilaterals of the wall, four indices into `nodes`.
     pub wall: Vec<[usize; 4]>,
+    /// Quadrilaterals of the bottom plate of a tank that lifts, four indices into `nodes`; one at the axis repeats its node.
+    pub bottom: Vec<[usize; 4]>,
     /// States by ascending time.
     pub states: Vec<Snapshot>,
 }
@@ -21,12 +24,16 @@ pub struct Snapshots {
 pub struct Snapshot {
     /// Time [s].
     pub time: f64,
-    /// Displacement of every node relative to the ground [m].
+    /// Displacement of every node relative to the ground [m]; of a nonlinear run and of a bottom plate from the tank without load.
     pub displacement: Vec<[f64; 3]>,
     /// Seismic pressure in the middle of every hexahedron [Pa], compression positive.
     pub pressure: Vec<f64>,
-    /// Seismic resultants in the middle of every quadrilateral of the wall.
+    /// Resultants in the middle of every quadrilateral of the wall: of a linear engine the seismic ones, of a nonlinear run the whole ones.
     pub resultants: Vec<Resultants>,
+    /// Pressure of the ground on the bottom plate at every node [Pa], 0 where the plate is off the ground; empty without a bottom.
+    pub ground: Vec<f64>,
+    /// Plastic rotation across every quadrilateral of the bottom, along the radius [rad]: its sum from the wall inwards is that of the joint.
+    pub plastic: Vec<f64>,
 }
 
 /// Stress resultants of a shell in the frame (φ around, v along the meridian).

@@ -1,15 +1,19 @@
 //! Reading and writing the results folder.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
 use super::{FORMAT, Results, Series, previous, transfer};
+use files::code::Code;
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
+use tank::units::Dimension;
 
 /// Name of the results file in a results folder.
 pub const RESULTS_FILE: &str = "results.json";
@@ -33,10 +37,13 @@ pub const COMPARE: Kind = Kind {
     keeps: |_| false,
 };
 
+/// Other forms of a report that may stand next to it: for print, for a text processor, for a spreadsheet.
+pub const FORMS: [&str; 3] = ["report.pdf", "report.docx", "report.xlsx"];
+
 /// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
     names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
-    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name) || FORMS.contains(&name),
     option: "a copy of results.json and series.csv",
     ..COMPARE
 };
@@ -47,12 +54,14 @@ pub const COMPARE_REPORT: Kind = Kind {
 pub fn read(folder: &Path) -> Result<Results, Error> {
     let path = folder.join(RESULTS_FILE);
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.clone(),
         what,
     };
     settle(folder);
     if !folder.is_dir() {
         return Err(Error::File {
+            code: Code::NotResults,
             path: folder.into(),
             what: "no such results folder; `tankcheck compare` writes one".into(),
         });
@@ -61,6 +70,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
     for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
         if !path.exists() && folder.join(file).exists() {
             return Err(Error::File {
+                code: Code::NotResults,
                 path: folder.into(),
                 what: format!(
                     "holds the results of `tankcheck {command}` ({file}), allowed those of `tankcheck compare` or `tankcheck check`; its \
@@ -69,7 +79,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             });
         }
     }
-    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::unreadable(&path, &e))?;
     let no_results = |e: serde_json::Error| fault(format!("not a results file: {e}"));
     #[derive(Deserialize)]
     struct Head {
@@ -96,6 +106,7 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         return Ok(Series::default());
     }
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.clone(),
         what,
     };
@@ -112,7 +123,7 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         )));
     }
     let mut series = Series {
-        ids: header.iter().skip(1).map(str::to_owned).collect(),
+        ids: header.iter().skip(1).map(|head| id_of(head).to_owned()).collect(),
         ..Series::default()
     };
     series.columns = vec![Vec::new(); series.ids.len()];
@@ -148,17 +159,53 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     if series.time.is_empty() {
         return Ok(());
     }
-    put(&folder.join(SERIES_FILE), series_csv(series).as_bytes())
+    put(
+        &folder.join(SERIES_FILE),
+        series_csv(series, &units(results)).as_bytes(),
+    )
+}
+
+/// Symbols of the units of the columns by id, of all runs and of the ground.
+fn units(results: &Results) -> BTreeMap<String, &'static str> {
+    let mut units = BTreeMap::new();
+    for (number, run) in results.runs.iter().enumerate() {
+        let prefix = if number == 0 { "" } else { run.engine.prefix() };
+        for history in &run.histories {
+            units.insert(format!("{prefix}{}", history.id), history.dimension.si_symbol());
+        }
+    }
+    let ground = [Dimension::Acceleration, Dimension::Velocity, Dimension::Length];
+    for (id, dimension) in GROUND_COLUMNS.into_iter().zip(ground) {
+        for prefix in ["", VERTICAL_PREFIX] {
+            units.insert(format!("{prefix}{id}"), dimension.si_symbol());
+        }
+    }
+    units
+}
+
+/// Head of a column: `base_shear [N]`; without a unit the id alone.
+fn head(id: &str, units: &BTreeMap<String, &'static str>) -> String {
+    match units.get(id) {
+        Some(unit) if !unit.is_empty() => format!("{id} [{unit}]"),
+        _ => id.to_owned(),
+    }
+}
+
+/// The id in the head of a column; earlier versions wrote no units.
+fn id_of(head: &str) -> &str {
+    head.split_once(" [").map_or(head, |(id, _)| id)
 }
 
 /// `series.csv` as text; 7 significant digits.
-fn series_csv(series: &Series) -> String {
+///
+/// * `units`: symbols of units by id
+fn series_csv(series: &Series, units: &BTreeMap<String, &'static str>) -> String {
     use std::fmt::Write;
     let mut text = String::with_capacity(series.time.len() * (series.columns.len() + 1) * 14);
     text.push_str("time_s");
     for id in &series.ids {
         text.push(',');
-        text.push_str(id);
+        text.push_str(&head(id, units));
     }
     text.push('\n');
     for (i, t) in series.time.iter().enumerate() {
@@ -176,10 +223,11 @@ fn series_csv(series: &Series) -> String {
 /// Errors: an unreadable file, text that is not JSON, another format version.
 pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what: &str) -> Result<T, Error> {
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.into(),
         what,
     };
-    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
+    let text = std::fs::read_to_string(path).map_err(|e| Error::unreadable(path, &e))?;
     let value: serde_json::Value =
         serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
     match value.get("format").and_then(serde_json::Value::as_str) {
@@ -254,6 +302,20 @@ fn round_significant(x: f64, digits: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn heads_have_units_and_old_heads_none() {
+        let units = BTreeMap::from([("base_shear".to_owned(), "N"), ("open_share".to_owned(), "")]);
+        assert_eq!(head("base_shear", &units), "base_shear [N]");
+        assert_eq!(
+            (head("open_share", &units), head("other", &units)),
+            ("open_share".into(), "other".into())
+        );
+        assert_eq!(
+            (id_of("base_shear [N]"), id_of("base_shear")),
+            ("base_shear", "base_shear")
+        );
+    }
 
     /// A quotation mark is part of its column's name; the lines after it are still read.
     #[test]

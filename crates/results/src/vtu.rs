@@ -1,8 +1,9 @@
-//! ParaView files of [`Snapshots`]: a collection `tank.pvd` of unstructured grids, two for every moment.
+//! ParaView files of [`Snapshots`]: a collection `tank.pvd` of unstructured grids, one for every part and moment. A part without cells has none.
 //!
 //! ```text
 //! tank.pvd ─┬─ liquid_0000.vtu   hexahedra: displacement at nodes, pressure in cells
-//!           └─ wall_0000.vtu     quadrilaterals: displacement at nodes, stress resultants in cells
+//!           ├─ wall_0000.vtu     quadrilaterals: displacement at nodes, stress resultants in cells
+//!           └─ bottom_0000.vtu   quadrilaterals: displacement and contact pressure at nodes, plastic rotation in cells
 //! ```
 //!
 //! The format is VTK's XML, version 1.0: every array inline as base64 of its length in bytes (UInt64) and its values in
@@ -33,7 +34,9 @@ pub const FOLDER: Kind = Kind {
 /// Whether we write files of this name.
 fn owns(name: &str) -> bool {
     let stem = name.strip_suffix(".vtu").unwrap_or("");
-    let number = stem.strip_prefix("liquid_").or_else(|| stem.strip_prefix("wall_"));
+    let number = ["liquid_", "wall_", "bottom_"]
+        .iter()
+        .find_map(|part| stem.strip_prefix(part));
     name == COLLECTION || number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
@@ -45,10 +48,11 @@ pub fn write(folder: &Path, snapshots: &Snapshots) -> Result<(), Error> {
     let mut list = String::new();
     for (i, state) in snapshots.states.iter().enumerate() {
         let parts = [
-            (format!("liquid_{i:04}.vtu"), liquid(snapshots, state)),
-            (format!("wall_{i:04}.vtu"), wall(snapshots, state)),
+            (!snapshots.liquid.is_empty()).then(|| (format!("liquid_{i:04}.vtu"), liquid(snapshots, state))),
+            (!snapshots.wall.is_empty()).then(|| (format!("wall_{i:04}.vtu"), wall(snapshots, state))),
+            (!snapshots.bottom.is_empty()).then(|| (format!("bottom_{i:04}.vtu"), bottom(snapshots, state))),
         ];
-        for (part, (name, text)) in parts.iter().enumerate() {
+        for (part, (name, text)) in parts.iter().flatten().enumerate() {
             put(name, text)?;
             let time = state.time;
             let _ = writeln!(list, r#"    <DataSet timestep="{time}" part="{part}" file="{name}"/>"#);
@@ -67,8 +71,15 @@ fn liquid(snapshots: &Snapshots, state: &Snapshot) -> String {
         state,
         HEXAHEDRON,
         &snapshots.liquid,
+        None,
         &[("pressure [Pa]", state.pressure.clone())],
     )
+}
+
+fn bottom(snapshots: &Snapshots, state: &Snapshot) -> String {
+    let arrays = [("plastic rotation [rad]", state.plastic.clone())];
+    let ground = ("contact pressure [Pa]", state.ground.as_slice());
+    grid(snapshots, state, QUAD, &snapshots.bottom, Some(ground), &arrays)
 }
 
 fn wall(snapshots: &Snapshots, state: &Snapshot) -> String {
@@ -82,15 +93,18 @@ fn wall(snapshots: &Snapshots, state: &Snapshot) -> String {
         ("m_phi_v [N]", of(|r| r.m_phi_v)),
         ("q_v [N/m]", of(|r| r.q_v)),
     ];
-    grid(snapshots, state, QUAD, &snapshots.wall, &arrays)
+    grid(snapshots, state, QUAD, &snapshots.wall, None, &arrays)
 }
 
 /// One grid with the nodes its cells use.
+///
+/// * `scalar`: name and values of every node, besides the displacement
 fn grid<const N: usize>(
     snapshots: &Snapshots,
     state: &Snapshot,
     kind: u8,
     cells: &[[usize; N]],
+    scalar: Option<(&str, &[f64])>,
     arrays: &[(&str, Vec<f64>)],
 ) -> String {
     // Numbers of the nodes within this part, by first use.
@@ -122,7 +136,7 @@ fn grid<const N: usize>(
         {}
       </Cells>
       <PointData>
-        {}
+        {}{}
       </PointData>
       <CellData>
 "#,
@@ -138,6 +152,10 @@ fn grid<const N: usize>(
             3,
             displacement.flat_map(f64::to_le_bytes)
         ),
+        scalar.map_or_else(String::new, |(name, values)| {
+            let own = used.iter().flat_map(|&n| values[n].to_le_bytes());
+            format!("\n        {}", array("Float64", name, 1, own))
+        }),
     );
     for (name, values) in arrays {
         let bytes = values.iter().flat_map(|v| v.to_le_bytes());
@@ -198,7 +216,7 @@ mod tests {
 
     #[test]
     fn own_files_are_known_by_name() {
-        for name in ["tank.pvd", "liquid_0000.vtu", "wall_12345.vtu"] {
+        for name in ["tank.pvd", "liquid_0000.vtu", "wall_12345.vtu", "bottom_0001.vtu"] {
             assert!(owns(name), "{name}");
         }
         for name in ["tank.vtu", "wall_.vtu", "wall_1.vtu.bak", "mesh_0000.vtu", "wall_a.vtu"] {

@@ -100,6 +100,56 @@ impl Quantity {
         }
     }
 
+    /// Symbol in messages and pages of the program; procedures use those of their codes.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Quantity::SloshingPeriod => "T_c",
+            Quantity::SloshingHeight => "d_max",
+            Quantity::ImpulsivePeriod => "T_i",
+            Quantity::ImpulsiveMass => "m_i",
+            Quantity::WallMass => "m_w",
+            Quantity::RoofMass => "m_r",
+            Quantity::ConvectiveMass => "m_c",
+            Quantity::BaseShear => "Q",
+            Quantity::BaseMoment => "M",
+            Quantity::OverturningMoment => "M′",
+            Quantity::HoopStress => "σ_θ",
+            Quantity::AxialMembraneStress => "σ_z",
+            Quantity::BendingStress => "σ_b",
+        }
+    }
+
+    /// What it is and how it is counted, in sentences.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Quantity::SloshingPeriod => {
+                "Period of the first sloshing mode, in which the surface swings from side to side."
+            }
+            Quantity::SloshingHeight => "Largest rise of the liquid surface at the wall above its level at rest.",
+            Quantity::ImpulsivePeriod => {
+                "Period of the first mode in which wall and liquid move together. Zero or absent where a method takes the wall as \
+                 rigid."
+            }
+            Quantity::ImpulsiveMass => "Liquid that moves with the wall: with its first mode, or with a rigid wall.",
+            Quantity::WallMass => "Part of the wall's mass that a method moves with the impulsive part.",
+            Quantity::RoofMass => "Part of the roof's mass that a method moves with the impulsive part.",
+            Quantity::ConvectiveMass => "Liquid that moves with the first sloshing mode.",
+            Quantity::BaseShear => "Horizontal force of the tank on its foundation.",
+            Quantity::BaseMoment => {
+                "Bending moment of the wall just above the bottom plate; the pressure on the bottom is excluded (EBP). It loads wall \
+                 and anchors."
+            }
+            Quantity::OverturningMoment => {
+                "Moment just below the bottom plate; the pressure on the bottom is included (IBP). It loads the foundation."
+            }
+            Quantity::HoopStress => "Largest circumferential membrane stress over the height of the wall.",
+            Quantity::AxialMembraneStress => "Largest vertical membrane stress at the foot of the wall.",
+            Quantity::BendingStress => {
+                "Largest vertical bending stress at the foot of the wall, where the bottom clamps it."
+            }
+        }
+    }
+
     /// Whether it is a response to the ground motion: periods and masses are properties of the tank.
     pub fn is_response(self) -> bool {
         !matches!(self.dimension(), Dimension::Time | Dimension::Mass)

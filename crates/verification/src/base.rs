@@ -14,6 +14,7 @@
 //! | U14 to U17 | sliding in time | closed forms, an independent program |
 //! | U18 to U20 | loops of plates that yield | an independent program, strips around the rim, Masing's rule |
 //! | U21 to U23 | anchors that yield | closed forms |
+//! | U30 to U34 | joint of wall and plate, either of which yields | the strips |
 
 use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
 use tank::reference::{case, material};
@@ -23,6 +24,7 @@ use crate::Failure;
 
 pub(crate) mod anchors;
 pub(crate) mod history;
+pub(crate) mod joint;
 pub(crate) mod loops;
 pub(crate) mod rocking;
 pub(crate) mod round;

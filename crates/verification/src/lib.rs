@@ -58,6 +58,7 @@ pub const ALL: &[&Benchmark] = &[
     &base::strip::BENCHMARK,
     &base::shells::BENCHMARK,
     &base::sector::BENCHMARK,
+    &base::joint::BENCHMARK,
     &base::round::BENCHMARK,
     &base::rocking::BENCHMARK,
     &base::history::BENCHMARK,

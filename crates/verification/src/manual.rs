@@ -10,7 +10,7 @@ use serde_json::json;
 
 use crate::entry::KINDS;
 use crate::{ALL, Entry, Error, Manual, Pace, find, html};
-use files::error::describe;
+use files::code::Code;
 use files::{Kind, OutputFolder, settle};
 use report::template::Templates;
 use results::put;
@@ -319,11 +319,12 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
     let path = folder.join(ROWS);
     let fault = |what: String| {
         Error::Files(files::error::Error::File {
+            code: Code::NotResults,
             path: path.clone(),
             what,
         })
     };
-    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    let text = std::fs::read_to_string(&path).map_err(|e| files::error::Error::unreadable(&path, &e))?;
     serde_json::from_str(&text).map_err(|e| fault(format!("not the rows of a verification manual: {e}")))
 }
 

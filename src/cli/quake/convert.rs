@@ -7,6 +7,7 @@ use crate::cli::inputs::{Reading, Unit};
 use crate::cli::print;
 use crate::error::Error;
 use crate::input::records::{self, AccelerationUnit, LOW_CUT, ReadRecord};
+use files::code::Code;
 use files::{text, write_whole};
 
 #[derive(clap::Args)]
@@ -20,7 +21,7 @@ The file begins with comments: the source with its hash, format, unit, filter an
 a double; an offset is removed only where the format has one (K-NET), which is said.")]
 pub(super) struct Convert {
     /// The record (`-` reads standard input).
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "RECORD")]
     record: PathBuf,
     #[command(flatten)]
     reading: Reading,
@@ -39,10 +40,13 @@ impl Convert {
     pub(super) fn run(&self) -> Result<(), Error> {
         let out = self.out.as_ref().filter(|path| path.as_os_str() != "-");
         if let Some(path) = out.filter(|path| path.exists()) {
-            return Err(Error::input(format!(
-                "error: --out: found `{}`, which exists, expected the name of a new file",
-                path.display()
-            )));
+            return Err(Error::input(
+                Code::FileTaken,
+                format!(
+                    "--out: found `{}`, which exists, expected the name of a new file",
+                    path.display()
+                ),
+            ));
         }
         let read = records::read(&self.record, &self.reading.options())?;
         let source = self

@@ -11,6 +11,7 @@ use tank::units::{self, Dimension};
 
 use crate::cli::print;
 use crate::error::Error;
+use files::code::Code;
 use files::write_whole;
 
 /// Samples in a period by default; the line between them is (2π/200)²/12 = 0.01 % too low.
@@ -30,16 +31,16 @@ pub(super) struct Harmonic {
     #[arg(long, value_name = "ACCELERATION")]
     amplitude: String,
     /// Frequency [Hz].
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "FREQUENCY")]
     frequency: f64,
     /// Duration [s].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "SECONDS")]
     duration: f64,
     /// Time within which the amplitude grows at the start and falls at the end [s].
-    #[arg(long, value_name = "S", default_value_t = 0.0)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     ramp: f64,
     /// Time step [s] [default: a 200th of a period, at most 0.01 s].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "SECONDS")]
     dt: Option<f64>,
     /// File that is written; it must not exist. Standard output without it.
     #[arg(long, short, value_name = "FILE")]
@@ -103,9 +104,10 @@ impl Harmonic {
 }
 
 fn refuse<T>(option: &str, found: &str, allowed: &str) -> Result<T, Error> {
-    Err(Error::input(format!(
-        "error: {option}: found {found}, expected {allowed}"
-    )))
+    Err(Error::input(
+        Code::OptionValue,
+        format!("{option}: found {found}, expected {allowed}"),
+    ))
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use crate::cli::{Format, json, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::input::{self, records};
 use crate::study::rule::{self, FIVE, Wanted};
+use files::code::Code;
 use files::text;
 
 #[derive(clap::Args)]
@@ -30,13 +31,13 @@ columns period_s and acceleration_g or acceleration_m_s2, is 5 % damped, and beg
 Exit codes: 0 the rule holds for the set as it is; 1 it does not; 2 bad input.")]
 pub(super) struct Set {
     /// The records.
-    #[arg(value_name = "FILE", required = true)]
+    #[arg(value_name = "RECORD", required = true)]
     records: Vec<PathBuf>,
     /// Rule.
     #[arg(long, value_enum, default_value_t = Rule::En1998)]
     rule: Rule,
     /// Target: a tank file with the site of EN 1998, or a CSV table.
-    #[arg(long, value_name = "TANK or CSV")]
+    #[arg(long, value_name = "TANK|FILE")]
     target: PathBuf,
     /// Fundamental period with its unit; may be repeated [default: the two periods of the tank].
     #[arg(long, value_name = "PERIOD")]
@@ -168,7 +169,8 @@ impl Set {
             Format::Json => print(&json(&found)?)?,
             Format::Csv => {
                 return Err(Error::input(
-                    "error: --format: found csv, expected human or json".into(),
+                    Code::OptionConflict,
+                    "--format: found csv, expected human or json".into(),
                 ));
             }
         }
@@ -191,7 +193,9 @@ impl Set {
             Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(tank)?,
             Target::Table(_) if wanted.is_empty() => {
                 return Err(Error::input(
-                    "error: --period is missing\n  help: a table does not know the periods of the tank; add --period 0.225s".into(),
+                    Code::MissingInput,
+                    "--period is missing\n  help: a table does not know the periods of the tank; add --period 0.225s"
+                        .into(),
                 ));
             }
             _ => {}
@@ -201,12 +205,15 @@ impl Set {
                 .iter()
                 .find(|w| RANGE[1] * w.period > table.longest() * (1.0 + 1e-9))
         {
-            return Err(Error::input(format!(
-                "error: {}: the table ends at {} s, before 2 T = {} s\n  help: add rows; the table is not continued",
-                self.target.display(),
-                table.longest(),
-                RANGE[1] * far.period
-            )));
+            return Err(Error::input(
+                Code::OutOfRange,
+                format!(
+                    "{}: the table ends at {} s, before 2 T = {} s\n  help: add rows; the table is not continued",
+                    self.target.display(),
+                    table.longest(),
+                    RANGE[1] * far.period
+                ),
+            ));
         }
         Ok(wanted)
     }
@@ -216,9 +223,10 @@ impl Set {
 fn period(given: &str) -> Result<f64, Error> {
     match units::parse(given, Dimension::Time) {
         Ok(period) if period > 0.0 && period <= 100.0 => Ok(period),
-        _ => Err(Error::input(format!(
-            "error: --period: found `{given}`, expected a time with its unit such as 0.225s, at most 100 s"
-        ))),
+        _ => Err(Error::input(
+            Code::OptionValue,
+            format!("--period: found `{given}`, expected a time with its unit such as 0.225s, at most 100 s"),
+        )),
     }
 }
 

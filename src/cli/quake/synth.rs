@@ -11,6 +11,7 @@ use super::target::Target;
 use crate::cli::inputs::{Reading, Unit};
 use crate::cli::print;
 use crate::error::{EXIT_OK, Error};
+use files::code::Code;
 use files::{Kind, OutputFolder};
 
 /// Most samples of a record.
@@ -37,7 +38,7 @@ Cosines of random phase under an envelope, their amplitudes corrected until the 
 ground ends at rest. The same seed gives the same records. Such records have more cycles than real ones of the same spectrum, and no pulses.")]
 pub(super) struct Synth {
     /// Target: a tank file with the site of EN 1998, or a CSV table of the 5 % spectrum.
-    #[arg(long, value_name = "TANK or CSV")]
+    #[arg(long, value_name = "TANK|FILE")]
     target: PathBuf,
     /// Number of records.
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..=1000))]
@@ -46,16 +47,16 @@ pub(super) struct Synth {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Duration [s].
-    #[arg(long, value_name = "S", default_value_t = 25.0)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 25.0)]
     duration: f64,
     /// Duration of the strong part [s]; EN 1998-1 asks for at least 10 s.
-    #[arg(long, value_name = "S", default_value_t = 12.0)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 12.0)]
     strong: f64,
     /// Time step [s].
-    #[arg(long, value_name = "S", default_value_t = 0.01)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.01)]
     dt: f64,
     /// Longest period that follows the target [s] [default: that of the target, at most half of the duration].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "SECONDS")]
     longest: Option<f64>,
     /// Folder of the records.
     #[arg(long, short, value_name = "FOLDER", default_value = "records")]
@@ -70,9 +71,10 @@ impl Synth {
     pub(super) fn run(&self) -> Result<u8, Error> {
         let within = |option: &str, value: f64, low: f64, high: f64| match value >= low && value <= high {
             true => Ok(value),
-            false => Err(Error::input(format!(
-                "error: {option}: found `{value}`, expected {low} to {high}"
-            ))),
+            false => Err(Error::input(
+                Code::OptionValue,
+                format!("{option}: found `{value}`, expected {low} to {high}"),
+            )),
         };
         let duration = within("--duration", self.duration, 1.0, 1000.0)?;
         let strong = within("--strong", self.strong, 0.1, 0.95 * duration)?;
@@ -101,8 +103,12 @@ impl Synth {
             };
             let mut draw = Draw::new(self.seed.wrapping_add(u64::from(k)));
             let name = format!("synthetic-{:03}", k + 1);
-            let record = synthetic(&name, &wanted, &curve, || draw.unit())
-                .ok_or_else(|| Error::input("error: --target: a spectrum that is not positive everywhere".into()))?;
+            let record = synthetic(&name, &wanted, &curve, || draw.unit()).ok_or_else(|| {
+                Error::input(
+                    Code::OptionValue,
+                    "--target: a spectrum that is not positive everywhere".into(),
+                )
+            })?;
             results::put(&folder.path().join(format!("{name}.csv")), csv(&record).as_bytes())?;
             let _ = writeln!(said, "{name}.csv  peak {:.4} m/s²", record.pga());
         }

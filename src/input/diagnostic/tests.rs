@@ -6,7 +6,7 @@ const TANK: &str = "{\n  \"tank\": { \"radius\": \"1.83 kg\" }\n}\n";
 
 fn fault() -> Fault {
     let start = TANK.find("\"1.83").unwrap();
-    Fault::new("a mass where a length belongs")
+    Fault::new(Code::OutOfRange, "a mass where a length belongs")
         .at(start..start + 9)
         .path("tank.radius")
         .found("\"1.83 kg\"")
@@ -19,7 +19,7 @@ fn shows_file_line_column_path_found_expected_help() {
     let text = Faults::from(fault()).render(&Source::new("in/tank.json", TANK), false);
     println!("{text}");
     for part in [
-        "error: a mass where a length belongs",
+        "error[T0215]: a mass where a length belongs",
         "--> in/tank.json:2:23",
         "\"radius\": \"1.83 kg\"",
         "^^^^^^^^^ found \"1.83 kg\"",
@@ -45,9 +45,9 @@ fn colours_only_when_asked() {
 #[test]
 fn faults_come_in_the_order_of_the_file() {
     let mut faults = Faults::new();
-    faults.push(Fault::new("third"));
-    faults.push(Fault::new("second").at(5..6));
-    faults.push(Fault::new("first").at(0..1));
+    faults.push(Fault::new(Code::OutOfRange, "third"));
+    faults.push(Fault::new(Code::OutOfRange, "second").at(5..6));
+    faults.push(Fault::new(Code::OutOfRange, "first").at(0..1));
     let text = faults.render(&Source::new("t", TANK), false);
     let place = |what: &str| text.find(what).unwrap();
     assert!(place("first") < place("second") && place("second") < place("third"));
@@ -62,7 +62,12 @@ fn lines_of_records() {
     assert_eq!(source.line_span(4), 8..12);
     assert_eq!(source.line_span(9), 12..12);
     assert_eq!(source.line_column(4), (2, 2));
-    let text = Faults::from(Fault::new("no number").at(source.line_span(2)).found("bcd")).render(&source, false);
+    let text = Faults::from(
+        Fault::new(Code::OutOfRange, "no number")
+            .at(source.line_span(2))
+            .found("bcd"),
+    )
+    .render(&source, false);
     assert!(text.contains("r.csv:2:1") && text.contains("2 | bcd"), "{text}");
 }
 
@@ -71,12 +76,16 @@ fn of_many_faults_the_first_of_the_file_are_shown_and_all_counted() {
     let text = "x".repeat(9_000);
     let mut faults = Faults::new();
     for i in (0..9_000).rev() {
-        faults.push(Fault::new(format!("fault {i} of many")).at(i..i + 1));
+        faults.push(Fault::new(Code::OutOfRange, format!("fault {i} of many")).at(i..i + 1));
     }
     assert_eq!((faults.count(), faults.list().len() < 2 * KEPT_FAULTS), (9_000, true));
     let text = faults.render(&Source::new("t", text), false);
     for i in 0..SHOWN_FAULTS {
-        assert_eq!(text.matches(&format!("error: fault {i} of many")).count(), 1, "{i}");
+        assert_eq!(
+            text.matches(&format!("error[T0215]: fault {i} of many")).count(),
+            1,
+            "{i}"
+        );
     }
     assert!(!text.contains("fault 50 of many"));
     assert!(
@@ -88,7 +97,7 @@ fn of_many_faults_the_first_of_the_file_are_shown_and_all_counted() {
 #[test]
 fn long_and_hostile_lines_keep_their_place() {
     let long = format!("{}WRONG{}", "é".repeat(3_000), "y".repeat(3_000));
-    let text = Faults::from(Fault::new("m").at(6_001..6_006).found("WRONG"))
+    let text = Faults::from(Fault::new(Code::OutOfRange, "m").at(6_001..6_006).found("WRONG"))
         .render(&Source::new("t.json", format!("\n{long}")), false);
     assert!(text.contains("--> t.json:2:3001"), "{text}");
     assert!(
@@ -98,7 +107,7 @@ fn long_and_hostile_lines_keep_their_place() {
     assert!(!text.contains(":::") && text.lines().count() == 7, "{text}");
     let hostile = "{ \"a\u{1b}[31m\u{202e}\u{9b}b\": 17 }";
     let at = hostile.find("17").unwrap();
-    let text = Faults::from(Fault::new("m").at(at..at + 2)).render(&Source::new("t", hostile), false);
+    let text = Faults::from(Fault::new(Code::OutOfRange, "m").at(at..at + 2)).render(&Source::new("t", hostile), false);
     assert!(text.contains("--> t:1:16"), "{text}");
     assert!(text.contains(r"a\u{1b}[31m\u{202e}\u{9b}b"), "{text}");
     let (line, marks) = (text.lines().nth(3).unwrap(), text.lines().nth(4).unwrap());
@@ -117,7 +126,7 @@ fn hostile_text_and_spans_are_harmless() {
         200_000..300_000,
         9_999_999..10_000_000,
     ] {
-        let fault = Fault::new("m\u{1b}[31m\nm")
+        let fault = Fault::new(Code::OutOfRange, "m\u{1b}[31m\nm")
             .at(span)
             .found("z".repeat(100_000))
             .path("p\r\n");

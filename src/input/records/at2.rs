@@ -17,6 +17,7 @@ use crate::input::records::block::lines;
 use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit};
 use crate::input::records::number::{parse, split_glued};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// The header ends within this many lines.
 const HEADER_LINES: usize = 30;
@@ -41,7 +42,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (start, line) = header.last().copied().unwrap_or((0, ""));
     let (samples, dt) = counts(line).map_err(|fault| fault.at(start..start + line.len()))?;
     let dt = settle_dt(dt, options)?.ok_or_else(|| {
-        Fault::new("the header does not give a time step")
+        Fault::new(Code::TimeStep, "the header does not give a time step")
             .at(start..start + line.len())
             .allowed("`NPTS= 4000, DT= .01000 SEC`, or --dt")
     })?;
@@ -79,16 +80,21 @@ fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
         None => (leading.next(), leading.next()),
     };
     let shape = "`NPTS= 4000, DT= .01000 SEC` or `4000 .01000 NPTS, DT`";
-    let fault = |what: &str| Fault::new(what).found(line.trim()).allowed(shape);
-    let npts = npts.ok_or_else(|| fault("the line with NPTS does not contain the number of points"))?;
+    let fault = |code: Code, what: &str| Fault::new(code, what).found(line.trim()).allowed(shape);
+    let npts = npts.ok_or_else(|| {
+        fault(
+            Code::RecordLength,
+            "the line with NPTS does not contain the number of points",
+        )
+    })?;
     if npts.fract() != 0.0 || npts < 2.0 {
-        return Err(fault("NPTS must be a whole number of at least 2"));
+        return Err(fault(Code::RecordLength, "NPTS must be a whole number of at least 2"));
     }
     if npts > MAX_SAMPLES as f64 {
-        return Err(fault("the record is too long").allowed(format!("up to {MAX_SAMPLES} samples")));
+        return Err(fault(Code::TooLarge, "the record is too long").allowed(format!("up to {MAX_SAMPLES} samples")));
     }
     if dt.is_some_and(|dt| dt <= 0.0) {
-        return Err(fault("DT must be greater than 0"));
+        return Err(fault(Code::TimeStep, "DT must be greater than 0"));
     }
     Ok((npts as usize, dt))
 }
@@ -99,7 +105,7 @@ fn acceleration(header: &[(usize, &str)]) -> Result<(), Fault> {
         let upper = line.to_ascii_uppercase();
         let series = upper.contains("TIME SERIES") || upper.contains("TIME HISTORY");
         if series && !upper.contains("ACC") && (upper.contains("VELOCITY") || upper.contains("DISPLACEMENT")) {
-            return Err(Fault::new("this is not an acceleration record")
+            return Err(Fault::new(Code::NotAcceleration, "this is not an acceleration record")
                 .at(start..start + line.len())
                 .found(line.trim())
                 .allowed("an acceleration time series (.AT2)"));
@@ -161,7 +167,7 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
                         break 'file;
                     }
                     Err(wrong) => {
-                        let fault = Fault::new(wrong.message("the acceleration"))
+                        let fault = Fault::new(wrong.code(), wrong.message("the acceleration"))
                             .at(place..place + number.len())
                             .found(number)
                             .allowed("finite numbers such as -.123E-01");
@@ -175,14 +181,16 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
     }
     faults.finish()?;
     if let Some(span) = surplus {
-        return Err(Fault::new("the file contains more values than NPTS")
-            .at(span)
-            .found(format!("a value after the {expected} of NPTS"))
-            .help("correct NPTS, or delete the lines after the record")
-            .into());
+        return Err(
+            Fault::new(Code::RecordLength, "the file contains more values than NPTS")
+                .at(span)
+                .found(format!("a value after the {expected} of NPTS"))
+                .help("correct NPTS, or delete the lines after the record")
+                .into(),
+        );
     }
     if values.len() < expected {
-        return Err(Fault::new("the file ends before NPTS values were read")
+        return Err(Fault::new(Code::CutOff, "the file ends before NPTS values were read")
             .at(text.trim_end().len()..text.trim_end().len())
             .found(format!("{} values, NPTS = {expected}", values.len()))
             .help("complete the file, or correct NPTS")

@@ -1,5 +1,6 @@
 //! Lines with their places, and blocks of numbers in columns of fixed width, as Fortran programs write them: fields may touch.
 
+use files::code::Code;
 use std::ops::Range;
 
 use super::draft::Collector;
@@ -29,7 +30,8 @@ pub(super) fn place((start, line): Line<'_>) -> Range<usize> {
 /// A line that has to be there.
 pub(super) fn line<'a>(lines: &[Line<'a>], number: usize, what: &str) -> Result<Line<'a>, Fault> {
     lines.get(number).copied().ok_or_else(|| {
-        let fault = Fault::new(format!("the file ends before {what}")).found(format!("{} lines", lines.len()));
+        let fault =
+            Fault::new(Code::CutOff, format!("the file ends before {what}")).found(format!("{} lines", lines.len()));
         at_end(fault, lines).help("the file may have been cut off")
     })
 }
@@ -60,9 +62,12 @@ pub(super) fn fields(
     let mut next = first;
     while values.len() < count {
         let Some(&(start, text)) = lines.get(next) else {
-            let fault = Fault::new(format!("the file ends before {what} that its header counts"))
-                .found(format!("{} of {count} numbers", values.len()))
-                .help("the file may have been cut off");
+            let fault = Fault::new(
+                Code::CutOff,
+                format!("the file ends before {what} that its header counts"),
+            )
+            .found(format!("{} of {count} numbers", values.len()))
+            .help("the file may have been cut off");
             let fault = at_end(fault, lines);
             // With the faults before it.
             let _ = faults.push(fault);
@@ -86,7 +91,7 @@ pub(super) fn fields(
                     places.push((start + at + blank) as u32);
                 }
                 Err(why) => {
-                    let fault = Fault::new(why.message(what)).at(start + at + blank..start + end);
+                    let fault = Fault::new(why.code(), why.message(what)).at(start + at + blank..start + end);
                     if faults.push(fault.found(field.trim())) {
                         return Err(faults.finish().err().unwrap_or_default());
                     }

@@ -13,6 +13,7 @@ use crate::input::records::number::{begins_like_number, parse, resolution};
 use crate::input::records::time::{Stamp, uniform_step};
 use crate::input::records::unit::{Head, head};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Step from which a time column without a unit is not read as seconds.
 const MILLISECONDS: f64 = 0.5;
@@ -130,12 +131,12 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     }
     faults.finish()?;
     let Some((separator, layout)) = data else {
-        return Err(Fault::new("the file does not contain numbers")
+        return Err(Fault::new(Code::EmptyFile, "the file does not contain numbers")
             .allowed("CSV, two-column text or PEER .AT2")
             .into());
     };
     if table.values.len() > MAX_SAMPLES {
-        return Err(Fault::new("the record is too long")
+        return Err(Fault::new(Code::TooLarge, "the record is too long")
             .found(format!("more than {MAX_SAMPLES} samples"))
             .allowed(format!("up to {MAX_SAMPLES} samples (5.5 hours at 100 Hz)"))
             .help("cut the record to the strong motion")
@@ -164,13 +165,14 @@ fn draft(
     if let (Some(step), None, Some(first)) = (named_dt, layout.time_unit, table.stamps.get(1))
         && step >= MILLISECONDS
     {
-        return Err(
-            Fault::new("the time column does not have a unit, and its step looks like milliseconds")
-                .at(token_at(text, first.place as usize))
-                .found(format!("a step of {step}"))
-                .allowed("steps below 0.5 s in a time column without a unit; usual values are 0.002 to 0.02 s")
-                .help("give the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"),
-        );
+        return Err(Fault::new(
+            Code::TimeStep,
+            "the time column does not have a unit, and its step looks like milliseconds",
+        )
+        .at(token_at(text, first.place as usize))
+        .found(format!("a step of {step}"))
+        .allowed("steps below 0.5 s in a time column without a unit; usual values are 0.002 to 0.02 s")
+        .help("give the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"));
     }
     if layout.time.is_some() && layout.time_unit.is_none() {
         notes.push("the time column names no unit; this format takes it in seconds".to_string());
@@ -182,8 +184,11 @@ fn draft(
         ));
     }
     let dt = settle_dt(named_dt, options)?.ok_or_else(|| {
-        Fault::new("a single column of accelerations does not have a time step")
-            .allowed("--dt SECONDS, or a first column with the time")
+        Fault::new(
+            Code::TimeStep,
+            "a single column of accelerations does not have a time step",
+        )
+        .allowed("--dt SECONDS, or a first column with the time")
     })?;
     let example = "a header such as `time_s,acceleration_m_s2` or `t [s]; a [g]`";
     let (unit, unit_source) = settle_unit(layout.unit, options, example)?;
@@ -237,13 +242,13 @@ fn layout(titles: &[(usize, Line)], separator: Separator, first: Line) -> Result
     let whole = first.0..first.0 + first.1.len();
     let decimal_comma = separator == Separator::Comma && cells.iter().any(|c| c.1.contains(char::is_whitespace));
     if decimal_comma {
-        return Err(Fault::new("commas and spaces are mixed")
+        return Err(Fault::new(Code::RecordFormat, "commas and spaces are mixed")
             .at(whole)
             .found(first.1.trim())
             .allowed("columns separated by `;` or tabs where the comma is the decimal mark"));
     }
     if cells.len() > 2 {
-        return Err(Fault::new(format!("{} columns", cells.len()))
+        return Err(Fault::new(Code::RecordFormat, format!("{} columns", cells.len()))
             .at(whole)
             .found(first.1.trim())
             .allowed("one column (acceleration) or two (time, acceleration)")
@@ -302,12 +307,14 @@ fn header_cells(line: &str, separator: Separator) -> Vec<Vec<String>> {
 /// The layout that a header names.
 fn named(heads: &[String], plain: &Layout, number: usize, line: Line) -> Result<Layout, Fault> {
     let span = line.0..line.0 + line.1.len();
-    let fault = |what: &str| Fault::new(what).at(span.clone()).found(line.1.trim());
+    let fault = |code: Code, what: &str| Fault::new(code, what).at(span.clone()).found(line.1.trim());
     if heads.len() != plain.columns {
-        return Err(fault("the header does not match the numbers").allowed(format!(
-            "{} name(s), as there are {} column(s) of numbers",
-            plain.columns, plain.columns
-        )));
+        return Err(
+            fault(Code::RecordFormat, "the header does not match the numbers").allowed(format!(
+                "{} name(s), as there are {} column(s) of numbers",
+                plain.columns, plain.columns
+            )),
+        );
     }
     let mut layout = Layout {
         header: Some(printable(line.1)),
@@ -330,16 +337,21 @@ fn named(heads: &[String], plain: &Layout, number: usize, line: Line) -> Result<
                 });
             }
             Head::OtherMotion => {
-                return Err(fault("a column is neither time nor acceleration")
-                    .allowed("acceleration against time; velocities and displacements are not read"));
+                return Err(
+                    fault(Code::NotAcceleration, "a column is neither time nor acceleration")
+                        .allowed("acceleration against time; velocities and displacements are not read"),
+                );
             }
             Head::Unknown => {}
         }
     }
     match (plain.columns, roles) {
-        (1, [Some(true), _]) => return Err(fault("the only column is the time").allowed("accelerations")),
+        (1, [Some(true), _]) => {
+            return Err(fault(Code::NotAcceleration, "the only column is the time").allowed("accelerations"));
+        }
         (2, [Some(a), Some(b)]) if a == b => {
-            return Err(fault("both columns have the same name").allowed("one column of time, one of acceleration"));
+            return Err(fault(Code::RecordFormat, "both columns have the same name")
+                .allowed("one column of time, one of acceleration"));
         }
         (2, [Some(false), _] | [_, Some(true)]) => (layout.time, layout.acceleration) = (Some(1), 0),
         _ => {}
@@ -362,7 +374,7 @@ impl Table {
     fn add(&mut self, line: Line, separator: Separator, layout: &Layout) -> Result<(), Fault> {
         let cells = separator.cells(line.1);
         if cells.len() != layout.columns {
-            return Err(Fault::new("the line does not match the others")
+            return Err(Fault::new(Code::RecordFormat, "the line does not match the others")
                 .at(line.0..line.0 + line.1.len())
                 .found(format!("{} column(s)", cells.len()))
                 .allowed(format!(
@@ -400,10 +412,12 @@ impl Table {
         if let (Some(mark), Some(known)) = (mark, self.comma)
             && mark != known
         {
-            return Err(Fault::new("decimal point and decimal comma in the same file")
-                .at(span)
-                .found(cell.1)
-                .allowed("one decimal mark, no thousands separators"));
+            return Err(
+                Fault::new(Code::RecordFormat, "decimal point and decimal comma in the same file")
+                    .at(span)
+                    .found(cell.1)
+                    .allowed("one decimal mark, no thousands separators"),
+            );
         }
         self.comma = self.comma.or(mark);
         let parsed = if comma {
@@ -412,7 +426,7 @@ impl Table {
             parse(cell.1)
         };
         parsed.map_err(|wrong| {
-            Fault::new(wrong.message(what))
+            Fault::new(wrong.code(), wrong.message(what))
                 .at(span)
                 .found(if cell.1.is_empty() { "nothing" } else { cell.1 })
                 .allowed("finite numbers; lines of text must begin with `#` or precede the numbers")

@@ -9,6 +9,7 @@ use super::block::{after, fields, fortran, line, lines, place};
 use super::draft::{Draft, printable, settle_dt, settle_unit, token_at};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Place of the time step [ms] among the reals, from 0, and of that of the recorder [s], of which the data may have been resampled.
 const STEP: usize = 61;
@@ -36,16 +37,20 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let texts = after(first.1, "WITH")
         .filter(|n| *n >= 1.0 && *n <= 100.0)
         .ok_or_else(|| {
-            Fault::new("the first line does not give the number of text lines")
-                .at(place(first))
-                .found(printable(first.1))
+            Fault::new(
+                Code::RecordFormat,
+                "the first line does not give the number of text lines",
+            )
+            .at(place(first))
+            .found(printable(first.1))
         })? as usize;
     let block = |number: usize, what: &str| -> Result<(Vec<f64>, usize), Faults> {
         let head = line(&lines, number, what)?;
         let count = head.1.split_whitespace().next().and_then(|n| n.parse::<usize>().ok());
         let form = fortran(head.1);
         let (Some(count), Some((_, width))) = (count.filter(|n| *n <= 10_000), form) else {
-            let fault = Fault::new(format!("the line before {what} cannot be read")).at(place(head));
+            let fault =
+                Fault::new(Code::RecordFormat, format!("the line before {what} cannot be read")).at(place(head));
             return Err(fault
                 .found(printable(head.1))
                 .allowed("`100 Integer-header values follow …, Format= (10I8)`")
@@ -57,16 +62,18 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (integers, next) = block(texts, "the integers of the header")?;
     let (reals, next) = block(next, "the reals of the header")?;
     if let Some(kind) = integers.get(1).filter(|kind| **kind != 1.0 && **kind != -999.0) {
-        let fault = Fault::new("this is not an acceleration record").found(format!("physical parameter {kind}"));
+        let fault = Fault::new(Code::NotAcceleration, "this is not an acceleration record")
+            .found(format!("physical parameter {kind}"));
         return Err(fault.allowed("1, acceleration").into());
     }
     let head = (next..lines.len().min(next + BEFORE_DATA)).find(|&i| fortran(lines[i].1).is_some());
-    let head =
-        head.ok_or_else(|| Fault::new("the file has no line before its data").help("the file may have been cut off"))?;
+    let head = head.ok_or_else(|| {
+        Fault::new(Code::CutOff, "the file has no line before its data").help("the file may have been cut off")
+    })?;
     let at = lines[head];
     let samples = at.1.split_whitespace().next().and_then(|n| n.parse::<usize>().ok());
     let (Some(samples), Some((_, width))) = (samples.filter(|n| *n <= MAX_SAMPLES), fortran(at.1)) else {
-        let fault = Fault::new("the line before the data cannot be read")
+        let fault = Fault::new(Code::RecordFormat, "the line before the data cannot be read")
             .at(place(at))
             .found(printable(at.1));
         return Err(fault.allowed("`7000  acceleration pts, …, Format=(8F10.5)`").into());
@@ -77,7 +84,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         4 | 10 => Some(AccelerationUnit::Gal),
         -999 => None,
         other => {
-            let fault = Fault::new("a unit that is not read").found(format!("unit {other} of the header"));
+            let fault =
+                Fault::new(Code::RecordUnit, "a unit that is not read").found(format!("unit {other} of the header"));
             return Err(fault.allowed("2 (g), 4 (cm/s²) or 10 (gal)").into());
         }
     };
@@ -91,11 +99,13 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     };
     let step = positive(STEP, 1e-3).or_else(|| positive(RECORDED, 1.0));
     let dt = settle_dt(step, options)?.ok_or_else(|| {
-        Fault::new("the header does not give a time step").allowed("real 62 or 34 of the header, or --dt")
+        Fault::new(Code::TimeStep, "the header does not give a time step")
+            .allowed("real 62 or 34 of the header, or --dt")
     })?;
     let (values, places, _) = fields(&lines, head + 1, (samples, width), "an acceleration")?;
     if let Some(k) = values.iter().position(|a| *a == UNKNOWN) {
-        let fault = Fault::new("an acceleration that is not known").at(token_at(text, places[k] as usize));
+        let fault =
+            Fault::new(Code::NotFinite, "an acceleration that is not known").at(token_at(text, places[k] as usize));
         return Err(fault
             .found(format!("{UNKNOWN}, sample {} of {samples}", k + 1))
             .allowed("a number; −999 stands for what is not known")

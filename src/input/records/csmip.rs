@@ -13,6 +13,7 @@ use super::draft::{Draft, printable, settle_dt, settle_unit};
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Width of a number.
 const WIDTH: usize = 10;
@@ -68,20 +69,21 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let wanted = match (options.channel, channels.len()) {
         (None, 1) => 1,
         (None, _) => {
-            let fault = Fault::new("the file has several channels").found(names.join("; "));
+            let fault = Fault::new(Code::RecordChannel, "the file has several channels").found(names.join("; "));
             return Err(fault.allowed("--channel with one of them").into());
         }
         (Some(channel), _) => channel as usize,
     };
     let Some(channel) = wanted.checked_sub(1).and_then(|i| channels.get(i)) else {
-        let fault = Fault::new("the file has no such channel").found(format!("--channel {wanted}"));
+        let fault =
+            Fault::new(Code::RecordChannel, "the file has no such channel").found(format!("--channel {wanted}"));
         return Err(fault.allowed(names.join("; ")).into());
     };
     let (at, upper) = (channel.head, channel.head.1.to_ascii_uppercase());
     let samples = upper.split_whitespace().next().and_then(|n| n.parse::<usize>().ok());
     let step = after(at.1, DATA).filter(|dt| *dt > 0.0 && *dt < 10.0);
     let (Some(samples), Some(step)) = (samples.filter(|n| *n <= MAX_SAMPLES), step) else {
-        let fault = Fault::new("the line before the data cannot be read").at(place(at));
+        let fault = Fault::new(Code::RecordFormat, "the line before the data cannot be read").at(place(at));
         return Err(fault
             .found(printable(at.1))
             .allowed(format!("`3251 {DATA} .020 SEC`"))

@@ -4,6 +4,7 @@
 use super::options::ReadOptions;
 use super::unit::AccelerationUnit;
 use crate::input::diagnostic::{Fault, Faults};
+use files::code::Code;
 
 /// Reading stops after this many faults.
 const MAX_FAULTS: usize = 20;
@@ -49,8 +50,10 @@ impl Collector {
         if self.faults.list().len() < MAX_FAULTS {
             return false;
         }
-        self.faults
-            .push(Fault::new(format!("reading stopped after {MAX_FAULTS} faults")));
+        self.faults.push(Fault::new(
+            Code::RecordFormat,
+            format!("reading stopped after {MAX_FAULTS} faults"),
+        ));
         true
     }
 
@@ -77,26 +80,30 @@ pub(super) fn settle_unit(
     match (named, options.unit) {
         (Some((unit, source)), None) => Ok((unit, source)),
         (Some((unit, source)), Some(given)) if unit == given => Ok((unit, source)),
-        (Some((unit, source)), Some(given)) => Err(Fault::new("the file and --units disagree")
+        (Some((unit, source)), Some(given)) => Err(Fault::new(Code::RecordUnit, "the file and --units disagree")
             .found(format!("{unit} in the {source}, --units {given}"))
             .allowed("one unit")
             .help("remove --units, or correct the header")),
         (None, Some(given)) => Ok((given, format!("--units {given}"))),
-        (None, None) => Err(Fault::new("the file does not give the unit of acceleration")
-            .allowed(format!(
-                "{example}, or --units with one of {}",
-                AccelerationUnit::ALLOWED
-            ))
-            .help("give the unit; it is never guessed from the size of the numbers")),
+        (None, None) => Err(
+            Fault::new(Code::RecordUnit, "the file does not give the unit of acceleration")
+                .allowed(format!(
+                    "{example}, or --units with one of {}",
+                    AccelerationUnit::ALLOWED
+                ))
+                .help("give the unit; it is never guessed from the size of the numbers"),
+        ),
     }
 }
 
 /// The time step: that of the file, that of the options, or `None`.
 pub(super) fn settle_dt(named: Option<f64>, options: &ReadOptions) -> Result<Option<f64>, Fault> {
     match (named, options.dt) {
-        (Some(dt), Some(given)) if (dt - given).abs() > 1e-6 * dt => Err(Fault::new("the file and --dt disagree")
-            .found(format!("a step of {dt} s in the file, --dt {given}"))
-            .help("remove --dt; to stretch the time axis use the time factor")),
+        (Some(dt), Some(given)) if (dt - given).abs() > 1e-6 * dt => {
+            Err(Fault::new(Code::TimeStep, "the file and --dt disagree")
+                .found(format!("a step of {dt} s in the file, --dt {given}"))
+                .help("remove --dt; to stretch the time axis use the time factor"))
+        }
         (Some(dt), _) => Ok(Some(dt)),
         (None, given) => Ok(given),
     }

@@ -8,6 +8,7 @@ use super::draft::{Draft, printable, settle_dt, settle_unit};
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Lines of the header.
 const HEADER: usize = 64;
@@ -28,11 +29,11 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
         header.iter().find_map(of)
     };
     let number = |key: &str| -> Result<f64, Fault> {
-        let (at, value) = find(key).ok_or_else(|| Fault::new(format!("the header has no `{key}`")))?;
-        parse(value).map_err(|why| Fault::new(why.message(key)).at(place(at)).found(value))
+        let (at, value) = find(key).ok_or_else(|| Fault::new(Code::CutOff, format!("the header has no `{key}`")))?;
+        parse(value).map_err(|why| Fault::new(why.code(), why.message(key)).at(place(at)).found(value))
     };
     if let Some((at, kind)) = find("DATA_TYPE").filter(|(_, kind)| *kind != "ACCELERATION") {
-        let fault = Fault::new("this is not an acceleration record").at(place(at));
+        let fault = Fault::new(Code::NotAcceleration, "this is not an acceleration record").at(place(at));
         return Err(fault.found(kind).allowed("DATA_TYPE: ACCELERATION").into());
     }
     let unit = find("UNITS").and_then(|(_, value)| {
@@ -42,20 +43,22 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     let (unit, unit_source) = settle_unit(unit, options, "a header line `UNITS: cm/s^2`")?;
     let dt = settle_dt(Some(number("SAMPLING_INTERVAL_S")?), options)?.unwrap_or_default();
     if dt <= 0.0 {
-        return Err(Fault::new("the sampling interval must be greater than 0")
-            .found(format!("{dt} s"))
-            .into());
+        return Err(
+            Fault::new(Code::TimeStep, "the sampling interval must be greater than 0")
+                .found(format!("{dt} s"))
+                .into(),
+        );
     }
     let count = number("NDATA")?;
     if !(count >= 2.0 && count.fract() == 0.0 && count <= MAX_SAMPLES as f64) {
-        let fault = Fault::new("NDATA is out of range").found(format!("{count}"));
+        let fault = Fault::new(Code::RecordLength, "NDATA is out of range").found(format!("{count}"));
         return Err(fault.allowed(format!("2 to {MAX_SAMPLES} samples")).into());
     }
     let (values, places, next) = fields(&lines, HEADER, (count as usize, usize::MAX), "an acceleration")?;
     if let Ok(extra) = line(&lines, next, "") {
         let more = lines[next..].iter().filter(|l| !l.1.trim().is_empty()).count();
         if more > 0 {
-            let fault = Fault::new("more numbers than NDATA says").at(place(extra));
+            let fault = Fault::new(Code::RecordLength, "more numbers than NDATA says").at(place(extra));
             return Err(fault
                 .found(format!("{} numbers", count as usize + more))
                 .allowed(format!("{count}"))

@@ -1,6 +1,7 @@
 //! Formats of agencies recognised by their first lines, for a clear message that they are not supported.
 
 use crate::input::diagnostic::Fault;
+use files::code::Code;
 
 /// A format and the test for its first lines.
 struct Foreign {
@@ -33,9 +34,12 @@ pub fn recognise(text: &str) -> Option<Fault> {
     let first = *lines.first()?;
     let foreign = FOREIGN.iter().find(|f| (f.looks)(&lines))?;
     Some(
-        Fault::new(format!("this is {}, which is not supported", foreign.name))
-            .at(0..first.len())
-            .allowed("CSV or plain text of one or two columns, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2")
-            .help("convert its acceleration to a CSV file with the header `time_s,acceleration_m_s2`"),
+        Fault::new(
+            Code::RecordFormat,
+            format!("this is {}, which is not supported", foreign.name),
+        )
+        .at(0..first.len())
+        .allowed("CSV or plain text of one or two columns, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2")
+        .help("convert its acceleration to a CSV file with the header `time_s,acceleration_m_s2`"),
     )
 }

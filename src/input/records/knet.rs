@@ -15,6 +15,7 @@ use super::draft::{Collector, Draft, printable, settle_dt, settle_unit};
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Lines of the header.
 const HEADER: usize = 17;
@@ -32,7 +33,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
     let find = |key: &str| -> Result<(Line<'_>, &str), Fault> {
         let found = header.iter().find(|(_, l)| l.starts_with(key));
-        let missing = || Fault::new(format!("the header has no `{key}`")).help("the file may have been cut off");
+        let missing =
+            || Fault::new(Code::CutOff, format!("the header has no `{key}`")).help("the file may have been cut off");
         found
             .map(|l| (*l, l.1.get(KEY..).unwrap_or_default().trim()))
             .ok_or_else(missing)
@@ -41,9 +43,11 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         let (at, value) = find(key)?;
         match parse(value.trim_end_matches(end)) {
             Ok(number) if number > 0.0 => Ok(number),
-            _ => Err(Fault::new(format!("`{key}` is not a positive number"))
-                .at(place(at))
-                .found(value)),
+            _ => Err(
+                Fault::new(Code::NotANumber, format!("`{key}` is not a positive number"))
+                    .at(place(at))
+                    .found(value),
+            ),
         }
     };
     let rate = positive("Sampling Freq(Hz)", "Hz")?;
@@ -51,7 +55,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
     let (at, written) = find("Scale Factor")?;
     let scale = scale(written).ok_or_else(|| {
-        Fault::new("the scale factor cannot be read")
+        Fault::new(Code::RecordFormat, "the scale factor cannot be read")
             .at(place(at))
             .found(written)
             .allowed("2000(gal)/8388608")
@@ -73,7 +77,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
                     places.push(from as u32);
                 }
                 Err(why) => {
-                    let fault = Fault::new(why.message("a count")).at(from..from + token.len());
+                    let fault = Fault::new(why.code(), why.message("a count")).at(from..from + token.len());
                     if faults.push(fault.found(token)) {
                         break 'all;
                     }
@@ -84,7 +88,10 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     faults.finish()?;
     let expected = (duration * rate).round();
     if values.len() as f64 != expected || values.len() > MAX_SAMPLES {
-        let fault = Fault::new("another number of samples than duration times frequency");
+        let fault = Fault::new(
+            Code::RecordLength,
+            "another number of samples than duration times frequency",
+        );
         let fault = fault
             .found(format!("{} samples", values.len()))
             .allowed(format!("{expected} samples"));

@@ -8,40 +8,57 @@ use sha2::{Digest, Sha256};
 
 use crate::input::diagnostic::Fault;
 use crate::input::records::MAX_BYTES;
+use crate::input::stdin;
+use files::code::Code;
 use files::error::Error;
 
 /// Reads the file, or standard input for `-`.
 pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Error> {
-    let fail = |what: String| Error::File {
+    let fail = |code: Code, what: String| Error::File {
+        code,
         path: path.into(),
         what,
     };
     if path == Path::new("-") {
-        return read_limited(std::io::stdin().lock(), path);
+        return read_limited(stdin::take()?, path);
     }
-    let metadata =
-        std::fs::metadata(path).map_err(|e| fail(format!("cannot read the record: {}", files::error::describe(&e))))?;
+    let metadata = std::fs::metadata(path).map_err(|e| {
+        fail(
+            Code::FileUnreadable,
+            format!("cannot read the record: {}", files::error::describe(&e)),
+        )
+    })?;
     if metadata.is_dir() {
         return Err(fail(
+            Code::FileUnreadable,
             "found a folder, expected a record file (CSV, two-column text, PEER .AT2)".into(),
         ));
     }
     if metadata.len() > MAX_BYTES {
-        return Err(fail(too_large(metadata.len())));
+        return Err(fail(Code::TooLarge, too_large(metadata.len())));
     }
-    let file = File::open(path).map_err(|e| fail(format!("cannot read the record: {}", files::error::describe(&e))))?;
+    let file = File::open(path).map_err(|e| {
+        fail(
+            Code::FileUnreadable,
+            format!("cannot read the record: {}", files::error::describe(&e)),
+        )
+    })?;
     read_limited(file, path)
 }
 
 fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let outcome = reader.take(MAX_BYTES + 1).read_to_end(&mut bytes);
-    let what = match outcome {
-        Err(e) => format!("cannot read the record: {}", files::error::describe(&e)),
-        Ok(n) if n as u64 > MAX_BYTES => too_large(n as u64),
+    let (code, what) = match outcome {
+        Err(e) => (
+            Code::FileUnreadable,
+            format!("cannot read the record: {}", files::error::describe(&e)),
+        ),
+        Ok(n) if n as u64 > MAX_BYTES => (Code::TooLarge, too_large(n as u64)),
         Ok(_) => return Ok(bytes),
     };
     Err(Error::File {
+        code,
         path: path.into(),
         what,
     })
@@ -62,7 +79,7 @@ fn too_large(bytes: u64) -> String {
 /// An empty file, UTF-16, bytes that are not text.
 pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Fault::new("the file is UTF-16 text")
+        return Err(Fault::new(Code::FileUnreadable, "the file is UTF-16 text")
             .allowed("UTF-8 or ASCII")
             .help("save it as UTF-8"));
     }
@@ -70,7 +87,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
     // Tab, line feed, form feed, carriage return and the end-of-file mark of DOS (0x1a) occur in text files.
     let control = |&b: &u8| (b < 0x20 && !matches!(b, b'\t' | b'\n' | 0x0c | b'\r' | 0x1a)) || b == 0x7f;
     if let Some(at) = bytes.iter().position(control) {
-        return Err(Fault::new("the file is not text")
+        return Err(Fault::new(Code::FileUnreadable, "the file is not text")
             .found(format!("byte 0x{:02x} at position {at}", bytes[at]))
             .allowed("CSV, two-column text or PEER .AT2"));
     }
@@ -80,7 +97,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
         } else {
             format!("{} bytes of white space", bytes.len())
         };
-        return Err(Fault::new("the file is empty")
+        return Err(Fault::new(Code::EmptyFile, "the file is empty")
             .found(found)
             .allowed("CSV, two-column text or PEER .AT2"));
     }

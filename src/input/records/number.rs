@@ -1,5 +1,7 @@
 //! Numbers as written by people and Fortran programs.
 
+use files::code::Code;
+
 /// Reason why a text is not a usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NotANumber {
@@ -12,6 +14,14 @@ pub(crate) enum NotANumber {
 }
 
 impl NotANumber {
+    /// The kind of fault.
+    pub(crate) fn code(self) -> Code {
+        match self {
+            NotANumber::NotFinite => Code::NotFinite,
+            NotANumber::Overflow | NotANumber::Text => Code::NotANumber,
+        }
+    }
+
     /// The message for a column called `what`.
     pub(crate) fn message(self, what: &str) -> String {
         match self {

@@ -7,6 +7,7 @@ use tank::STANDARD_GRAVITY;
 
 use crate::input::records::process::number;
 use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, Processing};
+use files::code::{Code, Warning};
 use files::error::Error;
 
 /// Longest usual time step of ground motion [s]: at 0.1 s the record ends at 5 Hz.
@@ -23,11 +24,14 @@ const FEW_SAMPLES: usize = 10;
 /// Errors: [`Error::Input`] with the value and the range.
 pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(), Error> {
     if !(record.dt > 0.0 && record.dt <= LONGEST_STEP) {
-        return Err(Error::Input(format!(
-            "error: the time step of the record is out of range; found {} s after processing, expected at most {LONGEST_STEP} s\n  \
+        return Err(Error::Input(
+            Code::TimeStep,
+            format!(
+                "the time step of the record is out of range; found {} s after processing, expected at most {LONGEST_STEP} s\n  \
              help: correct the time factor or the unit of the time column",
-            record.dt
-        )));
+                record.dt
+            ),
+        ));
     }
     let peak = record
         .acceleration
@@ -45,45 +49,54 @@ pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(
 pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> Result<(), Error> {
     let g = |a: f64| a / STANDARD_GRAVITY;
     if peak.is_nan() || peak > MAX_PEAK {
-        return Err(Error::Input(format!(
-            "error: {origin}: the peak ground acceleration is out of range; found {} g, expected at most {} g\n  help: correct the \
+        return Err(Error::Input(
+            Code::PeakAcceleration,
+            format!(
+                "{origin}: the peak ground acceleration is out of range; found {} g, expected at most {} g\n  help: correct the \
              factor or the unit",
-            number(g(peak)),
-            g(MAX_PEAK)
-        )));
+                number(g(peak)),
+                g(MAX_PEAK)
+            ),
+        ));
     }
     if peak > MAX_PLAUSIBLE && !allow_implausible {
-        return Err(Error::Input(format!(
-            "error: {origin}: implausible peak ground acceleration; found {} g, expected up to {} g (the largest recorded are near \
+        return Err(Error::Input(
+            Code::PeakAcceleration,
+            format!(
+                "{origin}: implausible peak ground acceleration; found {} g, expected up to {} g (the largest recorded are near \
              3 g)\n  help: correct the factor or the unit, or add --allow-implausible",
-            number(g(peak)),
-            g(MAX_PLAUSIBLE)
-        )));
+                number(g(peak)),
+                g(MAX_PLAUSIBLE)
+            ),
+        ));
     }
     Ok(())
 }
 
 /// Unusual values of a processed record, one sentence each with the usual range.
-pub fn doubts(record: &Record, processing: &Processing) -> Vec<String> {
+pub fn doubts(record: &Record, processing: &Processing) -> Vec<Warning> {
     let mut all = Vec::new();
     let name = &record.name;
     if let Some(factor) = processing.scale_by.filter(|f| *f < 0.0) {
-        all.push(format!(
+        all.push(Warning::new(Code::UnusualRecord, format!(
             "record `{name}`: scale_by is negative, which reverses the shaking; found {factor}, usual values are above 0"
-        ));
+        )));
     }
     if record.acceleration.len() < FEW_SAMPLES {
-        all.push(format!(
-            "record `{name}`: found {} samples, usual numbers are hundreds to thousands",
-            record.acceleration.len()
+        all.push(Warning::new(
+            Code::UnusualRecord,
+            format!(
+                "record `{name}`: found {} samples, usual numbers are hundreds to thousands",
+                record.acceleration.len()
+            ),
         ));
     }
     if record.dt > LONG_STEP {
-        all.push(format!(
+        all.push(Warning::new(Code::UnusualRecord, format!(
             "record `{name}`: found a time step of {} s, usual values are 0.002 to 0.02 s; above {LONG_STEP} s the record lacks \
              the periods of stiff walls",
             number(record.dt)
-        ));
+        )));
     }
     all
 }

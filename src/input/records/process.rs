@@ -4,6 +4,7 @@ use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
 use crate::input::records::{MAX_SAMPLES, Processing, plausible};
+use files::code::Code;
 use files::error::Error;
 
 /// Applies the processing: `scale_by`, `scale_to`, `time_factor`, `resample`, in this order; every step is stated in
@@ -64,9 +65,10 @@ fn check(name: &str, value: f64, holds: bool, allowed: &str) -> Result<(), Error
     if value.is_finite() && holds {
         return Ok(());
     }
-    Err(Error::Input(format!(
-        "error: {name}: found {value}, expected {allowed}"
-    )))
+    Err(Error::Input(
+        Code::OutOfRange,
+        format!("{name}: found {value}, expected {allowed}"),
+    ))
 }
 
 fn scale(record: &mut Record, factor: f64) {
@@ -82,11 +84,14 @@ fn resample(record: &mut Record, dt: f64) -> Result<(), Error> {
     let steps = (last as f64 / ratio * (1.0 + 1e-12)).floor();
     if !(1.0..MAX_SAMPLES as f64).contains(&steps) {
         let samples = steps + 1.0;
-        return Err(Error::Input(format!(
-            "error: resample: found a step of {dt} s, which makes {samples:.0} samples of a record of {} s; \
+        return Err(Error::Input(
+            Code::OutOfRange,
+            format!(
+                "resample: found a step of {dt} s, which makes {samples:.0} samples of a record of {} s; \
              expected 2 to {MAX_SAMPLES} samples",
-            number(record.duration())
-        )));
+                number(record.duration())
+            ),
+        ));
     }
     let (before, peak) = (record.dt, record.pga());
     record.acceleration = (0..=steps as usize)

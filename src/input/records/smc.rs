@@ -7,6 +7,7 @@ use super::block::{fields, line, lines, place};
 use super::draft::{Draft, printable, settle_dt, settle_unit};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use files::code::Code;
 
 /// Lines of text.
 const TEXT: usize = 11;
@@ -38,18 +39,22 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         let value = integers[i];
         match value >= 0.0 && value.fract() == 0.0 && value <= most as f64 {
             true => Ok(value as usize),
-            false => Err(
-                Fault::new(format!("integer {} of the header, {what}, is out of range", i + 1))
-                    .found(format!("{value}"))
-                    .allowed(format!("0 to {most}")),
-            ),
+            false => Err(Fault::new(
+                Code::RecordLength,
+                format!("integer {} of the header, {what}, is out of range", i + 1),
+            )
+            .found(format!("{value}"))
+            .allowed(format!("0 to {most}"))),
         }
     };
     let comments = whole(COMMENTS, "the number of comments", 10_000)?;
     let samples = whole(SAMPLES, "the number of samples", MAX_SAMPLES)?;
     let rate = reals[RATE];
     if !(rate > 0.0 && rate < 1e6) {
-        let fault = Fault::new("real 2 of the header, the sampling rate, is out of range");
+        let fault = Fault::new(
+            Code::TimeStep,
+            "real 2 of the header, the sampling rate, is out of range",
+        );
         return Err(fault
             .found(format!("{rate}"))
             .allowed("samples a second greater than 0")
@@ -59,7 +64,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     for number in next..next + comments {
         let comment = line(&lines, number, "its last comment")?;
         if !comment.1.starts_with('|') {
-            let fault = Fault::new("a line that is no comment")
+            let fault = Fault::new(Code::RecordFormat, "a line that is no comment")
                 .at(place(comment))
                 .found(printable(comment.1));
             return Err(fault.allowed(format!("{comments} lines that begin with |")).into());

@@ -2,6 +2,7 @@
 
 use crate::input::diagnostic::Fault;
 use crate::input::records::draft::token_at;
+use files::code::Code;
 
 /// A printed time.
 #[derive(Clone, Copy, Debug)]
@@ -24,10 +25,10 @@ pub(crate) struct Stamp {
 /// Fewer than two times, times that do not increase, steps that differ.
 pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
-        return Err(Fault::new("a record needs at least two samples").found("0 samples"));
+        return Err(Fault::new(Code::RecordLength, "a record needs at least two samples").found("0 samples"));
     };
     if stamps.len() < 2 {
-        return Err(Fault::new("a record needs at least two samples")
+        return Err(Fault::new(Code::RecordLength, "a record needs at least two samples")
             .at(token_at(text, first.place as usize))
             .found("1 sample"));
     }
@@ -37,7 +38,7 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
         } else {
             "sort the samples by time"
         };
-        return Err(Fault::new("time does not increase")
+        return Err(Fault::new(Code::TimeStep, "time does not increase")
             .at(token_at(text, pair[1].place as usize))
             .found(format!("{} s after {} s", pair[1].time, pair[0].time))
             .allowed("times that increase in equal steps")
@@ -80,7 +81,7 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
         } else {
             format!(" (and {more} more such steps)")
         };
-        return Err(Fault::new("the time step is not uniform")
+        return Err(Fault::new(Code::TimeStep, "the time step is not uniform")
             .at(token_at(text, pair[1].place as usize))
             .found(format!(
                 "a step of {:.6} s among steps of {median:.6} s{others}",

@@ -7,6 +7,7 @@ use super::{matching, name_of};
 use crate::input::records::{self, AccelerationUnit, Processing, ReadOptions};
 use crate::input::tank::read::{Field, Opt};
 use crate::input::tank::resolver::{Resolver, range_fault};
+use files::code::Code;
 use files::error::Error;
 use oscillator::record::Record;
 
@@ -92,7 +93,12 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
             };
             let id = name_of(&path, folder);
             if all.iter().any(|other| other.id == id) {
-                let fault = range_fault(item, &format!("the record `{id}` is named twice"), "each record once");
+                let fault = range_fault(
+                    Code::Repeated,
+                    item,
+                    &format!("the record `{id}` is named twice"),
+                    "each record once",
+                );
                 r.faults.push(fault.found("{ … }"));
                 continue;
             }
@@ -141,8 +147,12 @@ fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Optio
         let other = path.with_file_name(name.replacen(&parts.along, part.as_ref()?, 1));
         if !other.is_file() {
             let message = format!("{name} has no other component {}", other.display());
-            r.faults
-                .push(range_fault(field, &message, "a file for every component"));
+            r.faults.push(range_fault(
+                Code::Contradiction,
+                field,
+                &message,
+                "a file for every component",
+            ));
         }
         Some(other)
     };
@@ -156,7 +166,12 @@ fn unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> 
         "gal" | "cm/s2" => Some(AccelerationUnit::Gal),
         "m/s2" => Some(AccelerationUnit::MetrePerSecondSquared),
         _ => {
-            r.faults.push(range_fault(field, "an unknown unit", "g, gal or m/s2"));
+            r.faults.push(range_fault(
+                Code::UnknownChoice,
+                field,
+                "an unknown unit",
+                "g, gal or m/s2",
+            ));
             None
         }
     }

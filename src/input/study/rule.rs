@@ -9,6 +9,7 @@ use super::keys;
 use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::target;
+use files::code::Code;
 use files::error::Error;
 
 /// Periods at which a rule is asked.
@@ -69,7 +70,8 @@ pub(super) fn rule(
             _ => {
                 let field = field.value.as_ref().and_then(|rule| rule.periods.given.as_ref())?;
                 let allowed = "both, impulsive, sloshing, or a time such as 0.3 s";
-                r.faults.push(range_fault(field, "unknown periods", allowed));
+                r.faults
+                    .push(range_fault(Code::UnknownChoice, field, "unknown periods", allowed));
                 return None;
             }
         },

@@ -9,6 +9,7 @@
 //! Sample i does not depend on the number of samples. The first 2^k points of one dimension lie in 2^k equal parts, and so does every octave in the parts
 //! that are left: of the first 2^k samples each parameter has one in each part, a Latin hypercube that grows (Qian 2009).
 
+use files::code::Code;
 use fragility::beta::Beta;
 use fragility::draw::Draw;
 
@@ -149,7 +150,12 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
             let (low, unit) = measured(r, &range.low)?;
             let (high, other) = measured(r, &range.high)?;
             if other != unit || high <= low {
-                let fault = range_fault(&range.high, "a faulty range", &format!("more than `low`, in {unit}"));
+                let fault = range_fault(
+                    Code::Contradiction,
+                    &range.high,
+                    "a faulty range",
+                    &format!("more than `low`, in {unit}"),
+                );
                 r.faults.push(fault);
             }
             (Distribution::Uniform([low, high]), unit)
@@ -163,6 +169,7 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
             let (median, unit) = measured(r, &lognormal.median)?;
             if median <= 0.0 {
                 r.faults.push(range_fault(
+                    Code::OutOfRange,
                     &lognormal.median,
                     "a median of 0 or less",
                     "a median greater than 0",
@@ -173,6 +180,7 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
         (None, None, None, Some(beta)) => shares(r, beta)?,
         _ => {
             let fault = range_fault(
+                Code::Incomplete,
                 item,
                 "a parameter needs one distribution",
                 "one of uniform, normal, lognormal, beta",
@@ -201,6 +209,7 @@ fn shares(r: &mut Resolver<'_>, given: &keys::Beta) -> Option<(Distribution, Str
                 bounds[0], bounds[1]
             );
             r.faults.push(range_fault(
+                Code::Contradiction,
                 &given.mean,
                 "no beta distribution has this mean and deviation",
                 &allowed,
@@ -231,6 +240,7 @@ fn measured(r: &mut Resolver<'_>, field: &Field<String>) -> Option<(f64, String)
         Ok(number) if number.is_finite() => Some((number, text[end..].trim().to_owned())),
         _ => {
             r.faults.push(range_fault(
+                Code::BadForm,
                 field,
                 "not a number with its unit",
                 "a value such as \"8 m\"",

@@ -1,11 +1,13 @@
 //! `scales`: levels of an intensity measure, or factors.
 
+use files::code::Code;
 use oscillator::intensity::Intensity;
 use tank::units::{self, Dimension};
 
 use super::keys;
 use crate::input::tank::read::Opt;
 use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::values::unit_code;
 use results::EngineId;
 
 /// Damping ratio of a spectral measure that does not give it.
@@ -144,8 +146,12 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
         name = r.text(field)?;
         let Some(found) = Axis::parse(&name) else {
             let allowed = "PGA, PGV, PGD, Sa(T), Sa(T, xi), AvgSa(T) or AvgSa(T, xi), with T such as 0.3 s, Ti or Tc";
-            r.faults
-                .push(range_fault(field, "an unknown intensity measure", allowed));
+            r.faults.push(range_fault(
+                Code::UnknownChoice,
+                field,
+                "an unknown intensity measure",
+                allowed,
+            ));
             return None;
         };
         axis = found;
@@ -154,6 +160,7 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
     match (&given.levels.given, &given.factors.given) {
         (Some(levels), Some(_)) => {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 levels,
                 "levels and factors exclude each other",
                 "one of them",
@@ -166,12 +173,18 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
             for item in field.value.iter().flatten() {
                 match units::parse(&r.text(item)?, dimension) {
                     Ok(level) if level > 0.0 => ascending(r, item, &mut levels, level),
-                    Ok(_) => r
-                        .faults
-                        .push(range_fault(item, "a level of 0 or less", &dimension.allowed())),
-                    Err(error) => r
-                        .faults
-                        .push(range_fault(item, &error.to_string(), &dimension.allowed())),
+                    Ok(_) => r.faults.push(range_fault(
+                        Code::OutOfRange,
+                        item,
+                        "a level of 0 or less",
+                        &dimension.allowed(),
+                    )),
+                    Err(error) => r.faults.push(range_fault(
+                        unit_code(&error),
+                        item,
+                        &error.to_string(),
+                        &dimension.allowed(),
+                    )),
                 }
             }
         }
@@ -195,6 +208,7 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
 fn ascending<T>(r: &mut Resolver<'_>, item: &crate::input::tank::read::Field<T>, all: &mut Vec<f64>, value: f64) {
     if all.last().is_some_and(|last| *last >= value) {
         r.faults.push(range_fault(
+            Code::Repeated,
             item,
             "not in ascending order",
             "each value once, ascending",
@@ -215,6 +229,7 @@ pub(super) fn admit(r: &mut Resolver<'_>, option: &Opt<keys::Scales>, engine: Op
         && engine != Some(EngineId::Harmonic)
     {
         let fault = range_fault(
+            Code::DoesNotApply,
             field,
             "Ti and Tc are periods of the harmonic engine",
             "\"engine\": \"harmonic\", or a period in seconds",

@@ -11,6 +11,7 @@ use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::variant::variant;
 use crate::input::{TankFile, read_tank};
+use files::code::Code;
 use files::error::Error;
 
 /// A tank of a study: a file, and the row of a table with values over those of the file.
@@ -77,7 +78,12 @@ pub(super) fn tanks(
             (Some(files), None, None) => from_files(r, files, folder, broken),
             (None, Some(template), Some(table)) => from_table(r, given, (template, table), folder, broken),
             _ => {
-                let fault = range_fault(item, "tanks without files", "`files`, or `template` with `table`");
+                let fault = range_fault(
+                    Code::Incomplete,
+                    item,
+                    "tanks without files",
+                    "`files`, or `template` with `table`",
+                );
                 r.faults.push(fault.found("{ … }"));
                 Vec::new()
             }
@@ -85,6 +91,7 @@ pub(super) fn tanks(
         for tank in found {
             if all.iter().any(|other| other.id == tank.id) {
                 let fault = range_fault(
+                    Code::Repeated,
                     item,
                     &format!("two tanks are named `{}`", tank.id),
                     "a different name for each tank",
@@ -137,7 +144,12 @@ fn from_table(
     let mut column = |field: &Field<String>, name: &str| {
         let found = names.iter().position(|n| *n == name);
         if found.is_none() {
-            let fault = range_fault(field, &format!("the table has no column `{name}`"), &names.join(", "));
+            let fault = range_fault(
+                Code::UnknownChoice,
+                field,
+                &format!("the table has no column `{name}`"),
+                &names.join(", "),
+            );
             r.faults.push(fault);
         }
         found

@@ -6,6 +6,8 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use crate::input::diagnostic::Source;
+use crate::input::stdin;
+use files::code::Code;
 use files::error::Error;
 
 /// Largest file that is read [bytes].
@@ -13,14 +15,15 @@ pub(in crate::input) const MAX_BYTES: u64 = 1 << 20;
 
 /// Reads the file (`-`: standard input) and returns its text without a byte-order mark, and its SHA-256.
 pub(in crate::input) fn read(path: &Path) -> Result<(Source, String), Error> {
-    let fail = |what: String| Error::File {
+    let file = |code: Code, what: String| Error::File {
+        code,
         path: path.into(),
         what,
     };
+    let fail = |what: String| file(Code::FileUnreadable, what);
     let mut bytes = Vec::new();
     if path == Path::new("-") {
-        std::io::stdin()
-            .lock()
+        stdin::take()?
             .take(MAX_BYTES + 1)
             .read_to_end(&mut bytes)
             .map_err(|e| fail(format!("standard input cannot be read ({e})")))?;
@@ -34,7 +37,8 @@ pub(in crate::input) fn read(path: &Path) -> Result<(Source, String), Error> {
             .map_err(|e| fail(format!("cannot be read ({e})")))?;
     }
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(fail(
+        return Err(file(
+            Code::TooLarge,
             "found a file larger than 1 MiB, expected a tank file, JSON of a few kilobytes".into(),
         ));
     }

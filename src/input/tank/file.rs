@@ -1,5 +1,6 @@
 //! `tank.json`, resolved: the case, its options, and where each value stands in the file.
 
+use files::code::Warning;
 use results::InputValue;
 use tank::check::Decision;
 use tank::options::{LinearOptions, NonlinearOptions, SolidOptions};
@@ -34,7 +35,7 @@ pub struct TankFile {
     /// Remarks that are not faults ("material `steel` is unused"), one sentence each.
     pub remarks: Vec<String>,
     /// Values that are possible but unusual, one sentence each with the usual range.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// SHA-256 of the file.
     pub sha256: String,
     /// Its text.

@@ -1,5 +1,6 @@
 //! Places in the file of values that an engine may reject.
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use tank::refusal::{Place, Refusal};
@@ -21,8 +22,8 @@ impl Places {
     /// A refusal of an engine as a fault of the file.
     pub fn fault(&self, refusal: &Refusal) -> Fault {
         let mut fault = match self.0.get(&refusal.place) {
-            Some(place) => range_fault(place, &refusal.message, &refusal.allowed),
-            None => Fault::new(&refusal.message).allowed(&refusal.allowed),
+            Some(place) => range_fault(Code::Unsupported, place, &refusal.message, &refusal.allowed),
+            None => Fault::new(Code::Unsupported, &refusal.message).allowed(&refusal.allowed),
         };
         if !refusal.found.is_empty() {
             fault = fault.found(&refusal.found);

@@ -16,9 +16,11 @@
 //!
 //! Example, limits and default are optional. The type is `Field<T>` for a required key, `Opt<T>` for an optional one.
 
+use files::code::Code;
 use std::collections::BTreeSet;
 use std::ops::{Deref, Range};
 
+use super::hints;
 use super::key::{Key, Limits, list};
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::{Kind, Member, Node, join};
@@ -189,7 +191,7 @@ impl<T: FromNode> Property for Field<T> {
         // A misspelt key was already reported with this one as the suggestion.
         if !object.meant.contains(name) {
             faults.push(
-                Fault::new(format!("the key `{name}` is missing"))
+                Fault::new(Code::MissingKey, format!("the key `{name}` is missing"))
                     .at(object.head.clone())
                     .path(join(&object.node.path, name))
                     .allowed(T::allowed())
@@ -245,12 +247,16 @@ impl<'a> ObjectReader<'a> {
                 true => nearest(&member.key, free.iter().copied()),
                 false => None,
             };
-            let mut fault = Fault::new(format!("unknown key `{}`", member.key))
+            let mut fault = Fault::new(Code::UnknownKey, format!("unknown key `{}`", member.key))
                 .at(member.key_span.clone())
                 .path(member.value.path.clone())
                 .allowed(list(known, "or"));
-            if let Some(hint) = hint(&member.key, &node.path) {
-                fault = fault.help(hint);
+            if let Some(hint) = hints::looked_for(&member.key, &node.path) {
+                if let Some(key) = free.iter().copied().find(|key| *key == hint.meant) {
+                    meant.insert(key);
+                    faults.asks_for(key);
+                }
+                fault = fault.help(hint.help);
             } else if let Some(near) = near {
                 meant.insert(near);
                 fault = fault.help(format!("did you mean `{near}`?"));
@@ -269,53 +275,6 @@ impl<'a> ObjectReader<'a> {
     fn take(&self, key: &str) -> Option<&'a Member> {
         self.members.iter().find(|m| m.key == key)
     }
-}
-
-/// What users look for under another name in the sections of a tank file: how it is supported, or that it is not.
-fn hint(key: &str, section: &str) -> Option<&'static str> {
-    const HINTS: &[(&[&str], &str)] = &[
-        (
-            &["diameter", "inner_diameter"],
-            "give `tank.radius`, the inner radius: half of the diameter",
-        ),
-        (
-            &["soil", "ground", "subsoil"],
-            "give `tank.foundation` with `shear_wave_velocity` for a slab on soil, or with `stiffness` for the bedding of the bottom plate; the ground \
-             type of a design spectrum is `site.ec8.ground`",
-        ),
-        (
-            &["piles", "pile", "pile_foundation"],
-            "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)",
-        ),
-        (
-            &["isolated", "isolation", "base_isolation", "isolator"],
-            "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab",
-        ),
-        (
-            &["floating", "floating_roof"],
-            "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`",
-        ),
-        (
-            &["height", "wall_height", "tank_height"],
-            "the height of the wall is the sum of the heights of `tank.courses`; that of the liquid is `liquid.fill_height`",
-        ),
-        (
-            &["level", "liquid_level", "water_level", "filling"],
-            "give `liquid.fill_height`, above the bottom",
-        ),
-        (
-            &["pga", "zone", "seismic_zone"],
-            "give `site.ec8.ag` or `site.api650`; the peak of a record is `record.scale_to`",
-        ),
-    ];
-    if !["", "tank", "liquid", "site"].contains(&section) {
-        return None;
-    }
-    let folded = key.to_lowercase().replace(['-', ' '], "_");
-    HINTS
-        .iter()
-        .find(|(words, _)| words.contains(&folded.as_str()))
-        .map(|(_, hint)| *hint)
 }
 
 /// The known word nearest to a misspelt one, if it is near enough.
@@ -341,7 +300,7 @@ pub(in crate::input) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = 
 }
 
 pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
-    Fault::new(format!("{} is not allowed here", node.noun()))
+    Fault::new(Code::WrongKind, format!("{} is not allowed here", node.noun()))
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
@@ -349,8 +308,8 @@ pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
 }
 
 /// A fault about a value of the right kind with the wrong content.
-pub(in crate::input) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
-    Fault::new(message)
+pub(in crate::input) fn wrong_value(code: Code, node: &Node, message: &str, allowed: &str) -> Fault {
+    Fault::new(code, message)
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
@@ -371,7 +330,7 @@ pub(in crate::input) fn one_of_words<T: Copy>(
     };
     let found = words.iter().find(|(word, _)| word == text);
     if found.is_none() {
-        let mut fault = wrong_value(node, &format!("unknown choice `{text}`"), &allowed);
+        let mut fault = wrong_value(Code::UnknownChoice, node, &format!("unknown choice `{text}`"), &allowed);
         if let Some(near) = nearest(text, known) {
             fault = fault.help(format!("did you mean \"{near}\"?"));
         }

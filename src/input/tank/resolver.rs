@@ -2,6 +2,7 @@
 //!
 //! A faulty value becomes NaN, so that no later check reports it again; a file with any fault does not give a case.
 
+use files::code::{Code, Warning};
 use tank::units::{Dimension, display_in, unit_for};
 
 use super::key::{Absent, Limits};
@@ -15,7 +16,7 @@ pub(in crate::input) struct Resolver<'f> {
     pub faults: &'f mut Faults,
     pub echo: Vec<InputValue>,
     pub remarks: Vec<String>,
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl<'f> Resolver<'f> {
@@ -67,16 +68,24 @@ impl<'f> Resolver<'f> {
                 return value.si();
             }
             let allowed = limits.describe(T::DIMENSION);
-            self.faults
-                .push(range_fault(field, limits.message(value.si()), &allowed));
+            self.faults.push(range_fault(
+                Code::OutOfRange,
+                field,
+                limits.message(value.si()),
+                &allowed,
+            ));
             return f64::NAN;
         }
         // Equal decimal literals give equal doubles; the tolerance is for percentages.
         if let Some(found) = limits.values.iter().find(|a| (*a - value.si()).abs() <= 1e-12) {
             return *found;
         }
-        self.faults
-            .push(range_fault(field, "not one of the values in the code", &limits.words()));
+        self.faults.push(range_fault(
+            Code::OutOfRange,
+            field,
+            "not one of the values in the code",
+            &limits.words(),
+        ));
         f64::NAN
     }
 
@@ -135,14 +144,20 @@ impl<'f> Resolver<'f> {
         let fault = match limits.values {
             [] if limits.high.is_finite() => {
                 let allowed = format!("a whole number from {} to {}", limits.low, limits.high);
-                range_fault(field, "out of range", &allowed)
+                range_fault(Code::OutOfRange, field, "out of range", &allowed)
             }
             [] => range_fault(
+                Code::OutOfRange,
                 field,
                 "out of range",
                 &format!("a whole number of at least {}", limits.low),
             ),
-            _ => range_fault(field, "not one of the values in the code", &limits.words()),
+            _ => range_fault(
+                Code::OutOfRange,
+                field,
+                "not one of the values in the code",
+                &limits.words(),
+            ),
         };
         self.faults.push(fault);
         None
@@ -161,7 +176,8 @@ impl<'f> Resolver<'f> {
         self.echo_given(field);
         let text = field.value.as_ref()?;
         if text.trim().is_empty() {
-            self.faults.push(range_fault(field, "an empty text", "a text"));
+            self.faults
+                .push(range_fault(Code::BadForm, field, "an empty text", "a text"));
             return None;
         }
         Some(text.clone())
@@ -203,6 +219,7 @@ impl<'f> Resolver<'f> {
         let sound = (fewest..=most).contains(&found);
         if !sound {
             let fault = range_fault(
+                Code::ItemCount,
                 field,
                 &format!("too few or too many {what}"),
                 &format!("{fewest} to {most} {what}"),
@@ -225,14 +242,14 @@ fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
 }
 
 /// A fault about the value of a field.
-pub(in crate::input) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> Fault {
+pub(in crate::input) fn range_fault<T>(code: Code, field: &Field<T>, message: &str, allowed: &str) -> Fault {
     let bare = field.text.is_empty() || field.text.parse::<f64>().is_ok() || field.text.parse::<bool>().is_ok();
     let found = if bare {
         field.text.clone()
     } else {
         format!("\"{}\"", field.text)
     };
-    Fault::new(message)
+    Fault::new(code, message)
         .at(field.span.clone())
         .path(&field.path)
         .found(found)

@@ -3,6 +3,7 @@
 //! JSON with comments (`//`, `/* */`) and trailing commas; everything else follows JSON, and a key may occur
 //! only once in an object. Nesting is limited, so that no file can exhaust the stack.
 
+use files::code::Code;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -109,7 +110,7 @@ pub(in crate::input) fn parse(source: &Source, faults: &mut Faults) -> Option<No
     let text = source.text.as_str();
     if text.trim().is_empty() {
         faults.push(
-            Fault::new("the file is empty")
+            Fault::new(Code::EmptyFile, "the file is empty")
                 .allowed("an object { … } with at least name, tank, liquid and materials")
                 .help("`tankcheck init` writes a commented file to start from"),
         );
@@ -132,7 +133,7 @@ pub(in crate::input) fn parse(source: &Source, faults: &mut Faults) -> Option<No
         Ok(result) => match result.value {
             Some(value) => Some(build(value, String::new(), &line_ends(text), faults)),
             None => {
-                faults.push(Fault::new("the file contains only comments").allowed("an object { … }"));
+                faults.push(Fault::new(Code::EmptyFile, "the file contains only comments").allowed("an object { … }"));
                 None
             }
         },
@@ -175,7 +176,7 @@ fn check_tokens(text: &str) -> Result<(), Fault> {
             Token::OpenBrace | Token::OpenBracket => {
                 open.push(token == Token::OpenBrace);
                 if open.len() > MAX_DEPTH {
-                    return Err(Fault::new("nested too deeply")
+                    return Err(Fault::new(Code::TooLarge, "nested too deeply")
                         .at(span)
                         .found(format!("{} levels", open.len()))
                         .allowed(format!("at most {MAX_DEPTH} levels of objects and lists")));
@@ -189,7 +190,7 @@ fn check_tokens(text: &str) -> Result<(), Fault> {
             Token::String(_) | Token::Boolean(_) | Token::Number(_) | Token::Null => true,
             Token::Comma | Token::Colon => false,
         };
-        let missing = |what: &str, end: usize| Fault::new(format!("a {what} is missing")).at(end..end);
+        let missing = |what: &str, end: usize| Fault::new(Code::Syntax, format!("a {what} is missing")).at(end..end);
         match last {
             Last::Key(end) if token != Token::Colon => {
                 return Err(missing("colon", end).allowed("a colon between a key and its value"));
@@ -245,7 +246,7 @@ fn run_around(at: usize, text: &str) -> Range<usize> {
 
 fn malformed_number(at: usize, text: &str) -> Fault {
     let span = run_around(at, text);
-    Fault::new("this is not a number")
+    Fault::new(Code::NotANumber, "this is not a number")
         .found(&text[span.clone()])
         .at(span)
         .allowed("a number such as 0.02 or 1.5e-3; put a value with a unit in quotes: \"1.83 m\"")
@@ -254,10 +255,12 @@ fn malformed_number(at: usize, text: &str) -> Fault {
 fn word(span: Range<usize>, text: &str) -> Fault {
     let run = run_around(span.start, text);
     let found = &text[run.clone()];
-    let fault = Fault::new("text without quotes").at(run.clone()).found(found);
+    let fault = Fault::new(Code::Syntax, "text without quotes")
+        .at(run.clone())
+        .found(found);
     let bare = found.trim_start_matches(['+', '-']).to_lowercase();
     if ["nan", "inf", "infinity"].contains(&bare.as_str()) {
-        return Fault::new("not a finite number")
+        return Fault::new(Code::NotFinite, "not a finite number")
             .at(run.clone())
             .found(found)
             .allowed("finite numbers");
@@ -267,7 +270,7 @@ fn word(span: Range<usize>, text: &str) -> Fault {
     }
     // `1.83m` or `1.83 m`: a value with its unit.
     let in_quotes = |number: &str, unit: &str, span: Range<usize>| {
-        Fault::new("a value with a unit must be in quotes")
+        Fault::new(Code::Syntax, "a value with a unit must be in quotes")
             .found(&text[span.clone()])
             .at(span)
             .help(format!("write \"{number} {unit}\""))
@@ -300,7 +303,7 @@ fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
         }
         return malformed_number(at, text);
     }
-    let fault = |message: &str| Fault::new(message).at(span.clone());
+    let fault = |message: &str| Fault::new(Code::Syntax, message).at(span.clone());
     if kind.starts_with("Unterminated") || (rest.is_empty() && kind.starts_with("Expected")) {
         let what = if kind.contains("object") {
             "this { is never closed by }"
@@ -313,7 +316,7 @@ fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
         } else {
             "the file ends in the middle of a value"
         };
-        return Fault::new(what)
+        return Fault::new(Code::CutOff, what)
             .at(at..(at + ahead.map_or(0, char::len_utf8)))
             .help("the file may have been cut off");
     }
@@ -360,7 +363,7 @@ fn build(value: ast::Value<'_>, path: String, line_ends: &[usize], faults: &mut 
                 if let Some(first) = seen.get(&key) {
                     let line = line_ends.partition_point(|end| end < first) + 1;
                     faults.push(
-                        Fault::new(format!("duplicate key `{key}`"))
+                        Fault::new(Code::DuplicateKey, format!("duplicate key `{key}`"))
                             .at(key_span)
                             .path(path)
                             .allowed("each key once in an object")

@@ -1,5 +1,6 @@
 //! Types of values in the file: quantities, numbers, words, lists.
 
+use files::code::Code;
 use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};
 
@@ -28,16 +29,39 @@ pub(in crate::input) fn quantity(node: &Node, dimension: Dimension, faults: &mut
     }
 }
 
+/// The kind of fault of a text that is not a quantity.
+pub(in crate::input) fn unit_code(error: &UnitError) -> Code {
+    match error {
+        UnitError::Empty | UnitError::NotANumber { .. } => Code::NotANumber,
+        UnitError::NotFinite { .. } => Code::NotFinite,
+        UnitError::MissingUnit { .. } => Code::UnitMissing,
+        UnitError::UnknownUnit { .. } => Code::UnitUnknown,
+        UnitError::WrongDimension { .. } => Code::UnitOfOther,
+    }
+}
+
 pub(in crate::input) fn quantity_fault(node: &Node, error: &UnitError, allowed: &str) -> Fault {
-    let fault = Fault::new(error.to_string())
+    let fault = Fault::new(unit_code(error), error.to_string())
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
         .allowed(allowed);
-    match error.help() {
+    match error.help().or_else(|| weight(node, error)) {
         Some(help) => fault.help(help),
         None => fault,
     }
+}
+
+/// The density of a weight per volume (`25 kN/m3`), for who writes that.
+fn weight(node: &Node, error: &UnitError) -> Option<String> {
+    let (UnitError::WrongDimension { expected, .. }, Kind::Text(text)) = (error, &node.kind) else {
+        return None;
+    };
+    // A subgrade modulus has the same unit.
+    let weight = units::parse(text, Dimension::Subgrade).ok()?;
+    let density = weight / tank::STANDARD_GRAVITY;
+    (*expected == Dimension::Density && density.is_finite())
+        .then(|| format!("a weight per volume is g times the density: \"{density:.0} kg/m3\""))
 }
 
 /// Pattern of the texts that are quantities of a dimension.
@@ -224,7 +248,7 @@ impl FromNode for Pitch {
             true => ("a frequency or period out of range", "1e-6 to 1e6 rad/s".to_owned()),
             false => ("a frequency or period must be positive", Self::allowed()),
         };
-        faults.push(wrong_value(node, message, &allowed));
+        faults.push(wrong_value(Code::OutOfRange, node, message, &allowed));
         None
     }
     fn allowed() -> String {
@@ -251,7 +275,7 @@ impl FromNode for MeshSize {
         match text.parse() {
             Ok(mesh) => Some(mesh),
             Err(_) => {
-                faults.push(wrong_value(node, "not a mesh", &Self::allowed()));
+                faults.push(wrong_value(Code::BadForm, node, "not a mesh", &Self::allowed()));
                 None
             }
         }
@@ -286,7 +310,12 @@ impl FromNode for Whole {
         {
             return Some(Whole(value));
         }
-        faults.push(wrong_value(node, "not a whole number", &Self::allowed()));
+        faults.push(wrong_value(
+            Code::OutOfRange,
+            node,
+            "not a whole number",
+            &Self::allowed(),
+        ));
         None
     }
     fn allowed() -> String {

@@ -2,6 +2,7 @@
 //!
 //! Values from the table have places beyond the end of the tank file, so that the faults of the reader are found in the table again.
 
+use files::code::Code;
 use std::ops::Range;
 
 use super::syntax::{self, Kind, Member, Node, join};
@@ -64,7 +65,7 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
 
 /// A column that is not a place of the tank file.
 fn unknown(column: &Cell, message: &str) -> Fault {
-    Fault::new(format!("the column `{}`: {message}", column.text))
+    Fault::new(Code::TableColumn, format!("the column `{}`: {message}", column.text))
         .found(column.text.clone())
         .allowed(
             "a path of the tank file, such as tank.radius, tank.courses[0].thickness or materials[\"A 283\"].density",

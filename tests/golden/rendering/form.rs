@@ -78,10 +78,19 @@ fn text_of_the_input_is_escaped_everywhere() {
 #[test]
 fn the_report_stands_alone() {
     let html = report(Kind::Compare).html;
-    assert!(html.contains("default-src 'none'; style-src 'unsafe-inline'; img-src data:"));
-    for foreign in ["src=", "href=\"http", "url(", "@import", "<script", "<link"] {
+    assert!(html.contains("default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"));
+    // The font of formulas, once and within the page.
+    let font = "url(data:font/woff2;base64,";
+    assert_eq!(html.matches(font).count(), 1);
+    assert_eq!(html.matches("url(").count(), 1);
+    for foreign in ["src=", "href=\"http", "@import", "<script", "<link"] {
         assert!(!html.contains(foreign), "{foreign}");
     }
+    let size = html
+        .split_once(font)
+        .and_then(|(_, rest)| rest.find(')'))
+        .expect("the font ends");
+    assert!((10_000..60_000).contains(&size), "{size} bytes of font");
     assert!(html.len() < 1_500_000, "{} bytes", html.len());
 }
 

@@ -1,14 +1,14 @@
 //! Periods and accelerations (E.4, E.6.1.3, E.7.2).
 
 use crate::ec8::simplified::mean_thickness;
+use crate::ordinates::{plateau, psa};
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term};
-use oscillator::spectrum::ordinates;
 use tank::assessment::Excitation;
 use tank::case::{Api650Site, SiteClass};
 use tank::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
 
-use super::super::ground_motion::{DesignSpectrum, impulsive_plateau};
+use super::super::ground_motion::DesignSpectrum;
 use super::super::masses::{COEFFICIENT, IMPULSIVE_PERIOD, PERIOD, impulsive_coefficient};
 use super::super::site_specific::SiteSpecific;
 use super::Run;
@@ -281,18 +281,18 @@ impl Run<'_> {
         let source = format!("API 650:2020 E.4.6.2 (R_w = 1, I = 1), spectrum of `{}`", record.name);
         let (impulsive, name) = match periods.impulsive {
             Some(t_i) => (
-                ordinates(record, t_i, damping.impulsive).psa,
+                psa(record, t_i, damping.impulsive),
                 "spectral acceleration at T_i".to_string(),
             ),
             None => {
-                let (at, psa) = impulsive_plateau(record, damping.impulsive);
+                let (at, psa) = plateau(record, damping.impulsive);
                 (
                     psa,
                     format!("largest spectral acceleration of the impulsive range, at T = {at:.3} s"),
                 )
             }
         };
-        let convective = ordinates(record, periods.convective, damping.sloshing).psa;
+        let convective = psa(record, periods.convective, damping.sloshing);
         let sheet = &mut self.sheet;
         let spectrum = "spectrum of the record over g";
         let name = format!("impulsive acceleration: {name}, {} [g]", percent(damping.impulsive));
@@ -305,7 +305,7 @@ impl Run<'_> {
         let a_v = match &motion.vertical {
             Some(vertical) => {
                 let name = "vertical acceleration: largest spectral acceleration of the vertical record, T = 0 and 0.05 to 0.5 s [g]";
-                let value = impulsive_plateau(vertical, damping.impulsive).1 / g;
+                let value = plateau(vertical, damping.impulsive).1 / g;
                 sheet.look_up("A_v", name, spectrum, value, Dimensionless, E6_1_3)
             }
             None => {

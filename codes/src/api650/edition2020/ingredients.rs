@@ -10,8 +10,9 @@ use super::Run;
 use super::accelerations::{Accelerations, Periods};
 use super::factors::{K, R_WC, importance, response_modification};
 use super::forces::Forces;
-use crate::api650::ground_motion::{DesignSpectrum, impulsive_plateau};
+use crate::api650::ground_motion::DesignSpectrum;
 use crate::api650::ingredients::{Action, Liquid, axial, ladders, resultant, wave};
+use crate::ordinates::plateau;
 
 impl Run<'_> {
     /// The ingredients of the quantities.
@@ -85,7 +86,7 @@ impl Run<'_> {
                 rule: Rule::Plateau,
                 period: motion
                     .as_ref()
-                    .map(|motion| impulsive_plateau(&motion.horizontal, damping.impulsive).0),
+                    .map(|motion| plateau(&motion.horizontal, damping.impulsive).0),
                 ..impulsive
             },
         };

@@ -66,7 +66,8 @@ fn a_factor_is_a_multiplied_motion() {
     for (seed, transverse) in [(21, false), (22, false), (23, true)] {
         let unit = demands(seed, transverse);
         let ready = Ready::new(&case, &unit);
-        for factor in [0.05, 0.6, 1.0, 1.7, 6.0] {
+        // Up and down: a search begins where another factor's ended.
+        for factor in [0.05, 0.6, 1.0, 1.7, 6.0, 0.3, 1.0] {
             let mut scaled = unit.clone();
             for value in scaled.states.iter_mut().chain(&mut scaled.transverse).flatten() {
                 *value *= factor;

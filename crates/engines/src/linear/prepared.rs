@@ -100,6 +100,7 @@ impl Prepared {
             model: &self.model,
             direct: None,
             across: None,
+            states: None,
         };
         let simulation = complete(&case, &self.options, &linear, &Silent)?;
         Ok(Response::of(simulation))

@@ -6,6 +6,7 @@
 //! `docs/theory/base.md`.
 
 mod body;
+mod floor;
 mod lifted;
 mod outcome;
 mod search;
@@ -16,7 +17,7 @@ mod words;
 use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
-use results::{BaseRun, BaseSpread, Channel, EngineId, Limit};
+use results::{BaseRun, BaseSpread, Channel, EngineId, Limit, Snapshots};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, FreeBase};
 use tank::options::LinearOptions as Options;
@@ -26,6 +27,7 @@ use tank::{Case, STANDARD_GRAVITY, Shape, Support};
 use super::analysis::Analysis;
 use super::model::Model;
 use crate::FeError;
+use crate::floor_pressure::impulsive_pressure;
 use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::response::motion::{Grid, Motion};
 
@@ -39,6 +41,8 @@ const LONGEST: f64 = 1e-3;
 const AFTER: f64 = 2.0;
 /// Moduli of the band over that of the ground.
 const BAND: [f64; 2] = [1.0 / 3.0, 3.0];
+/// Radii at which the form of the pressure on the bottom is known, from the axis to the wall.
+const FORM: usize = 41;
 
 /// What an unanchored tank does.
 pub(super) enum Free {
@@ -92,6 +96,11 @@ impl Free {
         Ok(())
     }
 
+    /// States of the bottom for pictures, where they are asked for.
+    pub(super) fn take_states(&mut self) -> Option<Snapshots> {
+        self.moved_mut()?.states.take()
+    }
+
     /// The results of the run.
     pub(super) fn result(self) -> Option<BaseRun> {
         match self {
@@ -102,19 +111,21 @@ impl Free {
 }
 
 /// The run of a tank that is not held down.
+///
+/// * `states`: time between states of the bottom for pictures [s]; none keeps none
 pub(super) fn free(
     case: &Case,
     (engine, model): (EngineId, &Model),
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    options: &Options,
+    (options, states): (&Options, Option<f64>),
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if !round || engine != EngineId::Harmonic {
         return Free::Held;
     }
     if case.tank.support == Support::Anchored {
-        return on_anchors(case, model, analysis, motion, options);
+        return on_anchors(case, model, analysis, motion, (options, states));
     }
     let Ok(base) = Base::of(case) else {
         return Free::Held;
@@ -125,14 +136,20 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    match run(&setup, &base, analysis) {
+    match run(&Setup { states, ..setup }, &base, analysis) {
         Ok(free) => free,
         Err(missed) => Free::NotComputed(words::missed(&missed)),
     }
 }
 
 /// The run of a tank on anchors, where one yields in the run with the wall held down.
-fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &GroundMotion, options: &Options) -> Free {
+fn on_anchors(
+    case: &Case,
+    model: &Model,
+    analysis: &Analysis<'_>,
+    motion: &GroundMotion,
+    (options, states): (&Options, Option<f64>),
+) -> Free {
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
     };
@@ -168,6 +185,7 @@ fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &Grou
             gap: anchors.gap.unwrap_or(0.0),
             rupture: anchors.rupture_elongation,
         }),
+        states,
         ..setup
     };
     match run(&setup, &base, analysis) {
@@ -243,8 +261,18 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     let coupled = &model.horizontal.coupled;
     let foundation = case.tank.foundation;
     let searched = ((motion.duration() + AFTER) / fine.h()) as usize + 1;
+    let form = || {
+        let at = |j: usize| {
+            let radius = case.tank.shape.half_length();
+            impulsive_pressure(case, radius, radius * j as f64 / (FORM - 1) as f64)
+        };
+        let all: Vec<f64> = (0..FORM).map(at).collect();
+        all.iter().map(|p| p / all[FORM - 1]).collect()
+    };
     Some(Setup {
         anchors: None,
+        states: None,
+        form: form(),
         friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
             coefficient,
             weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
@@ -290,8 +318,32 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<St
     }
 }
 
-/// Whether the run repeats, as a limit of validity.
-pub(super) fn limit(free: &Free) -> Option<Limit> {
+/// Whether the run repeats, and whether the wall stays elastic at the joint, as limits of validity.
+pub(super) fn limits(free: &Free) -> Vec<Limit> {
+    repeats(free).into_iter().chain(elastic_wall(free)).collect()
+}
+
+/// Strips are welded to a wall that does not yield.
+fn elastic_wall(free: &Free) -> Option<Limit> {
+    let moved = free.moved().filter(|moved| moved.yields)?;
+    let [stress, strength] = moved.wall?;
+    let holds = stress <= strength;
+    Some(Limit {
+        id: "base_wall".into(),
+        name: words::WALL.into(),
+        value: stress,
+        limit: strength,
+        dimension: Dimension::Stress,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            words::WALL_YIELDS.into()
+        },
+    })
+}
+
+fn repeats(free: &Free) -> Option<Limit> {
     let spread = free.moved()?.result.spread?;
     Some(Limit {
         id: "base_repeats".into(),

@@ -15,11 +15,13 @@
 use std::f64::consts::PI;
 
 use base::{Base, Missing};
+use fem::analysis::AnalysisError;
 use fem::dofs::Dof;
 use fem::element::Inspect;
 use fem::element::ground::Ground;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::ShellCell;
+use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
 use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
@@ -32,8 +34,11 @@ use super::arcs::shares;
 use super::cylinder::section::row;
 use super::laws::unsupported;
 use crate::FeError;
+use crate::floor_pressure::impulsive_pressure;
 use tank::options::nonlinear::Integration;
 
+/// Group of the plates.
+pub(super) const BOTTOM: &str = "bottom";
 /// Group of the ground.
 pub(super) const GROUND: &str = "ground";
 /// Group of what keeps the foot from sliding.
@@ -48,6 +53,13 @@ const GROWTH: f64 = 1.15;
 const FINE: f64 = 2.0;
 /// Rings of the projection.
 const OUTSIDE: usize = 2;
+/// Stiffness by angle that ties the inmost ring to a disc that slides, over E t of its plate: a ring that carries E t per radian moves by a
+/// hundredth of that against it.
+const RIGID: f64 = 100.0;
+/// Sign of the plastic curvature that a plate has at its joint when it lifts.
+const LIFTS: f64 = 1.0;
+/// Stiffness along x of a disc without friction over that of the ground below it.
+const WEAK: f64 = 1e-6;
 /// Radius within which the plate stays on the ground, over that of the tank.
 const CORE: f64 = 0.5;
 
@@ -80,6 +92,13 @@ pub(super) struct Placed {
     pub(super) bending: Vec<[f64; 2]>,
 }
 
+impl Placed {
+    /// 1/D′ and ν/D′ of a cell [1/(N m)].
+    pub(super) fn soft(&self, cell: usize) -> [f64; 2] {
+        self.bending[cell - self.cells[0][0]]
+    }
+}
+
 /// Why the bottom of a case is not modelled, in words, and what is allowed.
 pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
     match Base::of(case) {
@@ -107,8 +126,10 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
 }
 
 impl Plate {
+    /// * `mesh`: refinement of the rings ([`tank::options::NonlinearOptions::bottom_mesh`])
+    ///
     /// Errors: a case without such a bottom.
-    pub(super) fn of(case: &Case, radius: f64) -> Result<Plate, FeError> {
+    pub(super) fn of(case: &Case, radius: f64, mesh: f64) -> Result<Plate, FeError> {
         if let Some((reason, _)) = missing(case) {
             return unsupported(reason);
         }
@@ -118,21 +139,22 @@ impl Plate {
         let plate = base.plate();
         let sinking = (4.0 * plate.bending_stiffness() / base.modulus).powf(0.25);
         let mut inside = vec![0.0];
-        let (mut x, mut width) = (0.0, FIRST * plate.thickness);
+        let (mut x, mut width) = (0.0, FIRST * plate.thickness / mesh);
+        let growth = GROWTH.powf(1.0 / mesh);
         // A change of thickness lies on a ring.
         let joint = bottom.sketch.and(bottom.width).filter(|w| *w < (1.0 - CORE) * radius);
         while x < (1.0 - CORE) * radius {
             let longest = match x < FINE {
                 true => (0.5 * sinking).max(FIRST * plate.thickness),
                 false => 0.1 * radius,
-            };
+            } / mesh;
             let next = x + width;
             x = match joint {
                 Some(at) if x < at * (1.0 - 1e-9) && next > at - 0.3 * width => at,
                 _ => next,
             };
             inside.push(x);
-            width = (GROWTH * width).min(longest);
+            width = (growth * width).min(longest);
         }
         let outside = if bottom.projection > 0.0 { OUTSIDE } else { 0 };
         let out = (0..outside).map(|i| radius + bottom.projection * (1.0 - i as f64 / OUTSIDE as f64));
@@ -141,7 +163,7 @@ impl Plate {
             if *r > radius * (1.0 + 1e-9) {
                 0.0
             } else {
-                impulsive(case, radius, *r)
+                impulsive_pressure(case, radius, *r)
             }
         };
         let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
@@ -215,7 +237,7 @@ impl Plate {
                 cells.push(ShellCell {
                     nodes: [pair[1][k], pair[0][k], pair[0][k + 1], pair[1][k + 1]],
                     section: leaf.section.clone(),
-                    group: "bottom".into(),
+                    group: BOTTOM.into(),
                 });
             }
         }
@@ -243,7 +265,8 @@ impl Plate {
         dry.into_iter().chain(inside.areas()).collect()
     }
 
-    /// Adds ground, with friction or without, pressure at rest and supports.
+    /// Adds ground, with friction or without, pressure at rest and supports; the inmost ring is held in its plane, or `slides` with what is
+    /// within it ([`Plate::core`]).
     ///
     /// * `dead` takes the pressure on the undeformed plate
     pub(super) fn place(
@@ -251,7 +274,7 @@ impl Plate {
         builder: &mut Builder,
         angles: &[f64],
         rings: &[Vec<usize>],
-        [follower, rubs]: [bool; 2],
+        [follower, rubs, slides]: [bool; 3],
         dead: &mut NodalLoads,
     ) -> Result<Vec<Vec<usize>>, FeError> {
         let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
@@ -295,11 +318,62 @@ impl Plate {
             }
         }
         for &node in rings.last().into_iter().flatten() {
-            for dof in [Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry] {
-                builder.hold(node, dof);
-            }
+            let held: &[Dof] = match slides {
+                true => &[Dof::Rx, Dof::Ry],
+                false => &[Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry],
+            };
+            held.iter().for_each(|&dof| builder.hold(node, dof));
         }
         Ok(ground)
+    }
+
+    /// What is within the inmost ring as a rigid disc that slides along x on the ground, pressed by its liquid: half of it. Returns the number of
+    /// its element of ground.
+    ///
+    /// * `dead` takes the weight of the liquid on it
+    ///
+    /// Errors: those of the elements.
+    pub(super) fn core(
+        &self,
+        builder: &mut Builder,
+        bottom: &Bottom,
+        (angles, ring): (&[f64], &[usize]),
+        dead: &mut NodalLoads,
+    ) -> Result<usize, FeError> {
+        let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
+        let radius = self.radii[self.radii.len() - 1];
+        let area = 0.5 * PI * radius * radius;
+        let node = builder.node([0.0; 3]);
+        builder.hold(node, Dof::Uy);
+        dead.force(node, [0.0, 0.0, -self.base.pressure * area]);
+        let thickness = bottom.sketch.unwrap_or(bottom.thickness);
+        let disc = PointMass::new(node, bottom.material.density * thickness * area).map_err(failed)?;
+        builder.element("disc", disc);
+        let stiff = RIGID * bottom.material.youngs_modulus * thickness;
+        for ((&own, share), angle) in ring.iter().zip(shares(angles)).zip(angles) {
+            let (s, c) = angle.sin_cos();
+            let mut matrix = Matrix::zeros(3, 3);
+            // u_r − x cos θ and u_θ + x sin θ.
+            for row in [[1.0, 0.0, -c], [0.0, 1.0, s]] {
+                for (i, a) in row.iter().enumerate() {
+                    for (j, b) in row.iter().enumerate() {
+                        matrix.add(i, j, stiff * share * a * b);
+                    }
+                }
+            }
+            let link = SuperElement::over(&[(own, Dof::Ux), (own, Dof::Uy), (node, Dof::Ux)])
+                .and_then(|e| e.with_stiffness(matrix))
+                .map_err(failed)?;
+            builder.element(KEY, link);
+        }
+        // Before the ground is pressed nothing else holds along x.
+        let weak = WEAK * self.base.modulus * area;
+        let spring = Spring::to_ground(node, Direction::Translation([1.0, 0.0, 0.0]), weak).map_err(failed)?;
+        builder.element(KEY, spring);
+        let ground = Ground::new(node, self.base.modulus, area)
+            .and_then(|g| g.with_friction(self.friction))
+            .map_err(failed)?;
+        Ok(builder.element(GROUND, ground))
     }
 }
 
@@ -367,105 +441,82 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
     Ok(())
 }
 
-/// Plastic rotation of the joint at the `back` (θ = π) or at θ = 0: curvature of the meridian less that of an elastic plate under its moments, from the foot to
-/// where its sign changes [rad].
+/// Plastic rotation of the plate's joint at the `back` (θ = π) or at θ = 0, positive where the plate lifts [rad], by [`hinge`].
+///
+/// Errors: a section that fails.
 pub(super) fn plastic_rotation(
     model: &Model,
     bottom: &Placed,
     foot: usize,
     back: bool,
     state: &State,
-) -> Result<f64, FeError> {
-    let mut gather = Gather::default();
+) -> Result<f64, AnalysisError> {
+    let cells = bottom.cells[foot..]
+        .iter()
+        .filter_map(|ring| if back { ring.last() } else { ring.first() });
+    let sum = hinge(model, cells.map(|&cell| (cell, bottom.soft(cell))), state)?;
+    Ok(LIFTS * sum)
+}
+
+/// Plastic rotation of shells along a meridian from the joint on: curvature of the meridian less that of an elastic shell under its moments,
+/// from the first cell that yields to where its sign changes or nothing yields; its sign is that of the curvature [rad].
+///
+/// * `cells`: elements, the first at the joint, with 1/D′ and ν/D′, D′ = E t³/12 [1/(N m)]; their second local axis is the meridian
+///
+/// Errors: a section that fails.
+pub(super) fn hinge(
+    model: &Model,
+    cells: impl Iterator<Item = (usize, [f64; 2])>,
+    state: &State,
+) -> Result<f64, AnalysisError> {
     let mut sum = 0.0_f64;
-    for cells in &bottom.cells[foot..] {
-        let Some(&cell) = (if back { cells.last() } else { cells.first() }) else {
-            break;
-        };
-        let element = &*model.elements()[cell];
-        let motion = gather.motion(model, &state.committed, element);
-        let history = &state.old[state.history(cell)];
-        let mut yields = false;
-        element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
-        if !yields {
+    for (cell, soft) in cells {
+        let Some(part) = plastic_part(model, cell, soft, state)? else {
             if sum != 0.0 {
                 break;
             }
             continue;
-        }
-        let sections = element
-            .sections(motion, history)
-            .map_err(|e| FeError::Analysis(e.to_string()))?;
-        let virgin = bottom.bending[cell - bottom.cells[0][0]];
-        let plastic = |s: &fem::element::SectionState| {
-            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
-            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
         };
-        let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
-        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
         if sum * part < 0.0 {
             break;
         }
         sum += part;
     }
-    Ok(sum.abs())
+    Ok(sum)
 }
 
-/// Impulsive pressure on a rigid bottom at θ = 0 [Pa per m/s²].
-fn impulsive(case: &Case, radius: f64, r: f64) -> f64 {
-    let depth = case.liquid.fill_height;
-    let mut sum = 0.0;
-    for n in 0..200 {
-        let alpha = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
-        // Beyond it the terms are below 1e-4 of the first and exp overflows soon.
-        if alpha * radius > 300.0 {
-            break;
-        }
-        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-        let (own, _) = bessel(alpha * r);
-        let (_, slope) = bessel(alpha * radius);
-        sum += sign * 2.0 / (depth * alpha * alpha) * own / slope;
+/// Plastic rotation across a cell along the meridian [rad]; none of a cell that has not yielded. `soft`: as in [`hinge`].
+///
+/// Errors: a section that fails.
+pub(super) fn plastic_part(
+    model: &Model,
+    cell: usize,
+    soft: [f64; 2],
+    state: &State,
+) -> Result<Option<f64>, AnalysisError> {
+    let mut gather = Gather::default();
+    let element = &*model.elements()[cell];
+    let motion = gather.motion(model, &state.committed, element);
+    let history = &state.old[state.history(cell)];
+    let mut yields = false;
+    element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
+    if !yields {
+        return Ok(None);
     }
-    case.liquid.density * sum
-}
-
-/// I₁(x) and I₁′(x) by their power series, all of whose terms are positive.
-fn bessel(x: f64) -> (f64, f64) {
-    let quarter = 0.25 * x * x;
-    let (mut term, mut k) = (0.5, 0.0);
-    let (mut over_x, mut slope) = (term, term);
-    loop {
-        k += 1.0;
-        term *= quarter / (k * (k + 1.0));
-        over_x += term;
-        slope += (2.0 * k + 1.0) * term;
-        if (2.0 * k + 1.0) * term <= 1e-17 * slope {
-            return (x * over_x, slope);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// I₁(1) = 0.565159, I₁′(1) = I₀(1) − I₁(1) = 0.700907 (Abramowitz & Stegun 1964, table 9.8).
-    #[test]
-    fn bessel_function() {
-        let (value, slope) = bessel(1.0);
-        assert!((value - 0.565_159_1).abs() < 1e-7 && (slope - 0.700_906_8).abs() < 1e-7);
-    }
-
-    /// A deep tank: the liquid at the bottom moves with it, p = ρ r a.
-    #[test]
-    fn a_deep_liquid_is_rigid_at_its_bottom() {
-        let mut case = tank::reference::broad(1000.0);
-        let radius = case.tank.shape.half_length();
-        case.liquid.fill_height = 10.0 * radius;
-        for r in [0.3, 0.7, 1.0] {
-            let p = impulsive(&case, radius, r * radius);
-            assert!((p / (1000.0 * r * radius) - 1.0).abs() < 0.01, "{r}: {p}");
-        }
-    }
+    let sections = element
+        .sections(motion, history)
+        .map_err(|source| AnalysisError::Element { number: cell, source })?;
+    let plastic = |s: &fem::element::SectionState| {
+        let (hoop, along) = (s.resultants[3], s.resultants[4]);
+        s.strain[4] - (soft[0] * along - soft[1] * hoop)
+    };
+    let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
+    // Rings and levels: a plate extends over the radius, a wall over the height.
+    let corners = element.nodes().iter().map(|&n| model.nodes()[n]);
+    let extent = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |e, v| (e.0.min(v), e.1.max(v)));
+        high - low
+    };
+    let along = extent(&mut corners.clone().map(|x| x[0].hypot(x[1])));
+    Ok(Some(mean * along.hypot(extent(&mut corners.map(|x| x[2])))))
 }

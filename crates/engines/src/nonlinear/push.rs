@@ -23,6 +23,8 @@ mod seen;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod uplift_study;
+#[cfg(test)]
 mod uplift_tests;
 
 use fem::analysis::checkpoint::Reader;
@@ -57,6 +59,8 @@ pub struct PushOptions {
     pub form: Form,
     /// Height of a weld [m]; `None`: where the perfect shell buckles. A mode has its own.
     pub height: Option<f64>,
+    /// Whether the foot of an unanchored tank stays a plane, as in the strips of the fast engine and under a stiff roof.
+    pub plane_foot: bool,
 }
 
 /// Results of a pushover.
@@ -96,7 +100,7 @@ pub fn pushover(
     checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Pushed, FeError> {
-    let plan = Plan::new(case, options)?;
+    let plan = Plan::new(case, options, push.plane_foot)?;
     let height = case.tank.wall_height();
     if let Some(z) = push.height.filter(|z| !(0.0..=height).contains(z)) {
         return Err(FeError::Option {
@@ -117,6 +121,13 @@ pub fn pushover(
             option: "form of the imperfection".into(),
             found: "the buckling mode of an unanchored tank, whose base has no linear state".into(),
             allowed: "a weld depression, or \"support\": \"anchored\"".into(),
+        });
+    }
+    if plan.plate.is_none() && push.plane_foot {
+        return Err(FeError::Option {
+            option: "plane foot".into(),
+            found: "a wall that is clamped at its base".into(),
+            allowed: "a plane foot for an unanchored tank alone".into(),
         });
     }
     let mut keeper = Keeper::new(checkpoint, &plan);
@@ -382,9 +393,17 @@ fn assumptions(plan: &Plan) -> Vec<String> {
             significant(plate.friction, 2),
         ));
         out.push(
-            "The foot warps where the top of the wall is free: its uplift is larger on a shorter arc, and its moment at a rotation \
-             smaller, than those of the strips, whose foot stays plane. A roof or a stiff ring is between the two."
-                .into(),
+            match plan.plane {
+                true => {
+                    "The foot of the wall is kept a plane, as in the strips: its uplift is w₀ + ψ R cos θ. A tank with a free top lifts more \
+                     at the same moment."
+                }
+                false => {
+                    "The foot warps where the top of the wall is free: its uplift is larger on a shorter arc, and its moment at a \
+                     rotation smaller, than those of the strips, whose foot stays plane. A roof or a stiff ring is between the two."
+                }
+            }
+            .into(),
         );
     }
     if case.tank.roof.mass > 0.0 {

@@ -394,7 +394,7 @@ pub(super) fn snapshots(
         nodes: tank.model.nodes().to_vec(),
         liquid: tank.volume.cells.iter().map(|c| c.nodes).collect(),
         wall: tank.wall.faces.iter().map(|f| f.nodes).collect(),
-        states: Vec::new(),
+        ..Snapshots::default()
     };
     let mut time = 0.0;
     while time <= end {
@@ -420,6 +420,7 @@ pub(super) fn snapshots(
             displacement: u,
             pressure,
             resultants,
+            ..Snapshot::default()
         });
         time += interval;
     }

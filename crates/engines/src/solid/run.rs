@@ -398,6 +398,7 @@ fn integrated(
         model: &prepared.model,
         direct: Some(&direct),
         across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
+        states: None,
     };
     let mut simulation = complete(case, options, &linear, progress)?;
     simulation.assumptions.push(

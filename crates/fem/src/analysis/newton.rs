@@ -24,6 +24,9 @@
 //!   changed its sign or grown.
 //! * **Initial stiffness**: a step that has failed is tried once more with the initial stiffness in place
 //!   of K_T, which softening cannot make indefinite.
+//! * **Zone** ([`super::zone`]): elements whose tangents are renewed whenever their contact has changed or an iteration is slow; those of
+//!   the others when iterations stay slow at an unchanged contact, in the next step after one of many iterations, and in every
+//!   iteration of the second attempt of a step that has failed.
 //! * **Tangent damping**: C_T = Σ a_K K_e⁺ of the last committed tangents, K_e⁺ the positive part of an element's.
 //!
 //! Source: Bathe 1996, section 8.4; Matthies & Strang 1979 (line search); criteria: theory manual.
@@ -33,6 +36,7 @@ use std::sync::Arc;
 use super::damping::Damping;
 use super::rings::RingLayout;
 use super::scheme::{LoadStep, Scheme, Weights};
+use super::zone::Zone;
 use super::{AnalysisError, check_length};
 use crate::assembly::{Assembler, Forces, Kept, LinearPart};
 use crate::element::{ElementError, Want};
@@ -46,8 +50,10 @@ mod memory;
 mod path;
 mod search;
 mod solver;
+mod zoned;
 
 pub use path::{LoadPath, load_path};
+use zoned::Zoned;
 
 /// When a step has converged, and when it has failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +89,9 @@ pub struct Options {
     pub initial_stiffness: usize,
     /// a_K [s] by group of elements, on the last committed tangent; empty for none.
     pub tangent_damping: Vec<f64>,
+    /// Part of the model whose tangent is renewed as it changes, while that of the rest is kept as long as iterations converge. Takes the place
+    /// of `modified` and `initial_stiffness`.
+    pub zone: Option<Arc<Zone>>,
 }
 
 impl Options {
@@ -94,6 +103,7 @@ impl Options {
             line_search: false,
             initial_stiffness: 0,
             tangent_damping: Vec::new(),
+            zone: None,
         }
     }
 }
@@ -125,6 +135,7 @@ impl Default for Options {
             line_search: true,
             initial_stiffness: 60,
             tangent_damping: Vec::new(),
+            zone: None,
         }
     }
 }
@@ -193,8 +204,10 @@ pub struct Cost {
     pub iterations: u64,
     /// Evaluations of all elements.
     pub evaluations: u64,
-    /// Factorisations.
+    /// Factorisations; of a zone alone where there is one.
     pub factors: u64,
+    /// Factorisations of what is outside of a zone.
+    pub wholes: u64,
     /// Line searches.
     pub searches: u64,
     /// Products of the iterative solutions, where elements are not assembled.
@@ -217,12 +230,15 @@ pub struct Newton<'a> {
     factor: Option<(solver::Solver, Weights)>,
     /// Where elements are not assembled.
     rings: Option<Arc<RingLayout>>,
+    zoned: Option<Zoned>,
     /// C_T.
     viscous: Option<Symmetric>,
     /// Forces at the committed state, and the displacements they belong to.
     committed: Forces,
     committed_at: Option<Vec<f64>>,
     forces: Forces,
+    /// Of evaluations of tangents alone.
+    unused: Forces,
     /// Largest first energy of a step so far.
     reference: f64,
     cost: Cost,
@@ -293,6 +309,11 @@ impl<'a> Newton<'a> {
             });
         }
         let viscous = given.iter().any(|a| *a != 0.0) && inertia.is_some();
+        let zoned = options.zone.clone().map(|zone| Zoned::new(zone, assembler));
+        let rings = match assembler.has_operators() && zoned.is_none() {
+            true => Some(Arc::new(RingLayout::new(model, assembler)?)),
+            false => None,
+        };
         let mut newton = Newton {
             model,
             assembler,
@@ -307,14 +328,13 @@ impl<'a> Newton<'a> {
             tangent: Symmetric::zeros(assembler.pattern().clone()),
             effective: Symmetric::zeros(assembler.pattern().clone()),
             factor: None,
-            rings: match assembler.has_operators() {
-                true => Some(Arc::new(RingLayout::new(model, assembler)?)),
-                false => None,
-            },
+            rings,
+            zoned,
             viscous: None,
             committed: Forces::default(),
             committed_at: None,
             forces: Forces::default(),
+            unused: Forces::default(),
             reference: 0.0,
             cost: Cost::default(),
             room: Room::default(),
@@ -397,6 +417,14 @@ impl<'a> Newton<'a> {
     ) -> Result<StepReport, StepFailure> {
         let limit = self.options.criteria.iterations;
         let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
+        if let Some(zoned) = &mut self.zoned {
+            let Err(_) = result else { return result };
+            self.factor = None;
+            zoned.whole = true;
+            result = self.iterate(scheme, state, [p0, p1], limit, false);
+            self.end_whole();
+            return result;
+        }
         if result.is_err()
             && let Some(kept) = self.kept.take()
         {

@@ -46,6 +46,8 @@ pub(crate) struct Ask<'a> {
     pub end_tangent: f64,
     /// Threads that evaluate the elements, at most; the results do not depend on them.
     pub threads: usize,
+    /// Tangents of these elements alone; `None` for those of all.
+    pub tangents: Option<&'a [bool]>,
 }
 
 impl<'a> Ask<'a> {
@@ -56,8 +58,22 @@ impl<'a> Ask<'a> {
             linear,
             end_tangent: 1.0,
             threads: 1,
+            tangents: None,
         }
     }
+
+    /// Whether the tangent of element `e` is wanted.
+    pub(super) fn wants_tangent(&self, e: usize) -> bool {
+        self.want.tangent && self.tangents.is_none_or(|of| of[e])
+    }
+}
+
+/// Tangents of some elements into a matrix of their own.
+pub(crate) struct Apart<'a> {
+    /// The elements.
+    pub elements: &'a [bool],
+    /// Their tangents; written only where they have places.
+    pub tangent: &'a mut Symmetric,
 }
 
 /// Data that elements keep from one iteration of a step to the next ([`respond_mixed`](crate::element::Mixed::respond_mixed)).
@@ -222,6 +238,20 @@ impl Assembler {
         forces: &mut Forces,
         kept: Option<&mut Kept>,
     ) -> Result<(), (usize, ElementError)> {
+        self.answer_apart(model, state, ask, tangent, None, forces, kept)
+    }
+
+    /// The same with the tangents of some elements `apart`. `tangent` is not written if only theirs are wanted.
+    pub(crate) fn answer_apart(
+        &self,
+        model: &Model,
+        state: &mut State,
+        ask: Ask<'_>,
+        tangent: &mut Symmetric,
+        mut apart: Option<Apart<'_>>,
+        forces: &mut Forces,
+        kept: Option<&mut Kept>,
+    ) -> Result<(), (usize, ElementError)> {
         let Ask { want, linear, .. } = ask;
         let ends = !self.at_end.is_empty();
         for (out, len) in [
@@ -232,10 +262,14 @@ impl Assembler {
             out.clear();
             out.resize(len, 0.0);
         }
-        match linear {
-            Some(part) if want.tangent => tangent.values.copy_from_slice(&part.tangent.values),
-            None if want.tangent => tangent.values.fill(0.0),
-            _ => {}
+        if want.tangent && ask.tangents.is_none() {
+            match linear {
+                Some(part) => tangent.values.copy_from_slice(&part.tangent.values),
+                None => tangent.values.fill(0.0),
+            }
+        }
+        if let Some(apart) = apart.as_mut().filter(|_| want.tangent) {
+            apart.tangent.values.fill(0.0);
         }
         if let (Some(part), true) = (linear, want.force) {
             part.add_forces(&state.trial.u, &mut forces.internal);
@@ -251,8 +285,12 @@ impl Assembler {
             if want.force {
                 self.add_forces(e, force, forces);
             }
-            if want.tangent {
-                self.place(e, matrix, &mut Sink::whole(&mut tangent.values));
+            if ask.wants_tangent(e) {
+                let to = match &mut apart {
+                    Some(apart) if apart.elements[e] => &mut apart.tangent.values,
+                    _ => &mut tangent.values,
+                };
+                self.place(e, matrix, &mut Sink::whole(to));
             }
         })
     }
@@ -267,7 +305,11 @@ impl Assembler {
         slots: Slots<'_>,
         room: &mut Room,
     ) -> Result<(), ElementError> {
-        let (want, element) = (ask.want, &*model.elements()[e]);
+        let element = &*model.elements()[e];
+        let want = Want {
+            tangent: ask.wants_tangent(e),
+            ..ask.want
+        };
         let Slots { old, new, kept } = slots;
         let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
         let Room { gather, response } = room;

@@ -32,7 +32,7 @@ impl CircularLiquid {
     ///
     /// Errors: half of an odd number of meridians; a mass or stiffness of the surface that is not positive definite.
     pub fn new(liquid: &HarmonicLiquid, half: bool, count: usize) -> Result<CircularLiquid, CondenseError> {
-        let (sectors, levels) = (liquid.sectors(), liquid.heights().len());
+        let (sectors, levels) = (liquid.sectors(), liquid.levels());
         let ring = Ring::new(sectors, half).ok_or_else(|| CondenseError::Option {
             what: "meridians of half a liquid",
             found: sectors.to_string(),

@@ -25,7 +25,7 @@ impl<'a> Condensed<'a> {
     ///
     /// Errors: E_ηη singular, that is −s an eigenvalue ω² of the liquid in a rigid tank.
     pub fn new(liquid: &'a HarmonicLiquid, s: f64) -> Result<Condensed<'a>, LinalgError> {
-        let levels = liquid.heights.len();
+        let levels = liquid.levels();
         let (mut wall, mut surface) = (Vec::new(), Vec::new());
         for block in &liquid.blocks {
             let mut e = block.mass.clone();
@@ -65,7 +65,7 @@ impl<'a> Condensed<'a> {
     /// A as a matrix over all wall nodes.
     pub fn matrix(&self) -> Matrix {
         let liquid = self.liquid;
-        let (levels, n) = (liquid.heights.len(), liquid.sectors);
+        let (levels, n) = (liquid.levels(), liquid.sectors);
         let mut out = Matrix::zeros(liquid.wall(), liquid.wall());
         for l in 0..levels {
             for p in 0..levels {
@@ -92,7 +92,7 @@ impl<'a> Condensed<'a> {
     /// A w, without forming the matrix.
     pub fn times(&self, w: &[f64]) -> Vec<f64> {
         let liquid = self.liquid;
-        let levels = liquid.heights.len();
+        let levels = liquid.levels();
         let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
         let mut image = Matrix::zeros(liquid.sectors, levels);
         for (block, a) in liquid.blocks.iter().zip(&self.wall) {
@@ -111,7 +111,7 @@ impl<'a> Condensed<'a> {
     /// Errors: not enough memory.
     pub fn elevations(&self, w: &[f64], h: &[f64]) -> Result<Vec<f64>, LinalgError> {
         let liquid = self.liquid;
-        let levels = liquid.heights.len();
+        let levels = liquid.levels();
         let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
         let mut eta = vec![0.0; liquid.elevations()];
         for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
@@ -132,7 +132,7 @@ impl<'a> Condensed<'a> {
     /// E_wη η: the wall forces of elevations.
     pub fn wall_forces(&self, eta: &[f64]) -> Vec<f64> {
         let liquid = self.liquid;
-        let levels = liquid.heights.len();
+        let levels = liquid.levels();
         let mut image = Matrix::zeros(liquid.sectors, levels);
         for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
             let Some((coupling, factor)) = surface else { continue };

@@ -11,7 +11,8 @@
 //!
 //! so that the added mass is block-circulant. Between the meridians the displacement is the trigonometric interpolant: a
 //! rigid translation carries the exact liquid mass on every mesh, ιᵀ M_f ι = ρ π R² H, and a breathing wall displaces the
-//! exact volume. Along z it is linear between the wall's levels.
+//! exact volume. Along z it is linear between the wall's levels. Rings of a bottom that moves ([`HarmonicLiquid::with_floor`]) follow the levels
+//! of the wall as further levels, their displacement upwards.
 //!
 //! The elevations of the harmonics up to `sloshing` are unknowns; above, the surface is free of pressure (M^(m) with η
 //! condensed at φ = 0 on the surface): the neglected term is gravity's, of order g m/(R ω²).
@@ -31,6 +32,8 @@ use crate::linalg::{Cholesky, LinalgError, Matrix, product, transposed_product};
 pub struct HarmonicLiquid {
     pub(super) sectors: usize,
     pub(super) heights: Vec<f64>,
+    /// Radii of the rings of the bottom [m], falling.
+    pub(super) floor: Vec<f64>,
     /// F.
     pub(super) fourier: Matrix,
     pub(super) blocks: Vec<Block>,
@@ -75,6 +78,22 @@ impl HarmonicLiquid {
         mesh: &LiquidMesh,
         sloshing: u32,
     ) -> Result<HarmonicLiquid, LinalgError> {
+        HarmonicLiquid::with_floor([radius, density, gravity], sectors, [heights, &[]], mesh, sloshing)
+    }
+
+    /// The same over a bottom that moves between its rings and rests elsewhere.
+    ///
+    /// * `floor`: radii of the rings [m], falling
+    ///
+    /// Errors, panics: as [`HarmonicLiquid::new`].
+    pub fn with_floor(
+        [radius, density, gravity]: [f64; 3],
+        sectors: usize,
+        [heights, floor]: [&[f64]; 2],
+        mesh: &LiquidMesh,
+        sloshing: u32,
+    ) -> Result<HarmonicLiquid, LinalgError> {
+        let levels = heights.len() + floor.len();
         assert!(
             sectors >= 3 && heights.len() >= 2,
             "a wall has 3 or more meridians and 2 or more levels"
@@ -89,7 +108,8 @@ impl HarmonicLiquid {
                 radius,
                 harmonic: m as u32,
             };
-            let potential = Potential::with_trace(domain, mesh.clone(), heights.to_vec(), Trace::Linear, density)?;
+            let wall = (heights.to_vec(), Trace::Linear);
+            let potential = Potential::with_floor(domain, mesh.clone(), wall, floor, density)?;
             let (mut mass, mut stiffness, rim) = matrices(&potential, gravity, m as u32 <= sloshing)?;
             mass.data
                 .iter_mut()
@@ -108,7 +128,7 @@ impl HarmonicLiquid {
                     fourier.add(k, column, square.sqrt() * value);
                 }
                 block.columns.push((column, elevations));
-                elevations += block.elevations(heights.len());
+                elevations += block.elevations(levels);
                 column += 1;
             }
             blocks.push(block);
@@ -116,6 +136,7 @@ impl HarmonicLiquid {
         Ok(HarmonicLiquid {
             sectors,
             heights: heights.to_vec(),
+            floor: floor.to_vec(),
             fourier,
             blocks,
             elevations,
@@ -132,9 +153,14 @@ impl HarmonicLiquid {
         &self.heights
     }
 
-    /// Number of wall nodes; node (level, sector) has the index `level * sectors + sector`.
+    /// Number of levels of the wall and of rings of the bottom, which follow them.
+    pub fn levels(&self) -> usize {
+        self.heights.len() + self.floor.len()
+    }
+
+    /// Number of nodes of wall and bottom; node (level, sector) has the index `level * sectors + sector`.
     pub fn wall(&self) -> usize {
-        self.sectors * self.heights.len()
+        self.sectors * self.levels()
     }
 
     /// Number of elevations.
@@ -153,7 +179,7 @@ impl HarmonicLiquid {
     }
 
     fn apply(&self, x: &Matrix, of: impl Fn(&Block) -> &Matrix) -> Matrix {
-        let levels = self.heights.len();
+        let levels = self.levels();
         let mut out = Matrix::zeros(x.rows, x.cols);
         for j in 0..x.cols {
             // Node (level, sector) is entry (sector, level) of a sectors × levels matrix.
@@ -296,6 +322,47 @@ mod tests {
         let stiffness = dot(w, &condensed.times(w));
         let exact = 9810.0 * (TAU * RADIUS * DEPTH).powi(2) / (PI * RADIUS * RADIUS);
         assert!((stiffness / exact - 1.0).abs() < 1e-9, "{stiffness} {exact}");
+    }
+
+    /// A bottom that rises as a whole lifts all of the liquid, if the surface rises with it: φ = z is in the space.
+    #[test]
+    fn a_rising_bottom_lifts_the_liquid() {
+        let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+        let domain = Domain::Cylinder {
+            radius: RADIUS,
+            harmonic: 0,
+        };
+        let wall = (vec![0.0, 0.4, DEPTH], Trace::Linear);
+        let potential = Potential::with_floor(domain, mesh, wall, &[RADIUS, 1.1, 0.3, 0.0], 1000.0).unwrap();
+        let mut x = vec![1.0; potential.columns()];
+        x[..3].fill(0.0);
+        let mass = dot(&x, &potential.mass.times(&x));
+        let exact = 1000.0 * PI * RADIUS * RADIUS * DEPTH;
+        assert!((mass / exact - 1.0).abs() < 1e-9, "{mass} {exact}");
+        assert!(dot(&x, &potential.flux).abs() < 1e-12 * exact);
+    }
+
+    /// A bottom that turns, u_z = r cos θ, and the moment of the bottom pressure are reciprocal: the force on the rings under motions of wall and
+    /// surface is that moment, turned about. Both are exact integrals of the same potential.
+    #[test]
+    fn a_turning_bottom_feels_the_moment_of_the_pressure() {
+        let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+        let domain = Domain::Cylinder {
+            radius: RADIUS,
+            harmonic: 1,
+        };
+        let floor = [RADIUS, 1.5, 0.8, 0.0];
+        let wall = || (vec![0.0, 0.4, DEPTH], Trace::Linear);
+        let moving = Potential::with_floor(domain, mesh.clone(), wall(), &floor, 1000.0).unwrap();
+        let rigid = Potential::with_floor(domain, mesh, wall(), &[], 1000.0).unwrap();
+        let moment = rigid.bottom_moment();
+        let largest = moment.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (i, expected) in moment.iter().enumerate() {
+            // Wall first, then the surface, which follows the rings.
+            let j = if i < 3 { i } else { i + floor.len() };
+            let found: f64 = (0..floor.len()).map(|k| floor[k] * moving.mass.get(3 + k, j)).sum();
+            assert!((found + expected).abs() < 1e-9 * largest, "{i}: {found} {expected}");
+        }
     }
 
     /// The operator, its matrix and the condensation agree, and the matrix is symmetric.

@@ -1,7 +1,7 @@
 //! Displacement potential of an inviscid, incompressible liquid, condensed to the wall and the free surface.
 //!
 //! ```text
-//! u = ∇φ,  Δφ = 0,  φ,n = u_n (wall),  φ,z = η (surface),  φ,z = 0 (bottom),  p' = −ρ φ̈
+//! u = ∇φ,  Δφ = 0,  φ,n = u_n (wall),  φ,z = η (surface),  φ,z = u_z (bottom; 0 where it is rigid),  p' = −ρ φ̈
 //!
 //! H_ij = c ∫ (N_i,r N_j,r + m²/r² N_i N_j + N_i,z N_j,z) r dr dz
 //! S_ij = c ∫_surface N_i N_j r dr          B_ij = c R ∫_wall N_i(φ) N_j(w) dz          F = [B S]
@@ -9,7 +9,8 @@
 //! ```
 //!
 //! x holds the trace of the wall displacement ([`Trace`]: value and slope at each trace node, cubic Hermite, for a shell of
-//! revolution; the value alone, linear, for a wall of flat elements) and then the surface elevations η. The trace nodes need not match the liquid mesh: B is integrated on the union of both partitions, so
+//! revolution; the value alone, linear, for a wall of flat elements), then the displacement of the bottom at its rings, upwards and linear
+//! between them, where it moves ([`Potential::with_floor`]), and then the surface elevations η. The trace nodes need not match the liquid mesh: B is integrated on the union of both partitions, so
 //! that every integral is exact but for 1/r.
 //!
 //! With m = 0 (and the symmetric half of a strip) a constant φ has no energy: one value is held, x must satisfy the
@@ -23,7 +24,7 @@ use crate::shape::{gauss, line, quad9};
 use super::mesh::locate;
 use super::{Domain, LiquidMesh};
 
-/// Coefficients of a linear functional of x: trace first, then η.
+/// Coefficients of a linear functional of x: trace first, then the bottom, then η.
 pub type Row = Vec<f64>;
 
 /// Interpolation of the wall's normal displacement between the trace nodes.
@@ -64,6 +65,8 @@ pub struct Potential {
     pub trace: Vec<f64>,
     /// Interpolation between them.
     pub interpolation: Trace,
+    /// Radii of the rings of a bottom that moves [m], falling; none of a rigid one.
+    pub floor: Vec<f64>,
     /// Column of x for the elevation at each surface node of the mesh; `None` on an axis where it vanishes.
     pub surface: Vec<Option<usize>>,
     /// M_f = ρ Fᵀ H⁻¹ F.
@@ -99,8 +102,23 @@ impl Potential {
         interpolation: Trace,
         density: f64,
     ) -> Result<Potential, LinalgError> {
+        Potential::with_floor(domain, mesh, (trace, interpolation), &[], density)
+    }
+
+    /// The same over a bottom that moves between its rings and rests elsewhere.
+    ///
+    /// * `floor`: radii of the rings, falling [m]
+    ///
+    /// Errors: as [`Potential::new`].
+    pub fn with_floor(
+        domain: Domain,
+        mesh: LiquidMesh,
+        (trace, interpolation): (Vec<f64>, Trace),
+        floor: &[f64],
+        density: f64,
+    ) -> Result<Potential, LinalgError> {
         let columns_w = interpolation.width() * trace.len();
-        let mut columns = columns_w;
+        let mut columns = columns_w + floor.len();
         let surface: Vec<Option<usize>> = (0..mesh.r.len())
             .map(|i| {
                 let free = i > 0 || !domain.vanishes_on_axis();
@@ -115,6 +133,7 @@ impl Potential {
         let h = stiffness(&domain, &mesh, &unknown);
         let mut f = Matrix::zeros(mesh.nodes(), columns);
         couple_wall(&domain, &mesh, &trace, interpolation, &mut f);
+        couple_floor(&domain, &mesh, floor, columns_w, &mut f);
         let mut surface_area = Matrix::zeros(columns, columns);
         couple_surface(&domain, &mesh, &surface, &mut f, &mut surface_area);
 
@@ -139,6 +158,7 @@ impl Potential {
             mesh,
             trace,
             interpolation,
+            floor: floor.to_vec(),
             surface,
             mass,
             surface_area,
@@ -155,7 +175,7 @@ impl Potential {
 
     /// Columns of x that are surface elevations.
     pub fn surface_columns(&self) -> std::ops::Range<usize> {
-        self.interpolation.width() * self.trace.len()..self.columns()
+        self.interpolation.width() * self.trace.len() + self.floor.len()..self.columns()
     }
 
     /// Pressure p' = −ρ φ̈ on the wall at height z: coefficients of ẍ, and of x (floating domains only).
@@ -367,6 +387,31 @@ fn couple_wall(domain: &Domain, mesh: &LiquidMesh, trace: &[f64], interpolation:
                 let node = last + (2 * e + i) * mesh.r.len();
                 for (j, v) in wall.iter().enumerate() {
                     f.add(node, interpolation.width() * k + j, measure * n * v);
+                }
+            }
+        }
+    }
+}
+
+/// −∫ N_i N_j r dr over the bottom, whose normal points downwards, on the union of the partitions of liquid and rings.
+fn couple_floor(domain: &Domain, mesh: &LiquidMesh, floor: &[f64], first: usize, f: &mut Matrix) {
+    for (ring, radii) in floor.windows(2).enumerate() {
+        let [outer, inner] = [radii[0], radii[1]];
+        let within = mesh.r.iter().step_by(2).copied().filter(|r| *r > inner && *r < outer);
+        let mut cuts: Vec<f64> = within.chain([inner, outer]).collect();
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+            let (e, _) = locate(&mesh.r, middle);
+            let (r0, r1) = (mesh.r[2 * e], mesh.r[2 * e + 2]);
+            for &(xi, w) in gauss::THREE {
+                let r = middle + half * xi;
+                let shape = line::quadratic((2.0 * r - r0 - r1) / (r1 - r0));
+                let at_inner = (outer - r) / (outer - inner);
+                let measure = domain.factor() * domain.weight(r) * half * w;
+                for (i, n) in shape.into_iter().enumerate() {
+                    f.add(2 * e + i, first + ring, -measure * n * (1.0 - at_inner));
+                    f.add(2 * e + i, first + ring + 1, -measure * n * at_inner);
                 }
             }
         }

@@ -92,7 +92,7 @@ impl CondensedLiquid {
     /// elevations, which rest in horizontal translations. These coordinates do not contain a vertical acceleration: its load
     /// is the hydrostatic pressure times a_z/g.
     pub fn of_harmonic(liquid: &HarmonicLiquid) -> CondensedLiquid {
-        let (n, levels) = (liquid.wall() + liquid.elevations(), liquid.heights().len());
+        let (n, levels) = (liquid.wall() + liquid.elevations(), liquid.levels());
         let unit = identity(n);
         let rim = |(m, block): (usize, &super::harmonic::Block)| -> Option<Rim> {
             let (own, &(cosine, _)) = (block.rim.as_ref()?, block.columns.first()?);
@@ -135,7 +135,7 @@ impl CondensedLiquid {
     ///
     /// Errors: an odd number of meridians.
     pub fn of_harmonic_half(liquid: &HarmonicLiquid) -> Result<CondensedLiquid, CondenseError> {
-        let (sectors, levels) = (liquid.sectors(), liquid.heights().len());
+        let (sectors, levels) = (liquid.sectors(), liquid.levels());
         if !sectors.is_multiple_of(2) {
             return Err(CondenseError::Option {
                 what: "meridians of half a liquid",

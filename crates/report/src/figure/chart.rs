@@ -424,7 +424,9 @@ impl Chart {
                 (Anchor::Start, 7.0)
             };
             let y = y.clamp(frame.top + 10.0, frame.bottom - 4.0);
-            svg.text((x + dx, y + 3.5), anchor, "lb halo", &mark.label);
+            if !mark.label.is_empty() {
+                svg.text((x + dx, y + 3.5), anchor, "lb halo", &mark.label);
+            }
         }
     }
 

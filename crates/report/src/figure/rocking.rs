@@ -1,11 +1,13 @@
-//! A tank that lifts: what stands on the ground in plan, and its positions over a cycle.
+//! A tank that lifts: what stands on the ground in plan with the pressure there, and its positions over a cycle.
 
 use tank::units::Dimension;
 
-use super::svg::{Anchor, Svg};
-use super::{HALF, WIDE};
-use crate::number::with_unit;
+use super::svg::{Anchor, Svg, path_data};
+use super::wall::{self, BAR, STEPS};
+use super::{HALF, WIDE, ticks};
+use crate::number::{Scale, with_unit};
 use crate::words::uplift as words;
+use results::GroundPlan;
 
 /// A bottom that is lifted along its rim.
 #[derive(Clone, Debug)]
@@ -14,6 +16,18 @@ pub struct Plan<'a> {
     pub radius: f64,
     /// Distance from the rim to the ground [m] by angle [°].
     pub lifted: &'a [[f64; 2]],
+    /// Pressure of the ground, where it is known.
+    pub ground: Option<&'a GroundPlan>,
+}
+
+/// Highest pressure with a colour of its own, over that at rest: along the toe the ground bears several times as much on a strip too narrow to
+/// be seen.
+const SHOWN_PRESSURE: f64 = 2.0;
+
+/// Highest pressure with a colour of its own [Pa].
+pub fn highest_colour(ground: &GroundPlan) -> f64 {
+    let most = ground.pressure.iter().flatten().copied().fold(0.0, f64::max);
+    most.min(SHOWN_PRESSURE * ground.rest)
 }
 
 impl Plan<'_> {
@@ -31,14 +45,22 @@ impl Plan<'_> {
 
     /// Size and markup.
     pub fn draw(&self) -> ((f64, f64), String) {
-        let (size, middle) = (HALF, (HALF / 2.0, 118.0));
-        let scale = 96.0 / self.radius;
+        let ground = self.ground.filter(|g| g.is_whole() && highest_colour(g) > 0.0);
+        // The bar of the colours stands at the right.
+        let (size, middle, drawn) = match ground {
+            Some(_) => (HALF, (0.5 * (HALF - BAR) + 6.0, 122.0), 84.0),
+            None => (HALF, (HALF / 2.0, 118.0), 96.0),
+        };
+        let scale = drawn / self.radius;
         // θ from the right, counter-clockwise.
         let at = |degrees: f64, r: f64| {
             let (s, c) = degrees.to_radians().sin_cos();
             (middle.0 + scale * r * c, middle.1 - scale * r * s)
         };
         let mut svg = Svg::new();
+        if let Some(ground) = ground {
+            svg.append(&pressures(ground, &at));
+        }
         let inner = |p: &[f64; 2]| at(p[0], self.radius - p[1].min(self.radius));
         // Between rim and ground, one piece for each lifted arc.
         for arc in self.lifted.split(|p| p[1] <= 0.0).filter(|arc| arc.len() > 1) {
@@ -58,9 +80,53 @@ impl Plan<'_> {
                 words::SIDES[usize::from(degrees > 0.0)],
             );
         }
-        svg.text(middle, Anchor::Middle, "tk", words::ON_THE_GROUND);
+        match ground {
+            Some(ground) => colours(&mut svg, ground, (middle.1 - drawn, middle.1 + drawn)),
+            None => svg.text(middle, Anchor::Middle, "tk", words::ON_THE_GROUND),
+        }
         ((size, 236.0), svg.into_markup())
     }
+}
+
+/// The bar of the colours.
+fn colours(svg: &mut Svg, ground: &GroundPlan, y: (f64, f64)) {
+    let high = highest_colour(ground);
+    let scale = Scale::of(Dimension::Stress, [high]);
+    let (levels, decimals) = ticks(0.0, scale.convert(high), 5);
+    let range = (0.0, scale.convert(high));
+    wall::bar(svg, HALF, y, range, &levels, decimals, scale.symbol());
+}
+
+/// Cells in the colours of their pressure, on both sides of the direction of the motion; one without pressure at most of its corners has none.
+fn pressures(ground: &GroundPlan, at: &dyn Fn(f64, f64) -> (f64, f64)) -> String {
+    let high = highest_colour(ground);
+    let mut paths = vec![String::new(); STEPS];
+    let edge = ground.radii[ground.radii.len() - 1];
+    // A hair of overlap: no seams between neighbours.
+    let (wider, further) = (0.3, 0.004 * edge);
+    for (i, angles) in ground.degrees.windows(2).enumerate() {
+        for (j, radii) in ground.radii.windows(2).enumerate() {
+            let row = |i: usize| [ground.pressure[i][j], ground.pressure[i][j + 1]];
+            let corners = [row(i), row(i + 1)].concat();
+            if corners.iter().filter(|p| **p > 0.0).count() < 3 {
+                continue;
+            }
+            let mean = corners.iter().sum::<f64>() / corners.len() as f64;
+            let colour = ((mean / high * STEPS as f64) as usize).min(STEPS - 1);
+            for side in [1.0, -1.0] {
+                let corner = |a: usize, r: usize| {
+                    let outwards = (radii[r] + r as f64 * further).min(edge);
+                    at(side * (angles[a] + a as f64 * wider).min(180.0), outwards)
+                };
+                let cell = [corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)];
+                paths[colour].push_str(&path_data(&cell));
+                paths[colour].push('Z');
+            }
+        }
+    }
+    let path = |(colour, data): (usize, String)| format!(r#"<path class="v v{colour}" d="{data}"/>"#);
+    let filled = paths.into_iter().enumerate().filter(|(_, data)| !data.is_empty());
+    filled.map(path).collect()
 }
 
 /// A position of the tank.

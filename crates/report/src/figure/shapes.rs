@@ -57,7 +57,7 @@ pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> ((f6
     for (r, eta) in mode.shape.r.iter().zip(&mode.shape.surface) {
         surface.push((x(*r), y(depth) - amplitude * eta));
     }
-    svg.path(&surface, false, "ln k-water");
+    svg.curve(&surface, "ln k-water");
     for side in [-1.0, 1.0] {
         // Outward displacement; on the left outward is −x.
         let factor = if side > 0.0 { amplitude } else { -sign * amplitude };
@@ -68,7 +68,7 @@ pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> ((f6
             .zip(&mode.shape.wall)
             .map(|(z, w)| (x(side * half_length) + factor * w, y(*z)))
             .collect();
-        svg.path(&wall, false, "ln k-fe");
+        svg.curve(&wall, "ln k-fe");
     }
     (size, svg.into_markup())
 }

@@ -64,6 +64,32 @@ impl Svg {
         );
     }
 
+    /// A smooth curve through points: Catmull and Rom's cubics, with the slopes of the chords beside each point.
+    pub fn curve(&mut self, points: &[(f64, f64)], class: &str) {
+        let Some(&first) = points.first().filter(|_| points.len() > 2) else {
+            return self.path(points, false, class);
+        };
+        let at = |i: usize| points.get(i).copied().unwrap_or(first);
+        let mut data = format!("M{} {}", n(first.0), n(first.1));
+        for i in 0..points.len() - 1 {
+            let (before, from, to, after) = (
+                at(i.saturating_sub(1)),
+                at(i),
+                at(i + 1),
+                at((i + 2).min(points.len() - 1)),
+            );
+            let near = |a: f64, b: f64, c: f64| a + (c - b) / 6.0;
+            let handles = [
+                (near(from.0, before.0, to.0), near(from.1, before.1, to.1)),
+                (near(to.0, after.0, from.0), near(to.1, after.1, from.1)),
+                to,
+            ];
+            let texts = handles.map(|(x, y)| format!("{} {}", n(x), n(y)));
+            let _ = write!(data, "C{}", texts.join(" "));
+        }
+        let _ = write!(self.markup, r#"<path class="{}" d="{data}"/>"#, escape(class));
+    }
+
     /// A rectangle.
     pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, class: &str) {
         let _ = write!(
@@ -228,6 +254,17 @@ pub fn text_width(text: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_curve_through_points_of_a_line_is_the_line() {
+        let mut svg = Svg::new();
+        svg.curve(&[(0.0, 0.0), (6.0, 12.0), (12.0, 24.0)], "a");
+        // Handles on the line: a third of the half chord at the ends, of the chord inside.
+        assert_eq!(
+            svg.into_markup(),
+            r#"<path class="a" d="M0 0C1 2 4 8 6 12C8 16 11 22 12 24"/>"#
+        );
+    }
 
     #[test]
     fn path_data_is_short_and_does_not_drift() {

@@ -14,7 +14,7 @@ use crate::table::{Column, Table, spread};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::channel::Side;
-use results::{BaseQuantity, BaseRun, Channel};
+use results::{BaseQuantity, BaseRun, Channel, GroundPlan};
 
 /// Height of the plots in user units.
 const PLOT: f64 = 150.0;
@@ -31,6 +31,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
     section.set("anchors", &run.anchors.as_ref().map(words::anchors));
+    section.set(
+        "joint",
+        &run.joint.as_ref().map(|j| words::joint(j, run.plastic_rotation_limit)),
+    );
     section.set("missed", &words::missed(run));
     section.set("energy", &energy(run));
     section.set("balance", &words::balance(run));
@@ -39,6 +43,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let figures = [
         over_time(source, 0, &sides)?,
         over_time(source, 1, &[Channel::BaseRotation])?,
+        slips(source, run)?,
         Some(turning(run)?),
         Some(around(run)?),
         bolts(run)?,
@@ -55,6 +60,7 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
     let plan = rocking::Plan {
         radius: source.results.tank.tank.shape.half_length(),
         lifted: &run.lifted,
+        ground: run.ground.as_ref().filter(|ground| ground.is_whole()),
     };
     let widest = run.lifted.iter().map(|p| p[1]).fold(0.0, f64::max);
     let (size, markup) = plan.draw();
@@ -63,10 +69,28 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
         Column::numbers("θ", "°"),
         Column::numbers(words::LIFTED, scale.symbol()),
     ]);
-    for i in spread(run.lifted.len(), 25) {
-        table.row(vec![fixed(run.lifted[i][0], 0), scale.text(run.lifted[i][1])]);
+    let ground = plan.ground.map(|ground| (ground, pressed(ground)));
+    let pressure = Scale::of(Dimension::Stress, ground.iter().map(|(_, most)| most.value));
+    if ground.is_some() {
+        let columns = words::PRESSURES.map(|title| Column::numbers(title, pressure.symbol()));
+        table.columns.extend(columns);
     }
-    let sentence = words::plan(plan.share(), uplift.time.unwrap_or_default(), widest);
+    for i in spread(run.lifted.len(), 25) {
+        let [degrees, width] = run.lifted[i];
+        let mut row = vec![fixed(degrees, 0), scale.text(width)];
+        if let Some((ground, _)) = &ground {
+            let along = along(ground, degrees);
+            let last = along.last().copied().unwrap_or_default();
+            let most = along.iter().copied().fold(0.0, f64::max);
+            row.extend([last, most].map(|p| pressure.text(p)));
+        }
+        table.row(row);
+    }
+    let mut sentence = words::plan(plan.share(), uplift.time.unwrap_or_default(), widest);
+    if let Some((ground, most)) = &ground {
+        sentence.push(' ');
+        sentence.push_str(&words::pressed(ground.rest, most, rocking::highest_colour(ground)));
+    }
     (widest > 0.0).then(|| Figure {
         id: "base_plan".into(),
         title: words::FIGURES[4].into(),
@@ -78,6 +102,46 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
         table,
         room: Room::Half,
     })
+}
+
+/// The largest pressure of the ground.
+fn pressed(ground: &GroundPlan) -> words::Pressed {
+    let mut most = words::Pressed::default();
+    for (degrees, row) in ground.degrees.iter().zip(&ground.pressure) {
+        for (radius, value) in ground.radii.iter().zip(row) {
+            if *value > most.value {
+                most = words::Pressed {
+                    value: *value,
+                    degrees: *degrees,
+                    inwards: ground.radii[ground.radii.len() - 1] - radius,
+                };
+            }
+        }
+    }
+    most
+}
+
+/// Pressures of the ground from the axis to the wall at the angle of the plan that is next to this one [°].
+fn along(ground: &GroundPlan, degrees: f64) -> &[f64] {
+    let angle = if degrees > 180.0 { 360.0 - degrees } else { degrees };
+    let off = |i: &usize| (ground.degrees[*i] - angle).abs();
+    let nearest = (0..ground.degrees.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
+    nearest.map_or(&[], |i| &ground.pressure[i])
+}
+
+/// Slip over time; none of a tank that does not slide.
+fn slips(source: &Source, run: &BaseRun) -> Result<Option<Figure>, Error> {
+    if !run.quantity("slip").is_some_and(|slip| slip.value.value > 0.0) {
+        return Ok(None);
+    }
+    let motion = Motion {
+        id: "base_slip",
+        title: words::SLIP[0],
+        axis: words::SLIP[1],
+        channels: &[Channel::Slip],
+        labels: words::SIDES,
+    };
+    motion_of_base::over_time(source, &motion)
 }
 
 /// The tank at eight instants from the zero of the rotation before its largest one to the second zero after it.

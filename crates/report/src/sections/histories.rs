@@ -53,6 +53,7 @@ fn is_base(info: &SeriesInfo) -> bool {
         Some(
             Channel::BaseRotation
                 | Channel::Uplift(_)
+                | Channel::PlasticRotation(_)
                 | Channel::ToeStress
                 | Channel::Slip
                 | Channel::AnchorForce

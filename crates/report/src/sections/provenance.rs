@@ -6,6 +6,7 @@ use super::{Section, Source};
 use crate::number::fixed;
 use crate::words::sections::format;
 use files::error::Error;
+use results::SourceFile;
 
 #[derive(Serialize)]
 struct File {
@@ -25,8 +26,12 @@ struct Volatile {
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
-    let files: Vec<File> = results
-        .files
+    Ok(Some(of(&results.files, &results.format, &results.volatile)))
+}
+
+/// The section of results in a format.
+pub(crate) fn of(files: &[SourceFile], written: &str, v: &results::Volatile) -> Section {
+    let files: Vec<File> = files
         .iter()
         .map(|f| File {
             role: f.role.clone(),
@@ -34,10 +39,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             sha256: f.sha256.clone(),
         })
         .collect();
-    let v = &results.volatile;
     let mut section = Section::new("provenance");
     section.set("files", &files);
-    section.set("format", &format(&results.format));
+    section.set("format", &format(written));
     section.set(
         "volatile",
         &Volatile {
@@ -47,5 +51,5 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             seconds: fixed(v.seconds, 2),
         },
     );
-    Ok(Some(section))
+    section
 }

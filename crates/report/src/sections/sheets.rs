@@ -1,7 +1,8 @@
 //! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
 //! site shows only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the engines and of the
-//! procedures that decide (of all procedures where none does), each with all its lines; every symbol
-//! has its value there, and formulas are not repeated with their numbers.
+//! procedures that decide (of all procedures where none does). Every symbol of these procedures has its value there; formulas are not repeated with
+//! their numbers, values that are given or looked up take one line, and the same lines for several grounds are set as one. Of an engine that does not
+//! decide there are assumptions and remarks; its lines are counted.
 
 use serde::Serialize;
 use tank::assessment::Excitation;
@@ -12,7 +13,7 @@ use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
 use crate::words::verdict::LIQUID_PARTED;
-use crate::words::{outcome, sections};
+use crate::words::{outcome, sections, sheets as words};
 use files::error::Error;
 use results::compare::MEASURED;
 use results::nonlinear::End;
@@ -31,8 +32,14 @@ struct Sheet {
     /// How many lines are left out because the sheet for the record has them, and its id.
     shared: String,
     base: String,
+    /// How many lines are in the full report alone.
+    left: String,
     parts: Vec<Part>,
     assumptions: Vec<String>,
+    /// What it also assumes, as an earlier sheet says: a sentence up to the link to it, the id of that sheet, its title.
+    as_before: String,
+    before: String,
+    before_title: String,
     notes: Vec<String>,
     /// Document that clauses without a name are of; empty where each names its own.
     document: String,
@@ -58,6 +65,10 @@ struct LineView {
     value: String,
     unit: &'static str,
     clause: String,
+    /// Whether the line is set as one: there is no formula.
+    short: bool,
+    /// Whether it stands for several.
+    many: bool,
 }
 
 /// Makes the section.
@@ -72,7 +83,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     };
     let methods: Vec<&Method> = source.results.methods.iter().filter(shown).collect();
     let base = |method: &Method| methods.iter().copied().find(|r| is_base(r, method));
-    let mut sheets: Vec<Sheet> = methods.iter().map(|m| sheet(m, base(m), full)).collect();
+    let lines = |m: &Method| all || verdict.decides(m);
+    let mut sheets: Vec<Sheet> = methods.iter().map(|m| sheet(m, base(m), full, lines(m))).collect();
     let column = EngineId::Nonlinear.beside();
     if let (Some(run), Some(sheet)) = (
         source.results.beside(EngineId::Nonlinear),
@@ -80,6 +92,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     ) {
         sheet.notes.splice(0..0, remarks(run));
     }
+    group(&mut sheets);
     if sheets.is_empty() {
         return Ok(None);
     }
@@ -87,6 +100,33 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("sheets", &sheets);
     section.set("full", &full);
     Ok(Some(section))
+}
+
+/// Leaves out assumptions that the sheet of the same procedure or of another engine above has; three or more of them, else the sentence takes
+/// as much room as they do.
+fn group(sheets: &mut [Sheet]) {
+    for i in 1..sheets.len() {
+        let (above, rest) = sheets.split_at_mut(i);
+        let Some(sheet) = rest.first_mut() else { continue };
+        let common = |other: &Sheet| {
+            sheet
+                .assumptions
+                .iter()
+                .filter(|a| other.assumptions.contains(a))
+                .count()
+        };
+        let Some(best) = above.iter().max_by_key(|other| common(other)) else {
+            continue;
+        };
+        let count = common(best);
+        if count < 3 {
+            continue;
+        }
+        sheet.as_before = words::as_before(count);
+        sheet.before.clone_from(&best.id);
+        sheet.before_title = format!("{} ({})", best.title, best.excitation);
+        sheet.assumptions.retain(|a| !best.assumptions.contains(a));
+    }
 }
 
 /// Remarks on a nonlinear run.
@@ -111,14 +151,15 @@ fn is_base(base: &Method, method: &Method) -> bool {
     base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
 }
 
-/// * `numbers`: whether the formulas stand with their numbers too
-fn sheet(method: &Method, base: Option<&Method>, numbers: bool) -> Sheet {
+/// * `numbers`: whether the formulas stand with their numbers too, and every line alone
+/// * `lines`: whether there are lines at all
+fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> Sheet {
     let known = base.map_or(&[][..], |b| &b.steps);
     let document = document(&method.steps);
     let mut number = 0;
     let mut shared = 0;
     let mut found: Vec<Part> = Vec::new();
-    for step in &method.steps {
+    for step in method.steps.iter().filter(|_| lines) {
         if known.contains(step) {
             shared += 1;
             continue;
@@ -164,7 +205,14 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool) -> Sheet {
                 value,
                 unit,
                 clause: within(&step.clause, document).to_owned(),
+                short: formula.is_empty(),
+                many: false,
             });
+        }
+    }
+    if !numbers {
+        for part in &mut found {
+            part.lines = merged(std::mem::take(&mut part.lines));
         }
     }
     Sheet {
@@ -178,14 +226,75 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool) -> Sheet {
         },
         shared: sections::shared(shared),
         base: base.map_or(String::new(), sheet_id),
+        left: match lines {
+            true => String::new(),
+            false => words::left(method.steps.len()),
+        },
         parts: found,
         assumptions: method.assumptions.clone(),
+        as_before: String::new(),
+        before: String::new(),
+        before_title: String::new(),
         notes: method.notes.clone(),
         document: match document {
             "" => String::new(),
             document => sections::clauses_of(document),
         },
     }
+}
+
+/// Lines of a part, those that repeat set as one: three or more with the same symbol, formula and unit, whose names or sources differ in one word.
+fn merged(lines: Vec<LineView>) -> Vec<LineView> {
+    let alike = |a: &LineView, b: &LineView| {
+        let same = a.symbol == b.symbol && a.formula == b.formula && a.unit == b.unit && a.clause == b.clause;
+        same && varied(&[&a.name, &b.name]).is_some() && varied(&[&a.look_up, &b.look_up]).is_some()
+    };
+    let mut groups: Vec<Vec<LineView>> = Vec::new();
+    for line in lines {
+        match groups.iter_mut().find(|g| g.iter().all(|known| alike(known, &line))) {
+            Some(group) => group.push(line),
+            None => groups.push(vec![line]),
+        }
+    }
+    let mut out = Vec::new();
+    for group in groups {
+        let of = |text: fn(&LineView) -> &str| varied(&group.iter().map(text).collect::<Vec<_>>());
+        match (of(|l| &l.name), of(|l| &l.look_up)) {
+            (Some(name), Some(look_up)) if group.len() > 2 => {
+                let values: Vec<&str> = group.iter().map(|l| l.value.as_str()).collect();
+                let value = values.join("; ");
+                out.extend(group.into_iter().next().map(|first| LineView {
+                    name,
+                    look_up,
+                    value,
+                    many: true,
+                    ..first
+                }));
+            }
+            _ => out.extend(group),
+        }
+    }
+    out.sort_by_key(|line| line.number);
+    out
+}
+
+/// Texts that are the same except for one word, as one text with all these words; `None` if they differ in more.
+fn varied(texts: &[&str]) -> Option<String> {
+    let split: Vec<Vec<&str>> = texts.iter().map(|t| t.split(' ').collect()).collect();
+    let first = split.first()?;
+    if split.iter().any(|words| words.len() != first.len()) {
+        return None;
+    }
+    let differ: Vec<usize> = (0..first.len())
+        .filter(|&i| split.iter().any(|words| words[i] != first[i]))
+        .collect();
+    let mut words: Vec<String> = first.iter().map(|word| (*word).to_owned()).collect();
+    match differ.as_slice() {
+        [] => {}
+        [i] => words[*i] = split.iter().map(|w| w[*i]).collect::<Vec<_>>().join("; "),
+        _ => return None,
+    }
+    Some(words.join(" "))
 }
 
 /// The document that most of the clauses name, `EN 1998-4:2006` of `EN 1998-4:2006 A.3.2.1`; empty if that is less than a third of the lines.
@@ -210,5 +319,63 @@ fn within<'a>(clause: &'a str, document: &str) -> &'a str {
     match clause.strip_prefix(document).and_then(|rest| rest.strip_prefix(' ')) {
         Some(rest) if !document.is_empty() => rest,
         _ => clause,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(number: usize, symbol: &str, name: &str, value: &str) -> LineView {
+        LineView {
+            number,
+            name: name.into(),
+            symbol: symbol.into(),
+            formula: String::new(),
+            substitution: String::new(),
+            look_up: String::new(),
+            value: value.into(),
+            unit: "mm",
+            clause: "A.9".into(),
+            short: true,
+            many: false,
+        }
+    }
+
+    #[test]
+    fn lines_for_several_grounds_are_one_and_no_value_is_lost() {
+        let grounds = ["33", "100", "300"];
+        let mut lines = Vec::new();
+        for (i, ground) in grounds.iter().enumerate() {
+            lines.push(line(
+                2 * i + 1,
+                "w",
+                &format!("uplift on {ground} MN/m³"),
+                &format!("{i}.5"),
+            ));
+            lines.push(line(
+                2 * i + 2,
+                "L",
+                &format!("length on {ground} MN/m³"),
+                &format!("{i}.7"),
+            ));
+        }
+        lines.push(line(7, "w", "another uplift", "9"));
+        let found = merged(lines);
+        let texts: Vec<(&str, &str)> = found.iter().map(|l| (l.name.as_str(), l.value.as_str())).collect();
+        assert_eq!(
+            texts,
+            [
+                ("uplift on 33; 100; 300 MN/m³", "0.5; 1.5; 2.5"),
+                ("length on 33; 100; 300 MN/m³", "0.7; 1.7; 2.7"),
+                ("another uplift", "9"),
+            ]
+        );
+    }
+
+    #[test]
+    fn two_lines_with_one_symbol_stay_two() {
+        let lines = vec![line(1, "S", "first mode", "1"), line(2, "S", "second mode", "2")];
+        assert_eq!(merged(lines).len(), 2);
     }
 }

@@ -1,15 +1,16 @@
 //! First page: verdict, governing check, key figures, the three headline quantities.
 
+use files::code::{Code, Warning as Warned};
 use serde::Serialize;
 use tank::Quantity;
-use tank::Shape;
 use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::figure::Figure;
 use crate::figure::bars::{Bar, bars};
+use crate::frame::{self, Pair};
 use crate::methods::{excitation, figure_order, look};
-use crate::number::{Scale, fixed, given, ratio, utilisation, with_unit};
+use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
@@ -58,12 +59,6 @@ struct Governing {
 }
 
 #[derive(Serialize)]
-struct Fact {
-    label: String,
-    value: String,
-}
-
-#[derive(Serialize)]
 struct Warning {
     name: String,
     found: String,
@@ -88,10 +83,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .iter()
         .flat_map(|row| row.cells.iter().flatten());
     section.set("outside", &cells.any(|cell| cell.outside));
-    section.set("project", &cover(results));
-    section.set("signatures", &signatures(results));
+    section.set("project", &frame::document(results.project.as_ref()));
+    section.set("signatures", &frame::signatures(results.project.as_ref()));
     section.set("standards", &standards(results));
-    section.set_figures("sketch", vec![super::tank::sketch(source)]);
+    section.set_figures("sketch", vec![super::tank::sketch(&source.results.tank)]);
     section.set_figures("site_figures", headline_figures(results, true));
     section.set_figures("figures", headline_figures(results, false));
     Ok(Some(section))
@@ -175,36 +170,10 @@ pub(super) fn bar_width(utilisation: f64) -> f64 {
     }
 }
 
-fn facts(source: &Source) -> Vec<Fact> {
+fn facts(source: &Source) -> Vec<Pair> {
     let summary = &source.results.tank;
-    let depth = summary.liquid.fill_height;
-    let mut facts = Vec::new();
-    let mut add = |label: &str, value: String| {
-        facts.push(Fact {
-            label: label.into(),
-            value,
-        });
-    };
-    match summary.tank.shape {
-        Shape::Cylinder { radius } => {
-            add("Radius R", given(radius, Dimension::Length));
-            add("Liquid depth H", given(depth, Dimension::Length));
-            add("H / R", ratio(depth / radius));
-        }
-        Shape::Rectangle { length, breadth, strip } => {
-            add("Length 2L", given(length, Dimension::Length));
-            if !strip {
-                add("Breadth", given(breadth, Dimension::Length));
-            }
-            add("Liquid depth H", given(depth, Dimension::Length));
-            add("H / L", ratio(2.0 * depth / length));
-        }
-    }
-    let strip = matches!(summary.tank.shape, Shape::Rectangle { strip: true, .. });
-    add(
-        words::summary::liquid_mass(strip),
-        with_unit(summary.liquid_mass, Dimension::Mass),
-    );
+    let mut facts = frame::tank(summary);
+    let mut add = |label: &str, value: String| facts.push(Pair::new(label, value));
     if let Some(record) = source.results.records.first() {
         add(
             words::summary::PEAK_GROUND_ACCELERATION,
@@ -238,45 +207,12 @@ fn warnings(results: &Results) -> Vec<Warning> {
 }
 
 /// Warnings about the input and about values that are not to be used.
-fn unusual(results: &Results) -> Vec<String> {
+fn unusual(results: &Results) -> Vec<Warned> {
     let unusable = unusable(results);
-    let unusable = unusable.iter().map(words::verdict::unusable);
+    let unusable = unusable
+        .iter()
+        .map(|found| Warned::new(Code::Unusable, words::verdict::unusable(found)));
     results.warnings.iter().cloned().chain(unusable).collect()
-}
-
-/// The document: what, for whom, which number; only what is given.
-fn cover(results: &Results) -> Vec<Fact> {
-    let project = results.project.clone().unwrap_or_default();
-    let given = [
-        project.name,
-        project.client,
-        project.document,
-        project.revision,
-        project.date,
-    ];
-    let labels = words::summary::COVER.into_iter().zip(given);
-    labels
-        .filter_map(|(label, value)| {
-            Some(Fact {
-                label: label.into(),
-                value: value?,
-            })
-        })
-        .collect()
-}
-
-/// Who signs: role and name, which may be blank. None without a block `project`.
-fn signatures(results: &Results) -> Vec<Fact> {
-    let Some(project) = &results.project else {
-        return Vec::new();
-    };
-    let names = [&project.author, &project.checker, &project.approver];
-    (words::summary::SIGNATURES.into_iter().zip(names))
-        .map(|(label, name)| Fact {
-            label: label.into(),
-            value: name.clone().unwrap_or_default(),
-        })
-        .collect()
 }
 
 /// Titles of the deciding procedures, with their editions.

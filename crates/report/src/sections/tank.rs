@@ -6,12 +6,14 @@ use tank::{BarDirection, LayerKind, Shape, Support};
 
 use super::{Section, Source};
 use crate::figure::{Figure, Room, sketch};
+use crate::level::Level;
 use crate::number::{Scale, plain, significant};
 use crate::table::{Column, Table};
 use crate::words::labels::tank as words;
 use crate::words::sections::deformability;
 use crate::words::{capital, figures};
 use files::error::Error;
+use results::TankSummary;
 
 #[derive(Serialize)]
 struct Deformability {
@@ -20,8 +22,7 @@ struct Deformability {
 }
 
 /// The sketch to scale, for the cover.
-pub(super) fn sketch(source: &Source) -> Figure {
-    let summary = &source.results.tank;
+pub(crate) fn sketch(summary: &TankSummary) -> Figure {
     let (size, markup, exaggeration) = sketch::draw(summary);
     let (plan, support) = (plan(summary.tank.shape), support(summary.tank.support));
     Figure {
@@ -32,7 +33,7 @@ pub(super) fn sketch(source: &Source) -> Figure {
         description: figures::sketch_description(plan, support, &summary.tank, &summary.liquid),
         size,
         markup,
-        table: courses(source),
+        table: courses(summary),
         room: Room::Wide,
     }
 }
@@ -54,7 +55,13 @@ fn support(support: Support) -> &'static str {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let summary = &source.results.tank;
+    Ok(Some(of(&source.results.tank, source.level == Level::Full)))
+}
+
+/// The section of a tank.
+///
+/// * `full`: whether there are parameters on which nothing rests
+pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     let tank = &summary.tank;
     let mut section = Section::new("tank");
     let (plan, support) = (plan(tank.shape), support(tank.support));
@@ -95,22 +102,23 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("plan", &capital(plan));
     section.set("support", support);
     section.set("facts", &facts);
-    section.set("courses", &courses(source));
-    section.set("layers", &layers(source));
+    section.set("courses", &courses(summary));
+    section.set("layers", &layers(summary));
     let parameter: Vec<Deformability> = summary
         .deformability
         .iter()
+        .filter(|_| full)
         .map(|d| Deformability {
             parameter: deformability(&significant(d.as_printed, 4), &significant(d.corrected, 4)),
             note: d.note.clone(),
         })
         .collect();
     section.set("deformability", &parameter);
-    Ok(Some(section))
+    section
 }
 
-fn courses(source: &Source) -> Table {
-    let courses = &source.results.tank.tank.courses;
+fn courses(summary: &TankSummary) -> Table {
+    let courses = &summary.tank.courses;
     let height = Scale::of(Dimension::Length, courses.iter().map(|c| c.height));
     let thickness = Scale::of(Dimension::Length, courses.iter().map(|c| c.thickness));
     let modulus = Scale::of(Dimension::Stress, courses.iter().map(|c| c.material.youngs_modulus));
@@ -144,8 +152,8 @@ fn courses(source: &Source) -> Table {
 }
 
 /// Layers and bars of layered courses: no table, or one or two.
-fn layers(source: &Source) -> Vec<Table> {
-    let courses = &source.results.tank.tank.courses;
+fn layers(summary: &TankSummary) -> Vec<Table> {
+    let courses = &summary.tank.courses;
     let all = || {
         let courses = courses.iter().enumerate();
         courses.flat_map(|(i, c)| c.layers.iter().enumerate().map(move |(j, l)| (i + 1, j + 1, l)))

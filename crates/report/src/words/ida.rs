@@ -1,5 +1,7 @@
 //! The page of an incremental dynamic analysis and its summary on the terminal.
 
+pub mod cover;
+
 use super::outcome::{passed, place};
 use super::verdict::LIQUID_PARTED;
 use crate::number::{fixed, significant, with_unit};
@@ -82,6 +84,13 @@ pub fn caption(ida: &Ida) -> String {
     }
     if ida.runs.iter().any(|r| r.exceeded().next().is_some()) {
         sentences.push("Runs marked as limit exceed a limit of validity; the table of runs names it.");
+    }
+    if ida
+        .runs
+        .windows(3)
+        .any(|w| w.iter().all(|r| !mark(r).is_empty() && mark(r) == mark(&w[0])))
+    {
+        sentences.push("Of neighbouring runs with the same mark the first and the last are labelled.");
     }
     sentences.join(" ")
 }

@@ -2,8 +2,19 @@
 
 use tank::units::Dimension;
 
+use super::capital;
 use crate::number::{fixed, significant, with_unit};
-use results::{PushJoint, PushShell};
+use results::{Push, PushJoint, PushShell};
+
+/// In the running head.
+pub const RUNNING: &str = "pushover";
+/// Parts of the page: id and title.
+pub const PARTS: [(&str, &str); 4] = [
+    ("model", "Model and assumptions"),
+    ("capacity", "Capacity"),
+    ("base", "Base"),
+    ("pictures", "Path, buckle and yielding"),
+];
 
 /// Heads of the table of capacities.
 pub mod heads {
@@ -13,6 +24,8 @@ pub mod heads {
     pub const COMPRESSION: &str = "Axial compression at that height";
     /// Moment of the strips.
     pub const STRIPS: &str = "Moment of the strips";
+    /// The same of the strips.
+    pub const OF_STRIPS: &str = "of the strips";
     /// Stress of beam theory.
     pub const BEAM: &str = "of beam theory at the base";
 }
@@ -89,4 +102,68 @@ pub fn end(shell: &PushShell) -> String {
         )
     });
     format!("{}: {}.{bound}{imperfection}", shell_name(shell), shell.end)
+}
+
+/// The weakest shell.
+fn weakest(push: &Push) -> Option<&PushShell> {
+    let most = |shell: &&PushShell| shell.capacity.state.acceleration;
+    push.shells.iter().min_by(|a, b| most(a).total_cmp(&most(b)))
+}
+
+/// `perfect shell, ≥ 0.312 g`.
+pub fn capacity(push: &Push, shell: &PushShell) -> String {
+    format!("{}, {}", shell_name(shell), strength(push, shell))
+}
+
+/// `≥ 0.312 g`: its strongest state, or a lower bound of it.
+fn strength(push: &Push, shell: &PushShell) -> String {
+    let bound = if shell.capacity.limit { "" } else { "≥ " };
+    format!(
+        "{bound}{} g",
+        significant(shell.capacity.state.acceleration / push.gravity, 3)
+    )
+}
+
+/// The least capacity.
+pub fn headline(push: &Push) -> String {
+    if push.incomplete {
+        return format!("Incomplete: {}", push.interruption);
+    }
+    match weakest(push) {
+        Some(shell) => format!("Capacity {}: {}", strength(push, shell), shell_name(shell)),
+        None => "No shell was loaded".into(),
+    }
+}
+
+/// The other shells, the joint, and what the page is not.
+pub fn lines(push: &Push) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let least = weakest(push).filter(|_| !push.incomplete);
+    for shell in push.shells.iter().filter(|shell| least != Some(shell)) {
+        lines.push(format!("{}.", capital(&capacity(push, shell))));
+    }
+    lines.extend(
+        push.joint
+            .as_ref()
+            .map(|j| format!("{}.", capital(&joint(j, push.gravity)))),
+    );
+    lines.push(
+        "Horizontal acceleration of ground and impulsive liquid. A pushover finds the strength of the wall; `tankcheck compare` checks \
+         the limit states of the codes."
+            .into(),
+    );
+    lines
+}
+
+/// Key figures at the least capacity.
+pub fn facts(push: &Push) -> Vec<(&'static str, String)> {
+    let Some(shell) = weakest(push) else {
+        return Vec::new();
+    };
+    let state = &shell.capacity.state;
+    vec![
+        ("Base shear", with_unit(state.base_shear, Dimension::Force)),
+        ("Overturning moment", with_unit(state.base_moment, Dimension::Moment)),
+        ("Buckle at", with_unit(shell.capacity.height, Dimension::Length)),
+    ]
 }

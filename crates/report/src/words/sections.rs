@@ -337,6 +337,7 @@ const ALL: &[Words] = &[
         title: "Calculation sheets",
         sentences: &[
             ("record", "the sheet for the record"),
+            ("from", "from"),
             (
                 "others",
                 "With their numbers in every formula, and those of the procedures that do not decide: `tankcheck report FOLDER --report full`.",
@@ -407,6 +408,12 @@ const ALL: &[Words] = &[
                  R; the moment of the wall on the base from the reactions of the ground; uplift, lifted width and plastic rotation of the \
                  joint on the lifted side. Moment of the strips: that of the fast engines, with a foot that stays plane, at the same \
                  rotation and bottom pressure.",
+            ),
+            (
+                "strips",
+                "Shells beside strips. Toe stress: axial membrane compression of the lowest row of elements at the toe. The plastic rotation of \
+                 the joint is that of the plate and that of the wall together; the strips have an elastic wall, so theirs is in the plate \
+                 alone.",
             ),
         ],
     },

@@ -1,21 +1,18 @@
 //! The page of a study.
 
 pub mod basis;
+pub mod captions;
 pub mod curves;
 pub mod heads;
 
 use crate::number::{count, fixed, utilisation, with_unit};
+use files::code::{Code, Warning};
 use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
 
 /// Below the title.
 pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
 /// In the running head.
 pub const RUNNING: &str = "seismic study";
-/// Over the list of sections.
-pub const CONTENTS: &str = "Contents";
-/// Heads of the table of signatures.
-pub const SIGNATURE_HEADS: [&str; 3] = ["Name", "Date", "Signature"];
-
 /// Sections: id and title.
 pub const TANKS: (&str, &str) = ("tanks", "Tanks and governing checks");
 /// See [`TANKS`].
@@ -199,23 +196,26 @@ pub fn governing(study: &Study) -> Vec<String> {
 }
 
 /// What a reader has to know before the numbers.
-pub fn warnings(study: &Study) -> Vec<String> {
+pub fn warnings(study: &Study) -> Vec<Warning> {
     let mut all = Vec::new();
     if study.missing_tasks > 0 {
-        all.push(format!(
+        all.push(Warning::new(Code::StudyRemark, format!(
             "Incomplete: {} tasks have no result. Counts and curves are those of the others, with bounds for what is missing.",
             of(study.missing_tasks, study.tasks)
-        ));
+        )));
     }
     if let Some(rule) = study.rule.as_ref().filter(|rule| !rule.holds) {
-        all.push(format!("The records do not keep {} as they are.", rule.clause));
+        all.push(Warning::new(
+            Code::StudyRemark,
+            format!("The records do not keep {} as they are.", rule.clause),
+        ));
     }
     let unjudged: usize = study.curves.iter().map(|c| c.unjudged).sum();
     if unjudged > 0 {
-        all.push(format!(
+        all.push(Warning::new(Code::StudyRemark, format!(
             "{} times a row could not be judged for a damage state; such rows bound the shares and are never counted as safe.",
             count(unjudged)
-        ));
+        )));
     }
     all
 }

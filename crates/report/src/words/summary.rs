@@ -41,3 +41,7 @@ pub fn exceeded(limit: &Limit) -> String {
 pub const COVER: [&str; 5] = ["Project", "Client", "Document", "Revision", "Date"];
 /// Who signs.
 pub const SIGNATURES: [&str; 3] = ["Author", "Checked", "Approved"];
+/// Heads of the table of signatures.
+pub const SIGNATURE_HEADS: [&str; 3] = ["Name", "Date", "Signature"];
+/// In the running head of a verification.
+pub const RUNNING: &str = "seismic verification";

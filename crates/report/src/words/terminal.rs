@@ -171,7 +171,7 @@ pub fn utilisation(check: &Check) -> String {
 
 /// A limit of the theory that is exceeded.
 pub fn exceeded(limit: &Limit) -> String {
-    format!("warning: {}: {}", limit.name, limit.note)
+    format!("{}: {}", limit.name, limit.note)
 }
 
 /// A run of `ida` without equilibrium; none of one that has it.

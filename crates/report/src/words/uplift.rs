@@ -4,7 +4,7 @@ use tank::FoundationKind;
 use tank::units::{Dimension, display};
 
 use crate::number::{fixed, percent, share, with_unit};
-use results::{BaseRun, BaseSpread, GroundOrigin, MissedBand};
+use results::{BaseRun, BaseSpread, GroundOrigin, JointCycles, MissedBand};
 
 /// Title of a quantity.
 pub fn quantity(id: &str) -> &str {
@@ -15,6 +15,7 @@ pub fn quantity(id: &str) -> &str {
         "toe_axial_stress" => "Largest axial stress at the toe, compression",
         "slip" => "Largest slip",
         "slip_residual" => "Slip at the end",
+        "slip_path" => "Path of the slip, back and forth",
         "anchor_force" => "Largest force of an anchor",
         "base_shear" => "Base shear",
         "base_moment" => "Moment above the base plate",
@@ -82,6 +83,22 @@ pub const BOLTS: [&str; 2] = ["largest of the run", "yields"];
 /// Axes.
 pub const AXES: [&str; 5] = ["Uplift", "Rotation", "Moment", "Time", "Force"];
 
+/// Title of the slip over time, and its axis.
+pub const SLIP: [&str; 2] = ["Slip of the tank over time", "Slip"];
+/// Heads of the pressures of the ground by angle.
+pub const PRESSURES: [&str; 2] = ["Contact pressure at the wall", "Largest along this direction"];
+
+/// A pressure of the ground and its place.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pressed {
+    /// Pressure [Pa].
+    pub value: f64,
+    /// Angle [°].
+    pub degrees: f64,
+    /// Distance inwards from the wall [m].
+    pub inwards: f64,
+}
+
 /// In the middle of the plan of the bottom.
 pub const ON_THE_GROUND: &str = "on the ground";
 /// Of a position without uplift.
@@ -109,6 +126,52 @@ pub fn plan(share: f64, time: f64, widest: f64) -> String {
         percent(share),
         display(widest, Dimension::Length)
     )
+}
+
+/// What the colours of the plan show.
+pub fn pressed(rest: f64, most: &Pressed, colour: f64) -> String {
+    let stress = |value: f64| display(value, Dimension::Stress);
+    let place = match most.inwards > 0.0 {
+        true => format!(", {} inside the wall", display(most.inwards, Dimension::Length)),
+        false => " under the wall".to_owned(),
+    };
+    let above = match most.value > colour * (1.0 + 1e-9) {
+        true => format!(" The brightest colour is {} and more.", stress(colour)),
+        false => String::new(),
+    };
+    format!(
+        "Colours: contact pressure of the ground, without colour off it; {} under the whole liquid at rest; the largest is {} at θ = {}°{place}.{above}",
+        stress(rest),
+        stress(most.value),
+        fixed(most.degrees, 0)
+    )
+}
+
+/// Cycles of the joint against its limit [rad].
+pub fn joint(joint: &JointCycles, limit: f64) -> String {
+    if joint.range <= 0.0 {
+        return "The joint between wall and bottom plate does not yield when it lifts.".into();
+    }
+    let counts: Vec<String> = joint
+        .counts
+        .iter()
+        .map(|[share, number]| format!("{} of at least {} rad", plain_count(*number), fixed(share * limit, 2)))
+        .collect();
+    format!(
+        "Cycles of the joint's plastic rotation (rainflow, at θ = {}°): largest range {}, limit {} rad; cycles: {}. The rotation is that of the first uplift          to each height; a joint that is set down again turns back at most to zero, so the ranges are upper bounds.",
+        fixed(joint.degrees, 0),
+        rotation(joint.range),
+        fixed(limit, 2),
+        counts.join(", ")
+    )
+}
+
+/// A number of cycles; half cycles count as halves.
+fn plain_count(number: f64) -> String {
+    match number.fract() == 0.0 {
+        true => fixed(number, 0),
+        false => fixed(number, 1),
+    }
 }
 
 /// What the positions show.

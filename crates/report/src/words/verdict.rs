@@ -38,8 +38,9 @@ pub fn headline(verdict: &Verdict) -> String {
             ),
         },
         VerdictStatus::Fails => format!(
-            "Fails: {} of {compared} checks {}{open}",
+            "Fails: {} of {compared} {} {}{open}",
             counts.fails,
+            plural(compared, "check", "checks"),
             plural(counts.fails, "fails", "fail")
         ),
         VerdictStatus::Incomplete if counts.not_checked == 0 => {
@@ -81,8 +82,12 @@ pub fn record(aside: &Aside) -> String {
     let counts = &aside.counts;
     let of = counts.compared();
     let state = match counts.fails {
-        0 => format!("{of} {} hold", plural(of, "check", "checks")),
-        fails => format!("{fails} of {of} checks {}", plural(fails, "fails", "fail")),
+        0 => format!("{of} {}", plural(of, "check holds", "checks hold")),
+        fails => format!(
+            "{fails} of {of} {} {}",
+            plural(of, "check", "checks"),
+            plural(fails, "fails", "fail")
+        ),
     };
     format!("Under this record, unreduced and not deciding: {state}")
 }

@@ -38,6 +38,9 @@ pub struct NonlinearOptions {
     pub follower_pressure: bool,
     /// Points through the thickness of each layer.
     pub integration: Integration,
+    /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub bottom_mesh: f64,
     /// Free vibration after the record.
     #[serde(default)]
     pub after_record: AfterRecord,
@@ -68,11 +71,20 @@ impl NonlinearOptions {
             self_weight: true,
             follower_pressure: true,
             integration: Integration::DEFAULT,
+            bottom_mesh: 1.0,
             after_record: AfterRecord::DEFAULT,
             checkpoint: 60.0,
             imperfections: Imperfections::NONE,
         }
     }
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
 }
 
 /// Numbers of elements of the wall.

@@ -1,6 +1,7 @@
 //! `accepted`: gaps of the deciding codes that the user accepts.
 
 use ::tank::check;
+use files::code::Code;
 
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -24,14 +25,19 @@ pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>)
         };
         if all.iter().any(|a| a.check == check) {
             r.faults.push(range_fault(
+                Code::Repeated,
                 &given.check,
                 "duplicate limit state",
                 "each limit state once",
             ));
         }
         if reason.trim().is_empty() {
-            r.faults
-                .push(range_fault(&given.reason, "the reason is empty", "a sentence"));
+            r.faults.push(range_fault(
+                Code::Incomplete,
+                &given.reason,
+                "the reason is empty",
+                "a sentence",
+            ));
         }
         all.push(check::Accepted { check, reason });
     }

@@ -1,5 +1,6 @@
 //! `after_record`: how long a history goes on after its record.
 
+use files::code::Code;
 use tank::options::AfterRecord;
 use tank::units::{self, Dimension};
 
@@ -45,7 +46,7 @@ impl FromNode for AfterRecord {
             true => "neither a time nor a number of sloshing periods",
             false => "out of range",
         };
-        faults.push(wrong_value(node, message, &Self::allowed()));
+        faults.push(wrong_value(Code::OutOfRange, node, message, &Self::allowed()));
         None
     }
     fn allowed() -> String {

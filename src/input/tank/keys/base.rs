@@ -1,5 +1,6 @@
 //! `tank.bottom` and `tank.foundation`.
 
+use files::code::{Code, Warning};
 use tank::FoundationKind;
 
 use super::corrosion::loss;
@@ -25,8 +26,12 @@ pub(super) fn bottom(
     let width = match (&given.annular_width.given, &given.width.given) {
         (Some(_), Some(field)) => {
             let message = "the width of the annular plate is given twice";
-            r.faults
-                .push(range_fault(field, message, "either annular_width or width"));
+            r.faults.push(range_fault(
+                Code::Exclusive,
+                field,
+                message,
+                "either annular_width or width",
+            ));
             None
         }
         (Some(field), None) => Some(r.number(field)),
@@ -35,14 +40,18 @@ pub(super) fn bottom(
     if let (Some(field), None) = (&given.annular_thickness.given, width) {
         let message = "an annular plate without its width";
         let allowed = "annular_thickness together with annular_width";
-        r.faults.push(range_fault(field, message, allowed));
+        r.faults.push(range_fault(Code::Incomplete, field, message, allowed));
     }
     if let (Some(field), Some(plate)) = (&given.annular_thickness.given, annular)
         && plate < inner
     {
         let message = "the annular plate is thinner than the plates within it";
-        r.faults
-            .push(range_fault(field, message, "at least tank.bottom.thickness"));
+        r.faults.push(range_fault(
+            Code::Contradiction,
+            field,
+            message,
+            "at least tank.bottom.thickness",
+        ));
     }
     let projection = r.or_default(&given.projection);
     // The foundation gives the ground, or the kind that it is assumed for.
@@ -73,7 +82,8 @@ pub(super) fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &
             "at most {}, the radius",
             tank::units::display(radius, tank::units::Dimension::Length)
         );
-        r.faults.push(range_fault(field, message, &allowed));
+        r.faults
+            .push(range_fault(Code::Contradiction, field, message, &allowed));
     }
 }
 
@@ -84,22 +94,30 @@ pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Ancho
         let needless = [given.gap.given.as_ref(), given.rupture_elongation.given.as_ref()];
         for field in needless.into_iter().flatten() {
             let message = "anchors without a stiffness do not stretch: this has no effect";
-            r.faults
-                .push(range_fault(field, message, "together with tank.anchors.stiffness"));
+            r.faults.push(range_fault(
+                Code::Incomplete,
+                field,
+                message,
+                "together with tank.anchors.stiffness",
+            ));
         }
         return;
     };
     if strength.is_none() {
         let message = "anchors with a stiffness and without a strength";
         let allowed = "tank.anchors.capacity or tank.anchors.yield_force beside it";
-        r.faults.push(range_fault(field, message, allowed));
+        r.faults.push(range_fault(Code::Incomplete, field, message, allowed));
     }
     if let (Some(field), Some(yields), Some(capacity)) = (&given.yield_force.given, found.yield_force, found.capacity)
         && yields < capacity
     {
         let message = "an anchor yields below its design capacity";
-        r.faults
-            .push(range_fault(field, message, "at least tank.anchors.capacity"));
+        r.faults.push(range_fault(
+            Code::Contradiction,
+            field,
+            message,
+            "at least tank.anchors.capacity",
+        ));
     }
     if let (Some(field), Some(rupture), Some(stiffness), Some(strength)) = (
         &given.rupture_elongation.given,
@@ -113,20 +131,21 @@ pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Ancho
             "at least {}, its yield force over its stiffness",
             tank::units::display(strength / stiffness, tank::units::Dimension::Length)
         );
-        r.faults.push(range_fault(field, message, &allowed));
+        r.faults
+            .push(range_fault(Code::Contradiction, field, message, &allowed));
     }
 }
 
 /// A plate that is thicker than the lowest course: the joint then yields in the wall, which the strips do not follow.
 pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
     if plate.thickness > course {
-        r.warnings.push(format!(
+        r.warnings.push(Warning::new(Code::BaseModel, format!(
             "{}: the plate under the wall ({} mm) is thicker than the lowest course ({} mm): in an uplift the wall yields before the \
              plate, which the model of the base leaves elastic",
             field.path,
             1e3 * plate.thickness,
             1e3 * course
-        ));
+        )));
     }
 }
 
@@ -144,7 +163,7 @@ pub(super) fn foundation(
     if let (Some(_), Some(field)) = (stiffness, bottom.and_then(|b| b.subgrade_modulus.given.as_ref())) {
         let message = "the ground under the rim is given twice";
         let allowed = "either tank.foundation.stiffness or tank.bottom.subgrade_modulus";
-        r.faults.push(range_fault(field, message, allowed));
+        r.faults.push(range_fault(Code::Exclusive, field, message, allowed));
     }
     let shear_wave_velocity = r.optional(&given.shear_wave_velocity);
     let soil_density = r.or_default(&given.soil_density);
@@ -157,7 +176,7 @@ pub(super) fn foundation(
     {
         let message = "thickness does not apply to a tank on soil";
         let allowed = "\"kind\": \"slab\" or \"ring_wall\"";
-        r.faults.push(range_fault(field, message, allowed));
+        r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
     }
     // The mass of a slab moves with it on the soil.
     let reason = match (kind, shear_wave_velocity) {
@@ -169,7 +188,10 @@ pub(super) fn foundation(
         (FoundationKind::RingWall, _) => Some("no engine or procedure needs the thickness of a ring wall"),
     };
     if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {
-        r.warnings.push(format!("{}: not used: {reason}", field.path));
+        r.warnings.push(Warning::new(
+            Code::NotUsed,
+            format!("{}: not used: {reason}", field.path),
+        ));
     }
     Some(tank::Foundation {
         kind,

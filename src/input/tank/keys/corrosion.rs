@@ -3,6 +3,7 @@
 use crate::input::tank::read::Opt;
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::values::Length;
+use files::code::Code;
 
 /// Thickness that corrosion takes [m], from the allowance or from a measurement; 0 without either.
 ///
@@ -17,7 +18,8 @@ pub(super) fn loss(r: &mut Resolver<'_>, thickness: f64, allowance: &Opt<Length>
             }
             let allowed = format!("less than {}, the thickness", like_field(field, thickness));
             let message = "the corrosion allowance takes the whole plate";
-            r.faults.push(range_fault(field, message, &allowed));
+            r.faults
+                .push(range_fault(Code::Contradiction, field, message, &allowed));
             0.0
         }
         (None, Some(field)) => {
@@ -27,11 +29,13 @@ pub(super) fn loss(r: &mut Resolver<'_>, thickness: f64, allowance: &Opt<Length>
             }
             let allowed = format!("at most {}, the thickness", like_field(field, thickness));
             let message = "the measured plate is thicker than the plate as built";
-            r.faults.push(range_fault(field, message, &allowed));
+            r.faults
+                .push(range_fault(Code::Contradiction, field, message, &allowed));
             0.0
         }
         (Some(_), Some(field)) => {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 field,
                 "corrosion is given twice",
                 "either corrosion_allowance or measured_thickness",

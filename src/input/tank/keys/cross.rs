@@ -1,5 +1,6 @@
 //! Checks between values of different sections, and unused materials.
 
+use files::code::Code;
 use std::collections::BTreeSet;
 
 use tank::case::Components;
@@ -31,6 +32,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             let field = &given.fill_height;
             r.faults.push(
                 range_fault(
+                    Code::LiquidAboveWall,
                     field,
                     "the liquid is higher than the wall",
                     &format!(
@@ -49,7 +51,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
     if let (Shape::Rectangle { .. }, Some(field)) = (tank.shape, components)
         && field.value == Some(Components::HundredThirty)
     {
-        let fault = range_fault(field, "two components are for cylinders", "\"one\"");
+        let fault = range_fault(Code::DoesNotApply, field, "two components are for cylinders", "\"one\"");
         r.faults
             .push(fault.help("assess the other direction with length and breadth exchanged"));
     }
@@ -68,7 +70,8 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         };
         if height < least * (1.0 - ROUNDING) {
             let allowed = format!("at least {}, {what}", like_field(field, least));
-            r.faults.push(range_fault(field, message, &allowed));
+            r.faults
+                .push(range_fault(Code::Contradiction, field, message, &allowed));
         }
     }
     if let (Some(roof), Some(liquid)) = (t.roof.value(), liquid)
@@ -76,6 +79,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         && tank.roof.afloat >= liquid.mass(tank.shape)
     {
         r.faults.push(range_fault(
+            Code::Contradiction,
             &roof.mass,
             "the floating roof is heavier than the liquid",
             "less than the mass of the liquid, which contains the roof's",
@@ -110,7 +114,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         } else {
             continue;
         };
-        let mut fault = range_fault(field, message, &allowed);
+        let mut fault = range_fault(Code::OutOfRange, field, message, &allowed);
         if let Some(meant) = meant_thickness(&field.text, half) {
             fault = fault.help(format!("did you mean \"{meant}\"?"));
         }

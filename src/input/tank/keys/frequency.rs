@@ -1,5 +1,6 @@
 //! `analysis.frequency`: transfer functions of the linear engines.
 
+use files::code::Code;
 use tank::options::frequency::{FrequencyDamping, FrequencyOptions};
 
 use crate::input::tank::key::{Absent, Limits, default};
@@ -45,7 +46,12 @@ pub(super) fn frequency(r: &mut Resolver<'_>, given: &Opt<Frequency>) -> Option<
     let (from, to) = (end(&given.from), end(&given.to));
     let above = |field: &&Field<Pitch>| from.zip(to).is_some_and(|(from, to)| from >= to) && field.value.is_some();
     if let Some(field) = given.to.given.as_ref().filter(above) {
-        let fault = range_fault(field, "the range of frequencies is empty", "a frequency above `from`");
+        let fault = range_fault(
+            Code::Contradiction,
+            field,
+            "the range of frequencies is empty",
+            "a frequency above `from`",
+        );
         r.faults.push(fault);
     }
     Some(FrequencyOptions {

@@ -1,5 +1,6 @@
 //! `analysis.imperfections`: deviations of a cylinder's wall from the perfect shape, as waves or as a table.
 
+use files::code::Code;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
@@ -72,7 +73,7 @@ impl FromNode for Over {
                         .map(Profile::Sine),
                 };
                 if profile.is_none() {
-                    faults.push(wrong_value(node, "not a shape over the height", WORDS));
+                    faults.push(wrong_value(Code::BadForm, node, "not a shape over the height", WORDS));
                 }
                 profile.map(Over)
             }
@@ -126,7 +127,7 @@ fn points(node: &Node, pairs: &[Node], faults: &mut Faults) -> Option<Vec<[f64; 
     if ascending && (2..=MOST_POINTS).contains(&points.len()) {
         return Some(points);
     }
-    faults.push(wrong_value(node, "not a shape over the height", WORDS));
+    faults.push(wrong_value(Code::BadForm, node, "not a shape over the height", WORDS));
     None
 }
 
@@ -158,6 +159,7 @@ pub(super) fn imperfections(
     if let Some(tank) = tank {
         let Shape::Cylinder { radius } = tank.shape else {
             let fault = range_fault(
+                Code::DoesNotApply,
                 field,
                 "a rectangle has no waves around it",
                 "a tank of shape \"cylinder\"",
@@ -169,6 +171,7 @@ pub(super) fn imperfections(
         if largest > LARGEST * radius {
             let limit = like_field(field, LARGEST * radius);
             let fault = range_fault(
+                Code::OutOfRange,
                 field,
                 "the wall deviates by more than a twentieth of its radius",
                 &format!("at most {limit} in all"),
@@ -200,7 +203,12 @@ fn one(
     ];
     match (&given.table.given, wave.into_iter().flatten().next()) {
         (Some(_), Some(place)) => {
-            let fault = range_fault(&place, "a table and a wave exclude each other", "one of them");
+            let fault = range_fault(
+                Code::Exclusive,
+                &place,
+                "a table and a wave exclude each other",
+                "one of them",
+            );
             r.faults.push(fault);
             None
         }
@@ -213,12 +221,22 @@ fn one(
                 (None, None) => "neither n and amplitude nor table",
             };
             if !missing.is_empty() {
-                let fault = range_fault(field, "an incomplete imperfection", "n and amplitude, or table");
+                let fault = range_fault(
+                    Code::Incomplete,
+                    field,
+                    "an incomplete imperfection",
+                    "n and amplitude, or table",
+                );
                 r.faults.push(fault.found(missing));
                 return None;
             }
             if let Some(place) = given.factor.place() {
-                let fault = range_fault(&place, "this belongs to `table`", "amplitude alone for a wave");
+                let fault = range_fault(
+                    Code::DoesNotApply,
+                    &place,
+                    "this belongs to `table`",
+                    "amplitude alone for a wave",
+                );
                 r.faults.push(fault);
             }
             let profile = match &given.shape.given {
@@ -262,6 +280,7 @@ fn table(r: &mut Resolver<'_>, file: &Field<String>, factor: f64, folder: &Path)
         }
         Err(message) => {
             let fault = range_fault(
+                Code::TableShape,
                 file,
                 &message,
                 "a CSV file with theta_deg,z_m,w_mm (or theta_rad, z_mm, w_m), a row for every angle at every height, angles from \

@@ -1,5 +1,6 @@
 //! Instants of `analysis.snapshots`: a time, or the peak of a history by name.
 
+use files::code::Code;
 use tank::options::linear::{Instant, Peak};
 use tank::units::Dimension;
 
@@ -52,7 +53,7 @@ pub(super) fn instants(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Moment>>>) -
     };
     let (_, most) = field.limits.items;
     if list.len() > most {
-        let fault = range_fault(field, "too many times", &format!("at most {most}"));
+        let fault = range_fault(Code::ItemCount, field, "too many times", &format!("at most {most}"));
         r.faults.push(fault.found(format!("{} times", list.len())));
     }
     let mut found = Vec::new();
@@ -63,7 +64,8 @@ pub(super) fn instants(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Moment>>>) -
             && !field.limits.hold(time)
         {
             let allowed = field.limits.describe(Dimension::Time);
-            r.faults.push(range_fault(one, field.limits.message(time), &allowed));
+            r.faults
+                .push(range_fault(Code::OutOfRange, one, field.limits.message(time), &allowed));
         }
         found.push(instant);
     }

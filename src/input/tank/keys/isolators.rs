@@ -1,5 +1,6 @@
 //! `tank.isolators`.
 
+use files::code::{Code, Warning};
 use tank::{Bearing, FoundationKind, Shape, Support};
 
 use super::tank::{Isolation, Isolators, Tank};
@@ -51,7 +52,7 @@ pub(super) fn isolators(
     if tank.foundation.value().is_none_or(|f| f.kind.value.is_some()) && slab.is_none() {
         let message = "isolators without a slab: the bottom of the tank would not stand on one rigid body";
         let allowed = "\"foundation\": { \"kind\": \"slab\", … }";
-        r.faults.push(range_fault(field, message, allowed));
+        r.faults.push(range_fault(Code::Unsupported, field, message, allowed));
     }
     let waves = tank
         .foundation
@@ -60,11 +61,12 @@ pub(super) fn isolators(
     if let Some(waves) = waves {
         let message = "isolators and soil under one slab: no engine follows both";
         let allowed = "no shear_wave_velocity, or no isolators";
-        r.faults.push(range_fault(waves, message, allowed));
+        r.faults.push(range_fault(Code::Unsupported, waves, message, allowed));
     }
     if tank.support.value == Some(Support::Unanchored) {
         let message = "isolators under an unanchored tank: no engine follows uplift and isolators together";
         r.faults.push(range_fault(
+            Code::Unsupported,
             field,
             message,
             "\"support\": \"anchored\", or no isolators",
@@ -75,27 +77,36 @@ pub(super) fn isolators(
         && slow > friction
     {
         let message = "friction at rest above that of fast sliding";
-        r.faults
-            .push(range_fault(given, message, "at most tank.isolators.friction"));
+        r.faults.push(range_fault(
+            Code::Contradiction,
+            given,
+            message,
+            "at most tank.isolators.friction",
+        ));
     }
     if kind == Some(Isolation::LeadRubber)
         && let Some(given) = &given.initial_stiffness.given
         && initial <= stiffness
     {
         let message = "the stiffness before yielding is not above that after it";
-        r.faults
-            .push(range_fault(given, message, "more than tank.isolators.stiffness"));
+        r.faults.push(range_fault(
+            Code::Contradiction,
+            given,
+            message,
+            "more than tank.isolators.stiffness",
+        ));
     }
     if let (Some(given), None) = (&given.damper_exponent.given, coefficient) {
         let message = "damper_exponent does not apply to a tank without dampers";
-        r.faults
-            .push(range_fault(given, message, "together with damper_coefficient"));
+        r.faults.push(range_fault(
+            Code::DoesNotApply,
+            given,
+            message,
+            "together with damper_coefficient",
+        ));
     }
-    r.warnings.push(
-        "`tank.isolators` enters the time history of the harmonic engine; the codes' procedures, the response-spectrum method, transfer \
-         functions and the other engines take the base as fixed"
-            .into(),
-    );
+    r.warnings.push(Warning::new(Code::NotUsed, "`tank.isolators` enters the time history of the harmonic engine; the codes' procedures, the response-spectrum method, transfer \
+         functions and the other engines take the base as fixed"));
     let thickness = slab.and_then(|slab| slab.thickness);
     let slab_mass = match (slab_mass, thickness) {
         (Some(mass), _) => mass,
@@ -155,7 +166,9 @@ impl Keys<'_, '_> {
                 .iter()
                 .map(|kind| format!("\"kind\": \"{}\"", id(*kind)))
                 .collect();
-            self.r.faults.push(range_fault(given, &message, &allowed.join(" or ")));
+            self.r
+                .faults
+                .push(range_fault(Code::DoesNotApply, given, &message, &allowed.join(" or ")));
         }
         applies
     }
@@ -172,7 +185,12 @@ impl Keys<'_, '_> {
                     let place = self.field.span.start..self.field.span.start + 1;
                     let missing = Field::<T>::missing(place, join(&self.field.path, key));
                     let message = format!("the key `{key}` is missing");
-                    let fault = range_fault(&missing, &message, &option.key.limits.describe(T::DIMENSION));
+                    let fault = range_fault(
+                        Code::MissingKey,
+                        &missing,
+                        &message,
+                        &option.key.limits.describe(T::DIMENSION),
+                    );
                     let example = if option.key.example.is_empty() {
                         T::example()
                     } else {

@@ -1,5 +1,6 @@
 //! `analysis`: options of the linear engines.
 
+use files::code::Code;
 use tank::options::LinearOptions;
 use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Integrator, WallDirection, WallPlace};
 use tank::{Shape, Tank, case};
@@ -197,12 +198,17 @@ fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, 
         return Vec::new();
     };
     if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
-        let fault = range_fault(field, "stations of internal forces are for cylinders", "a cylinder");
+        let fault = range_fault(
+            Code::DoesNotApply,
+            field,
+            "stations of internal forces are for cylinders",
+            "a cylinder",
+        );
         r.faults.push(fault.help("remove analysis.force_stations"));
     }
     let (_, most) = field.limits.items;
     if list.len() > most {
-        let fault = range_fault(field, "too many stations", &format!("at most {most}"));
+        let fault = range_fault(Code::ItemCount, field, "too many stations", &format!("at most {most}"));
         r.faults.push(fault.found(format!("{} stations", list.len())));
     }
     let height = tank.map_or(f64::NAN, Tank::wall_height);
@@ -215,11 +221,16 @@ fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, 
         };
         if place.z > height * (1.0 + 1e-9) {
             let allowed = format!("from 0 to {}, the height of the wall", like_field(&given.z, height));
-            r.faults.push(range_fault(&given.z, "outside the tank", &allowed));
+            r.faults
+                .push(range_fault(Code::OutOfRange, &given.z, "outside the tank", &allowed));
         }
         if all.iter().any(|o| o.z == place.z && o.degrees() == place.degrees()) {
-            r.faults
-                .push(range_fault(one, "two stations at one place", "different places"));
+            r.faults.push(range_fault(
+                Code::Repeated,
+                one,
+                "two stations at one place",
+                "different places",
+            ));
         }
         all.push(place);
     }
@@ -235,14 +246,16 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
     let (_, most) = field.limits.items;
     if list.len() > most {
         r.faults.push(
-            range_fault(field, "too many places", &format!("at most {most}")).found(format!("{} places", list.len())),
+            range_fault(Code::ItemCount, field, "too many places", &format!("at most {most}"))
+                .found(format!("{} places", list.len())),
         );
     }
     for place in list {
         let value = r.within(place, field.limits);
         if value > end * (1.0 + 1e-9) {
             let allowed = format!("from 0 to {}, {what}", like_field(place, end));
-            r.faults.push(range_fault(place, "outside the tank", &allowed));
+            r.faults
+                .push(range_fault(Code::OutOfRange, place, "outside the tank", &allowed));
         }
         all.push(value);
     }
@@ -280,6 +293,7 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
         _ => {
             r.faults.push(
                 range_fault(
+                    Code::Exclusive,
                     field,
                     "not exactly one damping model",
                     "one of by_group, caughey, rayleigh and coefficients",
@@ -298,12 +312,22 @@ fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank
         return Vec::new();
     };
     if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
-        let fault = range_fault(field, "dashpots around the wall are for cylinders", "a cylinder");
+        let fault = range_fault(
+            Code::DoesNotApply,
+            field,
+            "dashpots around the wall are for cylinders",
+            "a cylinder",
+        );
         r.faults.push(fault.help("remove analysis.damping.dashpots"));
     }
     let (_, most) = field.limits.items;
     if list.len() > most {
-        let fault = range_fault(field, "too many rings of dashpots", &format!("at most {most}"));
+        let fault = range_fault(
+            Code::ItemCount,
+            field,
+            "too many rings of dashpots",
+            &format!("at most {most}"),
+        );
         r.faults.push(fault.found(format!("{} rings", list.len())));
     }
     let height = tank.map_or(f64::NAN, Tank::wall_height);
@@ -312,7 +336,8 @@ fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank
         let z = r.number(&given.z);
         if z > height * (1.0 + 1e-9) {
             let allowed = format!("above 0 to {}, the height of the wall", like_field(&given.z, height));
-            r.faults.push(range_fault(&given.z, "outside the tank", &allowed));
+            r.faults
+                .push(range_fault(Code::OutOfRange, &given.z, "outside the tank", &allowed));
         }
         all.push(Dashpots {
             z,
@@ -329,14 +354,24 @@ fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Fi
     for one in given {
         let pair = ratio_at(r, one);
         if pairs.iter().any(|(omega, _)| (omega - pair.0).abs() <= 1e-6 * pair.0) {
-            let fault = range_fault(one, "two pairs have the same frequency", "different frequencies");
+            let fault = range_fault(
+                Code::Repeated,
+                one,
+                "two pairs have the same frequency",
+                "different frequencies",
+            );
             r.faults.push(fault);
         }
         pairs.push(pair);
     }
     let (least, most) = field.limits.items;
     if !(least..=most).contains(&pairs.len()) {
-        let fault = range_fault(field, "too few or too many pairs", &format!("{least} to {most} pairs"));
+        let fault = range_fault(
+            Code::ItemCount,
+            field,
+            "too few or too many pairs",
+            &format!("{least} to {most} pairs"),
+        );
         r.faults.push(fault.found(format!("{} pairs", pairs.len())));
         return None;
     }

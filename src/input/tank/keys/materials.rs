@@ -5,6 +5,7 @@ pub(super) mod laws;
 mod reader;
 mod yielding;
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use super::grades::{self, Found, Preset, Strengths};
@@ -75,6 +76,7 @@ pub(super) fn materials(
     };
     if named.0.is_empty() {
         r.faults.push(range_fault(
+            Code::ItemCount,
             field,
             "the list of materials is empty",
             "at least one material",
@@ -82,6 +84,7 @@ pub(super) fn materials(
     }
     if named.0.len() > MAX_MATERIALS {
         let fault = range_fault(
+            Code::ItemCount,
             field,
             "too many materials",
             &format!("at most {MAX_MATERIALS} materials"),
@@ -92,8 +95,9 @@ pub(super) fn materials(
     for (name, field) in &named.0 {
         if name.chars().count() > MAX_NAME {
             let allowed = format!("a name of at most {MAX_NAME} characters");
-            r.faults
-                .push(range_fault(field, "the name of a material is too long", &allowed).found(name.as_str()));
+            r.faults.push(
+                range_fault(Code::BadForm, field, "the name of a material is too long", &allowed).found(name.as_str()),
+            );
             all.insert(name.clone(), None);
             continue;
         }
@@ -133,7 +137,8 @@ fn material(
             if let Some(given) = given {
                 let message = format!("{key} does not apply to an interlayer with e_normal");
                 let allowed = "only e_normal, e_parallel and shear_modulus";
-                r.faults.push(range_fault(&given, &message, allowed));
+                r.faults
+                    .push(range_fault(Code::DoesNotApply, &given, &message, allowed));
             }
         }
         (f64::NAN, 0.0)
@@ -193,13 +198,23 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -
         Found::Grade(preset) => return Some(Some(preset)),
         Found::TooThick(grade, thickest) => {
             let message = format!("the grade {grade} has no strengths for plates so thick");
-            range_fault(field, &message, &format!("plates of at most {} mm", 1e3 * thickest))
-                .found(format!("\"{name}\" with a plate of {} mm", shown_thickness(thickness)))
-                .help("give the values of the steel instead of `grade`, or a grade that has them")
+            range_fault(
+                Code::Contradiction,
+                field,
+                &message,
+                &format!("plates of at most {} mm", 1e3 * thickest),
+            )
+            .found(format!("\"{name}\" with a plate of {} mm", shown_thickness(thickness)))
+            .help("give the values of the steel instead of `grade`, or a grade that has them")
         }
         Found::Unknown => {
             let (near, meant) = grades::near(name);
-            let fault = range_fault(field, &format!("unknown grade `{name}`"), &grades::allowed(&near));
+            let fault = range_fault(
+                Code::UnknownChoice,
+                field,
+                &format!("unknown grade `{name}`"),
+                &grades::allowed(&near),
+            );
             match meant {
                 Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,

@@ -1,5 +1,6 @@
 //! `analysis.nonlinear`: options of the nonlinear engine.
 
+use files::code::Code;
 use tank::case;
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{
@@ -57,6 +58,9 @@ object! {
             = default(DEFAULT.follower_pressure).because("pressure stands on the deformed wall"),
         /// Points through the thickness, by kind of material.
         integration: Opt<Integrations>,
+        /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
+        bottom_mesh (2): Opt<Number> [Limits::from(0.5).to(8.0)] = default(Number(DEFAULT.bottom_mesh))
+            .because("rings of two thicknesses at the foot resolve the hinge of the plate"),
         /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
         after_record ("2 periods"): Opt<AfterRecord> = default(DEFAULT.after_record)
             .because("as the linear engines: two periods of the first sloshing mode"),
@@ -172,7 +176,7 @@ impl FromNode for ThicknessRule {
             (Some(_), Some(_), None) => "too few or too many points",
             _ => "not a rule with its number of points",
         };
-        faults.push(wrong_value(node, message, &Self::allowed()));
+        faults.push(wrong_value(Code::BadForm, node, message, &Self::allowed()));
         None
     }
     fn allowed() -> String {
@@ -218,6 +222,7 @@ pub(super) fn nonlinear(
     if let (Some(symmetry), Some(Shape::Rectangle { strip: true, .. })) = (&given.symmetry.given, tank.map(|t| t.shape))
     {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             symmetry,
             "symmetry does not apply to a strip",
             "symmetry for a cylinder or a rectangle",
@@ -228,6 +233,7 @@ pub(super) fn nonlinear(
         tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. })),
     ) {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             wall,
             "wall applies to a strip alone",
             "no `wall`: walls of this tank are shells",
@@ -249,6 +255,7 @@ pub(super) fn nonlinear(
         self_weight: r.choice(&given.self_weight),
         follower_pressure: r.choice(&given.follower_pressure),
         integration: integration(r, &given.integration),
+        bottom_mesh: r.or_default(&given.bottom_mesh),
         after_record: r.choice(&given.after_record),
         checkpoint: r.or_default(&given.checkpoint),
         // Those of `analysis`.
@@ -265,6 +272,7 @@ fn step(r: &mut Resolver<'_>, option: &Opt<StepLength>, tank: Option<&Tank>, con
         && (!cylinder || opening)
     {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             field,
             "adaptive steps are for cylinders with bonded liquid",
             "\"fixed\"",
@@ -284,6 +292,7 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
     let circumference = match (&given.circumference.given, strip) {
         (Some(field), Some(true)) => {
             r.faults.push(range_fault(
+                Code::DoesNotApply,
                 field,
                 "circumference does not apply to a strip",
                 "only height for a strip",
@@ -294,6 +303,7 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
         (None, Some(false)) => {
             r.faults.push(
                 range_fault(
+                    Code::MissingKey,
                     field,
                     "the key `circumference` is missing",
                     &format!("a whole number from 8 to {MOST_SECTORS}"),
@@ -320,6 +330,7 @@ fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
     {
         r.faults.push(
             range_fault(
+                Code::Contradiction,
                 field,
                 "half a tank needs an even number of elements around the whole circumference",
                 "an even number",
@@ -410,6 +421,7 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::D
         }
         _ => {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 field,
                 "not exactly one damping model",
                 "one of by_group, rayleigh and mass_proportional",

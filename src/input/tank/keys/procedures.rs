@@ -1,6 +1,7 @@
 //! `procedures`: which procedures run, and their options.
 
 use codes::ALL;
+use files::code::Code;
 use results::EngineId;
 use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
 
@@ -161,12 +162,14 @@ pub(super) fn deciding(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> Vec<St
     for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
         r.echo_given(id);
         if all.contains(&id.text) {
-            r.faults.push(range_fault(id, "duplicate method", "each method once"));
+            r.faults
+                .push(range_fault(Code::Repeated, id, "duplicate method", "each method once"));
         }
         all.push(id.text.clone());
     }
     if list.value.as_ref().is_some_and(Vec::is_empty) {
         r.faults.push(range_fault(
+            Code::ItemCount,
             list,
             "the list of deciding methods is empty",
             "at least one id; remove `decide` for the editions in force",
@@ -183,13 +186,18 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
             for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
                 r.echo_given(id);
                 if run.contains(&id.text) {
-                    r.faults
-                        .push(range_fault(id, "duplicate procedure", "each procedure once"));
+                    r.faults.push(range_fault(
+                        Code::Repeated,
+                        id,
+                        "duplicate procedure",
+                        "each procedure once",
+                    ));
                 }
                 run.push(id.text.clone());
             }
             if list.value.as_ref().is_some_and(Vec::is_empty) {
                 r.faults.push(range_fault(
+                    Code::ItemCount,
                     list,
                     "the list of procedures is empty",
                     "at least one id; remove `run` to run all",

@@ -5,6 +5,7 @@ use ::tank::units::System;
 
 use crate::input::tank::read::{Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
+use files::code::Code;
 
 object! {
     /// Whom the verification is for and who answers for it: cover and running heads of the report. Nothing here changes a number.
@@ -72,6 +73,7 @@ pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> 
         && (date.len() != 10 || humantime::parse_rfc3339(&format!("{date}T00:00:00Z")).is_err())
     {
         r.faults.push(range_fault(
+            Code::BadForm,
             field,
             &format!("the date `{date}`"),
             "a date as 2026-03-14",

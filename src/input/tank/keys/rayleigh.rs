@@ -5,6 +5,7 @@ use crate::input::tank::key::default;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::{Number, Pitch};
+use files::code::Code;
 
 object! {
     /// Rayleigh damping C = a_M M + a_K K fitted to two ratios.
@@ -43,6 +44,7 @@ pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair
     let (first, second) = (ratio_at(r, &rayleigh.first), ratio_at(r, &rayleigh.second));
     if (first.0 - second.0).abs() <= 1e-9 * first.0 {
         r.faults.push(range_fault(
+            Code::Repeated,
             &rayleigh.second,
             "both pairs have the same frequency",
             "two frequencies",
@@ -56,6 +58,7 @@ pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair
     if !allow_negative && (stiffness < 0.0 || mass < 0.0) {
         r.faults.push(
             range_fault(
+                Code::Contradiction,
                 &rayleigh.second,
                 "these pairs require a negative coefficient",
                 "both coefficients ≥ 0",

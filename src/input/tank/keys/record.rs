@@ -5,6 +5,7 @@ use crate::input::tank::key::{Limits, without};
 use crate::input::tank::read::{Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::{Acceleration, Number, Time};
+use files::code::Code;
 
 object! {
     /// Processing of the accelerogram, in this order: scale, stretch the time axis, resample.
@@ -31,6 +32,7 @@ pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
     if let (Some(factor), Some(field)) = (scale_by, &given.scale_by.given) {
         if factor == 0.0 {
             r.faults.push(range_fault(
+                Code::OutOfRange,
                 field,
                 "a factor of 0 removes all motion",
                 "any other number",
@@ -38,6 +40,7 @@ pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
         } else if given.scale_to.given.is_some() && factor != 1.0 && factor.is_finite() {
             r.faults.push(
                 range_fault(
+                    Code::Exclusive,
                     field,
                     "scale_to and scale_by exclude each other",
                     "either scale_to or scale_by (1.0 together with scale_to)",

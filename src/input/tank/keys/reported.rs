@@ -1,5 +1,6 @@
 //! `measured`, `published`: measured and published values; their unit follows from the quantity.
 
+use files::code::Code;
 use tank::Quantity;
 use tank::case;
 use tank::units::Dimension;
@@ -122,7 +123,7 @@ impl FromNode for QuantityId {
 }
 
 fn unknown_quantity(text: &str, node: &Node) -> Fault {
-    let fault = Fault::new(format!("unknown quantity `{text}`"))
+    let fault = Fault::new(Code::UnknownChoice, format!("unknown quantity `{text}`"))
         .at(node.span.clone())
         .path(node.path.clone())
         .found(text)
@@ -180,6 +181,7 @@ fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
         Some(value) if (0.0..=1e18).contains(&value) => value,
         Some(_) => {
             r.faults.push(range_fault(
+                Code::OutOfRange,
                 field,
                 "out of range",
                 "values are absolute maxima, 0 or greater",
@@ -199,6 +201,7 @@ fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotio
         let hash = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
         if !hash {
             r.faults.push(range_fault(
+                Code::BadForm,
                 field,
                 "not a SHA-256",
                 "64 hexadecimal digits, as sha256sum prints them",
@@ -216,6 +219,7 @@ fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotio
     };
     if given.sha256.given.is_none() && (given.peak.given.is_none() || given.step.given.is_none()) {
         r.faults.push(range_fault(
+            Code::Incomplete,
             field,
             "the ground motion is not named",
             "`sha256` of the record file, or `peak` and `step` of the record",

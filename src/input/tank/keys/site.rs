@@ -1,5 +1,6 @@
 //! `site`: site data of the codes.
 
+use files::code::Code;
 use std::path::Path;
 
 use tank::Tank;
@@ -199,7 +200,7 @@ fn needed<T, U: FromNode>(r: &mut Resolver<'_>, object: &Field<T>, option: &Opt<
     }
     let name = option.key.name;
     let head = object.span.start..object.span.end.min(object.span.start + 1);
-    let fault = Fault::new(format!("the key `{name}` is missing{why}"))
+    let fault = Fault::new(Code::MissingKey, format!("the key `{name}` is missing{why}"))
         .at(head)
         .path(option.path.clone())
         .allowed(U::allowed())
@@ -214,6 +215,7 @@ fn ec8(r: &mut Resolver<'_>, object: &Field<Ec8>, s: &Ec8, own: bool) -> Option<
             .flatten()
         {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 &place,
                 "this and site.spectrum exclude each other",
                 "neither ground, spectrum nor ag beside site.spectrum",
@@ -344,6 +346,7 @@ fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Opti
     let fv = r.optional(&s.fv);
     if let (Some(given), None) | (None, Some(given)) = (&s.fa.given, &s.fv.given) {
         r.faults.push(range_fault(
+            Code::Incomplete,
             given,
             "one site coefficient without the other",
             "fa and fv together, or neither",
@@ -351,6 +354,7 @@ fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Opti
     }
     if let (Some(SiteClass::F), Some(field), None, None) = (site_class, &s.site_class.given, &s.fa.given, &s.fv.given) {
         r.faults.push(range_fault(
+            Code::Incomplete,
             field,
             "site class F needs a site study",
             "fa and fv from the study, or another class",

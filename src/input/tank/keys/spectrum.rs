@@ -1,5 +1,6 @@
 //! `site.spectrum`: the user's spectrum, as a table or as parameters.
 
+use files::code::Code;
 use std::path::Path;
 
 use oscillator::STANDARD_GRAVITY;
@@ -134,7 +135,12 @@ pub(super) fn spectrum(r: &mut Resolver<'_>, option: &Opt<Spectrum>, folder: &Pa
     let vertical_ratio = r.or_default(&given.vertical_ratio);
     let form = match (&given.table.given, &given.file.given) {
         (Some(table), Some(_)) => {
-            let fault = range_fault(table, "table and file exclude each other", "one of them");
+            let fault = range_fault(
+                Code::Exclusive,
+                table,
+                "table and file exclude each other",
+                "one of them",
+            );
             r.faults.push(fault);
             return None;
         }
@@ -171,7 +177,12 @@ fn alone(r: &mut Resolver<'_>, given: &Spectrum) -> Option<()> {
     match place {
         None => Some(()),
         Some(place) => {
-            let fault = range_fault(&place, "a table and parameters exclude each other", "one of them");
+            let fault = range_fault(
+                Code::Exclusive,
+                &place,
+                "a table and parameters exclude each other",
+                "one of them",
+            );
             r.faults.push(fault);
             None
         }
@@ -181,11 +192,17 @@ fn alone(r: &mut Resolver<'_>, given: &Spectrum) -> Option<()> {
 /// The parameters; all are needed.
 fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -> Option<SpectrumParameters> {
     for place in [given.vertical.place(), given.unit.place()].into_iter().flatten() {
-        let fault = range_fault(&place, "this belongs to a table", "`table` or `file` with it");
+        let fault = range_fault(
+            Code::DoesNotApply,
+            &place,
+            "this belongs to a table",
+            "`table` or `file` with it",
+        );
         r.faults.push(fault);
     }
     if let Some(damping) = &given.damping.given {
         let fault = range_fault(
+            Code::Exclusive,
             damping,
             "damping and parameters exclude each other",
             "no damping: η gives every damping",
@@ -207,7 +224,7 @@ fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -
     let (te, tf) = (r.optional(&given.te), r.optional(&given.tf));
     if !missing.is_empty() {
         let allowed = "`table`, `file`, or all of ag, soil_factor, tb, tc, td";
-        let fault = range_fault(field, "an incomplete spectrum", allowed);
+        let fault = range_fault(Code::Incomplete, field, "an incomplete spectrum", allowed);
         r.faults.push(fault.found(format!("no {}", missing.join(", "))));
         return None;
     }
@@ -221,12 +238,17 @@ fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -
             && pair[1].1 <= pair[0].1
         {
             let allowed = format!("more than {} s, tb < tc < td < te < tf", pair[0].1);
-            r.faults
-                .push(range_fault(&place, "control periods out of order", &allowed));
+            r.faults.push(range_fault(
+                Code::Contradiction,
+                &place,
+                "control periods out of order",
+                &allowed,
+            ));
         }
     }
     if let (Some(place), None) | (None, Some(place)) = (given.te.place(), given.tf.place()) {
         let fault = range_fault(
+            Code::Incomplete,
             &place,
             "one control period without the other",
             "te and tf together, or neither",
@@ -244,7 +266,12 @@ fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -
 /// The tables of the tank file.
 fn tables(r: &mut Resolver<'_>, given: &Spectrum, rows: &Field<Vec<Field<Row>>>) -> Option<Tables> {
     let Some(unit) = &given.unit.given else {
-        let fault = range_fault(rows, "a table without unit", "\"unit\": \"g\" or \"m/s2\" beside it");
+        let fault = range_fault(
+            Code::Incomplete,
+            rows,
+            "a table without unit",
+            "\"unit\": \"g\" or \"m/s2\" beside it",
+        );
         r.faults.push(fault);
         return None;
     };
@@ -282,8 +309,12 @@ fn table(r: &mut Resolver<'_>, field: &Field<Vec<Field<Row>>>, factor: f64) -> O
         Err((row, message)) => {
             let place = row.and_then(|row| rows.get(row));
             let fault = match place {
-                Some(place) => Fault::new(message).at(place.span.clone()).path(&place.path),
-                None => Fault::new(message).at(field.span.clone()).path(&field.path),
+                Some(place) => Fault::new(Code::TableValue, message)
+                    .at(place.span.clone())
+                    .path(&place.path),
+                None => Fault::new(Code::TableValue, message)
+                    .at(field.span.clone())
+                    .path(&field.path),
             };
             let found = place.and_then(|p| p.value).map(|Row([t, a])| format!("[{t}, {a}]"));
             r.faults.push(fault.found(found.unwrap_or_default()).allowed(ALLOWED));
@@ -328,6 +359,7 @@ fn echo(r: &mut Resolver<'_>, path: &str, table: &SpectrumTable) {
 fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folder: &Path) -> Option<Tables> {
     for place in [given.vertical.place(), given.unit.place()].into_iter().flatten() {
         let fault = range_fault(
+            Code::DoesNotApply,
             &place,
             "this belongs to `table`; a file has its own columns",
             "`file` without it",
@@ -351,6 +383,7 @@ fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folde
         }
         Err(message) => {
             let fault = range_fault(
+                Code::TableShape,
                 file,
                 &message,
                 "a CSV file with period_s,acceleration_g or period_s,acceleration_m_s2",

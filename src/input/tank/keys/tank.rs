@@ -1,5 +1,6 @@
 //! `tank` and `liquid`.
 
+use files::code::{Code, Warning};
 use tank::units::Dimension;
 use tank::{FoundationKind, RoofKind, Shape, Support};
 
@@ -339,10 +340,10 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     }
     let pressure = pressure(r, &t.pressure);
     if !pressure.is_none() {
-        r.warnings.push(
-            "`tank.pressure` enters the checks of EN 1998-4 and API 650; the finite-element engines leave it out"
-                .into(),
-        );
+        r.warnings.push(Warning::new(
+            Code::NotUsed,
+            "`tank.pressure` enters the checks of EN 1998-4 and API 650; the finite-element engines leave it out",
+        ));
     }
     if t.pipes.given.is_none() {
         r.not_given(&t.pipes);
@@ -358,6 +359,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         && let Some(anchors) = &t.anchors.given
     {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             anchors,
             "anchors do not apply to an unanchored tank",
             "\"support\": \"anchored\", or a tank without anchors",
@@ -390,6 +392,7 @@ fn roof(r: &mut Resolver<'_>, given: &Roof) -> tank::Roof {
     if kind == RoofKind::Floating {
         if let Some(height) = &given.height.given {
             r.faults.push(range_fault(
+                Code::DoesNotApply,
                 height,
                 "height does not apply to a floating roof",
                 "no height: the roof is on the liquid",
@@ -404,6 +407,7 @@ fn roof(r: &mut Resolver<'_>, given: &Roof) -> tank::Roof {
     }
     if let Some(rim) = &given.rim.given {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             rim,
             "rim does not apply to a roof that does not float",
             "\"type\": \"floating\", or a roof without rim",
@@ -445,14 +449,18 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
     for option in foreign {
         if let Some(given) = &option.given {
             let message = format!("{} does not apply to a {word}", option.key.name);
-            r.faults.push(range_fault(given, &message, allowed));
+            r.faults.push(range_fault(Code::DoesNotApply, given, &message, allowed));
         }
     }
     match kind {
         Plan::Cylinder => {
             if let Some(strip) = &t.strip.given {
-                r.faults
-                    .push(range_fault(strip, "strip does not apply to a cylinder", allowed));
+                r.faults.push(range_fault(
+                    Code::DoesNotApply,
+                    strip,
+                    "strip does not apply to a cylinder",
+                    allowed,
+                ));
             }
             Some(Shape::Cylinder {
                 radius: required(r, field, &t.radius),
@@ -467,6 +475,7 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
             let breadth = match (&t.breadth.given, strip) {
                 (Some(breadth), true) => {
                     r.faults.push(range_fault(
+                        Code::DoesNotApply,
                         breadth,
                         "breadth does not apply to a strip",
                         "either breadth or \"strip\": true",
@@ -496,8 +505,13 @@ fn required(r: &mut Resolver<'_>, tank: &Field<Tank>, option: &Opt<Length>) -> f
             let missing = Field::<Length>::missing(tank.span.start..tank.span.start + 1, join(&tank.path, key));
             let allowed = option.key.limits.describe(Dimension::Length);
             r.faults.push(
-                range_fault(&missing, &format!("the key `{key}` is missing"), &allowed)
-                    .help(format!("add \"{key}\": \"1.83 m\"{alternative}")),
+                range_fault(
+                    Code::MissingKey,
+                    &missing,
+                    &format!("the key `{key}` is missing"),
+                    &allowed,
+                )
+                .help(format!("add \"{key}\": \"1.83 m\"{alternative}")),
             );
             f64::NAN
         }

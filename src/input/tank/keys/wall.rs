@@ -1,9 +1,11 @@
 //! `tank.courses`: of one material, or of layers with bars.
 
+use files::code::Code;
 use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind, Material};
 
 use super::corrosion::loss;
+use super::grades::{self, Found};
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
 use crate::input::tank::key::{Absent, Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
@@ -151,7 +153,8 @@ pub(super) fn material(
             "the material `{name}` is {}, which cannot be used for {what}",
             material.behaviour.kind()
         );
-        r.faults.push(range_fault(field, &message, allowed));
+        r.faults
+            .push(range_fault(Code::UnknownChoice, field, &message, allowed));
         return None;
     }
     let short = |name: &&str| name.len() <= 4 * MAX_NAME;
@@ -166,13 +169,27 @@ pub(super) fn material(
         }
         names => format!("a name from `materials`: {}", list(names, "or")),
     };
-    let mut fault = range_fault(field, &format!("unknown material `{name}`"), &allowed);
-    if let Some(near) = nearest(name, materials.keys().map(String::as_str).take(MAX_MATERIALS)) {
+    let message = format!("unknown material `{name}`");
+    let grade = !matches!(grades::find(name, 0.0), Found::Unknown);
+    // A material that is not in the file at all is reported once, not at every course.
+    let first = &mut r.faults.list().iter().take(REPEATED);
+    if (grade || materials.is_empty()) && first.any(|fault| fault.message == message) {
+        return None;
+    }
+    let mut fault = range_fault(Code::UnknownChoice, field, &message, &allowed);
+    if grade {
+        fault = fault.help(format!(
+            "`{name}` is a grade that tankcheck has: add \"{name}\": {{ \"grade\": \"{name}\" }} to `materials`"
+        ));
+    } else if let Some(near) = nearest(name, materials.keys().map(String::as_str).take(MAX_MATERIALS)) {
         fault = fault.help(format!("did you mean \"{near}\"?"));
     }
     r.faults.push(fault);
     None
 }
+
+/// Faults among which the same one is looked for.
+const REPEATED: usize = 50;
 
 /// All courses; `None` if one is faulty.
 pub(super) fn courses(
@@ -251,8 +268,13 @@ fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
     }
     let field = Field::<T>::missing(object.span.start..object.span.start + 1, join(&object.path, key));
     r.faults.push(
-        range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
-            .help(format!("add \"{key}\": {}, or layers", T::example())),
+        range_fault(
+            Code::MissingKey,
+            &field,
+            &format!("the key `{key}` is missing"),
+            &T::allowed(),
+        )
+        .help(format!("add \"{key}\": {}, or layers", T::example())),
     );
 }
 
@@ -273,6 +295,7 @@ fn layered(
     for (key, given) in own {
         if let Some(given) = given {
             r.faults.push(range_fault(
+                Code::DoesNotApply,
                 &given,
                 &format!("{key} does not apply to a course with layers"),
                 "either thickness and material, or layers",
@@ -314,6 +337,7 @@ fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<L
         };
         r.faults.push(
             range_fault(
+                Code::Incomplete,
                 &list[i],
                 "an interlayer must be between two shells",
                 "shell, interlayer, shell from inside to outside",
@@ -325,6 +349,7 @@ fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<L
     if places.len() > 1 {
         r.faults.push(
             range_fault(
+                Code::ItemCount,
                 field,
                 "more than one interlayer",
                 "at most one, with shells on both sides",
@@ -377,7 +402,8 @@ fn bonded(
         if field.value.as_ref().is_some_and(|b| b.diameter.given.is_none()) {
             let message = format!("the bond of `{name}` needs the diameter of the bars");
             r.faults.push(
-                range_fault(field, &message, "a diameter from 3 mm to 60 mm").help("add \"diameter\": \"16 mm\""),
+                range_fault(Code::MissingKey, field, &message, "a diameter from 3 mm to 60 mm")
+                    .help("add \"diameter\": \"16 mm\""),
             );
         }
     }
@@ -420,7 +446,7 @@ fn all_bars(
     if let Some(message) = fault {
         let found = format!("layer of `{name}`");
         r.faults
-            .push(range_fault(field, message, "bars in shells of concrete only").found(found));
+            .push(range_fault(Code::DoesNotApply, field, message, "bars in shells of concrete only").found(found));
     } else if r.sized(field, "layers of bars") {
         for field in list {
             reinforcement.extend(bars(r, field, thickness, materials));
@@ -441,8 +467,12 @@ fn area(r: &mut Resolver<'_>, field: &Field<Reinforcement>, b: &Reinforcement) -
         (Some(given), _) if spacing.is_none() => (r.number(given), diameter),
         _ => {
             let allowed = "either area (and diameter), or diameter and spacing";
-            r.faults
-                .push(range_fault(field, "not exactly one area of the bars", allowed));
+            r.faults.push(range_fault(
+                Code::Exclusive,
+                field,
+                "not exactly one area of the bars",
+                allowed,
+            ));
             (f64::NAN, diameter)
         }
     }
@@ -466,6 +496,7 @@ fn bars(
     let depth = match given {
         None => {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 field,
                 "not exactly one distance from a face",
                 "either from_inner or from_outer",
@@ -480,8 +511,10 @@ fn bars(
                     like_unit(f, thickness, Dimension::Length)
                 );
                 let message = "the bars are outside their shell";
-                r.faults
-                    .push(range_fault(f, message, &allowed).help(format!("the shell is given as {}", shell.text)));
+                r.faults.push(
+                    range_fault(Code::Contradiction, f, message, &allowed)
+                        .help(format!("the shell is given as {}", shell.text)),
+                );
             }
             if from_outer { thickness - distance } else { distance }
         }

@@ -6,13 +6,15 @@ use ::base::history::History;
 use ::base::{Base, Origin, Ring, Turn};
 use results::channel::Side;
 use results::{
-    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, MissedBand, SeriesInfo,
-    Value,
+    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, JointCycles, MissedBand,
+    SeriesInfo, Snapshots, Value,
 };
 use tank::units::Dimension;
 
+use super::floor::{Floor, Now, every};
 use super::search::{Found, Setup};
 use super::words;
+use crate::rainflow;
 use crate::response::motion::Grid;
 
 /// Largest plastic rotation of the joint, EN 1998-4:2006 A.9, recalled [rad].
@@ -21,6 +23,8 @@ const PLASTIC: f64 = 0.20;
 const CYCLES: (usize, f64) = (800, 2.0);
 /// Points of the backbone.
 const BACKBONE: usize = 60;
+/// Shares of the limit of the plastic rotation whose cycles are counted.
+const SHARES: [f64; 4] = [0.1, 0.25, 0.5, 1.0];
 
 /// The motion of the base.
 pub(crate) struct BaseMotion {
@@ -44,8 +48,12 @@ pub(crate) struct Moved {
     pub march: [f64; 2],
     /// Whether the bottom plate may yield.
     pub yields: bool,
+    /// Stress of the lowest course at the joint at the largest uplift, and its yield strength [Pa].
+    pub wall: Option<[f64; 2]>,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
+    /// States of the bottom for pictures, where they are asked for.
+    pub states: Option<Snapshots>,
 }
 
 /// Largest |value| with its time step.
@@ -197,8 +205,8 @@ pub(super) fn moved(
     let peaks = peaks(&states, &found, history);
     let energy = history.energy;
     let (peak, radius) = (peaks.rotation.1, base.radius);
-    let lifted = peaks.uplift.1;
-    let lean = history.rotation[lifted];
+    let lifted_at = peaks.uplift.1;
+    let lean = history.rotation[lifted_at];
     let result = BaseRun {
         modulus: base.modulus,
         origin: match base.origin {
@@ -240,17 +248,33 @@ pub(super) fn moved(
         around: (0..=72)
             .map(|i| {
                 let degrees = 5.0 * f64::from(i);
-                let w = states.turns[lifted].centre - lean * radius * degrees.to_radians().cos();
+                let w = states.turns[lifted_at].centre - lean * radius * degrees.to_radians().cos();
                 [degrees, w]
             })
             .collect(),
         lifted: Vec::new(),
+        ground: None,
+        joint: base.yields().then(|| joint_cycles(&states, &found)),
         assumptions: words::assumptions(setup, base, &found),
     };
     let width = |[degrees, w]: &[f64; 2]| [*degrees, found.laws.rocking.curve().at(*w).lifted_width];
     let lifted = result.around.iter().map(width).collect();
-    let result = BaseRun { lifted, ..result };
+    let now = |i: usize| now(&states, history, i);
+    let ground = floor(setup, base, &[now(lifted_at)]).map(|f| f.plan(&now(lifted_at), lifted_at as f64 * setup.step));
+    let pictures = setup.states.and_then(|interval| {
+        let steps = every(interval, &grid, states.turns.len());
+        let instants: Vec<(f64, Now)> = steps.into_iter().map(|i| (i as f64 * setup.step, now(i))).collect();
+        let all: Vec<Now> = instants.iter().map(|(_, now)| *now).collect();
+        let joint = |w: f64| plastic(&found, w);
+        Some(floor(setup, base, &all)?.states(&instants, &joint))
+    });
+    let result = BaseRun {
+        lifted,
+        ground,
+        ..result
+    };
     Moved {
+        states: pictures,
         columns: columns(setup, &states, &found),
         result,
         march: [
@@ -259,12 +283,64 @@ pub(super) fn moved(
         ],
         foot: states.foot,
         yields: base.yields(),
+        wall: base.wall_yield.map(|strength| {
+            let point = found.laws.rocking.curve().at(peaks.uplift.0);
+            [base.wall_stress(&point), strength]
+        }),
         motion: BaseMotion {
             grid,
             acceleration: found.history.acceleration,
             rotation: found.history.rotational_acceleration,
         },
     }
+}
+
+/// The base at a step.
+fn now(states: &States, history: &History, step: usize) -> Now {
+    let at = |values: &[f64]| values.get(step).copied().unwrap_or(0.0);
+    Now {
+        centre: states.turns[step].centre,
+        rotation: at(&history.rotation),
+        pressure: at(&history.pressure),
+        slip: at(&history.slip),
+    }
+}
+
+/// The plate at all uplifts of these instants; none where a strip has no equilibrium.
+pub(super) fn floor(setup: &Setup, base: &Base, instants: &[Now]) -> Option<Floor> {
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut most = 0.0_f64;
+    for now in instants {
+        let reach = now.rotation.abs() * base.radius;
+        range = [range[0].min(now.centre - reach), range[1].max(now.centre + reach)];
+        most = most.max(now.pressure.abs());
+    }
+    let form = |r: f64| {
+        let last = setup.form.len() - 1;
+        let place = (r / base.radius).clamp(0.0, 1.0) * last as f64;
+        let i = (place as usize).min(last.saturating_sub(1));
+        setup.form[i] + (place - i as f64) * (setup.form[i + 1] - setup.form[i])
+    };
+    Floor::of(base, range, most, &form)
+}
+
+/// Plastic rotation of the joint where the rim is lifted by `uplift` [m] for the first time [rad]; none of one that is pressed down.
+fn plastic(found: &Found, uplift: f64) -> f64 {
+    match uplift > 0.0 {
+        true => found.laws.rocking.curve().at(uplift).plastic_rotation,
+        false => 0.0,
+    }
+}
+
+/// Cycles of the joint at θ = 0 or 180°, that with the larger range.
+fn joint_cycles(states: &States, found: &Found) -> JointCycles {
+    let side = |(rim, degrees): (&Vec<f64>, f64)| {
+        let all = rainflow::cycles(rim.iter().map(|w| plastic(found, *w)));
+        let (range, counts) = rainflow::counted(&all, PLASTIC, &SHARES);
+        JointCycles { degrees, range, counts }
+    };
+    let [front, back] = [(&states.rim[0], 0.0), (&states.rim[1], 180.0)].map(side);
+    if back.range > front.range { back } else { front }
 }
 
 fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<BaseQuantity> {
@@ -282,6 +358,7 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
         180.0
     };
     let residual = found.history.slip.last().copied().unwrap_or(0.0);
+    let path = found.history.slip.windows(2).map(|s| (s[1] - s[0]).abs()).sum();
     let (rotation, toe, slip) = (peaks.rotation, peaks.toe, peaks.slip);
     let anchor = found.laws.ring.as_ref().map(|ring| {
         let place = found.history.anchor_place.get(peaks.anchor.1).copied().unwrap_or(0);
@@ -325,6 +402,7 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
         ),
         quantity("slip", slip.0.abs(), Dimension::Length, Some(slip.1), None),
         quantity("slip_residual", residual.abs(), Dimension::Length, None, None),
+        quantity("slip_path", path, Dimension::Length, None, None),
         quantity(
             "base_shear",
             peaks.shear.0.abs(),

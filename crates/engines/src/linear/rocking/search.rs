@@ -22,6 +22,10 @@ pub(super) struct Setup {
     pub body: Body,
     /// Rigid parts of the bottom pressure.
     pub rigid_pressure: [f64; 2],
+    /// p_b(r)/p_b(R) at evenly spaced radii from the axis to the wall.
+    pub form: Vec<f64>,
+    /// Time between states of the bottom for pictures [s]; none keeps none.
+    pub states: Option<f64>,
     /// Anchors, of a tank that stands on them.
     pub anchors: Option<Anchors>,
     /// Friction.

@@ -21,6 +21,12 @@ pub(super) const FOOT: &str =
 /// Name of the limit of a run that repeats.
 pub(super) const SPREAD: &str =
     "Spread of rotation, toe stress and shear of the rocking base under motions 0.1 % apart and half the time step";
+/// Name of the limit of an elastic wall.
+pub(super) const WALL: &str =
+    "Stress of the lowest course at the joint with the bottom plate, elastic, against its yield strength";
+/// What a wall that yields means.
+pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, which the strips leave out: wall and plate share the plastic \
+     rotation, of which the value here is the sum. `tankcheck push` and the nonlinear engine model both.";
 /// The model lacks rows.
 pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
 
@@ -119,7 +125,7 @@ pub(super) fn band_note(missed: &MissedBand) -> String {
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
     let mut list: Vec<String> = [
-        "The foot of the wall stays plane: a broad tank without a stiff roof warps, which lifts a shorter arc higher.",
+        "The foot of the wall stays plane: under a free top it warps, which lifts a shorter arc higher and lowers the stress at the toe.",
         "Strips of the bottom plate stand side by side without hoop forces.",
         "Wall and liquid follow the acceleration and the rotation of the base as its march finds them. Displacements of the wall are those relative \
          to the base.",

@@ -12,15 +12,18 @@ use std::f64::consts::PI;
 
 use oscillator::record::Record;
 use tank::Case;
-use tank::demand::{Angles, Demands, OnWall, Peak, Place, Terms};
+use tank::demand::{Angles, Demands, FreeBase, OnWall, Peak, Place, Terms};
 
 use super::model::CylinderModel;
-use super::recorded::{BASE_SHEAR, WAVE_BACK, WAVE_FRONT};
+use super::recorded::{BASE_SHEAR, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK, WAVE_FRONT};
 use super::two::{self, SHEAR_Y};
 use super::watch::{Meridian, Watch};
 
 /// Length of the disturbance of a clamped edge over √(R t).
 const EDGE: f64 = 2.5;
+
+/// Share of the friction from which a base shear counts as capped by it: springs of the ground give way before.
+const CAPPED: f64 = 0.95;
 
 /// Common histories under construction.
 struct States {
@@ -103,14 +106,69 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         angles: Angles::Sides,
         places: found,
         wave: (samples > 0).then_some(if two { watch.seen.two.wave() } else { higher }),
-        base_shear: Some(base_shear),
+        base_shear: (!slid(case, tank, watch)).then_some(base_shear),
         // The pressure on the bottom is not recorded.
         overturning_moment: None,
         vertical,
         plates: false,
-        base: None,
+        base: base(case, tank, watch),
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos() + between,
     }
+}
+
+/// The foot of a wall on its bottom.
+fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase> {
+    tank.standing.as_ref()?;
+    let seen = &watch.seen.standing;
+    let lifts = [UPLIFT_FRONT, UPLIFT_BACK]
+        .iter()
+        .any(|k| watch.recorder.ranges[*k].max > 0.0);
+    let mut joint = Peak::default();
+    for (history, theta) in seen.joint.iter().zip([0.0, PI]) {
+        for (value, time) in history.iter().zip(&watch.recorder.times) {
+            if value.abs() > joint.value {
+                joint = Peak {
+                    value: value.abs(),
+                    time: *time,
+                    theta,
+                };
+            }
+        }
+    }
+    let anchor = case
+        .tank
+        .anchors
+        .filter(|_| !seen.anchor.is_empty())
+        .and_then(|anchors| {
+            let (height, time, theta) = seen.stretched;
+            Some(Peak {
+                // As if it had stayed elastic.
+                value: anchors.stiffness? * (height - anchors.gap.unwrap_or(0.0)).max(0.0),
+                time,
+                theta,
+            })
+        });
+    Some(FreeBase {
+        lifts,
+        scatters: false,
+        joint: Some(joint),
+        anchor,
+        held_shear: None,
+    })
+}
+
+/// Whether friction caps the base shear, which then is no demand on friction; with vertical motion wherever there is friction.
+fn slid(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> bool {
+    let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
+    let (Some(mu), true) = (friction, tank.standing.as_ref().is_some_and(|s| s.slides())) else {
+        return false;
+    };
+    let vertical = case
+        .ground_motion
+        .as_ref()
+        .is_some_and(|motion| motion.vertical.is_some());
+    let weight = (case.liquid_mass() + case.tank.mass_above(0.0).0) * case.gravity;
+    vertical || watch.recorder.ranges[BASE_SHEAR].peak().0 > CAPPED * mu * weight
 }
 
 /// Places of a diameter of meridians, whose first is at the angle `turned` [rad].

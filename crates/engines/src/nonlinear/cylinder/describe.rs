@@ -18,15 +18,21 @@ pub(super) const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine
     does not model uplift here: it does so for half a perfect wall of one shell, bonded to the liquid, on a bottom plate of steel.";
 
 /// Assumptions on a wall that stands on its bottom.
-const STANDS: [&str; 4] = [
+const STANDS: [&str; 3] = [
     "The unanchored wall is welded to its bottom plate, shells from the projection to half of the radius, on a Winkler ground that pushes \
      and does not pull; within half of the radius the plate stays on the ground. Ground and plate have no damping.",
-    "The pressure on the bottom is the hydrostatic one (with vertical motion, times 1 + a_v/g): the hydrodynamic pressure on the bottom is \
-     left out.",
-    "The tank does not slide: the mean horizontal displacement of the foot is zero. In its plane the plate moves on the ground without \
-     friction.",
-    "Base shear and base moment are the forces on the ground; the base moment is that of the ground under wall and plate.",
+    "The liquid's pressure acts on the plate as on the wall: the hydrostatic one (with vertical motion, times 1 + a_v/g), and that of the motion, \
+     linear between five rings from the foot to half of the radius, with the inertia of the liquid above a plate that moves. Within half of the \
+     radius the liquid's floor rests.",
+    "Base shear and base moment are the forces on the ground, the moment without that of the pressure on the bottom.",
 ];
+/// What keeps it in place.
+const KEPT: &str = "The tank does not slide: the mean horizontal displacement of the foot is zero. In its plane the plate moves on the ground without \
+     friction.";
+const FRICTION: &str = "Coulomb friction between plate and ground, of the pressure of the last step: springs as stiff as the ground give way before the \
+     plate slips. Within half of the radius plate and liquid slide as one disc.";
+const ANCHORS: &str = "Anchors are elastic-plastic springs that pull only, without pretension, spread evenly around the foot; what they stretch beyond their \
+     yield force stays as play. The shear at the foot goes into the ground without slip.";
 
 /// Shortest step [s]; 0 if none was taken.
 fn shortest(run: &Run) -> f64 {
@@ -132,9 +138,12 @@ pub(super) fn integration(
         TimeScheme::GeneralizedAlpha { radius } => format!(
             "generalised-α method, ρ∞ = {}, {}",
             significant(radius, 3),
-            match tank.joints {
-                Some(_) => "full Newton iteration",
-                None => "modified Newton iteration with line search",
+            match (&tank.joints, &tank.zone) {
+                (Some(_), _) => "full Newton iteration",
+                (None, Some(_)) => {
+                    "Newton iteration with the tangent of plate and ground, that of the wall renewed where it is slow"
+                }
+                (None, None) => "modified Newton iteration with line search",
             }
         ),
         _ => "implicit".into(),
@@ -222,8 +231,14 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
          its energy is reported."
             .to_owned(),
     ];
-    if tank.standing.is_some() {
+    if let Some(standing) = &tank.standing {
         out.extend(STANDS.map(String::from));
+        let kept = match (standing.slides(), case.tank.support) {
+            (true, _) => FRICTION,
+            (false, Support::Anchored) => ANCHORS,
+            (false, Support::Unanchored) => KEPT,
+        };
+        out.push(kept.into());
     } else if case.tank.support == Support::Unanchored {
         out.push(HELD_DOWN.into());
     }

@@ -10,6 +10,7 @@ use fem::model::Builder;
 use tank::Case;
 use tank::options::nonlinear::{Contact, Damping as Wanted, NonlinearOptions};
 
+use super::floor::LiquidFloor;
 use super::mesh::Cells;
 use super::section::{self, RowBuild};
 use crate::FeError;
@@ -108,7 +109,7 @@ pub(super) fn add_liquid(
     cells: &Cells,
     wetted: &[usize],
     options: &NonlinearOptions,
-    operator: bool,
+    (operator, floor): (bool, Option<&LiquidFloor>),
 ) -> Result<(WallLiquid, Vec<usize>, usize), FeError> {
     let (radius, depth) = (case.tank.shape.half_length(), case.liquid.fill_height);
     let mut heights = cells.z[..cells.wet(depth)].to_vec();
@@ -116,12 +117,11 @@ pub(super) fn add_liquid(
         *last = depth;
     }
     let mesh = LiquidMesh::graded(radius, depth, 1.0);
-    let harmonic = HarmonicLiquid::new(
-        radius,
-        case.liquid.density,
-        case.gravity,
+    let rings = floor.map_or(&[][..], |floor| &floor.radii);
+    let harmonic = HarmonicLiquid::with_floor(
+        [radius, case.liquid.density, case.gravity],
         cells.sectors,
-        &heights,
+        [&heights, rings],
         &mesh,
         SLOSHING_HARMONICS,
     )
@@ -143,7 +143,13 @@ pub(super) fn add_liquid(
         Wanted::ByGroup { sloshing, .. } => sloshing,
         _ => 0.0,
     };
-    let wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
+    let mut wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
+    wall.extend(
+        floor
+            .iter()
+            .flat_map(|floor| &floor.nodes)
+            .map(|&n| (n, Dof::Amplitude)),
+    );
     let surface: Vec<(usize, Dof)> = amplitudes.iter().map(|&n| (n, Dof::Amplitude)).collect();
     let number = match &liquid {
         WallLiquid::Dense(dense) => builder.element(LIQUID, dense.element(&wall, &surface, ratio).map_err(failed)?),

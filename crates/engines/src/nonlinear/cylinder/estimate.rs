@@ -4,6 +4,7 @@
 //! liquid     few wetted nodes w: a dense block: M, K, C of the element and of the liquid, places, M, C and tangents of the
 //!            model, the factor, copies of an iteration
 //!            many: one block over the levels for each harmonic, and a factored section of the wall with it
+//!            a wall on its bottom: the latter, and its matrices as entries of a factor that is kept
 //! wall       5 unknowns a node (twice for two shells); nested dissection of a surface
 //! history    committed and trial state of every point of every layer
 //! ```
@@ -50,6 +51,15 @@ const TRANSFORM: f64 = 4.0;
 /// Iterations of a step of the record, and steps from one factorisation to the next, while the wall stays elastic.
 const ITERATIONS: f64 = 3.5;
 const KEPT: f64 = 30.0;
+/// Iterations of a step of a wall on its bottom, and of a step of its static start.
+const GROUND_ITERATIONS: f64 = 4.0;
+const GROUND_START: f64 = 12.0;
+/// Unknowns of the foot at a meridian.
+const FOOT: f64 = 6.0;
+/// Bytes a pair of wetted nodes: values, places and pattern of a triangle, and the full matrices that they are taken from.
+const ENTRIES: f64 = 34.0;
+/// Bytes kept for a byte of the factor of wall and liquid: full squares on the diagonal, working space.
+const KEPT_FACTORS: f64 = 3.0;
 /// The same of a step of free vibration in a quiet wall: example 08, 31 ms a step against 57 ms in the record (docs/performance.md).
 const QUIET_ITERATIONS: f64 = 1.9;
 /// Time of a step in which the wall yields or cracks over that of an elastic one: the practical steel tank, 252 s against the 87 s of
@@ -104,7 +114,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
 fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
     let depth = case.liquid.fill_height;
     let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
-    // A bottom on the ground has rings of cells, too; contact asks for a factor in every iteration.
+    // A bottom on the ground has rings of cells, too; contact asks for a factor of them in most iterations.
     let rings = standing::rings(case, options) as f64;
     let on_ground = rings > 0.0;
     let (rows, columns) = (cells.rows() as f64 + rings, cells.columns() as f64);
@@ -123,9 +133,10 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         * columns;
     let points: f64 = history / 12.0;
     let levels = cells.wet(depth) as f64;
-    let operator = !on_ground && iterates((levels * meridians) as usize, options.contact);
+    let operator = on_ground || iterates((levels * meridians) as usize, options.contact);
+    let iterated = operator && !on_ground;
     let block = if operator { 0.0 } else { NUMBER * wetted * wetted };
-    let shared = if operator {
+    let shared = if iterated {
         Rings::new(&cells, levels, node * rows, options.contact)
     } else {
         Rings::default()
@@ -136,9 +147,19 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
     let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
     let harmonic = NUMBER * section * (4.0 * (cells.wet(depth) as f64 + 11.0) + 100.0);
-    let fill = match operator {
-        true => Fill::default(),
-        false => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
+    // Of what is kept, and of plate and ground with the block that it leaves on the foot.
+    let foot = FOOT * meridians;
+    let [kept_fill, zone] = match on_ground {
+        true => [
+            Fill::grid([meridians, cells.rows() as f64, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted + foot)),
+            Fill::grid([meridians, rings, 1.0], node, !cells.half).with(1.0, Fill::dense(foot)),
+        ],
+        false => [Fill::default(); 2],
+    };
+    let fill = match (operator, on_ground) {
+        (_, true) => zone,
+        (true, _) => Fill::default(),
+        (false, _) => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
     };
     let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
     let step = options.time_step.unwrap_or_else(|| {
@@ -161,6 +182,14 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let parts = vec![
         ("the program", PROGRAM),
         ("liquid block", model + at_a_time * MARCH_BLOCKS * block + shared.blocks),
+        (
+            "liquid as entries of a factor",
+            if on_ground { ENTRIES * wetted * wetted } else { 0.0 },
+        ),
+        (
+            "factors of wall and liquid",
+            at_a_time * KEPT_FACTORS * NUMBER * kept_fill.entries,
+        ),
         ("sections of the wall", (1.0 + at_a_time) * shared.sections),
         ("open joints", at_a_time * shared.joints),
         // A value, and its places.
@@ -176,18 +205,25 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         Contact::Bonded => bonded,
         Contact::Opening => opening,
     };
-    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + products * shared.product(unknowns, number * shells);
+    let sweep = 3.0 * block
+        + 2.0 * NUMBER * (fill.entries + kept_fill.entries)
+        + products * shared.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
-    let factor = fill.flops / FACTOR_RATE + shared.factor;
+    let rate = if on_ground { SMALL_RATE } else { FACTOR_RATE };
+    let factor = fill.flops / rate + shared.factor;
+    let whole = kept_fill.flops / FACTOR_RATE;
     let free = steps * response.tail / (response.duration + response.tail);
     let (elastic, quiet) = match on_ground {
         true => {
-            let each = ITERATIONS * (iteration + factor);
+            let each = GROUND_ITERATIONS * (iteration + factor) + whole / KEPT;
             (each, each)
         }
         false => (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration),
     };
-    let start = START * (ITERATIONS * iteration + factor);
+    let start = match on_ground {
+        true => START * GROUND_START * (iteration + factor + whole / KEPT),
+        false => START * (ITERATIONS * iteration + factor),
+    };
     let all = |record: f64, tail: f64| {
         let once = start + (steps - free) * record + free * tail;
         BESIDE + once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE
@@ -202,7 +238,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         size: format!(
             "{rows:.0} x {} elements, {unknowns:.0} unknowns, {wetted:.0} of them joined by the liquid{}, {steps:.0} steps{of_runs}",
             cells.sectors,
-            if operator { " (iterated)" } else { "" }
+            if iterated { " (iterated)" } else { "" }
         ),
         parts,
         samples,

@@ -1,6 +1,6 @@
 //! Extremes of a cylinder's run: both signs, θ = 0 and θ = 180°, both faces; and the area that the liquid has left.
 
-use fem::analysis::march::Run;
+use fem::analysis::march::Range;
 use results::Channel;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{At, CellMap, TwoSided};
@@ -13,7 +13,11 @@ use super::recorded::{
 };
 use super::state::grid;
 use super::watch::{Extremes, Watch};
+use crate::rainflow;
 use tank::units::Dimension;
+
+/// Limit of the plastic rotation of the joint, EN 1998-4:2006 A.9, recalled [rad].
+const JOINT_LIMIT: f64 = 0.20;
 
 /// Everything that was watched.
 pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]) -> Vec<TwoSided> {
@@ -67,6 +71,7 @@ pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]
     }
     if tank.standing.is_some() {
         out.extend(standing(watch));
+        out.extend(joint(watch));
     }
     out.extend(open(tank, watch));
     out.extend(of_maps(maps, &grid(tank)));
@@ -103,19 +108,52 @@ pub(super) fn toe(watch: &Watch<'_>) -> Vec<f64> {
     front.iter().zip(back).map(|(a, b)| (-a.min(*b)).max(0.0)).collect()
 }
 
-/// Plastic rotation that is left at the end, the larger of θ = 0 and π.
-pub(super) fn plastic(tank: &CylinderModel, run: &Run) -> Option<TwoSided> {
-    let [front, back] = tank.standing.as_ref()?.plastic(tank, &run.state).ok()?;
-    Some(TwoSided {
-        title: "Plastic rotation of the bottom plate at the foot of the wall, at the end".into(),
-        dimension: Dimension::Angle,
+/// Plastic rotation of the joint on both sides, its largest range in a cycle, and the cycles beyond the limit.
+fn joint(watch: &Watch<'_>) -> Vec<TwoSided> {
+    let times = &watch.recorder.times;
+    let sides = watch.seen.standing.joint.iter().zip(Side::BOTH);
+    let mut out: Vec<TwoSided> = sides
+        .clone()
+        .filter_map(|(history, side)| {
+            let mut range = Range::EMPTY;
+            history.iter().zip(times).for_each(|(v, t)| range.include(*v, *t));
+            let channel = Channel::PlasticRotation(side);
+            of_range(channel.title(), channel.dimension(), 0.0, &range)
+        })
+        .collect();
+    let (range, beyond, degrees) = cycles(watch);
+    let more = [
+        (
+            format!("Largest range of the plastic rotation of the joint in a cycle (rainflow), θ = {degrees}°"),
+            Dimension::Angle,
+            range,
+        ),
+        (
+            format!("Cycles of the joint of at least {JOINT_LIMIT:.2} rad (rainflow), θ = {degrees}°"),
+            Dimension::Dimensionless,
+            beyond,
+        ),
+    ];
+    out.extend(more.map(|(title, dimension, value)| TwoSided {
+        title,
+        dimension,
         rest: 0.0,
         min: None,
-        max: At {
-            value: front.max(back),
-            time: Some(run.time),
-        },
-    })
+        max: At { value, time: None },
+    }));
+    out
+}
+
+/// Largest range of the joint in a cycle [rad], number of cycles of at least [`JOINT_LIMIT`], and the side with the larger range [°].
+fn cycles(watch: &Watch<'_>) -> (f64, f64, u32) {
+    let side = |(history, degrees): (&Vec<f64>, u32)| {
+        let all = rainflow::cycles(history.iter().copied());
+        let (range, counts) = rainflow::counted(&all, JOINT_LIMIT, &[1.0]);
+        (range, counts.first().map_or(0.0, |c| c[1]), degrees)
+    };
+    let [front, back] = &watch.seen.standing.joint;
+    let [front, back] = [(front, 0), (back, 180)].map(side);
+    if back.0 > front.0 { back } else { front }
 }
 
 /// Share of the wetted wall that the liquid has left, at the samples.

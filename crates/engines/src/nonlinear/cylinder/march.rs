@@ -18,6 +18,7 @@ use crate::linear::checked_motion;
 use tank::options::nonlinear::{NonlinearOptions, StepLength};
 
 use super::model::CylinderModel;
+use super::pictures::Pictures;
 use super::watch::Watch;
 
 /// Steps of the time integration in a period of the first mode of wall and liquid.
@@ -32,6 +33,8 @@ pub(crate) struct Cylinder<'a> {
     pub tank: CylinderModel,
     /// End of the records and of a run.
     pub span: Span,
+    /// Time between states for pictures [s]; none keeps none.
+    pub states: Option<f64>,
 }
 
 impl<'a> Cylinder<'a> {
@@ -63,6 +66,7 @@ impl<'a> Cylinder<'a> {
             options,
             tank,
             span,
+            states: None,
         })
     }
 
@@ -109,10 +113,12 @@ impl<'a> Cylinder<'a> {
         };
         if tank.contact() {
             settings.newton = Options::for_contact();
+            settings.newton.zone = tank.zone.clone();
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
         let interval = (record.duration() / LOOKS).max(record.dt);
         let mut watch = Watch::new(tank, interval, motion.transverse.is_some()).map_err(analysis)?;
+        watch.pictures = self.states.map(|every| Pictures::new(tank, every));
         let run = march(tank.problem(), &load, &settings, &mut [&mut watch], progress).map_err(analysis)?;
         match watch.failure.take() {
             Some(failure) => Err(analysis(failure)),

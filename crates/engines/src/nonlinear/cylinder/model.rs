@@ -17,6 +17,7 @@ use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::Problem;
 use fem::analysis::rings::solve_once;
 use fem::analysis::system::System;
+use fem::analysis::zone::{Zone, ZoneSolver};
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::interlayer;
@@ -31,15 +32,19 @@ use tank::Shape;
 
 use super::contact::{JOINT, Join, Joints};
 use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
+use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
 use super::rings::name_rings;
 use super::section::RowBuild;
-use super::standing::Standing;
+use super::standing::{self, ANCHOR, Standing};
 use crate::error::failed;
-use crate::nonlinear::bottom::{GROUND, KEY};
+use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY};
 use crate::{FeError, out_of_round};
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
+
+/// Groups whose tangents are renewed with the contact.
+const ZONE: [&str; 4] = [BOTTOM, GROUND, FLOOR, ANCHOR];
 
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
 /// contact line.
@@ -83,6 +88,10 @@ pub(crate) struct CylinderModel {
     pub joints: Option<Joints>,
     /// The bottom under an unanchored wall.
     pub standing: Option<Standing>,
+    /// Its part of the systems of equations: plate and ground.
+    pub zone: Option<Arc<Zone>>,
+    /// The liquid's floor over that bottom.
+    pub floor: Option<LiquidFloor>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -128,10 +137,13 @@ impl CylinderModel {
     ///
     /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
-        CylinderModel::in_form(case, options, |wetted| iterates(wetted, options.contact))
+        // Contact with the ground takes every step of an iteration, as that of an opening joint does: a wall on its bottom has factors.
+        let stands = standing::stands(case, options);
+        CylinderModel::in_form(case, options, |wetted| stands || iterates(wetted, options.contact))
     }
 
-    /// The model with the liquid as an operator if `iterates(wetted nodes)`.
+    /// The model with the liquid as an operator if `iterates(wetted nodes)`; on a bottom a block asks for a factor of the whole in every
+    /// iteration.
     pub(super) fn in_form(
         case: &Case,
         options: &NonlinearOptions,
@@ -153,7 +165,7 @@ impl CylinderModel {
             ));
         }
         let shape = shape(case, &options.imperfections, radius, &footprint);
-        let plate = super::standing::plate(case, options, radius)?;
+        let plate = standing::plate(case, options, radius)?;
         let mut standing = None;
         let mesh = WallMesh {
             footprint: shape.as_ref().unwrap_or(&footprint),
@@ -195,9 +207,8 @@ impl CylinderModel {
                 builder.frame(*nodes.1, radial);
             }
         }
-        // Contact with the ground takes every step of an iteration, as that of an opening joint does.
-        let operator = plate.is_none() && iterates(wetted.len());
-        if operator {
+        let operator = iterates(wetted.len());
+        if operator && plate.is_none() {
             name_rings(&mut builder, &footprint, &wall, &wetted, &cells)?;
         }
         if options.contact == Contact::Opening {
@@ -205,8 +216,11 @@ impl CylinderModel {
                 builder.hold(node, Dof::Ux);
             }
         }
+        let floor = plate
+            .as_ref()
+            .map(|plate| LiquidFloor::over(plate, &mut builder, footprint.levels[0].len()));
         let (liquid, amplitude_nodes, liquid_element) =
-            add_liquid(case, &mut builder, &cells, &wetted, options, operator)?;
+            add_liquid(case, &mut builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
         let joints = match options.contact {
             Contact::Bonded => None,
             Contact::Opening => {
@@ -236,10 +250,20 @@ impl CylinderModel {
         );
         if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
             standing.found(plate, case, &mut builder, options, &mut pressure_loads)?;
+            if let Some(floor) = &floor {
+                standing.wet(plate, &mut builder, floor)?;
+            }
         }
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
         let assembler = Assembler::new(&model);
+        let zone = match &plate {
+            Some(_) if operator => {
+                let named = |e: usize| ZONE.contains(&model.groups()[model.group_of(e)].as_str());
+                Some(Arc::new(Zone::new(&model, &assembler, named).map_err(failed)?))
+            }
+            _ => None,
+        };
         let symbolic = symbolic(&model, &assembler, liquid_element)?;
         let system = System::new(&model, &assembler).map_err(failed)?;
         let weight = match options.self_weight {
@@ -279,6 +303,8 @@ impl CylinderModel {
             wetted,
             joints,
             standing,
+            zone,
+            floor,
             areas,
             liquid,
             amplitudes,
@@ -295,6 +321,12 @@ impl CylinderModel {
             },
         };
         out.wall_omega = match out.imperfections.is_empty() {
+            // A tank that slides has the damping of one that is kept in place.
+            true if super::standing::slides(case) && out.standing.is_some() => {
+                let mut kept = case.clone();
+                kept.tank.foundation.iter_mut().for_each(|f| f.friction = None);
+                CylinderModel::new(&kept, options)?.wall_omega
+            }
             true => out.first_wall_mode()?,
             // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
             false => {
@@ -355,8 +387,13 @@ impl CylinderModel {
 
     /// Equations of the liquid's unknowns, in its order; none where a support holds the wall.
     pub(crate) fn liquid_unknowns(&self) -> Vec<Option<usize>> {
-        let wall = self.wetted.iter().map(|&n| self.model.dofs().equation(n, Dof::Ux));
-        wall.chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
+        let dofs = self.model.dofs();
+        let wall = self.wetted.iter().map(|&n| dofs.equation(n, Dof::Ux));
+        let floor = self.floor.iter().flat_map(|floor| &floor.nodes);
+        let floor = floor.map(|&n| dofs.equation(n, Dof::Amplitude));
+        wall.chain(floor)
+            .chain(self.amplitudes.iter().map(|&e| Some(e)))
+            .collect()
     }
 
     /// Forces of a unit horizontal acceleration of the ground on wall and liquid, the surface free of pressure: those of the
@@ -435,6 +472,14 @@ impl CylinderModel {
 
     /// Solves with the initial stiffness.
     fn static_solver(&self) -> Result<StaticSolver<'_>, FeError> {
+        if let Some(zone) = &self.zone {
+            let shares: Vec<[f64; 2]> = self.assembler.operators(&self.model).map(|_| [0.0, 1.0]).collect();
+            let solver = ZoneSolver::of(zone, &self.system.stiffness, None, &shares).map_err(failed)?;
+            return Ok(Box::new(move |b| {
+                let mut x = Vec::new();
+                solver.solve(b, &mut x).map(|()| x).map_err(failed)
+            }));
+        }
         if let WallLiquid::Circular(_) = &self.liquid {
             let solve = |b: &[f64]| {
                 let (model, assembler) = (&self.model, &self.assembler);
@@ -486,7 +531,7 @@ impl CylinderModel {
                 // An open joint must not pull through damping either.
                 let groups = self.rayleigh.iter_mut().zip(self.model.groups());
                 groups
-                    .filter(|(_, name)| [JOINT, GROUND, KEY].contains(&name.as_str()))
+                    .filter(|(_, name)| [JOINT, GROUND, KEY, FLOOR, ANCHOR].contains(&name.as_str()))
                     .for_each(|(own, _)| *own = Rayleigh::NONE);
                 Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
             }

@@ -32,6 +32,8 @@ pub(super) const UPLIFT_FRONT: usize = 8;
 pub(super) const UPLIFT_BACK: usize = 9;
 /// See [`UPLIFT_FRONT`].
 pub(super) const BASE_ROTATION: usize = 10;
+/// Mean displacement of the foot along x; see [`UPLIFT_FRONT`].
+pub(super) const SLIP: usize = 11;
 
 /// Force of the base on the ground against motion along the `axis` x (0) or y (1), or the `moment` of that motion; that of half a tank
 /// doubled.

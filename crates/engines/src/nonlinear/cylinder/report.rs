@@ -16,7 +16,8 @@ use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::look;
 use super::recorded::{
-    BASE_MOMENT, BASE_ROTATION, BASE_SHEAR, BELLY_FRONT, TOP_FRONT, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK, WAVE_FRONT,
+    BASE_MOMENT, BASE_ROTATION, BASE_SHEAR, BELLY_FRONT, SLIP, TOP_FRONT, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK,
+    WAVE_FRONT,
 };
 use super::state::{energies, events, grid, loops, maps, pictures, place};
 use super::two;
@@ -35,6 +36,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         options,
         tank,
         span,
+        ..
     } = cylinder;
     let last = look(tank, &run.state);
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
@@ -69,11 +71,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     let maps = maps(case, tank, watch, &worst, &last);
     let nonlinear = Nonlinear {
         grid: grid(tank),
-        extremes: {
-            let mut all = extremes::extremes(tank, watch, &maps);
-            all.extend(extremes::plastic(tank, run));
-            all
-        },
+        extremes: extremes::extremes(tank, watch, &maps),
         maps,
         cracks: pictures(watch, &last, run.time),
         loops: loops(watch),
@@ -112,7 +110,11 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         series: histories.series,
         assumptions: assumptions(case, options, tank, span),
         notes,
-        snapshots: None,
+        snapshots: watch
+            .pictures
+            .as_ref()
+            .map(|p| p.states.clone())
+            .filter(|p| !p.states.is_empty()),
         demands: Some(demands(case, tank, watch)),
         units: None,
         of_modes: None,
@@ -158,7 +160,7 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
     if let Some(open) = extremes::open_history(tank, watch) {
         push(Channel::Open, &open, None);
     }
-    if tank.standing.is_some() {
+    if let Some(standing) = &tank.standing {
         let mut whole = |channel: Channel, values: Vec<f64>, peak: (f64, f64)| {
             histories.push(SeriesInfo::of(channel, 0.0, peak), values);
         };
@@ -171,6 +173,27 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
         let peak = toe.iter().zip(times).max_by(|a, b| a.0.total_cmp(b.0));
         let peak = peak.map_or((0.0, 0.0), |(v, t)| (*v, *t));
         whole(Channel::ToeStress, toe, peak);
+        let sampled = |values: &[f64]| {
+            let all = values.iter().zip(times);
+            all.fold(
+                (0.0, 0.0),
+                |m: (f64, f64), (v, t)| if v.abs() > m.0 { (v.abs(), *t) } else { m },
+            )
+        };
+        let seen = &watch.seen.standing;
+        for (history, side) in seen.joint.iter().zip(Side::BOTH) {
+            whole(Channel::PlasticRotation(side), history.clone(), sampled(history));
+        }
+        if !seen.anchor.is_empty() {
+            whole(Channel::AnchorForce, seen.anchor.clone(), sampled(&seen.anchor));
+        }
+        if standing.slides() {
+            let slip = &recorder.histories[SLIP];
+            let rest = slip.first().copied().unwrap_or(0.0);
+            let own: Vec<f64> = slip.iter().map(|v| v - rest).collect();
+            let peak = sampled(&own);
+            whole(Channel::Slip, own, peak);
+        }
     }
     two::add(&mut histories, recorder, &watch.seen.two);
     histories

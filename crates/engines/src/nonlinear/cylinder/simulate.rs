@@ -14,15 +14,20 @@ use crate::{FeError, Simulation};
 
 /// Time history of a cylinder.
 ///
+/// * `states`: time between states for pictures [s]; none keeps none
+///
 /// Errors: as [`Cylinder::new`]; no record; interrupted before there are results.
 pub(crate) fn simulate(
     case: &Case,
     options: &NonlinearOptions,
-    checkpoint: Option<&CheckpointFile>,
+    (states, checkpoint): (Option<f64>, Option<&CheckpointFile>),
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    let cylinder = Cylinder::new(case, options, progress)?;
+    let cylinder = Cylinder {
+        states,
+        ..Cylinder::new(case, options, progress)?
+    };
     let (watch, run) = cylinder.march(motion, 1.0, cores::available(), checkpoint, progress)?;
     if run.outcome == Outcome::Interrupted && watch.recorder.times.len() < 2 {
         return Err(FeError::Interrupted {

@@ -1,5 +1,6 @@
 //! The nonlinear cylinder against the linear engine, against itself on the whole circle, and against itself resumed.
 
+mod base_elements;
 mod curve;
 mod imperfect;
 mod opening;

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::around::AroundSeen;
 use super::contact::rise;
 use super::model::CylinderModel;
+use super::pictures::Pictures;
 use super::points::{Happening, Look, look};
 use super::recorded::{BASE_MOMENT, WAVE_BACK, WAVE_FRONT, quantities};
 use super::two::{self, MOMENT_Y, TwoSeen};
@@ -99,6 +100,19 @@ pub(crate) struct Kept {
     pub look: Look,
 }
 
+/// What the foot of a wall on its bottom goes through, at the samples.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct StandingSeen {
+    /// Plastic rotation of the joint at θ = 0 and π, positive where the plate lifts [rad].
+    pub joint: [Vec<f64>; 2],
+    /// Force of the anchor that pulls most [N].
+    pub anchor: Vec<f64>,
+    /// The largest elongation from the ground of an anchor, its play included [m], with its time [s] and angle [rad].
+    pub stretched: (f64, f64, f64),
+    /// Largest plastic elongation of an anchor [m].
+    pub plastic: f64,
+}
+
 /// Observations so far, without those that the parts of [`Watch`] store.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Seen {
@@ -122,6 +136,9 @@ pub(crate) struct Seen {
     /// Two horizontal components.
     #[serde(default)]
     pub two: TwoSeen,
+    /// An unanchored wall, or one on anchors.
+    #[serde(default)]
+    pub standing: StandingSeen,
     /// Largest radial displacement of the wall at a sample, the static state included [m], and its time [s].
     pub displacement: (f64, f64),
 }
@@ -147,6 +164,8 @@ pub(crate) struct Watch<'a> {
     fan: Option<Vec<usize>>,
     /// Rise of each wetted particle under unit amplitudes.
     rise: Matrix,
+    /// States for pictures, where they are asked for.
+    pub pictures: Option<Pictures<'a>>,
     /// Failure of an element that was asked.
     pub failure: Option<AnalysisError>,
 }
@@ -188,6 +207,7 @@ impl<'a> Watch<'a> {
             },
             tank,
             interval,
+            pictures: None,
             failure: None,
         })
     }
@@ -288,6 +308,24 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
+    fn standing(&mut self, now: &Instant<'_>) -> Result<(), AnalysisError> {
+        let Some(standing) = &self.tank.standing else {
+            return Ok(());
+        };
+        let seen = &mut self.seen.standing;
+        for (history, value) in seen.joint.iter_mut().zip(standing.plastic(self.tank, now.state)?) {
+            history.push(value);
+        }
+        if let Some(pulled) = standing.pulled(self.tank, now.state) {
+            seen.anchor.push(pulled.force);
+            seen.plastic = seen.plastic.max(pulled.plastic);
+            if pulled.height > seen.stretched.0 {
+                seen.stretched = (pulled.height, now.time, pulled.angle);
+            }
+        }
+        Ok(())
+    }
+
     fn displacement(&mut self, now: &Instant<'_>) {
         let model = &self.tank.model;
         for &node in &self.tank.wall.inner {
@@ -302,7 +340,7 @@ impl<'a> Watch<'a> {
 
     fn pressures(&mut self, now: &Instant<'_>) {
         let fields = &now.state.committed;
-        let wall = self.tank.wetted.len();
+        let wall = self.tank.liquid.wall();
         let of = |values: &[f64]| -> Vec<f64> {
             let at = |e: &Option<usize>| e.map_or(0.0, |e| values[e]);
             self.unknowns.iter().map(at).collect()
@@ -343,8 +381,12 @@ impl<'a> Watch<'a> {
         if now.sample.is_none() {
             return Ok(());
         }
+        if let Some(pictures) = &mut self.pictures {
+            pictures.see(now)?;
+        }
         self.meridians(now)?;
         self.stresses(now)?;
+        self.standing(now)?;
         self.displacement(now);
         match (&self.tank.joints, &mut self.openings) {
             (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
@@ -400,6 +442,9 @@ impl Observe for Watch<'_> {
         if let Some(openings) = &self.openings {
             openings.save(to);
         }
+        if let Some(pictures) = &self.pictures {
+            pictures.save(to);
+        }
         // Plain numbers: writing cannot fail.
         to.text(&serde_json::to_string(&self.seen).unwrap_or_default());
     }
@@ -409,6 +454,9 @@ impl Observe for Watch<'_> {
         self.separation.restore(from)?;
         if let Some(openings) = &mut self.openings {
             openings.restore(from)?;
+        }
+        if let Some(pictures) = &mut self.pictures {
+            pictures.restore(from)?;
         }
         let text = from.text()?;
         self.seen = serde_json::from_str(&text).map_err(|e| CheckpointError::Shape {

@@ -184,7 +184,7 @@ mod tests {
     fn classical_stress() {
         let case = tank();
         let options = options(&case, 80, 96);
-        let plan = Plan::new(&case, &options).unwrap();
+        let plan = Plan::new(&case, &options, false).unwrap();
         let axial = critical(&plan, shares);
         assert!((0.93..1.05).contains(&axial), "{axial}");
         let bending = critical(&plan, cosine_shares);
@@ -199,7 +199,7 @@ mod tests {
     fn a_mode_bends_the_wall_smoothly() {
         let case = tank();
         let options = options(&case, 32, 64);
-        let plan = Plan::new(&case, &options).unwrap();
+        let plan = Plan::new(&case, &options, false).unwrap();
         let mode = mode(&plan, 10.0).unwrap();
         let largest = |f: &dyn Fn(usize, usize) -> f64| {
             let places = (0..plan.levels.len()).flat_map(|l| (0..plan.angles.len()).map(move |k| (l, k)));

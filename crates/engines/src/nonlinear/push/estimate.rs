@@ -45,7 +45,9 @@ pub fn estimate(case: &Case, options: &NonlinearOptions, push: &PushOptions) -> 
     };
     // The plates alone decide how many rings the bottom has.
     let rings = match (case.tank.support, case.tank.shape) {
-        (Support::Unanchored, Shape::Cylinder { radius }) => Plate::of(case, radius)?.radii.len() - 1,
+        (Support::Unanchored, Shape::Cylinder { radius }) => {
+            Plate::of(case, radius, options.bottom_mesh)?.radii.len() - 1
+        }
         _ => 0,
     };
     let of = |height: f64, sectors: f64| of(case, options, push, height + rings as f64, sectors);

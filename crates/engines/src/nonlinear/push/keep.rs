@@ -56,6 +56,7 @@ impl<'f> Keeper<'f> {
             hash.count(values.len());
         }
         hash.count(plan.plate.as_ref().map_or(0, |plate| plate.radii.len()));
+        hash.count(usize::from(plan.plane));
         Keeper {
             file,
             identity: hash.value(),

@@ -4,20 +4,24 @@ use std::f64::consts::PI;
 
 use fem::dofs::Dof;
 use fem::state::State;
-use results::{PushBase, PushPoint, PushShell};
+use results::{PushBase, PushPoint, PushShell, PushStrip};
 
 use super::model::{Plan, PushModel};
 use crate::FeError;
+use crate::error::failed;
 use crate::nonlinear::arcs::{cosine_shares, shares};
 use crate::nonlinear::bottom;
 
 /// The base at a committed state; `None` of an anchored tank.
+///
+/// * `toe_stress`: axial compression of the lowest cell at the toe [Pa]
 ///
 /// Errors: a section that fails.
 pub(super) fn base(
     plan: &Plan,
     model: &PushModel,
     acceleration: f64,
+    toe_stress: f64,
     state: &State,
 ) -> Result<Option<PushBase>, FeError> {
     let (Some(plate), Some(bottom)) = (&plan.plate, &model.bottom) else {
@@ -36,7 +40,8 @@ pub(super) fn base(
         * 2.0
         / PI;
     // Two halves. The ground carries the pressure of the liquid on the plate, too.
-    let (mut reaction, mut moment) = (0.0, -2.0 * model.on_bottom(acceleration));
+    let (mut reaction, mut moment, mut toe) = (0.0, -2.0 * model.on_bottom(acceleration), 0.0);
+    let (wet, cosine) = (plate.wet_areas(), cosine_shares(angles)[0]);
     for (i, r) in plate.radii.iter().enumerate() {
         let nodes = bottom.rings[i].iter().zip(&bottom.ground[i]).zip(&bottom.rest[i]);
         for (((&node, &element), rest), angle) in nodes.zip(angles) {
@@ -44,6 +49,8 @@ pub(super) fn base(
             reaction += force;
             moment += (force - 2.0 * rest) * r * angle.cos();
         }
+        let first = model.ground_force(bottom.ground[i][0], up(bottom.rings[i][0]));
+        toe += first - bottom.rest[i][0] - acceleration * plate.impulsive[i] * wet[i] * cosine;
     }
     let pressed: Vec<bool> = foot.iter().map(|n| up(*n) <= 0.0).collect();
     let lifted = shares(angles)
@@ -58,6 +65,11 @@ pub(super) fn base(
         .take_while(|(ring, _)| up(ring[last]) > 0.0)
         .last()
         .map_or(0.0, |(_, r)| plate.radii[plate.foot] - r);
+    let wall = model.cells.iter().zip(model.levels.windows(2)).filter_map(|(row, z)| {
+        let course = plan.case.tank.course_at(0.5 * (z[0] + z[1]));
+        let soft = 12.0 / (course.material.youngs_modulus * course.thickness.powi(3));
+        Some((*row.last()?, [soft, course.material.poisson_ratio * soft]))
+    });
     Ok(Some(PushBase {
         rotation: -tilt / plan.radius,
         moment,
@@ -66,12 +78,18 @@ pub(super) fn base(
         toe: -up(foot[0]),
         lifted_width: width,
         lifted_angle: lifted,
-        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)?,
+        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)
+            .map_err(failed)?
+            .abs(),
+        wall_rotation: bottom::hinge(&model.model, wall, state).map_err(failed)?.abs(),
+        toe_stress,
+        toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
         strips: None,
+        strip: None,
     }))
 }
 
-/// Adds the moments of the strips at the rotations and accelerations of the paths.
+/// Adds what the strips have at the rotations and accelerations of the paths.
 pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
     let Some(plate) = &plan.plate else { return };
     let bases = || shells.iter().flat_map(|s| &s.path).filter_map(|p| p.base);
@@ -85,7 +103,15 @@ pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
         let acceleration = p.acceleration;
         if let Some(base) = p.base.as_mut().filter(|b| b.rotation > 0.0) {
             let turn = rocking.at(base.rotation, plate.suction() * acceleration);
-            base.strips = turn.ok().map(|turn| turn.moment);
+            let Ok(turn) = turn else { return };
+            let wall = plate.base.wall_thickness();
+            base.strips = Some(turn.moment);
+            base.strip = Some(PushStrip {
+                uplift: turn.uplift,
+                toe_stress: turn.toe_force / wall,
+                settled: -rocking.curve().hold_down(-base.toe) / wall,
+                plastic_rotation: rocking.curve().at(turn.uplift).plastic_rotation,
+            });
         }
     };
     for shell in shells {

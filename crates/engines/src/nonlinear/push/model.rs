@@ -181,7 +181,7 @@ pub(super) struct Plan<'a> {
     pub(super) impulsive: Impulsive,
     /// The bottom of an unanchored tank.
     pub(super) plate: Option<Plate>,
-    /// Whether the foot of an unanchored tank stays a plane, as under a stiff roof; for comparison with the strips.
+    /// Whether the foot of an unanchored tank stays a plane ([`super::PushOptions::plane_foot`]).
     pub(super) plane: bool,
 }
 
@@ -191,7 +191,7 @@ fn failed(error: impl std::fmt::Display) -> FeError {
 
 impl<'a> Plan<'a> {
     /// Errors: a tank that is not a cylinder, or is unanchored without a bottom plate of steel; an option out of range.
-    pub(super) fn new(case: &'a Case, options: &'a NonlinearOptions) -> Result<Plan<'a>, FeError> {
+    pub(super) fn new(case: &'a Case, options: &'a NonlinearOptions, plane: bool) -> Result<Plan<'a>, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return unsupported("a pushover is for cylinders (shape cylinder); this tank is a rectangle");
         };
@@ -216,11 +216,11 @@ impl<'a> Plan<'a> {
         let impulsive = Impulsive::new(case, radius, &levels)?;
         let plate = match case.tank.support {
             Support::Anchored => None,
-            Support::Unanchored => Some(Plate::of(case, radius)?),
+            Support::Unanchored => Some(Plate::of(case, radius, options.bottom_mesh)?),
         };
         Ok(Plan {
             plate,
-            plane: false,
+            plane,
             case,
             options,
             radius,
@@ -299,7 +299,7 @@ impl<'a> Plan<'a> {
         let bottom = match plates {
             Some((plate, rings, bending)) => {
                 let follower = self.options.follower_pressure;
-                let ground = plate.place(&mut builder, angles, &rings, [follower, true], &mut dead)?;
+                let ground = plate.place(&mut builder, angles, &rings, [follower, true, false], &mut dead)?;
                 if self.plane {
                     bottom::keep_plane(&mut builder, angles, &rings[plate.foot])?;
                 }

@@ -101,7 +101,7 @@ impl<'a> Seen<'a> {
             ring.iter().zip(shares).map(|(n, s)| s * u(n)).sum::<f64>() / PI
         });
         let (wall, liquid) = (limits::masses(self.plan, 0.0), model.liquid(acceleration));
-        let base = lifted::base(self.plan, model, acceleration, state)?;
+        let base = lifted::base(self.plan, model, acceleration, meridian.axial[0], state)?;
         self.points.push(PushPoint {
             acceleration,
             base_shear: acceleration * wall.0 + liquid.0,
@@ -223,6 +223,9 @@ impl<'a> Seen<'a> {
                     base.lifted_width,
                     base.lifted_angle,
                     base.plastic_rotation,
+                    base.wall_rotation,
+                    base.toe_stress,
+                    base.toe_reaction,
                 ]);
             }
             for values in [&m.w, &m.field, &m.axial, &m.hoop, &m.plastic] {
@@ -239,7 +242,7 @@ impl<'a> Seen<'a> {
         for _ in 0..from.count()? {
             let mut p = [0.0; 8];
             from.numbers_into("a point of the path", &mut p)?;
-            let mut b = [0.0; 8];
+            let mut b = [0.0; 11];
             if plan.plate.is_some() {
                 from.numbers_into("the base at a point of the path", &mut b)?;
             }
@@ -252,7 +255,11 @@ impl<'a> Seen<'a> {
                 lifted_width: b[5],
                 lifted_angle: b[6],
                 plastic_rotation: b[7],
+                wall_rotation: b[8],
+                toe_stress: b[9],
+                toe_reaction: b[10],
                 strips: None,
+                strip: None,
             });
             seen.points.push(PushPoint {
                 acceleration: p[0],

@@ -48,6 +48,7 @@ fn imperfect(form: Form) -> PushOptions {
         imperfection: Some(Amplitude::Thicknesses(0.5)),
         form,
         height: None,
+        plane_foot: false,
     }
 }
 

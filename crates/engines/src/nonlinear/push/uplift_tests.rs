@@ -83,10 +83,7 @@ impl Progress for Until {
 fn a_plane_foot_has_the_moments_of_the_strips() {
     let case = oil(205e9);
     let options = options(&case, 48);
-    let plan = Plan {
-        plane: true,
-        ..Plan::new(&case, &options).unwrap()
-    };
+    let plan = Plan::new(&case, &options, true).unwrap();
     let progress = Until::states(23);
     let found = path::follow(
         &plan,
@@ -137,7 +134,7 @@ fn a_buckling_mode_is_rejected() {
     let push = PushOptions {
         imperfection: Some(Amplitude::Thicknesses(0.5)),
         form: Form::Mode,
-        height: None,
+        ..PushOptions::default()
     };
     let error = pushover(&case, &options, &push, &[], None, &Until::states(1)).unwrap_err();
     assert!(matches!(error, FeError::Option { .. }), "{error}");
@@ -151,7 +148,7 @@ fn a_buckling_mode_is_rejected() {
 fn an_imperfect_foot_takes_the_plate_along() {
     let case = oil(205e6);
     let options = options(&case, 32);
-    let plan = Plan::new(&case, &options).unwrap();
+    let plan = Plan::new(&case, &options, false).unwrap();
     let shape = Depression {
         radius: 20.0,
         amplitude: -0.03,
@@ -159,4 +156,70 @@ fn an_imperfect_foot_takes_the_plate_along() {
         half_wave: 1.2,
     };
     assert!(plan.build(Some(&Dent::Weld(shape))).is_ok());
+}
+
+/// A tank of 8 m with thin plates of weak steel, small enough to be pushed to its end in seconds.
+fn weak() -> Case {
+    let mut case = oil(60e6);
+    case.tank.shape = Shape::Cylinder { radius: 4.0 };
+    let plate = case.tank.courses[0].clone();
+    case.tank.courses = vec![tank::Course {
+        height: 4.0,
+        thickness: 5e-3,
+        ..plate
+    }];
+    case.liquid.density = 1000.0;
+    case.liquid.fill_height = 3.6;
+    if let Some(bottom) = &mut case.tank.bottom {
+        bottom.thickness = 4e-3;
+    }
+    case
+}
+
+/// A weld depression of half a thickness above the foot of an unanchored tank, pushed over its first states beside the perfect shell. On each of them
+/// the ground carries weight and pressure, and its moment is that of the forces on the wall and of the liquid that leans with the base, W H ψ/2, within 2 %
+/// for what the wall bends besides. The dent moves the foot at rest by less than half of what it does anyway.
+#[test]
+fn an_imperfect_tank_is_pushed_off_the_ground() {
+    let case = weak();
+    let own = NonlinearOptions {
+        elements: Some(WallElements {
+            height: 12,
+            circumference: 8,
+        }),
+        ..NonlinearOptions::new(case.damping)
+    };
+    let plan = Plan::new(&case, &own).unwrap();
+    let dent = Dent::Weld(Depression {
+        radius: 4.0,
+        amplitude: 2.5e-3,
+        height: 0.15,
+        half_wave: 0.34,
+    });
+    let weight = case.liquid_mass() * case.gravity;
+    let path = |dent: Option<&Dent>| {
+        let progress = Until::states(12);
+        let mut keeper = Keeper::new(None, &plan);
+        let found = path::follow(&plan, dent, "shell", None, &mut keeper, &progress).unwrap();
+        let states = found.shell().path;
+        let rest = states[0].base.unwrap();
+        for state in &states {
+            let base = state.base.unwrap();
+            assert!((base.reaction / rest.reaction - 1.0).abs() < 1e-3, "{base:?}");
+            let lean = weight * 0.5 * case.liquid.fill_height * base.rotation;
+            let off = base.moment - state.base_moment - lean;
+            assert!(
+                base.rotation < 1e-3 || off.abs() < 0.02 * state.base_moment,
+                "{off} {lean} {state:?}"
+            );
+        }
+        assert!(states.len() > 8 && states[states.len() - 1].base.unwrap().rotation > rest.rotation);
+        rest
+    };
+    let (perfect, dented) = (path(None), path(Some(&dent)));
+    assert!((perfect.reaction / dented.reaction - 1.0).abs() < 1e-3);
+    assert!(
+        (dented.toe / perfect.toe - 1.0).abs() < 0.5 && dented.toe != perfect.toe,
+        "{perfect:?} {dented:?}"
+    );
 }

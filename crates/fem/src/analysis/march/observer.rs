@@ -52,7 +52,8 @@ impl Reaction {
     }
 
     /// With the forces of elements that stand for the ground, such as [`Ground`](crate::element::ground::Ground): number of each, and w in
-    /// the order of its dofs. Only for elements without a history.
+    /// the order of its dofs. One with a history is asked with that of the last step: friction on ground whose pressure has fallen in that step
+    /// is lower by as much.
     pub fn with_ground(mut self, elements: Vec<(usize, Vec<f64>)>) -> Reaction {
         self.ground = elements;
         self
@@ -65,8 +66,9 @@ impl Reaction {
         for (e, w) in &self.ground {
             let element = &*model.elements()[*e];
             let motion = gather.motion(model, &now.state.committed, element);
-            let mut out = Response::sized(w.len());
-            match element.respond(motion, &[], &mut [], Want::FORCE, &mut out) {
+            let history = &now.state.old[now.state.history(*e)];
+            let (mut out, mut new) = (Response::sized(w.len()), history.to_vec());
+            match element.respond(motion, history, &mut new, Want::FORCE, &mut out) {
                 Ok(()) => sum -= w.iter().zip(&out.force).map(|(w, f)| w * f).sum::<f64>(),
                 Err(_) => return f64::NAN,
             }

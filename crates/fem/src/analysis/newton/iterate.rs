@@ -23,13 +23,15 @@ impl Newton<'_> {
             linear: Some(&self.linear),
             end_tangent: 1.0 / on_force,
             threads: self.threads,
+            tangents: None,
         };
         self.assembler
-            .answer(
+            .answer_apart(
                 self.model,
                 state,
                 ask,
                 &mut self.tangent,
+                self.zoned.as_mut().map(Zoned::apart),
                 &mut self.forces,
                 self.kept.as_mut(),
             )
@@ -46,7 +48,7 @@ impl Newton<'_> {
         limit: usize,
         initial: bool,
     ) -> Result<StepReport, StepFailure> {
-        let modified = self.options.modified || initial;
+        let modified = self.options.modified || initial || self.zoned.is_some();
         state.revert();
         if let Some(kept) = &mut self.kept {
             kept.clear();
@@ -90,6 +92,7 @@ impl Newton<'_> {
                 // Loads that are elements themselves (follower pressure) are part of the forces and vanish with them.
                 || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
             {
+                self.note_iterations(iteration);
                 return Ok(StepReport {
                     iterations: iteration,
                     residuals,
@@ -104,7 +107,11 @@ impl Newton<'_> {
             }
             let slow = iteration > 0 && norm > SLOW * residuals[iteration - 1];
             let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
-            if initial {
+            let mut renewed = false;
+            if self.zoned.is_some() {
+                let renew = self.what_to_renew(state, current, slow);
+                renewed = self.renew(scheme, state, renew)?;
+            } else if initial {
                 if iteration == 0 {
                     self.take_initial()?;
                     self.refactor(scheme).map_err(StepFailure::Tangent)?;
@@ -115,7 +122,7 @@ impl Newton<'_> {
                 }
                 self.refactor(scheme).map_err(StepFailure::Tangent)?;
             }
-            self.solve().map_err(StepFailure::Tangent)?;
+            self.solve(renewed).map_err(StepFailure::Tangent)?;
             let work = dot(&self.room.du, &self.room.r);
             (before, energy) = (energy, work.abs());
             if !work.is_finite() {
@@ -205,7 +212,7 @@ impl Newton<'_> {
     }
 
     /// Factors the effective tangent.
-    fn refactor(&mut self, scheme: &dyn Scheme) -> Result<(), AnalysisError> {
+    pub(super) fn refactor(&mut self, scheme: &dyn Scheme) -> Result<(), AnalysisError> {
         let w = scheme.weights();
         self.effective.values.fill(0.0);
         self.effective.add(w.stiffness, &self.tangent);
@@ -215,7 +222,7 @@ impl Newton<'_> {
                 self.effective.add(w.damping, viscous);
             }
         }
-        if w.mass == 0.0 && self.rings.is_none() {
+        if w.mass == 0.0 && self.rings.is_none() && self.zoned.is_none() {
             // Unknowns without stiffness (potentials) rest in statics.
             let pattern = self.effective.pattern.clone();
             for &diagonal in &pattern.starts[..pattern.size()] {
@@ -228,11 +235,14 @@ impl Newton<'_> {
         self.factorise(w)
     }
 
-    /// δu from r with the factor there is.
-    fn solve(&mut self) -> Result<(), AnalysisError> {
+    /// δu from r with the factor there is, or with that of the zone `renewed`.
+    fn solve(&mut self, renewed: bool) -> Result<(), AnalysisError> {
         self.cost.iterations += 1;
         let (r, mut du) = (std::mem::take(&mut self.room.r), std::mem::take(&mut self.room.du));
-        let solved = self.back_substitute(&r, &mut du);
+        let solved = match renewed {
+            true => self.renew_and_substitute(&r, &mut du),
+            false => self.back_substitute(&r, &mut du),
+        };
         (self.room.r, self.room.du) = (r, du);
         solved
     }

@@ -20,6 +20,7 @@ impl Newton<'_> {
             c.factors,
             c.searches,
             c.products,
+            c.wholes,
         ] {
             to.count(count as usize);
         }
@@ -29,6 +30,9 @@ impl Newton<'_> {
         if let Some((_, w)) = &self.factor {
             to.numbers(&[w.mass, w.damping, w.stiffness]);
             to.numbers(&self.effective.values);
+            if let Some(zoned) = &self.zoned {
+                zoned.save(to);
+            }
         }
         to.count(usize::from(self.committed_at.is_some()));
         if self.committed_at.is_some() {
@@ -52,6 +56,7 @@ impl Newton<'_> {
             &mut c.factors,
             &mut c.searches,
             &mut c.products,
+            &mut c.wholes,
         ] {
             *count = from.count()? as u64;
         }
@@ -74,6 +79,9 @@ impl Newton<'_> {
                 damping: w[1],
                 stiffness: w[2],
             };
+            if let Some(zoned) = &mut self.zoned {
+                zoned.restore(from)?;
+            }
             // A run keeps no tangent that it could not factor.
             self.factorise(weights).map_err(|_| CheckpointError::Value {
                 what: "a pivot of the effective tangent",

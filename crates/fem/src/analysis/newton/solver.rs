@@ -3,6 +3,7 @@
 use super::{Inertia, Newton};
 use crate::analysis::rings::RingSolver;
 use crate::analysis::scheme::Weights;
+use crate::analysis::zone::ZoneSolver;
 use crate::analysis::{AnalysisError, failed};
 use crate::linalg::{Factor, LinalgError, Symmetric};
 
@@ -16,9 +17,10 @@ const EXACT: f64 = 1e-12;
 pub(super) enum Solver {
     Direct(Factor),
     Rings(Box<RingSolver>),
+    Zone(Box<ZoneSolver>),
 }
 
-const WHAT: &str = "the effective tangent";
+pub(super) const WHAT: &str = "the effective tangent";
 
 impl Inertia<'_> {
     /// A ← A + w_M M + w_C C of what is assembled.
@@ -36,7 +38,7 @@ impl Inertia<'_> {
 
 impl Newton<'_> {
     /// (c_M, c_K) of every element that is not assembled.
-    fn shares(&self, w: Weights) -> Vec<[f64; 2]> {
+    pub(super) fn shares(&self, w: Weights) -> Vec<[f64; 2]> {
         let c = self.inertia.map(|i| i.damping.of_operators()).unwrap_or_default();
         let share = [w.mass + w.damping * c.mass, w.stiffness + w.damping * c.stiffness];
         self.assembler.operators(self.model).map(|_| share).collect()
@@ -46,6 +48,16 @@ impl Newton<'_> {
     pub(super) fn factorise(&mut self, w: Weights) -> Result<(), AnalysisError> {
         // Taken out, so that a factor that failed is not used again.
         let before = self.factor.take().map(|(solver, _)| solver);
+        if let Some(zoned) = &self.zoned {
+            let shares = self.shares(w);
+            let own = Some((w.stiffness, &zoned.own));
+            let solver = match before {
+                Some(Solver::Zone(mut solver)) => solver.renew(&self.effective, own, &shares).map(|()| solver),
+                _ => ZoneSolver::of(&zoned.zone, &self.effective, own, &shares).map(Box::new),
+            };
+            self.factor = Some((Solver::Zone(solver.map_err(failed(WHAT))?), w));
+            return Ok(());
+        }
         let solver = match (&self.rings, before) {
             (Some(_), before) => Solver::Rings(Box::new(self.ring_solver(w, before)?)),
             (None, Some(Solver::Direct(mut factor))) => {
@@ -109,6 +121,7 @@ impl Newton<'_> {
                 *x = column.data;
                 solved.map_err(failed(WHAT))
             }
+            Solver::Zone(solver) => solver.solve(b, x).map_err(failed(WHAT)),
             Solver::Rings(solver) => {
                 // Two solutions suffice for the criterion of forces.
                 let tolerance = TOLERANCE.min(self.options.criteria.force.sqrt());
@@ -132,6 +145,17 @@ impl Newton<'_> {
         let mut regular = inertia.mass.clone();
         regular.add(epsilon, inertia.stiffness);
         let after = failed("the acceleration after a jump");
+        if let Some(zoned) = &self.zoned {
+            let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
+            let solver = ZoneSolver::of(&zoned.zone, &regular, None, &shares).map_err(failed("the mass matrix"))?;
+            let solve = |b: &[f64]| {
+                let mut x = Vec::new();
+                solver.solve(b, &mut x).map(|()| x).map_err(&after)
+            };
+            let first = solve(force)?;
+            let second = solve(&rest(&first))?;
+            return Ok([first, second]);
+        }
         match &self.rings {
             None => {
                 let factor = self

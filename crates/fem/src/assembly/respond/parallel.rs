@@ -105,7 +105,7 @@ impl Assembler {
             store.clear(elements.clone());
             for e in elements {
                 match one(e, &mut new, &mut kept, room) {
-                    Ok(true) => store.push(ask, room),
+                    Ok(true) => store.push(ask.wants_tangent(e), room),
                     Ok(false) => {}
                     Err(failure) => {
                         store.failure = Some(failure);
@@ -154,9 +154,10 @@ impl Assembler {
         Ok(())
     }
 
-    /// Whether the linear part stands for the element.
+    /// Whether the linear part stands for the element, or nothing is wanted of it.
     fn is_replaced(&self, e: usize, ask: Ask<'_>) -> bool {
-        self.unassembled[e] || (ask.linear.is_some() && self.linear[e])
+        let wanted = ask.want.force || ask.tangents.is_none_or(|of| of[e]);
+        self.unassembled[e] || (ask.linear.is_some() && self.linear[e]) || !wanted
     }
 
     /// End of the round that begins with element `first`.
@@ -164,7 +165,7 @@ impl Assembler {
         let end = count.min(first + ELEMENTS);
         let mut entries = 0;
         for e in first..end {
-            if ask.want.tangent && !self.is_replaced(e, ask) {
+            if ask.wants_tangent(e) && !self.is_replaced(e, ask) {
                 entries += self.place_starts[e + 1] - self.place_starts[e];
             }
             if entries >= ENTRIES {
@@ -187,7 +188,7 @@ impl Assembler {
             let n = self.equation_starts[e + 1] - self.equation_starts[e];
             let (force, matrix);
             (force, forces) = forces.split_at(n);
-            (matrix, matrices) = matrices.split_at(if ask.want.tangent { n * n } else { 0 });
+            (matrix, matrices) = matrices.split_at(if ask.wants_tangent(e) { n * n } else { 0 });
             accept(e, force, matrix);
         }
         store.failure.take().map_or(Ok(()), Err)
@@ -202,9 +203,9 @@ impl Store {
         self.failure = None;
     }
 
-    fn push(&mut self, ask: Ask<'_>, room: &Room) {
+    fn push(&mut self, tangent: bool, room: &Room) {
         self.forces.extend_from_slice(&room.response.force);
-        if ask.want.tangent {
+        if tangent {
             self.matrices.extend_from_slice(&room.response.tangent.data);
         }
     }

@@ -3,6 +3,7 @@
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::Element;
+use fem::element::anchor::Anchor;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
 use fem::element::ground::Ground;
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
@@ -129,6 +130,17 @@ fn ground(what: &'static str, friction: Option<f64>) -> Specimen {
     }
 }
 
+fn anchor() -> Specimen {
+    let build = move |_: &Turn| -> Box<dyn Element> { Box::new(Anchor::new(0, 40.0, 0.5).unwrap()) };
+    Specimen {
+        turns: Turns::AboutZ("the ground is level"),
+        rotations: NO_FRAME,
+        resists: (&[2, 3, 4], "it pulls where its node goes up"),
+        mass: MASSLESS,
+        ..Specimen::new("Anchor", "elastic-plastic", &LINE[..1], build)
+    }
+}
+
 /// A bar along x with an amplitude.
 fn super_element() -> Specimen {
     let build = move |_: &Turn| -> Box<dyn Element> {
@@ -195,6 +207,7 @@ pub(crate) fn all() -> Vec<Specimen> {
         liquid_joint("opens", true),
         ground("smooth", None),
         ground("with friction", Some(0.4)),
+        anchor(),
         super_element(),
         circular(),
     ]);

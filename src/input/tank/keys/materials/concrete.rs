@@ -1,5 +1,6 @@
 //! `behaviour.concrete` of a material: concrete that cracks and crushes.
 
+use files::code::Code;
 use tank::{BarBond, BiaxialEnvelope, Concrete, ConcreteLaw, Softening};
 
 use super::reader::{ElasticPart, Reader, STRESS, like, shown};
@@ -126,6 +127,7 @@ pub(super) fn concrete(
             format!("more than the tensile strength, {}", like(field, other))
         };
         r.faults.push(range_fault(
+            Code::Contradiction,
             field,
             "concrete is weaker in tension than in compression",
             &allowed,
@@ -170,6 +172,7 @@ fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> Bi
         envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked,
     ) {
         r.faults.push(range_fault(
+            Code::DoesNotApply,
             field,
             "the envelope of Kupfer and Gerstle belongs to the law `cracked`",
             "with \"law\": \"cracked\" only",
@@ -188,7 +191,7 @@ fn without_cracks(r: &mut Resolver<'_>, reader: &Reader, c: &ConcreteBehaviour, 
         ($($key:ident),*) => {$(
             if let Some(field) = &c.$key.given {
                 let message = concat!("this law of concrete has no cracks, so that `", stringify!($key), "` does not apply");
-                r.faults.push(range_fault(field, message, allowed));
+                r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
             }
         )*};
     }
@@ -230,6 +233,7 @@ fn bond(
         let energy = matches!(softening, Softening::FractureEnergy(_));
         if stiffened || !energy || law == ConcreteLaw::PlasticFracturing {
             r.faults.push(range_fault(
+                Code::Unsupported,
                 field,
                 "this concrete cannot take a bond law",
                 "with softening by fracture_energy, without tension_stiffening, law `cracked` or `uniaxial`",
@@ -237,6 +241,7 @@ fn bond(
         }
         if c.characteristic_strength.given.is_none() && reader.preset.is_none() && f_c <= MEAN_LESS_CHARACTERISTIC {
             r.faults.push(range_fault(
+                Code::Contradiction,
                 field,
                 "the bond strength follows from f_ck, which is f_cm - 8 MPa without characteristic_strength",
                 "a compressive strength above 8 MPa, or characteristic_strength",
@@ -265,6 +270,7 @@ fn softening(
         usize::from(brittle) + usize::from(energy.is_some()) + usize::from(strain.is_some()) > 1,
     ) {
         r.faults.push(range_fault(
+            Code::Exclusive,
             field,
             "more than one softening law in tension",
             "one of fracture_energy, softening_strain and \"brittle\": true",
@@ -275,6 +281,7 @@ fn softening(
         if strain < least {
             let allowed = format!("at least f_t/E with a margin of 2 %, {least:.2e}");
             r.faults.push(range_fault(
+                Code::Contradiction,
                 field,
                 "the softening is steeper than the elastic line (snap-back)",
                 &allowed,

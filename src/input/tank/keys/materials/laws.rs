@@ -1,5 +1,6 @@
 //! `behaviour` of a material beyond its elastic range.
 
+use files::code::Code;
 use tank::{Bar, Interlayer, Steel};
 
 use super::concrete::{self, ConcreteBehaviour};
@@ -83,7 +84,12 @@ impl FromNode for Behaviour {
             Kind::Text(text) if text == "elastic" => Some(Behaviour::Elastic),
             Kind::Object(_) => BehaviourKinds::from_node(node, faults).map(|kinds| Behaviour::Kinds(Box::new(kinds))),
             Kind::Text(text) => {
-                let mut fault = wrong_value(node, &format!("unknown behaviour `{text}`"), &Self::allowed());
+                let mut fault = wrong_value(
+                    Code::UnknownChoice,
+                    node,
+                    &format!("unknown behaviour `{text}`"),
+                    &Self::allowed(),
+                );
                 if ["steel", "concrete", "reinforcement", "interlayer"].contains(&text.as_str()) {
                     fault = fault.help(format!("write {{ \"{text}\": {{ … }} }}"));
                 }
@@ -148,6 +154,7 @@ pub(super) fn of_file(
     let mut given = given.into_iter().flatten();
     let (Some((word, sound)), None) = (given.next(), given.next()) else {
         r.faults.push(range_fault(
+            Code::Exclusive,
             field,
             "not exactly one behaviour",
             "one of steel, concrete, reinforcement and interlayer, or \"elastic\"",
@@ -164,7 +171,8 @@ pub(super) fn of_file(
     {
         let message = format!("the grade {} is {}", preset.name, preset.strengths.kind());
         let allowed = format!("\"elastic\" or {} with this grade", preset.strengths.kind());
-        r.faults.push(range_fault(field, &message, &allowed).found(word));
+        r.faults
+            .push(range_fault(Code::UnknownChoice, field, &message, &allowed).found(word));
         return None;
     }
     if let Some(s) = kinds.steel.value() {
@@ -207,6 +215,7 @@ fn tangent(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, e: f64) 
     if let (Some(field), true) = (&option.given, slope >= e) {
         let allowed = format!("at least 0, less than Young's modulus, {}", like(field, e));
         r.faults.push(range_fault(
+            Code::Contradiction,
             field,
             "the slope after yielding is not smaller than Young's modulus",
             &allowed,
@@ -221,6 +230,7 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength
     let tangent_modulus = match (&s.hardening_modulus.given, &s.tangent_modulus.given) {
         (Some(field), Some(_)) => {
             r.faults.push(range_fault(
+                Code::Exclusive,
                 field,
                 "two slopes beyond yielding",
                 "either tangent_modulus or hardening_modulus",
@@ -243,6 +253,7 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength
     {
         let allowed = format!("more than the yield strength, {}", like(field, yield_strength));
         r.faults.push(range_fault(
+            Code::Contradiction,
             field,
             "the tensile strength is not above the yield strength",
             &allowed,
@@ -267,8 +278,12 @@ fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): 
         && rupture <= yield_strength / e
     {
         let allowed = format!("more than the strain at yielding, {:.2e}", yield_strength / e);
-        r.faults
-            .push(range_fault(field, "the bars break before they yield", &allowed));
+        r.faults.push(range_fault(
+            Code::Contradiction,
+            field,
+            "the bars break before they yield",
+            &allowed,
+        ));
     }
     Bar {
         yield_strength,

@@ -1,5 +1,6 @@
 //! Values of a material from the file, or else from its grade.
 
+use files::code::Code;
 use tank::units::{display_in, unit_for};
 
 use crate::input::tank::key::Limits;
@@ -65,8 +66,13 @@ impl Reader {
         if !r.faults.suggest(&format!("did you mean `{key}`?")) {
             let field = Field::<T>::missing(self.head.clone(), option.path.clone());
             r.faults.push(
-                range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
-                    .help(format!("add \"{key}\": {}{otherwise}", T::example())),
+                range_fault(
+                    Code::MissingKey,
+                    &field,
+                    &format!("the key `{key}` is missing"),
+                    &T::allowed(),
+                )
+                .help(format!("add \"{key}\": {}{otherwise}", T::example())),
             );
         }
         f64::NAN

@@ -1,5 +1,6 @@
 //! Plausibility of a yield strength.
 
+use files::code::{Code, Warning};
 use tank::units::{Dimension, display_in, unit_for};
 
 use crate::input::tank::read::Field;
@@ -26,6 +27,7 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
             like_unit(field, THEORETICAL * e, Dimension::Stress)
         );
         r.faults.push(range_fault(
+            Code::OutOfRange,
             field,
             "the yield strength is larger than any material's",
             &allowed,
@@ -42,11 +44,14 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
             true => format!(" ({} % of Young's modulus)", 100.0 * strain),
             false => String::new(),
         };
-        r.warnings.push(format!(
-            "{}: unusual yield strength; found {}, usual is up to {}{why}",
-            field.path,
-            field.text,
-            show(usual)
+        r.warnings.push(Warning::new(
+            Code::UnusualTank,
+            format!(
+                "{}: unusual yield strength; found {}, usual is up to {}{why}",
+                field.path,
+                field.text,
+                show(usual)
+            ),
         ));
     }
 }

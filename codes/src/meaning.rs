@@ -1,0 +1,366 @@
+//! What each limit state and check compares, by id, for `tankcheck explain`. Name and clause are those that the procedures declare.
+
+use tank::units::Dimension::{self, *};
+
+/// A limit state, or one of the checks in which it ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Meaning {
+    /// Id of the check as in `results.json`.
+    pub id: &'static str,
+    /// The limit state that it belongs to; its own id where it is one.
+    pub state: &'static str,
+    /// What the demand is.
+    pub demand: &'static str,
+    /// What it is compared with, and what that depends on.
+    pub capacity: &'static str,
+    /// Dimension of both.
+    pub dimension: Dimension,
+}
+
+const fn state(id: &'static str, demand: &'static str, capacity: &'static str, dimension: Dimension) -> Meaning {
+    part((id, id), demand, capacity, dimension)
+}
+
+const fn part(
+    (id, state): (&'static str, &'static str),
+    demand: &'static str,
+    capacity: &'static str,
+    dimension: Dimension,
+) -> Meaning {
+    Meaning {
+        id,
+        state,
+        demand,
+        capacity,
+        dimension,
+    }
+}
+
+/// All, in the order of a report: surface, wall, base, surroundings.
+pub const ALL: &[Meaning] = &[
+    state(
+        "freeboard",
+        "largest rise of the liquid surface at the wall, d_max or δ_s",
+        "height of the wall, or of the roof, above the liquid at rest; API 650 asks for a part of δ_s in some seismic use groups",
+        Length,
+    ),
+    state(
+        "roof_impact",
+        "largest rise of the liquid surface at the wall",
+        "height of the roof above the liquid at rest; what a wave does that reaches the roof is not computed",
+        Length,
+    ),
+    state(
+        "hoop_yield",
+        "circumferential membrane stress of each course under liquid at rest and earthquake",
+        "yield strength of the course",
+        Stress,
+    ),
+    state(
+        "hoop_stress",
+        "product hoop stress and seismic hoop stress of each course",
+        "the lesser of 1.33 times the allowable product stress times joint efficiency, and 0.9 F_y times joint efficiency",
+        Stress,
+    ),
+    state(
+        "pressure_hoop",
+        "hoop stress with the design pressure above the liquid",
+        "as hoop_stress",
+        Stress,
+    ),
+    state(
+        "equivalent_stress",
+        "equivalent (von Mises) membrane stress of the wall at every place and instant",
+        "yield strength",
+        Stress,
+    ),
+    state(
+        "equivalent_stress_at_base",
+        "range of the equivalent stress on a face of the wall at its foot, with bending",
+        "twice the yield strength (plastic shakedown)",
+        Stress,
+    ),
+    state(
+        "buckling_elastic",
+        "axial compression of the wall (membrane stress)",
+        "elastic buckling stress of the course, raised by the interior pressure and lowered by the imperfection of its quality class",
+        Stress,
+    ),
+    state(
+        "buckling_elastic_plastic",
+        "axial compression at the foot of a course (membrane stress)",
+        "stress at which the wall bulges outward (elephant's foot); it falls with the hoop stress of the same instant",
+        Stress,
+    ),
+    state(
+        "shell_compression",
+        "longitudinal compression at the foot of the bottom course",
+        "allowable compression F_C, from G H D²/t² and at most 0.5 F_ty",
+        Stress,
+    ),
+    state(
+        "upper_compression",
+        "longitudinal compression at the foot of each course above the bottom one",
+        "its allowable compression F_C, as shell_compression",
+        Stress,
+    ),
+    state(
+        "wall_tension_and_bending",
+        "axial force with bending moment of the wall per length, concrete with its bars or plate of metal",
+        "resistance of the section at the same eccentricity",
+        LineForce,
+    ),
+    part(
+        ("wall_tension_and_bending_horizontal", "wall_tension_and_bending"),
+        "axial force or moment of the horizontal section per length",
+        "what the horizontal bars and the concrete resist at the same eccentricity",
+        LineForce,
+    ),
+    part(
+        ("wall_tension_and_bending_vertical", "wall_tension_and_bending"),
+        "axial force or moment of the vertical section per length",
+        "what the vertical bars and the concrete resist at the same eccentricity",
+        LineForce,
+    ),
+    state(
+        "wall_shear",
+        "shear force of the wall across its thickness per length",
+        "resistance without stirrups; axial tension lowers it",
+        LineForce,
+    ),
+    state(
+        "crack_width",
+        "width of cracks under service actions",
+        "width allowed by the tightness class",
+        Length,
+    ),
+    state(
+        "wall_strength",
+        "stresses of a wall that is not a metal shell",
+        "not compared by the engines: the procedures of Eurocode 8 design such walls",
+        Stress,
+    ),
+    state(
+        "wall_material",
+        "a wall of neither carbon steel nor aluminium",
+        "not compared: annex E is written for these",
+        Dimensionless,
+    ),
+    state(
+        "plane_walls",
+        "walls of a box computed as cantilevers, one strip for all",
+        "not compared: a narrow box carries as plates, and a run by strips is then outside its model",
+        Dimensionless,
+    ),
+    state(
+        "design_pressure",
+        "hoop stress and anchors with the design pressure",
+        "not compared by the engines",
+        Stress,
+    ),
+    state(
+        "gas_pressure",
+        "stresses with the pressure above the liquid",
+        "not compared by the engines; the procedures do",
+        Stress,
+    ),
+    state(
+        "anchorage",
+        "largest tension of an anchor: pull of the wall times the spacing",
+        "capacity of an anchor, given",
+        Force,
+    ),
+    state(
+        "anchor_tension",
+        "largest tension of an anchor from overturning, less the weight of shell and roof",
+        "capacity of an anchor, given",
+        Force,
+    ),
+    state(
+        "anchor_attachment",
+        "three times the design tension of an anchor, 3 P_AB",
+        "capacity of its attachment to the shell, given",
+        Force,
+    ),
+    state(
+        "anchor_spacing",
+        "distance of the anchors along the shell",
+        "largest spacing of the standard, 3 m",
+        Length,
+    ),
+    state(
+        "anchorage_ratio",
+        "anchorage ratio J, moment over what weight and bottom plate hold down",
+        "1.54; up to 0.785 the shell does not lift",
+        Dimensionless,
+    ),
+    state(
+        "annulus_width",
+        "width of the annular plate that the hold-down needs",
+        "width of the plate inside the shell, given",
+        Length,
+    ),
+    state(
+        "stability",
+        "moment over what weight and bottom plate hold down, M/(D²·(w_t + w_L))",
+        "1.57",
+        Dimensionless,
+    ),
+    state(
+        "overturning",
+        "moment at the edge of the tank under earthquake",
+        "moment of the weights about that edge",
+        Moment,
+    ),
+    state(
+        "uplift",
+        "uplift of the wall, with membrane stress and rotation of the bottom plate",
+        "ends in uplift_membrane, uplift_rotation and uplift_width, or in uplift_equilibrium",
+        Dimensionless,
+    ),
+    part(
+        ("uplift_membrane", "uplift"),
+        "radial membrane stress of the lifted bottom plate",
+        "yield strength of the plate",
+        Stress,
+    ),
+    part(
+        ("uplift_rotation", "uplift"),
+        "rotation of the joint of wall and bottom plate",
+        "0.20 rad",
+        Angle,
+    ),
+    part(
+        ("uplift_width", "uplift"),
+        "lifted length of the bottom plate",
+        "width of the plate under the wall (annular plate)",
+        Length,
+    ),
+    part(
+        ("uplift_equilibrium", "uplift"),
+        "overturning moment",
+        "largest moment that weight and bottom plate hold at any rotation up to 0.1 rad",
+        Moment,
+    ),
+    state(
+        "uplift_tension",
+        "plastic rotation of the joint of the bottom plate in a run in which the base lifts; tension at the foot of a clamped wall otherwise",
+        "0.20 rad; a clamped unanchored wall that pulls is outside its model",
+        Angle,
+    ),
+    state(
+        "sliding",
+        "horizontal force on the foundation",
+        "friction times the weight with its vertical acceleration",
+        Force,
+    ),
+    part(
+        ("sliding_api", "sliding"),
+        "horizontal force on the foundation of a run",
+        "resistance of API 650 E.7.6, with its friction and vertical acceleration",
+        Force,
+    ),
+    state(
+        "foundation",
+        "overturning moment on the foundation",
+        "moment that ring wall or slab with the liquid above it holds, with a factor of 2",
+        Moment,
+    ),
+    state(
+        "bearing",
+        "pressure of the foundation on the ground",
+        "bearing resistance of the ground, given",
+        Stress,
+    ),
+    state(
+        "pipes",
+        "displacement of tank and wall where a pipe joins, against its support",
+        "displacement that the pipe can follow, given",
+        Length,
+    ),
+    state(
+        "piping",
+        "displacements for which pipes must be flexible (table E.8)",
+        "displacements that the pipes allow, given; ends in piping_uplift, piping_settlement and piping_horizontal",
+        Length,
+    ),
+    part(
+        ("piping_uplift", "piping"),
+        "upward displacement for which the pipes must be flexible",
+        "upward displacement that they allow, given",
+        Length,
+    ),
+    part(
+        ("piping_settlement", "piping"),
+        "downward displacement for which the pipes must be flexible",
+        "downward displacement that they allow, given",
+        Length,
+    ),
+    part(
+        ("piping_horizontal", "piping"),
+        "horizontal displacement for which the pipes must be flexible",
+        "horizontal displacement that they allow, given",
+        Length,
+    ),
+    state(
+        "damage_limitation",
+        "response to the frequent earthquake, ν times that of the ultimate limit state",
+        "ends in damage_freeboard and damage_hoop",
+        Dimensionless,
+    ),
+    part(
+        ("damage_freeboard", "damage_limitation"),
+        "rise of the surface under the frequent earthquake",
+        "height of the wall above the liquid at rest",
+        Length,
+    ),
+    part(
+        ("damage_hoop", "damage_limitation"),
+        "hoop stress under the frequent earthquake",
+        "yield strength",
+        Stress,
+    ),
+];
+
+/// The meaning of a check or limit state.
+pub fn of(id: &str) -> Option<&'static Meaning> {
+    ALL.iter().find(|meaning| meaning.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::api650::ground_motion::tests::site as api_site;
+    use crate::samples::{case, course, steel};
+    use crate::time_history::{Codes, limit_states};
+    use tank::{Shape, Support};
+
+    #[test]
+    fn every_limit_state_has_a_meaning() {
+        let ids: BTreeSet<&str> = ALL.iter().map(|meaning| meaning.id).collect();
+        assert_eq!(ids.len(), ALL.len());
+        for meaning in ALL {
+            assert!(of(meaning.state).is_some(), "{}", meaning.id);
+        }
+        let cylinder = Shape::Cylinder { radius: 10.0 };
+        let strip = false;
+        let (length, breadth) = (5.0, 3.0);
+        let rectangle = Shape::Rectangle { length, breadth, strip };
+        for (shape, support, api) in [
+            (cylinder, Support::Anchored, false),
+            (cylinder, Support::Unanchored, true),
+            (rectangle, Support::Unanchored, false),
+        ] {
+            let mut case = case(shape, vec![course(9.0, 0.01, steel())], 8.0, None);
+            case.tank.support = support;
+            case.tank.pressure.internal = 1e3;
+            case.site.api650 = api.then(api_site);
+            let states = crate::ALL.iter().flat_map(|procedure| procedure.limit_states(&case));
+            for state in states.chain(limit_states(&case, Codes::of(&case, &[]))) {
+                assert!(ids.contains(state.id), "{}", state.id);
+            }
+        }
+    }
+}

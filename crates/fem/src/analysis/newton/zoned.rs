@@ -1,0 +1,173 @@
+//! What of the tangent is renewed where a zone changes ([`crate::analysis::zone`]).
+
+use std::sync::Arc;
+
+use super::solver::{Solver, WHAT};
+use super::{Newton, StepFailure};
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::contact::switches;
+use crate::analysis::scheme::Scheme;
+use crate::analysis::zone::Zone;
+use crate::analysis::{AnalysisError, failed};
+use crate::assembly::{Apart, Ask, Assembler};
+use crate::element::Want;
+use crate::linalg::Symmetric;
+use crate::state::State;
+
+/// Slow iterations in succession with the same contact after which the tangent outside of the zone is renewed.
+const SLUGGISH: usize = 2;
+/// A step of more iterations has an old tangent outside of the zone.
+const MANY: usize = 8;
+
+/// Tangents of a zone and what decides about them.
+pub(super) struct Zoned {
+    pub(super) zone: Arc<Zone>,
+    /// Tangents of its elements.
+    pub(super) own: Symmetric,
+    /// Switches of contact for which they were taken.
+    switches: Vec<bool>,
+    /// Slow iterations in succession.
+    slow: usize,
+    /// Whether the tangent outside is renewed at the next opportunity.
+    stale: bool,
+    /// Everything in every iteration.
+    pub(super) whole: bool,
+}
+
+/// What an iteration renews.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Renew {
+    Nothing,
+    Zone,
+    Whole,
+}
+
+impl Zoned {
+    pub(super) fn new(zone: Arc<Zone>, assembler: &Assembler) -> Zoned {
+        Zoned {
+            zone,
+            own: Symmetric::zeros(assembler.pattern().clone()),
+            switches: Vec::new(),
+            slow: 0,
+            stale: false,
+            whole: false,
+        }
+    }
+
+    pub(super) fn apart(&mut self) -> Apart<'_> {
+        Apart {
+            elements: self.zone.elements(),
+            tangent: &mut self.own,
+        }
+    }
+
+    pub(super) fn save(&self, to: &mut Writer) {
+        to.numbers(&self.own.values);
+        to.count(self.switches.len());
+        self.switches.iter().for_each(|on| to.count(usize::from(*on)));
+        to.count(self.slow);
+        to.count(usize::from(self.stale));
+    }
+
+    /// Errors: the end of the payload, numbers of another model.
+    pub(super) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        from.numbers_into("tangent of the zone", &mut self.own.values)?;
+        let count = from.count()?;
+        self.switches.clear();
+        for _ in 0..count {
+            self.switches.push(from.count()? != 0);
+        }
+        self.slow = from.count()?;
+        self.stale = from.count()? != 0;
+        Ok(())
+    }
+}
+
+impl Newton<'_> {
+    /// What the next increment needs; `current`: there is a factor with these weights, `slow`: it has not served the last one.
+    pub(super) fn what_to_renew(&mut self, state: &State, current: bool, slow: bool) -> Renew {
+        let set = switches(self.model, state);
+        let Some(zoned) = &mut self.zoned else {
+            return Renew::Nothing;
+        };
+        let changed = set != zoned.switches;
+        zoned.slow = if slow && !changed { zoned.slow + 1 } else { 0 };
+        let renew = if !current || zoned.whole || zoned.stale || zoned.slow > SLUGGISH {
+            Renew::Whole
+        } else if changed || slow {
+            Renew::Zone
+        } else {
+            Renew::Nothing
+        };
+        if renew == Renew::Whole {
+            zoned.slow = 0;
+            zoned.stale = false;
+        }
+        zoned.switches = set;
+        renew
+    }
+
+    /// Takes the tangents at the trial state; whether the zone remains to be factored with the next solution.
+    pub(super) fn renew(&mut self, scheme: &dyn Scheme, state: &mut State, renew: Renew) -> Result<bool, StepFailure> {
+        let on_force = scheme.collocation().1;
+        match renew {
+            Renew::Nothing => Ok(false),
+            Renew::Whole => {
+                self.cost.wholes += 1;
+                // Its tangents are those in a checkpoint.
+                let before = self.factor.take();
+                self.evaluate(state, Want::ALL, on_force)?;
+                self.factor = before;
+                self.refactor(scheme).map_err(StepFailure::Tangent)?;
+                Ok(false)
+            }
+            Renew::Zone => {
+                self.cost.evaluations += 1;
+                self.cost.factors += 1;
+                let Some(zoned) = &mut self.zoned else { return Ok(false) };
+                let zone = zoned.zone.clone();
+                let ask = Ask {
+                    want: Want::TANGENT,
+                    linear: Some(&self.linear),
+                    end_tangent: 1.0 / on_force,
+                    threads: self.threads,
+                    tangents: Some(zone.elements()),
+                };
+                let (tangent, unused) = (&mut self.tangent, &mut self.unused);
+                let before = self.factor.take();
+                self.assembler
+                    .answer_apart(self.model, state, ask, tangent, Some(zoned.apart()), unused, None)
+                    .map_err(|(number, source)| StepFailure::Element { number, source })?;
+                self.factor = before;
+                Ok(true)
+            }
+        }
+    }
+
+    /// Factors the zone with the tangents there are, and x = A⁻¹ b.
+    pub(super) fn renew_and_substitute(&mut self, b: &[f64], x: &mut Vec<f64>) -> Result<(), AnalysisError> {
+        let (Some((Solver::Zone(solver), w)), Some(zoned)) = (&mut self.factor, &self.zoned) else {
+            return self.back_substitute(b, x);
+        };
+        let own = Some((w.stiffness, &zoned.own));
+        let solved = solver.renew_and_solve(own, b, x, self.threads).map_err(failed(WHAT));
+        if solved.is_err() {
+            self.factor = None;
+        }
+        solved
+    }
+
+    /// Ends an attempt that has renewed everything in every iteration.
+    pub(super) fn end_whole(&mut self) {
+        if let Some(zoned) = &mut self.zoned {
+            zoned.whole = false;
+        }
+    }
+
+    /// Notes the iterations of a step that has converged.
+    pub(super) fn note_iterations(&mut self, iterations: usize) {
+        if let Some(zoned) = &mut self.zoned {
+            zoned.stale = iterations > MANY && !zoned.whole;
+        }
+    }
+}

@@ -1,0 +1,495 @@
+//! Linear systems of a model of which only a zone changes from iteration to iteration.
+//!
+//! ```text
+//! A = ⎡ E  Bᵀ ⎤      E: unknowns that no element of the zone uses, with the elements that are not assembled (liquid)
+//!     ⎣ B  S  ⎦      S: unknowns of the elements of the zone (bottom plate, ground)
+//! S + C          C = −B E⁻¹ Bᵀ, on the unknowns of the zone that E touches
+//! ```
+//!
+//! E is factored and C formed rarely, S + C whenever the zone has changed: what the ground does costs a factor of the zone. The liquid of
+//! a wall is dense in E, and its factor takes ten to thirty times the operations of that of a zone.
+//!
+//! # Newton's method with an E that is kept
+//!
+//! Let F be the residual of a step, B(u) = A_E⁰ + A_S(u) with the tangent A_E⁰ of an earlier state outside of the zone and an element A_S(u) of
+//! the generalised Jacobian of the forces of the zone at u, whatever its set of pressed points is. The forces are piecewise smooth, so
+//! that F(u) = V(u) (u − u*) + o(|u − u*|), V(u) = A_E(u) + A_S(u) (semi-smoothness, Qi & Sun 1993), and with e = u − u*
+//!
+//! ```text
+//! e⁺ = e − B⁻¹ F = B⁻¹ (A_E⁰ − A_E(u)) e + o(|e|)
+//! |e⁺|_B ≤ δ |e|_B + o(|e|) ,   δ = max |xᵀ (A_E⁰ − A_E) x| / xᵀ A_E⁰ x     where A_E⁰ > 0 and A_S ≥ 0
+//! ```
+//!
+//! since B ≥ A_E⁰. The rate is that of the tangent outside of the zone and does not depend on the set of pressed points: a set that changes in
+//! every iteration does not disturb it, because A_S is always that of the present set. A factor kept as a whole has no such bound: (A_S⁰ − A_S) is of
+//! the size of the ground's stiffness, a thousand times what remains where a point opens. δ is small, since A_E⁰ contains the inertia of the liquid
+//! (w_M M exceeds the stiffness of the wall a hundred times at steps of some milliseconds); where the wall outside of the zone
+//! yields, iterations become slow and E is factored anew.
+//!
+//! Source: Qi & Sun 1993 (semi-smooth Newton); Przemieniecki 1963 (substructures).
+
+use std::sync::Arc;
+
+use super::AnalysisError;
+use super::failed;
+use crate::assembly::Assembler;
+use crate::linalg::{Factor, Kind, LinalgError, Matrix, Ordering, Partial, Pattern, Symbolic, Symmetric};
+use crate::model::Model;
+
+/// Marks unknowns that are not in a part.
+const NONE: u32 = u32::MAX;
+const WHAT: &str = "the tangent with its zone";
+
+/// Which unknowns and entries belong to the zone, and where they are in its two factors.
+pub struct Zone {
+    /// Elements of the zone.
+    elements: Vec<bool>,
+    /// Unknowns outside, and of the zone.
+    sizes: [usize; 2],
+    /// Position of each equation: unknowns outside in the order of their elimination, then those of the zone that they touch.
+    outer_of: Vec<u32>,
+    /// Position of each equation in the zone.
+    inner_of: Vec<u32>,
+    outer: Arc<Pattern>,
+    inner: Arc<Symbolic>,
+    /// Places in the model's pattern and in those of the parts.
+    outer_places: Vec<[u32; 2]>,
+    inner_places: Vec<[u32; 2]>,
+    /// Positions in the zone of the unknowns that the outside touches, in the order of C, and the places of C's lower triangle, column by column.
+    touched: Vec<u32>,
+    border: Vec<u32>,
+    operators: Vec<Dense>,
+}
+
+/// Mass and stiffness of an element that is not assembled: values with their places in one of the parts.
+#[derive(Default)]
+struct Dense {
+    outer: Entries,
+    inner: Entries,
+}
+
+#[derive(Default)]
+struct Entries {
+    places: Vec<u32>,
+    mass: Vec<f64>,
+    stiffness: Vec<f64>,
+}
+
+impl Entries {
+    fn add(&self, [on_mass, on_stiffness]: [f64; 2], values: &mut [f64]) {
+        for ((&p, m), k) in self.places.iter().zip(&self.mass).zip(&self.stiffness) {
+            values[p as usize] += on_mass * m + on_stiffness * k;
+        }
+    }
+}
+
+/// The same elements are the same zone of a model.
+impl PartialEq for Zone {
+    fn eq(&self, other: &Zone) -> bool {
+        self.elements == other.elements && self.sizes == other.sizes
+    }
+}
+
+impl std::fmt::Debug for Zone {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let count = self.elements.iter().filter(|own| **own).count();
+        f.debug_struct("Zone")
+            .field("elements", &count)
+            .field("sizes", &self.sizes)
+            .finish()
+    }
+}
+
+/// Unknowns with and without `flag`, ascending.
+fn split(flag: &[bool]) -> [Vec<usize>; 2] {
+    let of = |wanted: bool| (0..flag.len()).filter(|&e| flag[e] == wanted).collect();
+    [of(true), of(false)]
+}
+
+/// Places of a pattern given by pairs (row, column), row ≥ column, and by cliques of ascending unknowns.
+fn pattern_of(size: usize, pairs: impl Iterator<Item = (usize, usize)>, cliques: &[Vec<usize>]) -> Pattern {
+    let mut columns: Vec<Vec<usize>> = (0..size).map(|j| vec![j]).collect();
+    pairs.for_each(|(i, j)| columns[j].push(i));
+    for clique in cliques {
+        for (k, &j) in clique.iter().enumerate() {
+            columns[j].extend_from_slice(&clique[k + 1..]);
+        }
+    }
+    let (mut starts, mut rows) = (vec![0], Vec::new());
+    for mut column in columns {
+        column.sort_unstable();
+        column.dedup();
+        rows.extend(column);
+        starts.push(rows.len());
+    }
+    Pattern { starts, rows }
+}
+
+/// Positions of two unknowns in a part, the larger one first.
+fn pair(of: &[u32], i: usize, j: usize) -> Option<(usize, usize)> {
+    let (a, b) = (of[i], of[j]);
+    (a != NONE && b != NONE).then(|| (a.max(b) as usize, a.min(b) as usize))
+}
+
+impl Zone {
+    /// The zone of the elements for which `own(element number)` holds, and of nonlinear elements all of whose unknowns are theirs.
+    ///
+    /// Errors: not enough memory.
+    // Long: numbering, patterns and places of the two parts, one after the other.
+    pub fn new(model: &Model, assembler: &Assembler, own: impl Fn(usize) -> bool) -> Result<Zone, AnalysisError> {
+        let dofs = model.dofs();
+        let size = dofs.len();
+        let unknowns = |e: usize| {
+            let element = &model.elements()[e];
+            let nodes = element.nodes().iter().enumerate();
+            nodes.flat_map(move |(a, &node)| element.dofs(a).iter().filter_map(move |&d| dofs.equation(node, d)))
+        };
+        let count = model.elements().len();
+        let mut inside = vec![false; size];
+        (0..count)
+            .filter(|&e| own(e))
+            .flat_map(unknowns)
+            .for_each(|q| inside[q] = true);
+        let within = |e: usize| {
+            let element = &model.elements()[e];
+            !element.is_linear() && element.operator().is_none() && unknowns(e).all(|q| inside[q])
+        };
+        let elements: Vec<bool> = (0..count).map(|e| own(e) || within(e)).collect();
+        let pattern = assembler.pattern().clone();
+        let each = |see: &mut dyn FnMut(usize, usize, usize)| {
+            for j in 0..size {
+                (pattern.starts[j]..pattern.starts[j + 1]).for_each(|p| see(pattern.rows[p], j, p));
+            }
+        };
+        // What the outside touches, by elements that are assembled and by others.
+        let (mut touched, mut joined) = (vec![false; size], vec![false; size]);
+        each(&mut |i, j, _| {
+            if inside[i] != inside[j] {
+                touched[if inside[i] { i } else { j }] = true;
+            }
+        });
+        let operators: Vec<_> = assembler.operators(model).collect();
+        for placed in &operators {
+            for q in (0..placed.operator.size()).filter_map(|k| placed.equation(k)) {
+                joined[q] = true;
+                touched[q] |= inside[q];
+            }
+        }
+        // Outside: what the liquid does not join by dissection, then what it joins.
+        let apart = |flag: &dyn Fn(usize) -> bool| -> Vec<usize> {
+            let [rest, _] = split(&(0..size).map(flag).collect::<Vec<bool>>());
+            let part = Symmetric::zeros(pattern.clone()).submatrix(&rest);
+            let node_of: Vec<usize> = rest.iter().map(|&e| dofs.unknown(e).0).collect();
+            match Ordering::best(&part.pattern, &node_of, model.nodes()) {
+                Ordering::Given(order) => order.iter().map(|&k| rest[k]).collect(),
+                Ordering::MinimumDegree => rest,
+            }
+        };
+        let mut outer_order = apart(&|e| !inside[e] && !joined[e]);
+        outer_order.extend((0..size).filter(|&e| !inside[e] && joined[e]));
+        let outside = outer_order.len();
+        let border: Vec<usize> = (0..size).filter(|&e| touched[e]).collect();
+        outer_order.extend(&border);
+        let mut inner_order = apart(&|e| inside[e] && !touched[e]);
+        inner_order.extend(&border);
+        let numbered = |order: &[usize]| {
+            let mut of = vec![NONE; size];
+            order.iter().enumerate().for_each(|(k, &e)| of[e] = k as u32);
+            of
+        };
+        let (outer_of, inner_of) = (numbered(&outer_order), numbered(&inner_order));
+        // Entries of the zone are not those of the outside.
+        let is_outer = |i: usize, j: usize| !(inside[i] && inside[j]);
+        let mut pairs = [Vec::new(), Vec::new()];
+        each(&mut |i, j, _| match is_outer(i, j) {
+            true => pairs[0].extend(pair(&outer_of, i, j)),
+            false => pairs[1].extend(pair(&inner_of, i, j)),
+        });
+        let last = |of: &[u32]| -> Vec<usize> { border.iter().map(|&e| of[e] as usize).collect() };
+        let mut cliques = vec![last(&outer_of)];
+        for placed in &operators {
+            let own = (0..placed.operator.size()).filter_map(|k| placed.equation(k));
+            let mut clique: Vec<usize> = own.map(|e| outer_of[e] as usize).collect();
+            clique.sort_unstable();
+            cliques.push(clique);
+        }
+        let [outer_pairs, inner_pairs] = pairs;
+        let outer = Arc::new(pattern_of(outer_order.len(), outer_pairs.into_iter(), &cliques));
+        let inner = Arc::new(pattern_of(
+            inner_order.len(),
+            inner_pairs.into_iter(),
+            &[last(&inner_of)],
+        ));
+        let place = |of: &Pattern, at: Option<(usize, usize)>| at.and_then(|(i, j)| of.place(i, j)).map(|p| p as u32);
+        let (mut outer_places, mut inner_places) = (Vec::new(), Vec::new());
+        each(&mut |i, j, p| match is_outer(i, j) {
+            true => outer_places.extend(place(&outer, pair(&outer_of, i, j)).map(|to| [p as u32, to])),
+            false => inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to])),
+        });
+        let touched: Vec<u32> = border.iter().map(|&e| inner_of[e]).collect();
+        let mut c_places = Vec::with_capacity(touched.len() * (touched.len() + 1) / 2);
+        for (b, &j) in touched.iter().enumerate() {
+            for &i in &touched[b..] {
+                let (i, j) = (i.max(j) as usize, i.min(j) as usize);
+                c_places.extend(place(&inner, Some((i, j))));
+            }
+        }
+        let operators = operators
+            .iter()
+            .map(|placed| {
+                let n = placed.operator.size();
+                let (mass, stiffness) = (placed.operator.dense_mass(), placed.operator.dense_stiffness());
+                let mut out = Dense::default();
+                for b in 0..n {
+                    for a in b..n {
+                        let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else {
+                            continue;
+                        };
+                        let (to, at) = match is_outer(i, j) {
+                            true => (&mut out.outer, place(&outer, pair(&outer_of, i, j))),
+                            false => (&mut out.inner, place(&inner, pair(&inner_of, i, j))),
+                        };
+                        if let Some(at) = at {
+                            to.places.push(at);
+                            to.mass.push(mass.get(a, b));
+                            to.stiffness.push(stiffness.get(a, b));
+                        }
+                    }
+                }
+                out
+            })
+            .collect();
+        // Of the two orders of the zone the one of fewer operations.
+        let analysed = |order: &Ordering| Symbolic::new(inner.clone(), order).map_err(failed(WHAT));
+        let dissected = analysed(&Ordering::Given((0..inner_order.len()).collect()))?;
+        let degree = analysed(&Ordering::MinimumDegree)?;
+        Ok(Zone {
+            elements,
+            sizes: [outside, inner_order.len()],
+            outer_of,
+            inner_of,
+            outer,
+            inner: Arc::new(match degree.flops() < dissected.flops() {
+                true => degree,
+                false => dissected,
+            }),
+            outer_places,
+            inner_places,
+            touched,
+            border: c_places,
+            operators,
+        })
+    }
+
+    /// Elements of the zone.
+    pub fn elements(&self) -> &[bool] {
+        &self.elements
+    }
+
+    /// Unknowns outside, and of the zone.
+    pub fn sizes(&self) -> [usize; 2] {
+        self.sizes
+    }
+}
+
+/// Factors of a matrix with a zone.
+pub struct ZoneSolver {
+    zone: Arc<Zone>,
+    outside: Partial,
+    /// S without the elements of the zone, and C.
+    rest: Vec<f64>,
+    matrix: Symmetric,
+    inside: Option<Factor>,
+}
+
+impl ZoneSolver {
+    /// Memory for the factors.
+    ///
+    /// Errors: not enough of it.
+    pub fn new(zone: &Arc<Zone>) -> Result<ZoneSolver, LinalgError> {
+        let pattern = zone.inner.pattern().clone();
+        Ok(ZoneSolver {
+            outside: Partial::new(zone.outer.clone(), zone.sizes[0])?,
+            rest: vec![0.0; pattern.places()],
+            matrix: Symmetric::zeros(pattern),
+            inside: None,
+            zone: zone.clone(),
+        })
+    }
+
+    /// A solver of `base` + `factor` `own` + the operators, `shares` times their mass and stiffness; `own` is that of the elements
+    /// of the zone.
+    ///
+    /// Errors: a zero pivot, not enough memory.
+    pub fn of(
+        zone: &Arc<Zone>,
+        base: &Symmetric,
+        own: Option<(f64, &Symmetric)>,
+        shares: &[[f64; 2]],
+    ) -> Result<ZoneSolver, LinalgError> {
+        let mut out = ZoneSolver::new(zone)?;
+        out.renew(base, own, shares)?;
+        Ok(out)
+    }
+
+    /// Factors both parts; arguments as for [`ZoneSolver::of`].
+    ///
+    /// Errors: a zero pivot, not enough memory; the solver must not be used then.
+    pub fn renew(
+        &mut self,
+        base: &Symmetric,
+        own: Option<(f64, &Symmetric)>,
+        shares: &[[f64; 2]],
+    ) -> Result<(), LinalgError> {
+        let zone = self.zone.clone();
+        let outer = &mut self.outside.matrix.values;
+        outer.fill(0.0);
+        self.rest.fill(0.0);
+        for &[from, to] in &zone.outer_places {
+            outer[to as usize] = base.values[from as usize];
+        }
+        for &[from, to] in &zone.inner_places {
+            self.rest[to as usize] = base.values[from as usize];
+        }
+        for (dense, share) in zone.operators.iter().zip(shares) {
+            dense.outer.add(*share, outer);
+            dense.inner.add(*share, &mut self.rest);
+        }
+        self.matrix.values.copy_from_slice(&self.rest);
+        add_own(&zone, own, &mut self.matrix);
+        let starts = &zone.inner.pattern().starts;
+        let diagonal = |&q: &u32| {
+            let d = self.matrix.values[starts[q as usize]].abs();
+            if d > 0.0 && d.is_finite() { d } else { 1.0 }
+        };
+        let scale: Vec<f64> = zone.touched.iter().map(diagonal).collect();
+        let c = self.outside.factor(&scale)?;
+        let mut places = zone.border.iter();
+        for b in 0..c.cols {
+            for (value, &p) in c.column(b)[b..].iter().zip(places.by_ref()) {
+                self.rest[p as usize] += value;
+            }
+        }
+        self.renew_zone(own)
+    }
+
+    /// Factors the zone alone, for other values of its elements.
+    ///
+    /// Errors: a zero pivot, not enough memory; the solver must not be used then.
+    pub fn renew_zone(&mut self, own: Option<(f64, &Symmetric)>) -> Result<(), LinalgError> {
+        let ZoneSolver {
+            zone,
+            rest,
+            matrix,
+            inside,
+            ..
+        } = self;
+        factor_zone(zone, rest, matrix, inside, own)
+    }
+
+    /// x = A⁻¹ b.
+    ///
+    /// Errors: no factor, not enough memory.
+    pub fn solve(&self, b: &[f64], x: &mut Vec<f64>) -> Result<(), LinalgError> {
+        let mut outer = eliminate(&self.zone, &self.outside, b);
+        self.complete(b, &mut outer, x)
+    }
+
+    fn complete(&self, b: &[f64], outer: &mut [f64], x: &mut Vec<f64>) -> Result<(), LinalgError> {
+        let zone = &*self.zone;
+        let [outside, size] = zone.sizes;
+        let factor = self.inside.as_ref().ok_or(LinalgError::Singular { size })?;
+        let mut inner = Matrix::zeros(size, 1);
+        for (&at, b) in zone.inner_of.iter().zip(b).filter(|(at, _)| **at != NONE) {
+            inner.data[at as usize] = *b;
+        }
+        for (&at, b) in zone.touched.iter().zip(&outer[outside..]) {
+            inner.data[at as usize] = *b;
+        }
+        factor.solve(&mut inner)?;
+        for (&at, x) in zone.touched.iter().zip(&mut outer[outside..]) {
+            *x = inner.data[at as usize];
+        }
+        self.outside.backward(outer);
+        x.clear();
+        x.extend(zone.outer_of.iter().zip(&zone.inner_of).map(|(&o, &i)| match i {
+            NONE => outer[o as usize],
+            i => inner.data[i as usize],
+        }));
+        Ok(())
+    }
+
+    /// Factors the zone for other values of its elements and solves; the outside is eliminated meanwhile if there are two `threads`.
+    ///
+    /// Errors: those of [`ZoneSolver::renew_zone`] and [`ZoneSolver::solve`].
+    pub fn renew_and_solve(
+        &mut self,
+        own: Option<(f64, &Symmetric)>,
+        b: &[f64],
+        x: &mut Vec<f64>,
+        threads: usize,
+    ) -> Result<(), LinalgError> {
+        if threads < 2 {
+            self.renew_zone(own)?;
+            return self.solve(b, x);
+        }
+        let ZoneSolver {
+            zone,
+            outside,
+            rest,
+            matrix,
+            inside,
+        } = self;
+        let zone: &Zone = zone;
+        let mut outer = std::thread::scope(|scope| {
+            let eliminated = scope.spawn(|| eliminate(zone, outside, b));
+            let factored = factor_zone(zone, rest, matrix, inside, own);
+            let outer = eliminated
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            factored.map(|()| outer)
+        })?;
+        self.complete(b, &mut outer, x)
+    }
+}
+
+/// A ← A + factor B on the entries of the zone.
+fn add_own(zone: &Zone, own: Option<(f64, &Symmetric)>, matrix: &mut Symmetric) {
+    if let Some((factor, own)) = own {
+        for &[from, to] in &zone.inner_places {
+            matrix.values[to as usize] += factor * own.values[from as usize];
+        }
+    }
+}
+
+fn factor_zone(
+    zone: &Zone,
+    rest: &[f64],
+    matrix: &mut Symmetric,
+    inside: &mut Option<Factor>,
+    own: Option<(f64, &Symmetric)>,
+) -> Result<(), LinalgError> {
+    matrix.values.copy_from_slice(rest);
+    add_own(zone, own, matrix);
+    *inside = Some(match inside.take() {
+        Some(mut factor) => {
+            factor.refactor(matrix)?;
+            factor
+        }
+        None => zone.inner.factor(matrix, Kind::QuasiDefinite)?,
+    });
+    Ok(())
+}
+
+/// Forward elimination of the outside: its unknowns, then what is left for those of the zone that it touches.
+fn eliminate(zone: &Zone, outside: &Partial, b: &[f64]) -> Vec<f64> {
+    let mut outer = vec![0.0; zone.outer.size()];
+    for (&at, b) in zone.outer_of.iter().zip(b).filter(|(at, _)| **at != NONE) {
+        outer[at as usize] = *b;
+    }
+    outside.forward(&mut outer);
+    outer
+}
+
+#[cfg(test)]
+mod tests;

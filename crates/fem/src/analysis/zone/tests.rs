@@ -1,0 +1,136 @@
+//! A zone against the factor of the whole, and its Newton's method against the full one.
+
+use super::*;
+use crate::analysis::march::{Instant, Outcome, Problem, Settings, march};
+use crate::analysis::motion::{Grid, Motion};
+use crate::analysis::newton::Options;
+use crate::analysis::system::System;
+use crate::analysis::transient::Load;
+use crate::dofs::Dof;
+use crate::element::ground::Ground;
+use crate::element::solid8::{Elastic, Kinematics, Solid8};
+use crate::model::Builder;
+use crate::progress::Silent;
+
+const LENGTH: usize = 12;
+const GROUND: &str = "ground";
+const NEAR: &str = "near";
+
+/// A beam of bricks along x, held sideways, on ground under every node of its lower edge; the third of it at the far end is of another group.
+fn beam() -> (Model, Assembler) {
+    let mut builder = Builder::new();
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    for level in 0..=LENGTH {
+        for [y, z] in corners {
+            let node = builder.node([level as f64, y, z]);
+            builder.hold(node, Dof::Uy);
+            if level == 0 {
+                builder.hold(node, Dof::Ux);
+            }
+        }
+    }
+    for level in 0..LENGTH {
+        let nodes: [usize; 8] = std::array::from_fn(|a| 4 * level + a);
+        let at = nodes.map(|n| [(n / 4) as f64, corners[n % 4][0], corners[n % 4][1]]);
+        let stiff = Elastic::isotropic(4e5, 0.2, 10.0);
+        let brick = Solid8::new(nodes, at, stiff, Kinematics::GreenLagrange).unwrap();
+        builder.element(if level < LENGTH / 3 { NEAR } else { "far" }, brick);
+    }
+    for level in 0..=LENGTH {
+        for lower in [0, 1] {
+            let ground = Ground::new(4 * level + lower, 2e4, 0.5).unwrap();
+            builder.element(GROUND, ground);
+        }
+    }
+    let model = builder.build().unwrap();
+    let assembler = Assembler::new(&model);
+    (model, assembler)
+}
+
+fn zone(model: &Model, assembler: &Assembler) -> Arc<Zone> {
+    let own = |e: usize| [GROUND, NEAR].contains(&model.groups()[model.group_of(e)].as_str());
+    Arc::new(Zone::new(model, assembler, own).unwrap())
+}
+
+/// Both factors together solve as that of the whole, after one of both and after one of the zone alone, on one thread and on two:
+/// rounding at a condition of about 1e6.
+#[test]
+fn two_factors_are_one() {
+    let (model, assembler) = beam();
+    let zone = zone(&model, &assembler);
+    let within = zone.elements();
+    let mass = assembler.mass(&model);
+    let base = {
+        let mut base = assembler.stiffness_of(&model, |e| !within[e]).unwrap();
+        base.add(300.0, &mass);
+        base
+    };
+    let own = assembler.stiffness_of(&model, |e| within[e]).unwrap();
+    let symbolic = Arc::new(Symbolic::new(base.pattern.clone(), &Ordering::MinimumDegree).unwrap());
+    let b: Vec<f64> = (0..base.size()).map(|i| (0.7 * i as f64).cos()).collect();
+    let mut solver = ZoneSolver::of(&zone, &base, Some((0.0, &own)), &[]).unwrap();
+    for (factor, threads) in [(1.0, 1), (0.3, 2), (2.0, 1)] {
+        let mut whole = base.clone();
+        whole.add(factor, &own);
+        let expected = symbolic
+            .factor(&whole, Kind::Definite)
+            .unwrap()
+            .solve_vector(&b)
+            .unwrap();
+        let mut found = Vec::new();
+        solver
+            .renew_and_solve(Some((factor, &own)), &b, &mut found, threads)
+            .unwrap();
+        let size = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        for (x, e) in found.iter().zip(&expected) {
+            assert!((x - e).abs() < 1e-10 * size, "{x} {e}");
+        }
+    }
+}
+
+/// A beam that is thrown off its ground and falls back: the tangents outside of the zone are kept, those of the zone are taken as the ground
+/// opens and closes. The same motion as with full Newton: the criterion of contact leaves |δu·r| ≤ 1e-18, a relative error of the
+/// displacements of 1e-9 a step; a hundred steps and the multiplication by impacts leave 1e-6.
+#[test]
+fn a_kept_outside_is_full_newton() {
+    let (model, assembler) = beam();
+    let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
+    let system = System::new(&model, &assembler).unwrap();
+    let problem = Problem {
+        model: &model,
+        assembler: &assembler,
+        symbolic: &symbolic,
+        system: &system,
+    };
+    let grid = Grid::new(0.005, 0.5, 0.0, 0.005);
+    let shaking: Vec<f64> = (0..=100).map(|k| 25.0 * (25.0 * 0.005 * f64::from(k)).sin()).collect();
+    let load = Load::ground(2, Motion::sampled(0.005, &shaking, &grid));
+    let tip = model.dofs().equation(4 * LENGTH, Dof::Uz).unwrap();
+    let run = |zone: Option<Arc<Zone>>| {
+        let mut settings = Settings::new(grid);
+        settings.constant = assembler.body_force(&model, [0.0, 0.0, -9.81]);
+        settings.newton = Options::for_contact();
+        settings.newton.zone = zone;
+        let mut seen = Vec::new();
+        let mut watch = |now: &Instant<'_>| seen.push(now.state.committed.u[tip]);
+        let run = march(problem, &load, &settings, &mut [&mut watch], &Silent).unwrap();
+        assert_eq!(run.outcome, Outcome::Completed);
+        (seen, run)
+    };
+    let (expected, full) = run(None);
+    let (found, kept) = run(Some(zone(&model, &assembler)));
+    let largest = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    assert!(expected.iter().any(|u| *u > 1e-3), "it leaves the ground");
+    for (x, e) in found.iter().zip(&expected) {
+        assert!((x - e).abs() < 1e-6 * largest, "{x} {e}");
+    }
+    assert!(kept.balance.error() < 1e-6, "{}", kept.balance.error());
+    // Full Newton factors everything in every iteration.
+    assert_eq!(full.cost.wholes, 0);
+    assert!(
+        kept.cost.wholes * 5 < full.cost.factors,
+        "{:?} {:?}",
+        kept.cost,
+        full.cost
+    );
+}

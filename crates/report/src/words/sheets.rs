@@ -1,0 +1,15 @@
+//! Calculation sheets: what stands elsewhere.
+
+/// Lines of an engine that does not decide; empty without any.
+pub fn left(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => "Does not decide: its one line is in the full report.".into(),
+        count => format!("Does not decide: its {count} lines are in the full report."),
+    }
+}
+
+/// Assumptions that an earlier sheet has, up to the link to it.
+pub fn as_before(count: usize) -> String {
+    format!("{count} further assumptions are those of")
+}
