@@ -13,7 +13,7 @@ use results::{COMPARE_REPORT, REPORT_FILE};
 /// Arguments.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --report full\n  tankcheck report out/ --lang de --units both\n  tankcheck report out/ --templates our-letterhead/"
+    after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --report full\n  tankcheck report out/ --lang de --report-units both\n  tankcheck report out/ --templates our-letterhead/"
 )]
 pub(crate) struct Args {
     /// Results folder written by `tankcheck compare` or `tankcheck check`.
