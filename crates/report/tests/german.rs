@@ -99,7 +99,11 @@ fn english(html: &str) -> Vec<String> {
     };
     let shown = plain(html);
     // Sources and remarks of measured values are those of the tank file.
-    let found = shown.lines().map(str::trim).filter(has).filter(|l| !l.contains("Brüggemann"));
+    let found = shown
+        .lines()
+        .map(str::trim)
+        .filter(has)
+        .filter(|l| !l.contains("Brüggemann"));
     found.map(|line| format!("English: {line}")).collect()
 }
 
