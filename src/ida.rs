@@ -7,9 +7,11 @@ use std::path::Path;
 
 use fem::analysis::checkpoint::inspect;
 use fem::progress::Progress;
+use tank::assessment::Excitation;
 
 use crate::error::Error;
-use crate::job::IdaJob;
+use crate::job::{IdaJob, Job};
+use crate::pipeline;
 use engines::nonlinear::{CheckpointFile, Incremental};
 use files::{Kind, OutputFolder, WorkFolder, kept_complete};
 use report::{self, FIGURES_FOLDER, REPORT_FILE};
@@ -81,6 +83,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         moment: tank.moment(),
         runs,
         incomplete: true,
+        sloshing_beyond_usable: beyond(&job.job)?,
     };
     let missing: Vec<f64> = job
         .scales
@@ -116,6 +119,19 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         work.done();
     }
     Ok(ida)
+}
+
+/// Usable period of the record and sloshing period of the tank [s], where the latter is longer.
+///
+/// Errors: a procedure that does not converge.
+fn beyond(job: &Job) -> Result<Option<[f64; 2]>, Error> {
+    let Some(usable) = job.usable_periods.first().copied().flatten() else {
+        return Ok(None);
+    };
+    let sloshing = pipeline::sloshing_period(&pipeline::under(job, Excitation::Record)?);
+    Ok(sloshing
+        .filter(|period| *period > usable)
+        .map(|period| [usable, period]))
 }
 
 /// Warnings about the input, placed above the assumptions of the engine.

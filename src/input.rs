@@ -1,9 +1,10 @@
-//! Reading `tank.json`, `study.json`, tables and accelerograms: text, units and file formats end here.
+//! Reading `tank.json`, `study.json`, `set.json`, tables and accelerograms: text, units and file formats end here.
 
 pub mod csv;
 pub mod diagnostic;
 pub mod fragility;
 pub mod records;
+pub mod set;
 mod stdin;
 pub mod study;
 pub mod tank;

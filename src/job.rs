@@ -60,6 +60,9 @@ pub struct Job {
     pub warnings: Vec<Warning>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<oscillator::record::Record>,
+    /// Longest period of which each of them says something as processed [s]: that of the corner of its low-cut filter, where its file gives
+    /// it.
+    pub usable_periods: Vec<Option<f64>>,
 }
 
 impl Job {

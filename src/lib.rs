@@ -15,6 +15,7 @@
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
+//! | [`record_set`] | that of a verification under a set of records |
 //! | [`curves`] | fragility curves of data |
 //! | [`study`] | that of many tanks under many records |
 //! | [`solve`] | that of the largest value at which no check fails |
@@ -28,5 +29,6 @@ pub mod input;
 pub mod job;
 pub mod pipeline;
 pub mod push;
+pub mod record_set;
 pub mod solve;
 pub mod study;

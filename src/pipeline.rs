@@ -3,6 +3,7 @@
 
 mod attribution;
 mod decision;
+mod design;
 mod measured;
 mod motion;
 mod quantities;
@@ -16,13 +17,15 @@ use std::collections::BTreeMap;
 
 use codes::Procedure;
 use codes::procedure::CodeError;
-use codes::time_history::{self, Codes, Ready};
+use codes::time_history::{self, Codes, Findings, Ready};
 use fem::progress::Progress;
 use tank::Course;
 use tank::Quantity;
 use tank::assessment::{Assessment, Check, Excitation};
+use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
+pub use self::design::Design;
 use self::quantities::quantities;
 use crate::error::Error;
 use crate::job::Job;
@@ -67,7 +70,32 @@ pub struct Outcome {
 /// not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     runs::admit(job)?;
-    let (assessed, records, mut simulations, missing) = assess_and_simulate(job, progress)?;
+    let computed = assess_and_simulate(job, progress)?;
+    assemble(job, computed, None)
+}
+
+/// Rejects a job with input that one of its engines does not support.
+///
+/// Errors: the first refusal.
+pub fn admit(job: &Job) -> Result<(), Error> {
+    runs::admit(job)
+}
+
+/// The results of a job under a set of records, of which one is that of the job.
+///
+/// * `simulations`: the run of the engine under that record; none without an engine
+///
+/// Errors: as [`run`].
+pub fn run_set(job: &Job, simulations: Vec<Simulation>, design: Design) -> Result<Outcome, Error> {
+    let computed = (assess(job)?, motion::records(job), simulations, None);
+    assemble(job, computed, Some(design))
+}
+
+/// Joins procedures and runs.
+///
+/// Errors: a result that is not finite.
+fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Outcome, Error> {
+    let (assessed, mut records, mut simulations, missing) = computed;
     let (mut methods, ingredients): (Vec<Method>, Vec<Vec<Ingredients>>) = assessed.into_iter().unzip();
     // Histories as computed; next to those of a longer run they are NaN after their end.
     for (number, simulation) in simulations.iter().enumerate() {
@@ -75,21 +103,37 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     }
     let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
+    let engine_period = simulations
+        .first()
+        .and_then(|s| s.values.get(&Quantity::SloshingPeriod));
+    motion::mark(
+        &mut records,
+        engine_period.copied().or_else(|| sloshing_period(&methods)),
+    );
     for simulation in &mut simulations {
         attribution::separate(job, simulation);
     }
-    let mut context = Context {
-        attribution: attribution::attribute(job, &methods, &ingredients, simulations.first()),
-        ..Context::default()
-    };
+    let mut context = Context::default();
+    match &design {
+        // Of one record; the design value of a set has no single way to that of a procedure.
+        None => context.attribution = attribution::attribute(job, &methods, &ingredients, simulations.first()),
+        Some(design) => design::procedures(&mut methods, design),
+    }
     let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
     let (mut outside, mut site_errors) = (Vec::new(), Vec::new());
     for (number, simulation) in simulations.into_iter().enumerate() {
         let column = simulation.result.engine.column(number);
         if job.case.ground_motion.is_some() {
-            let findings = runs::findings(job, &simulation);
+            let findings = match &design {
+                Some(design) => design.findings.clone(),
+                None => runs::findings(job, &simulation),
+            };
             outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
-            methods.push(runs::method(job, number, &simulation, findings));
+            let mut method = runs::method(job, number, &simulation, findings);
+            if let Some(design) = &design {
+                design::engine(&mut method, design);
+            }
+            methods.push(method);
         }
         if let Some(site) = site::column(job, number, &simulation) {
             outside.extend(site.outside.map(|why| ((column, Excitation::Site), why)));
@@ -106,7 +150,8 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         context.solid_mesh_error.clone_from(&solid.mesh_error);
     }
     context.nonlinear = runs::happened(job, &runs);
-    methods.extend(measured::column(job));
+    // Measured values belong to one record.
+    methods.extend(measured::column(job).filter(|_| design.is_none()));
     let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
     comparison.measured_apart = measured::others(job);
     comparison.published_apart = measured::published(job);
@@ -136,6 +181,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         input: job.echo.clone(),
         tank: job.tank(),
         records,
+        record_set: design.map(|design| design.set),
         spectra,
         standing: None,
         methods,
@@ -150,6 +196,20 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         series,
         snapshots,
     })
+}
+
+/// The first sloshing period that a procedure gives [s].
+pub fn sloshing_period(methods: &[Method]) -> Option<f64> {
+    let of = |m: &Method| m.quantities.get(Quantity::SloshingPeriod.id()).map(|v| v.value);
+    methods.iter().find_map(of)
+}
+
+/// Demands of a run against the capacities of the codes.
+///
+/// * `errors`: relative mesh errors by quantity id
+pub fn findings(job: &Job, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+    let codes = Codes::of(&job.case, &job.decision.decide);
+    time_history::assess(&job.case, codes, demands, errors)
 }
 
 /// Adds what only figures need, before results are written: the base of an unanchored tank under the moments of the codes.

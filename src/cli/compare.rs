@@ -15,15 +15,17 @@ use tank::units;
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
+use crate::cli::record_set::SetArgs;
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
 use crate::cli::style::{self, StyleArg};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
-use crate::cli::{Format, Global, checks, nonlinear, now, solid};
+use crate::cli::{Format, Global, checks, nonlinear, now, set_table, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
+use crate::record_set;
 use engines::estimate::Estimate;
 use engines::{FeError, Integrator, Task, engine};
 use files::code::{Code, Warning};
@@ -45,6 +47,8 @@ Examples:
   tankcheck compare tank.json --out out/          the engine's modes under the design spectrum of the tank's `site`
   tankcheck compare tank.json --quake ns.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake ns.at2 --quake-y ew.at2 --vertical up.at2 --out out/
+  tankcheck compare tank.json --quake a.csv --quake b.csv --quake c.csv --out out/      a set: mean or worst of its records
+  tankcheck compare tank.json --set set.json --fit --out out/
   tankcheck compare tank.json --quake elcentro.csv --no-report --format json --select quantities,checks --out out/
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
@@ -60,6 +64,8 @@ interrupted, or the tank collapsed; 4 something required was not checked; 130 st
 pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,
+    #[command(flatten)]
+    set: SetArgs,
     /// Folder for report.html, results.json, series.csv and figures/.
     #[arg(long, short, value_name = "FOLDER", default_value = "out")]
     out: PathBuf,
@@ -167,16 +173,30 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 .into(),
         )
     };
-    if args.inputs.quake.is_none() && matches!(args.fe, Some(Engine::None | Engine::Nonlinear)) {
+    let given = args.set.given(&args.inputs)?;
+    if given.is_none() && args.inputs.quake.is_empty() && matches!(args.fe, Some(Engine::None | Engine::Nonlinear)) {
         return Err(missing());
     }
-    let mut job = args.inputs.job(refuses)?;
+    let (mut job, mut set) = match given {
+        None => (args.inputs.job(refuses)?, None),
+        Some(given) => {
+            let (job, processing) = args.inputs.without_records(refuses)?;
+            let set = given.job(job, &processing)?;
+            for warning in &set.job.warnings {
+                say!("warning: {}", text::line(warning));
+            }
+            (set.longest(), Some(set))
+        }
+    };
     job.engines = engines(&job.case).to_vec();
     let spectral = || site_action::of(&job.case, None, true).is_some();
     if job.case.ground_motion.is_none() && !spectral() {
         return Err(missing());
     }
     choose(&mut job, &args)?;
+    if let Some(set) = &mut set {
+        set.adopt(&job)?;
+    }
     if job.engines.iter().any(|&id| engine(id).stops()) {
         progress::stop_gracefully();
     }
@@ -213,7 +233,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         mut results,
         series,
         snapshots,
-    } = pipeline::run(&job, &watch)?;
+    } = match &set {
+        None => pipeline::run(&job, &watch)?,
+        Some(set) => record_set::run(set, &watch)?,
+    };
     stamp(&mut results, started);
     let interrupted = watch.interrupted() && results.verdict.unfinished;
     let mut stale = Vec::new();
@@ -240,6 +263,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
     replaced(&args.out, &stale);
+    for line in words::record_set::beyond(&results) {
+        stream::warn("", &Warning::new(Code::UnusualRecord, line));
+    }
     for found in unusable(&results) {
         stream::warn("", &Warning::new(Code::Unusable, words::verdict::unusable(&found)));
     }
@@ -385,6 +411,7 @@ pub(crate) fn print(
             for excitation in [Excitation::Record, Excitation::Site] {
                 text.push_str(&table(results, excitation));
             }
+            text.push_str(&set_table::of(results));
             text.push_str(&verdict(results));
             stream::print_marked(&text)?;
         }

@@ -1,13 +1,14 @@
 //! `tankcheck diff`: two results folders, number by number.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use crate::cli::findings::{self, Finding, Outcome};
-use crate::cli::table::Table;
-use crate::cli::terminal::say;
+use crate::cli::table::{Mark, Table};
+use crate::cli::terminal::{print_marked, say, width};
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use files::code::Code;
@@ -15,7 +16,8 @@ use files::text as visible;
 use files::{Kind, OutputFolder, write_whole};
 use report::words;
 use results::numdiff::{self, Options, Report};
-use results::{self, COMPARE, Changes, Ending, MovedCheck, MovedQuantity, OUTPUT, Side, describe};
+use results::{self, COMPARE, Changes, Deciding, Ending, MovedCheck, MovedQuantity, OUTPUT, Results, Side, describe};
+use tank::Quantity;
 use tank::assessment::CheckStatus;
 use tank::units;
 
@@ -138,11 +140,12 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     let report = numdiff::folders(&args.old, &args.new, &options)?;
     let changes = changes(&args, &options)?;
-    let findings = || findings(changes.as_ref());
+    let only = || changes.as_ref().map(|told| &told.changes);
+    let findings = || findings(only());
     let place = || args.new.join(results::RESULTS_FILE).to_string_lossy().into_owned();
     match args.format {
-        DiffFormat::Json => print(&json(&report, changes.as_ref()))?,
-        DiffFormat::Human => print(&human(&report, changes.as_ref(), (args.most, args.all)))?,
+        DiffFormat::Json => print(&json(&report, only()))?,
+        DiffFormat::Human => print_marked(&human(&report, changes.as_ref(), (args.most, args.all)))?,
         DiffFormat::Csv => print(&csv(&report))?,
         DiffFormat::Junit => print(&findings::junit("tankcheck diff", &findings()))?,
         DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
@@ -163,13 +166,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
 }
 
 /// Verdict, quantities and checks of both folders; none of `ida` and `push`, which have others.
-fn changes(args: &Args, options: &Options) -> Result<Option<Changes>, Error> {
+fn changes(args: &Args, options: &Options) -> Result<Option<Told>, Error> {
     let compared = |folder: &Path| folder.join(results::RESULTS_FILE).is_file();
     if !(compared(&args.old) && compared(&args.new)) {
         return Ok(None);
     }
     let (old, new) = (results::read(&args.old)?, results::read(&args.new)?);
-    Ok(Some(Changes::between(&old, &new, options.rtol)))
+    Ok(Some(Told::between(&old, &new, options.rtol)))
 }
 
 /// What moved, for test reports.
@@ -215,8 +218,120 @@ fn ending(ending: Option<Ending>) -> String {
     }
 }
 
-/// The first screen: verdict, quantities, checks.
-fn summary(changes: &Changes, most: usize) -> String {
+/// Every quantity of every method that moved, in one list.
+fn quantities(text: &mut String, changes: &Changes, most: usize) {
+    if changes.quantities.is_empty() {
+        return;
+    }
+    let mut table = Table::new(["quantity", "method", "old", "new", "change"]);
+    for q in changes.quantities.iter().take(most) {
+        let (name, [old, new]) = shown(q);
+        table.row([name, q.method.clone(), old, new, percent(q.change)]);
+    }
+    let _ = write!(text, "\n{}", table.fitted(width()));
+    let all = changes.quantities.len();
+    if all > most {
+        let _ = writeln!(text, "  (+{} more; --most {all} shows all)", all - most);
+    }
+}
+
+/// Name with its unit, and both values in it.
+fn shown(q: &MovedQuantity) -> (String, [String; 2]) {
+    let unit = units::column_unit([q.old, q.new], q.dimension);
+    let name = match unit.symbol.is_empty() {
+        true => q.id.clone(),
+        false => format!("{} [{}]", q.id, unit.symbol),
+    };
+    (
+        name,
+        [q.old, q.new].map(|v| units::significant(units::in_unit(v, unit), 4)),
+    )
+}
+
+/// A row a quantity for each excitation: the values of the engine, or of the first method, and the change of every method.
+fn together(text: &mut String, changes: &Changes) {
+    for excitation in ["site", "record"] {
+        let of = |q: &&MovedQuantity| q.method.split_once('/').is_some_and(|(_, under)| under == excitation);
+        let moved: Vec<&MovedQuantity> = changes.quantities.iter().filter(of).collect();
+        let methods: BTreeSet<&str> = moved.iter().map(|q| q.method.as_str()).collect();
+        let fe = format!("{}/{excitation}", results::FE);
+        let Some(main) = methods.get(fe.as_str()).or_else(|| methods.first()).copied() else {
+            continue;
+        };
+        let short = |method: &str| method.split('/').next().unwrap_or_default().to_owned();
+        let others: Vec<&str> = methods.iter().copied().filter(|method| *method != main).collect();
+        let head = [
+            format!("change under the {excitation}"),
+            format!("{}, old", short(main)),
+            "new".into(),
+            short(main),
+        ];
+        let mut table = Table::new(head.into_iter().chain(others.iter().map(|method| short(method))));
+        let order = |id: &str| Quantity::ALL.iter().position(|q| q.id() == id);
+        let mut ids: Vec<&str> = moved.iter().map(|q| q.id.as_str()).collect();
+        ids.sort_by_key(|id| order(id));
+        ids.dedup();
+        for id in ids {
+            let find = |method: &str| moved.iter().find(|q| q.id == id && q.method == method);
+            let dash = || "–".to_owned();
+            let (name, [old, new]) = find(main).map_or_else(|| (id.to_owned(), [dash(), dash()]), |q| shown(q));
+            let change = |method: &str| find(method).map_or_else(dash, |q| percent(q.change));
+            let cells = [name, old, new, change(main)];
+            table.row(cells.into_iter().chain(others.iter().map(|method| change(method))));
+        }
+        let _ = write!(text, "\n{}", table.fitted(width()));
+    }
+}
+
+/// What both results have beside their numbers.
+struct Told {
+    changes: Changes,
+    /// Input that differs, a line each.
+    input: Vec<String>,
+    /// Methods that decide in either, with their excitation.
+    deciding: BTreeSet<String>,
+}
+
+/// Most lines of input.
+const INPUT: usize = 8;
+
+impl Told {
+    fn between(old: &Results, new: &Results, rtol: f64) -> Told {
+        let key = |d: &Deciding| format!("{}/{}", d.method, words::terminal::excitation(d.excitation));
+        let deciding = old.verdict.deciding.iter().chain(&new.verdict.deciding).map(key);
+        Told {
+            changes: Changes::between(old, new, rtol),
+            input: input(old, new),
+            deciding: deciding.collect(),
+        }
+    }
+}
+
+/// Input that differs: path, old and new text.
+fn input(old: &Results, new: &Results) -> Vec<String> {
+    let map = |results: &'_ Results| -> BTreeMap<String, String> {
+        let lines = results.input.iter();
+        lines.map(|line| (line.path.clone(), line.text.clone())).collect()
+    };
+    let (old, new) = (map(old), map(new));
+    let paths: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
+    let text = |side: Option<&String>| side.map_or_else(|| "–".to_owned(), Clone::clone);
+    let mut lines: Vec<String> = paths
+        .into_iter()
+        .filter(|path| old.get(*path) != new.get(*path))
+        .map(|path| format!("{path}: {} -> {}", text(old.get(path)), text(new.get(path))))
+        .collect();
+    if lines.len() > INPUT {
+        let more = lines.len() - INPUT;
+        lines.truncate(INPUT);
+        lines.push(format!("and {more} more"));
+    }
+    lines
+}
+
+/// The first screen: verdict, input, checks, quantities.
+fn summary(told: &Told, most: usize, all: bool) -> String {
+    let changes = &told.changes;
     let mut text = String::new();
     let [old, new] = &changes.verdict;
     let governing = |side: &Side| match &side.governing {
@@ -242,39 +357,49 @@ fn summary(changes: &Changes, most: usize) -> String {
             let _ = writeln!(text, "  (+{} more; --most {all} shows all)", all - most);
         }
     };
-    if !changes.quantities.is_empty() {
-        let mut table = Table::new(["quantity", "method", "old", "new", "change"]);
-        for q in changes.quantities.iter().take(most) {
-            let unit = units::column_unit([q.old, q.new], q.dimension);
-            let value = |v: f64| units::significant(units::in_unit(v, unit), 4);
-            let name = match unit.symbol.is_empty() {
-                true => q.id.clone(),
-                false => format!("{} [{}]", q.id, unit.symbol),
-            };
-            table.row([name, q.method.clone(), value(q.old), value(q.new), percent(q.change)]);
-        }
-        let _ = write!(text, "\n{table}");
-        more(&mut text, changes.quantities.len());
+    for line in &told.input {
+        let _ = writeln!(text, "input    {line}");
     }
-    if !changes.checks.is_empty() {
+    // What is not required in one and absent in the other is not news.
+    let nothing = |end: Option<Ending>| end.is_none_or(|end| end.status == CheckStatus::NotApplicable);
+    let news = |c: &&MovedCheck| all || !(nothing(c.old) && nothing(c.new));
+    let decides = |c: &&MovedCheck| all || told.deciding.is_empty() || told.deciding.contains(&c.method) || c.turned();
+    let first: Vec<&MovedCheck> = changes.checks.iter().filter(news).filter(decides).collect();
+    if !first.is_empty() {
         let mut table = Table::new(["check", "method", "old", "new", ""]);
-        for c in changes.checks.iter().take(most) {
+        for c in first.iter().take(most) {
             let remark = match (c.old, c.new) {
                 (None, _) => "appeared",
                 (_, None) => "vanished",
                 _ if c.turned() => "changed",
                 _ => "",
             };
-            table.row([
-                c.id.clone(),
-                c.method.clone(),
-                ending(c.old),
-                ending(c.new),
-                remark.to_owned(),
-            ]);
+            let mark = match c.new.map(|end| end.status) {
+                Some(CheckStatus::Fails) => Mark::Fails,
+                Some(CheckStatus::NotChecked) => Mark::Open,
+                _ => Mark::None,
+            };
+            table.marked(
+                mark,
+                [
+                    c.id.clone(),
+                    c.method.clone(),
+                    ending(c.old),
+                    ending(c.new),
+                    remark.to_owned(),
+                ],
+            );
         }
-        let _ = write!(text, "\n{table}");
-        more(&mut text, changes.checks.len());
+        let _ = write!(text, "\n{}", table.fitted(width()));
+        more(&mut text, first.len());
+    }
+    let others = changes.checks.iter().filter(news).count() - first.len();
+    if others > 0 {
+        let _ = writeln!(text, "  (+{others} of methods that do not decide; --all shows them)");
+    }
+    match all {
+        true => quantities(&mut text, changes, most),
+        false => together(&mut text, changes),
     }
     for (methods, side) in [(&changes.vanished, "old"), (&changes.appeared, "new")] {
         if !methods.is_empty() {
@@ -284,7 +409,7 @@ fn summary(changes: &Changes, most: usize) -> String {
     text
 }
 
-fn human(report: &Report, changes: Option<&Changes>, (most, all): (usize, bool)) -> String {
+fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) -> String {
     let outcome = match (report.moved.len(), report.drifted) {
         (0, 0) => "same".to_string(),
         (0, drifted) => format!(
@@ -294,17 +419,17 @@ fn human(report: &Report, changes: Option<&Changes>, (most, all): (usize, bool))
         (moved, _) => format!("{moved} moved"),
     };
     let mut text = format!("{outcome} ({} values compared)\n", report.compared);
-    let told = changes.filter(|c| !c.none());
-    if let Some(changes) = told {
+    let told = changes.filter(|told| !told.changes.none());
+    if let Some(told) = told {
         text.push('\n');
-        for line in summary(changes, most).lines() {
+        for line in summary(told, most, all).lines() {
             let _ = writeln!(text, "{}", visible::line(line));
         }
     }
     if told.is_some() && !all {
         let _ = writeln!(
             text,
-            "\n{} values moved in all; --all lists them with calculation lines, profiles and histories",
+            "\n{} values moved in all; --all lists them with all methods, calculation lines, profiles and histories",
             report.moved.len()
         );
         return text;

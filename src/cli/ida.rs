@@ -99,6 +99,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         Format::Csv => print(&ida_csv(&found))?,
     }
+    for line in words::record_set::beyond_of_ida(&found) {
+        say!("warning: {line}");
+    }
     if !global.quiet {
         for run in &found.runs {
             if let Some(line) = words::terminal::collapse(run) {
@@ -132,9 +135,9 @@ impl Args {
         let inputs = Inputs {
             accept: None,
             tank: self.tank.clone(),
-            quake: Some(self.quake.clone()),
-            quake_y: None,
-            vertical: self.vertical.clone(),
+            quake: vec![self.quake.clone()],
+            quake_y: Vec::new(),
+            vertical: self.vertical.clone().into_iter().collect(),
             reading: self.reading.clone(),
             procedures: None,
         };

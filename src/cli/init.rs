@@ -102,7 +102,7 @@ mod tests {
         write("study.json", STUDY);
         let found = study::read(&folder.path().join("study.json")).unwrap();
         assert_eq!((found.tanks.len(), found.records.len()), (1, 1));
-        assert_eq!(found.scales.levels.len(), 4);
+        assert_eq!(found.scales.levels.len(), 12);
     }
 
     #[test]

@@ -22,15 +22,15 @@ use results::{InputValue, SourceFile};
 pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
-    /// Horizontal ground acceleration: CSV, two-column text, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2.
+    /// Horizontal ground acceleration: CSV, two-column text, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2. Three or more make a set (`compare`).
     #[arg(long, value_name = "RECORD")]
-    pub quake: Option<PathBuf>,
+    pub quake: Vec<PathBuf>,
     /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder or of a box with --fe solid; scaled with the factor of --quake.
     #[arg(long, value_name = "RECORD", requires = "quake")]
-    pub quake_y: Option<PathBuf>,
+    pub quake_y: Vec<PathBuf>,
     /// Vertical ground acceleration; scaled with the factor of the horizontal one.
     #[arg(long, value_name = "RECORD", requires = "quake")]
-    pub vertical: Option<PathBuf>,
+    pub vertical: Vec<PathBuf>,
     #[command(flatten)]
     pub reading: Reading,
     /// Procedures to run, separated by commas [default: all].
@@ -46,6 +46,27 @@ impl Inputs {
     ///
     /// * `refuses`: the refusals of the analysis for the tank file
     pub(crate) fn job(&self, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Result<Job, Error> {
+        Ok(self.with_processing(refuses)?.0)
+    }
+
+    /// The same without records, which are read later: the job without ground motion, and the processing that the tank file asks for.
+    pub(crate) fn without_records(
+        &self,
+        refuses: impl Fn(&Task<'_>) -> Vec<Refusal>,
+    ) -> Result<(Job, records::Processing), Error> {
+        let bare = Inputs {
+            quake: Vec::new(),
+            quake_y: Vec::new(),
+            vertical: Vec::new(),
+            ..self.clone()
+        };
+        bare.with_processing(refuses)
+    }
+
+    fn with_processing(
+        &self,
+        refuses: impl Fn(&Task<'_>) -> Vec<Refusal>,
+    ) -> Result<(Job, records::Processing), Error> {
         let tank = input::read_tank(&self.tank)?;
         let faults = job::refused(&tank, refuses);
         if !faults.is_empty() {
@@ -54,18 +75,30 @@ impl Inputs {
         for remark in &tank.remarks {
             say!("note: {}", text::line(remark));
         }
-        self.resolved(tank, "")
+        let processing = tank.record;
+        Ok((self.resolved(tank, "")?, processing))
     }
 
     /// The job of a tank file, with the records and options of the command line.
     ///
     /// * `origin`: beginning of its warnings on standard error ("tanks.csv:3: "), may be empty
     pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
+        let options = [
+            ("--quake", &self.quake),
+            ("--quake-y", &self.quake_y),
+            ("--vertical", &self.vertical),
+        ];
+        if let Some((option, paths)) = options.into_iter().find(|(_, paths)| paths.len() > 1) {
+            return Err(Error::input(Code::OptionConflict, format!(
+                "{option}: found {} records, expected one; `tankcheck compare` takes a set",
+                paths.len()
+            )));
+        }
         let mut warnings = tank.warnings.clone();
         let (mut case, mut nonlinear, mut echo) = (tank.case, tank.nonlinear, tank.echo);
         let mut files = vec![source("tank", &self.tank, &tank.sha256)];
-        let mut raw_records = Vec::new();
-        if let Some(path) = &self.quake {
+        let (mut raw_records, mut usable_periods) = (Vec::new(), Vec::new());
+        if let Some(path) = self.quake.first() {
             let options = self.reading.options();
             let horizontal = records::read(path, &options)?;
             files.push(source("record", path, &horizontal.sha256));
@@ -81,19 +114,21 @@ impl Inputs {
                 scale_by: Some(factor),
                 ..tank.record
             };
+            usable_periods.push(horizontal.usable_after(&tank.record));
             raw_records.push(horizontal.record);
-            let mut component = |path: &Option<PathBuf>, role: &str| -> Result<Option<Record>, Error> {
+            let mut component = |path: Option<&PathBuf>, role: &str| -> Result<Option<Record>, Error> {
                 let Some(path) = path else { return Ok(None) };
                 let read = records::read(path, &options)?;
                 files.push(source(role, path, &read.sha256));
                 let processed = records::process(&read.record, &processing)?;
                 records::plausible::check(&processed, role, allow)?;
                 warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
+                usable_periods.push(read.usable_after(&processing));
                 raw_records.push(read.record);
                 Ok(Some(processed))
             };
-            let transverse = component(&self.quake_y, "record along y")?;
-            let vertical = component(&self.vertical, "vertical record")?;
+            let transverse = component(self.quake_y.first(), "record along y")?;
+            let vertical = component(self.vertical.first(), "vertical record")?;
             if transverse.is_some() {
                 whole_tank(&mut nonlinear, &mut echo);
             }
@@ -125,6 +160,7 @@ impl Inputs {
             files,
             warnings,
             raw_records,
+            usable_periods,
         })
     }
 
@@ -254,7 +290,8 @@ impl Reading {
     }
 }
 
-fn source(role: &str, path: &std::path::Path, sha256: &str) -> SourceFile {
+/// A file with its hash.
+pub(crate) fn source(role: &str, path: &std::path::Path, sha256: &str) -> SourceFile {
     let name = path
         .file_name()
         .map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());

@@ -162,9 +162,9 @@ impl Args {
         let inputs = Inputs {
             accept: None,
             tank: self.tank.clone(),
-            quake: None,
-            quake_y: None,
-            vertical: None,
+            quake: Vec::new(),
+            quake_y: Vec::new(),
+            vertical: Vec::new(),
             reading: Reading::default(),
             procedures: None,
         };

@@ -8,6 +8,8 @@ mod target;
 
 use std::path::PathBuf;
 
+pub(crate) use set::Rule;
+
 use serde::Serialize;
 use tank::STANDARD_GRAVITY;
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::cli::style::StyleArg;
-use crate::cli::terminal::warn;
+use crate::cli::terminal::{say, warn};
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
 use files::code::{Code, Warning};
@@ -30,14 +30,14 @@ pub(crate) struct Args {
     folder: PathBuf,
     #[command(flatten)]
     level: LevelArg,
-    #[command(flatten)]
-    style: StyleArg,
     /// Forms next to report.html, separated by commas.
     #[arg(long, value_enum, value_name = "FORM", value_delimiter = ',')]
     format: Vec<Form>,
     /// Print the report through an installed Chromium [default file: report.pdf in the folder].
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     pdf: Option<Option<PathBuf>>,
+    #[command(flatten)]
+    style: StyleArg,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
     #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,

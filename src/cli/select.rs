@@ -20,12 +20,13 @@ const ALL: &str = "all";
 /// The short forms.
 const SHORT: [&str; 3] = ["verdict", "quantities", "checks"];
 /// Parts of `results.json`.
-const PARTS: [&str; 12] = [
+const PARTS: [&str; 13] = [
     "files",
     "input",
     "project",
     "tank",
     "records",
+    "record_set",
     "spectra",
     "methods",
     "runs",

@@ -91,6 +91,18 @@ pub(crate) fn records(job: &Job) -> Vec<RecordSummary> {
         .into_iter()
         .filter_map(|(direction, record)| Some((direction, record?)))
         .zip(&job.raw_records)
-        .map(|((direction, record), raw)| RecordSummary::new(direction, record, raw))
+        .enumerate()
+        .map(|(i, ((direction, record), raw))| RecordSummary {
+            usable_period: job.usable_periods.get(i).copied().flatten(),
+            ..RecordSummary::new(direction, record, raw)
+        })
         .collect()
+}
+
+/// Marks the horizontal records that say nothing of the sloshing period [s].
+pub(super) fn mark(records: &mut [RecordSummary], sloshing: Option<f64>) {
+    for record in records.iter_mut().filter(|r| r.direction != "vertical") {
+        let beyond = sloshing.zip(record.usable_period).is_some_and(|(t, usable)| t > usable);
+        record.sloshing_beyond_usable = beyond;
+    }
 }

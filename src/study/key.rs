@@ -37,6 +37,11 @@ pub(super) fn of_shaking(shaking: &Shaking) -> String {
     if let Some(record) = &shaking.up {
         one("up", record);
     }
+    // Rows say whether it is long enough.
+    if let Some(period) = shaking.usable {
+        hash.update("usable");
+        hash.update(period.to_le_bytes());
+    }
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -246,7 +246,9 @@ fn column(key: &str) -> String {
 }
 
 fn head(values: &BTreeSet<String>, checks: &BTreeSet<String>) -> String {
-    let mut text = String::from("tank,sample,record,level,factor,im,pga_m_s2,pgv_m_s,pgd_m,status,time_s");
+    let mut text = String::from(
+        "tank,sample,record,level,factor,im,pga_m_s2,pgv_m_s,pgd_m,usable_period_s,sloshing_beyond_usable,status,time_s",
+    );
     for key in values {
         let _ = write!(text, ",{}", column(key));
     }
@@ -264,11 +266,24 @@ fn csv_row(text: &mut String, row: &Row, values: &BTreeSet<String>, checks: &BTr
     let peaks = row.peaks.map_or([None; 3], |p| p.map(Some));
     // The factor of a level is not known where there was no run.
     let factor = Some(row.factor).filter(|f| *f > 0.0);
-    for value in [row.level, factor, row.im, peaks[0], peaks[1], peaks[2]] {
+    for value in [
+        row.level,
+        factor,
+        row.im,
+        peaks[0],
+        peaks[1],
+        peaks[2],
+        row.usable_period,
+    ] {
         text.push(',');
         number(text, value);
     }
-    let _ = write!(text, ",{},", row.status.word());
+    let beyond = match row.sloshing_beyond_usable {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "",
+    };
+    let _ = write!(text, ",{beyond},{},", row.status.word());
     number(text, row.time);
     for key in values {
         text.push(',');

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use ::fragility::bootstrap;
-use codes::record_set;
+use codes::record_set::standard::Standard;
 use results::{
     Study, StudyCurve, StudyFault, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank, StudyTrace,
     VerdictStatus,
@@ -332,7 +332,7 @@ fn rule(found: &RuleFound, records: usize) -> StudyRule {
     StudyRule {
         clause: found.clause.clone(),
         target: found.target.clone(),
-        records: [records, record_set::FEWEST],
+        records: [records, Standard::En1998.fewest()],
         holds: found.holds,
         rows: found
             .rows

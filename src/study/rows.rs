@@ -63,6 +63,12 @@ pub struct Row {
     /// Peak acceleration [m/s²], velocity [m/s] and displacement [m] of the scaled record along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peaks: Option<[f64; 3]>,
+    /// Longest period of which the record says something [s], where its file gives the corner of its filter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub usable_period: Option<f64>,
+    /// Whether the sloshing period of the tank is longer than that; none where either is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sloshing_beyond_usable: Option<bool>,
     /// How the run ended.
     pub status: RowStatus,
     /// Time of its end [s], where that is not the end of the record.
@@ -90,6 +96,8 @@ impl Row {
             factor: 1.0,
             im: None,
             peaks: None,
+            usable_period: None,
+            sloshing_beyond_usable: None,
             status,
             time: None,
             message: None,

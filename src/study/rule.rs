@@ -1,14 +1,20 @@
-//! Whether the records of a study stand for a spectrum: EN 1998-1:2004 3.2.3.1.2(4), see `codes::record_set`.
+//! Whether a set of records stands for a spectrum: [`answer`] asks the rule of a code (`codes::record_set`) for `quake set`, for `compare` and for
+//! a study.
 //!
-//! The records are taken as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
+//! A study takes its records as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
 
-use codes::record_set;
+use codes::record_set::standard::Standard;
+use codes::record_set::{self, Asked, Horizontal, Ratios};
+use engines::Options;
+use engines::nonlinear::NonlinearOptions;
+use engines::solid::SolidOptions;
 use files::code::Code;
 use oscillator::record::Record;
 use oscillator::spectrum::{Method, spectrum};
 use serde::{Deserialize, Serialize};
-use tank::Quantity;
 use tank::case::Site;
+use tank::hazard::SpectrumTable;
+use tank::{Case, Quantity};
 
 use crate::error::Error;
 use crate::input::TankFile;
@@ -16,6 +22,8 @@ use crate::input::study::{Rule, RulePeriods};
 use crate::job::Job;
 use crate::pipeline;
 
+/// The rule of a study.
+const RULE: Standard = Standard::En1998;
 /// Damping ratio of the clause.
 pub const FIVE: f64 = 0.05;
 
@@ -67,45 +75,122 @@ pub struct RuleFound {
     pub rows: Vec<RuleRow>,
 }
 
-/// The elastic spectrum of EN 1998 of a tank's site at a damping.
+/// A question to the rule of a code: its target, and the periods.
+pub struct Question<'a> {
+    /// The code.
+    pub code: Standard,
+    /// Target; none for the elastic spectrum of the site.
+    pub table: Option<&'a SpectrumTable>,
+    /// Name of the target, for messages.
+    pub target: &'a str,
+    /// Site of the tank.
+    pub site: &'a Site,
+    /// Periods.
+    pub wanted: &'a [Wanted],
+}
+
+impl Question<'_> {
+    /// The target at a damping.
+    ///
+    /// Errors: those of [`elastic`].
+    fn curve(&self, damping: f64) -> Result<Curve, Error> {
+        match self.table {
+            Some(table) => {
+                let table = table.clone();
+                // Beyond the last row nothing is asked.
+                Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
+            }
+            None => elastic(self.site, self.code, damping),
+        }
+    }
+}
+
+/// What the rule says of a set as it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// Mean of the peaks over the target at T = 0, where the code asks for it.
+    pub zero: Option<f64>,
+    /// Period by period.
+    pub periods: Vec<(Wanted, Ratios)>,
+    /// Smallest mean/target of all periods.
+    pub smallest: f64,
+    /// The one factor for the set with which the rule just holds.
+    pub factor: f64,
+    /// Whether it holds for the set as it is.
+    pub holds: bool,
+}
+
+/// The elastic spectrum of a site at a damping: that of EN 1998, or the design spectrum of ASCE 7 under API 650, whose ordinates below 5 % damping
+/// are times 1.5 (API 650 E.4.6.1, ASCE/SEI 7-16 15.7.6.1, recalled: for the 0.5 % of sloshing).
 ///
-/// Errors: a tank file without `site.ec8`.
-pub fn elastic(tank: &TankFile, damping: f64) -> Result<Curve, Error> {
-    let site = Site {
-        api650: None,
-        zone: None,
-        ..tank.case.site.clone()
+/// Errors: a tank file without the site of the code.
+pub fn elastic(site: &Site, code: Standard, damping: f64) -> Result<Curve, Error> {
+    let (own, key, of) = match code {
+        Standard::En1998 => (
+            Site {
+                api650: None,
+                zone: None,
+                ..site.clone()
+            },
+            "site.ec8",
+            "elastic",
+        ),
+        Standard::Asce716 => (
+            Site {
+                ec8: None,
+                zone: None,
+                ..site.clone()
+            },
+            "site.api650",
+            "design",
+        ),
     };
-    let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&site, &[damping]));
-    let found = curves.next();
-    found.map(|curve| curve.acceleration).ok_or_else(|| {
-        Error::input(
+    let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&own, &[damping]));
+    let Some(found) = curves.next() else {
+        return Err(Error::input(
             Code::MissingInput,
-            "the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or give a table of the \
-             spectrum"
-                .into(),
-        )
+            format!(
+                "the tank file has no `{key}`, whose {of} spectrum the rule compares with\n  help: add it, or give a table of the spectrum"
+            ),
+        ));
+    };
+    let factor = if damping < 0.99 * found.damping { 1.5 } else { 1.0 };
+    Ok(match code {
+        Standard::En1998 => found.acceleration,
+        Standard::Asce716 => {
+            let curve = found.acceleration;
+            Box::new(move |period| factor * curve(period))
+        }
     })
+}
+
+/// Longest period that the spectrum of a site covers [s].
+pub fn longest(site: &Site) -> f64 {
+    site.spectrum.as_ref().map_or(f64::INFINITY, codes::hazard::longest)
 }
 
 /// The impulsive and the sloshing period of a tank, by the first procedure that gives them under its site.
 ///
 /// Errors: a tank without a procedure that gives one.
-pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
+pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
     let job = Job {
-        case: tank.case.clone(),
+        case: Case {
+            ground_motion: None,
+            ..case.clone()
+        },
         project: None,
         procedures: pipeline::select_procedures(&[])?,
         decision: tank::check::Decision::default(),
         engines: Vec::new(),
-        linear: tank.fe.clone(),
-        solid: tank.solid.clone(),
-        nonlinear: tank.nonlinear.clone(),
+        linear: Options::default(),
+        solid: SolidOptions::default(),
+        nonlinear: NonlinearOptions::new(case.damping),
         checkpoint: None,
         echo: Vec::new(),
         files: Vec::new(),
         warnings: Vec::new(),
         raw_records: Vec::new(),
+        usable_periods: Vec::new(),
     };
     let (methods, _) = pipeline::decide(&job)?;
     let of = |quantity: Quantity| {
@@ -113,20 +198,7 @@ pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
             .iter()
             .find_map(|m| m.quantities.get(quantity.id()).map(|v| v.value))
     };
-    let found = [
-        ("impulsive", Quantity::ImpulsivePeriod, FIVE),
-        ("sloshing", Quantity::SloshingPeriod, tank.case.damping.sloshing),
-    ];
-    let wanted: Vec<Wanted> = found
-        .into_iter()
-        .filter_map(|(which, quantity, damping)| {
-            Some(Wanted {
-                which,
-                period: of(quantity)?,
-                damping,
-            })
-        })
-        .collect();
+    let wanted = both(case, [of(Quantity::ImpulsivePeriod), of(Quantity::SloshingPeriod)]);
     match wanted.is_empty() {
         true => Err(Error::input(
             Code::MissingInput,
@@ -134,6 +206,74 @@ pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
         )),
         false => Ok(wanted),
     }
+}
+
+/// The two periods of a tank at which a rule is asked: impulsive and sloshing [s].
+pub fn both(case: &Case, periods: [Option<f64>; 2]) -> Vec<Wanted> {
+    let [impulsive, sloshing] = periods;
+    let found = [
+        ("impulsive", impulsive, FIVE),
+        ("sloshing", sloshing, case.damping.sloshing),
+    ];
+    let wanted = found.into_iter().filter_map(|(which, period, damping)| {
+        Some(Wanted {
+            which,
+            period: period?,
+            damping,
+        })
+    });
+    wanted.collect()
+}
+
+/// Whether the target reaches twice every period.
+///
+/// Errors: one that ends before.
+pub fn reaches(question: &Question<'_>) -> Result<(), Error> {
+    let &Question { code, table, site, .. } = question;
+    let [_, far] = code.range();
+    let end = table.map_or_else(|| longest(site), SpectrumTable::longest);
+    if let Some(wanted) = question.wanted.iter().find(|w| far * w.period > end * (1.0 + 1e-9)) {
+        let (what, help) = match table {
+            Some(_) => ("the table", "add rows"),
+            None => ("the spectrum of the site", "give more of it, or a table"),
+        };
+        return Err(Error::input(
+            Code::OutOfRange,
+            format!(
+                "target `{}`: {what} ends at {end} s, before 2 T = {} s\n  help: {help}; it is not continued",
+                question.target,
+                far * wanted.period
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// Asks the rule of a set as it is.
+///
+/// Errors: a tank without the site of the code; a target that ends before twice a period.
+pub fn answer(question: &Question<'_>, set: &[Horizontal<'_>]) -> Result<Answer, Error> {
+    let code = question.code;
+    reaches(question)?;
+    let zero = record_set::zero_period(code, set, &*question.curve(FIVE)?);
+    let mut periods = Vec::new();
+    for wanted in question.wanted {
+        let target = question.curve(wanted.damping)?;
+        let asked = Asked {
+            period: wanted.period,
+            damping: wanted.damping,
+            target: &*target,
+        };
+        periods.push((*wanted, record_set::ratios(code, set, &asked)));
+    }
+    let smallest = periods.iter().map(|(_, r)| r.smallest.0).fold(f64::INFINITY, f64::min);
+    Ok(Answer {
+        factor: record_set::factor(code, smallest, zero),
+        holds: record_set::holds(code, set.len(), smallest, zero),
+        zero,
+        periods,
+        smallest,
+    })
 }
 
 /// The periods at which the rule is asked for a tank.
@@ -151,7 +291,7 @@ fn wanted(rule: &Rule, tank: &TankFile) -> Result<Vec<Wanted>, Error> {
             period,
             damping: FIVE,
         }]),
-        _ => Ok(periods(tank)?.into_iter().filter(kept).collect()),
+        _ => Ok(periods(&tank.case)?.into_iter().filter(kept).collect()),
     }
 }
 
@@ -197,7 +337,7 @@ impl Means {
 
     /// The smallest mean over target around a period.
     fn smallest(&self, wanted: &Wanted, target: &dyn Fn(f64) -> f64) -> f64 {
-        let [low, high] = record_set::RANGE.map(|r| r * wanted.period);
+        let [low, high] = RULE.range().map(|r| r * wanted.period);
         let spectrum = self.0.iter().find(|(damping, _)| *damping == wanted.damping);
         let points = spectrum.into_iter().flat_map(|(_, points)| points);
         points
@@ -210,14 +350,14 @@ impl Means {
 /// Periods from the lowest to the highest of the ranges around all periods [s], in ascending order; the ends of each range among them.
 fn grid(all: &[f64]) -> Vec<f64> {
     let Some(&first) = all.first() else { return Vec::new() };
-    let [low, high] = record_set::RANGE.map(|r| r * first);
+    let [low, high] = RULE.range().map(|r| r * first);
     let step = (high / low).ln() / f64::from(A_DECADE);
     let place = |t: f64| (t / low).ln() / step;
-    let lowest = all.iter().map(|t| place(record_set::RANGE[0] * t)).fold(0.0, f64::min);
-    let highest = all.iter().map(|t| place(record_set::RANGE[1] * t)).fold(0.0, f64::max);
+    let lowest = all.iter().map(|t| place(RULE.range()[0] * t)).fold(0.0, f64::min);
+    let highest = all.iter().map(|t| place(RULE.range()[1] * t)).fold(0.0, f64::max);
     let even = (lowest.ceil() as i32..=(highest - SAME).ceil() as i32).map(|k| low * (step * f64::from(k)).exp());
     let mut periods: Vec<f64> = even.collect();
-    let ends = all.iter().flat_map(|t| record_set::RANGE.map(|r| r * t));
+    let ends = all.iter().flat_map(|t| RULE.range().map(|r| r * t));
     periods.extend(ends.filter(|t| (place(*t) - place(*t).round()).abs() * step > SAME));
     periods.sort_by(f64::total_cmp);
     periods.dedup_by(|later, earlier| *later / *earlier - 1.0 < SAME);
@@ -229,7 +369,7 @@ fn grid(all: &[f64]) -> Vec<f64> {
 /// * `tanks`: name and tank without sampling
 /// * `records`: along x, as read
 ///
-/// Errors: those of [`elastic`] and [`periods`], with the name of the tank; a table that ends before twice a period.
+/// Errors: those of [`answer`] and [`periods`], with the name of the tank.
 pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Result<RuleFound, Error> {
     // A given period and a table are the same for all tanks: one row.
     let alone = rule.table.is_some() && matches!(rule.periods, RulePeriods::Given(_));
@@ -239,96 +379,38 @@ pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Res
         .map(|(id, tank)| Ok((id, tank, wanted(rule, tank).map_err(|error| of_tank(id, &error))?)))
         .collect::<Result<_, Error>>()?;
     let means = Means::new(records, asked.iter().flat_map(|(_, _, wanted)| wanted));
+    let set: Vec<Horizontal<'_>> = records.iter().map(Horizontal::from).collect();
     let mut rows = Vec::new();
     for (id, tank, wanted) in asked {
-        let curve = |damping: f64| -> Result<Curve, Error> {
-            match &rule.table {
-                Some(table) => {
-                    let table = table.clone();
-                    // Beyond the last row nothing is asked.
-                    Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
-                }
-                None => elastic(tank, damping).map_err(|error| of_tank(id, &error)),
-            }
+        let question = Question {
+            code: RULE,
+            table: rule.table.as_ref(),
+            target: &rule.target,
+            site: &tank.case.site,
+            wanted: &wanted,
         };
-        let zero = record_set::zero_period(records, &*curve(FIVE)?);
-        for wanted in wanted {
-            if let Some(table) = &rule.table
-                && record_set::RANGE[1] * wanted.period > table.longest() * (1.0 + 1e-9)
-            {
-                return Err(Error::input(
-                    Code::OutOfRange,
-                    format!(
-                        "the target `{}` ends at {} s, before 2 T = {} s of the tank `{id}`\n  help: add rows; the table is not continued",
-                        rule.target,
-                        table.longest(),
-                        record_set::RANGE[1] * wanted.period
-                    ),
-                ));
-            }
-            let target = curve(wanted.damping)?;
-            let smallest = means.smallest(&wanted, &*target);
+        let of_tank = |error: Error| of_tank(id, &error);
+        reaches(&question).map_err(of_tank)?;
+        let zero = record_set::zero_period(RULE, &set, &*question.curve(FIVE).map_err(of_tank)?);
+        for wanted in &wanted {
+            let smallest = means.smallest(wanted, &*question.curve(wanted.damping).map_err(of_tank)?);
             rows.push(RuleRow {
                 tank: if alone { String::new() } else { id.clone() },
                 which: wanted.which.into(),
                 period: wanted.period,
                 damping: wanted.damping,
                 smallest_ratio: smallest,
-                mean_zero_period_ratio: zero,
-                factor: record_set::factor(smallest, zero),
-                holds: record_set::holds(records.len(), smallest, zero),
+                // This code asks for the peaks.
+                mean_zero_period_ratio: zero.unwrap_or(f64::INFINITY),
+                factor: record_set::factor(RULE, smallest, zero),
+                holds: record_set::holds(RULE, records.len(), smallest, zero),
             });
         }
     }
     Ok(RuleFound {
-        clause: record_set::CLAUSE.into(),
+        clause: RULE.clause().into(),
         target: rule.target.clone(),
         holds: !rows.is_empty() && rows.iter().all(|row| row.holds),
         rows,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use codes::record_set::{Asked, ratios};
-
-    use super::*;
-
-    /// Spectra shared by tanks against those of each tank alone: the same number where one period is asked. Of several the points of the grid are
-    /// others, equally dense: two neighbours are 0.6 % apart, between which a spectrum of 5 % changes by less than 1 %.
-    #[test]
-    fn shared_spectra_are_those_of_each_tank() {
-        let of = |k: i32| Record {
-            name: format!("r{k}"),
-            dt: 0.01,
-            acceleration: (0..1200)
-                .map(|i| (0.31 * f64::from(i + k)).sin() + 0.7 * (0.07 * f64::from(i * k)).cos())
-                .collect(),
-            processing: Vec::new(),
-        };
-        let records: Vec<Record> = [1, 2, 3].map(of).into();
-        let target = |t: f64| 1.0 / (0.3 + t);
-        let wanted = [0.21, 0.4, 0.25, 0.4].map(|period| Wanted {
-            which: "given",
-            period,
-            damping: 0.05,
-        });
-        let alone = |period: f64| {
-            let asked = Asked {
-                period,
-                damping: 0.05,
-                target: &target,
-            };
-            ratios(&records, &asked).smallest.0
-        };
-        let one = Means::new(&records, wanted[..1].iter());
-        assert_eq!(one.smallest(&wanted[0], &target).to_bits(), alone(0.21).to_bits());
-        let all = Means::new(&records, wanted.iter());
-        for one in &wanted {
-            assert!((all.smallest(one, &target) / alone(one.period) - 1.0).abs() < 0.01);
-        }
-        let periods = grid(&[0.21, 0.4, 0.25, 0.4]);
-        assert!((periods[0] / 0.042 - 1.0).abs() < 1e-12 && (periods[periods.len() - 1] / 0.8 - 1.0).abs() < 0.01);
-        assert!(periods.iter().any(|t| (t / 0.08 - 1.0).abs() < 1e-9) && periods.len() < 530);
-    }
 }

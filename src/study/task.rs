@@ -139,6 +139,7 @@ pub(super) fn single(
     job.case.ground_motion = Some(motion(&shaking, factor));
     job.linear = tank.fe.clone();
     job.project = study.project.clone().or_else(|| tank.project.clone());
+    job.usable_periods = vec![shaking.usable; 1 + usize::from(shaking.across.is_some())];
     job.raw_records = [Some(&shaking.along), shaking.across.as_ref(), shaking.up.as_ref()]
         .into_iter()
         .flatten()
@@ -175,11 +176,12 @@ impl Unit<'_> {
         };
         lines.push(Line::Tank(Box::new(tank)));
         let scales = self.blank_scales();
-        for &record in self.records.keys() {
+        for (&record, shaking) in self.records {
             for (level, factor) in &scales {
                 lines.push(Line::Row(Box::new(Row {
                     level: *level,
                     factor: *factor,
+                    usable_period: shaking.usable.map(kept),
                     message: Some(message.into()),
                     ..Row::blank(self.id, self.sample, &self.plan.records[record].id, RowStatus::Refused)
                 })));
@@ -246,6 +248,7 @@ impl Unit<'_> {
                     lines.push(Line::Row(Box::new(Row {
                         level,
                         factor,
+                        usable_period: shaking.usable.map(kept),
                         message: Some(message.clone()),
                         ..Row::blank(self.id, self.sample, id, RowStatus::Error)
                     })));
@@ -282,6 +285,7 @@ impl Unit<'_> {
             files: Vec::new(),
             warnings: Vec::new(),
             raw_records: Vec::new(),
+            usable_periods: Vec::new(),
         })
     }
 
@@ -359,6 +363,8 @@ impl Unit<'_> {
                 factor: kept(factor),
                 im: Some(kept(measure * factor)),
                 peaks: Some([peak, measures.pgv * factor, measures.pgd * factor].map(kept)),
+                usable_period: shaking.usable.map(kept),
+                sloshing_beyond_usable: shaking.usable.zip(periods[1]).map(|(usable, period)| period > usable),
                 ..Row::blank(self.id, self.sample, id, RowStatus::Ok)
             };
             let outcome = plausible::check_peak(peak, format!("the factor {factor}"), false)
@@ -395,6 +401,10 @@ impl Unit<'_> {
             None => procedures()?,
         };
         values_of(&methods, Excitation::Record, &mut row.values);
+        // An engine without periods of its own, or none: those of the codes.
+        if let (None, Some(usable)) = (row.sloshing_beyond_usable, row.usable_period) {
+            row.sloshing_beyond_usable = pipeline::sloshing_period(&methods).map(|period| period > usable);
+        }
         let (values, checks) = match (self.study.engine, linear) {
             (None, _) => (BTreeMap::new(), Vec::new()),
             (Some(_), Some((unit, ready))) => {

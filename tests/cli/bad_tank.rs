@@ -183,6 +183,15 @@ fn keys() {
     ] {
         has(&spoiled("\"radius\"", &format!("\"{key}\"")), &["unknown key", hint]);
     }
+    // The key that is meant is not missing as well.
+    for (from, to, hint) in [
+        ("\"radius\"", "\"diameter\"", "half of the diameter"),
+        ("\"youngs_modulus\"", "\"E\"", "give `youngs_modulus`"),
+        ("\"fill_height\"", "\"level\"", "give `liquid.fill_height`"),
+    ] {
+        has(&spoiled(from, to), &[hint, "1 fault in"]);
+    }
+    has(&spoiled("2750 kg/m3", "25 kN/m3"), &["a unit of", "2549 kg/m3"]);
     has(
         &spoiled("\"record\"", "\"colour\""),
         &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"],

@@ -141,6 +141,7 @@ fn job(text: &str) -> Option<Job> {
         files: Vec::new(),
         warnings: tank.warnings,
         raw_records: vec![record],
+        usable_periods: Vec::new(),
     })
 }
 

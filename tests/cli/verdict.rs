@@ -128,6 +128,7 @@ impl Tank {
             files: Vec::new(),
             warnings: tank.warnings,
             raw_records: Vec::new(),
+            usable_periods: Vec::new(),
         };
         if self.record {
             let (samples, shape) = self.motion;

@@ -9,9 +9,11 @@ use std::process::Command;
 
 use results::numdiff;
 
-/// One tank file, its record and its accepted report, relative to the root of the repository.
+/// One tank file, its record or its set of records, and its accepted report, relative to the root of the repository.
 struct Example {
     tank: PathBuf,
+    /// `--quake` or `--set`.
+    option: &'static str,
     record: PathBuf,
     golden: PathBuf,
 }
@@ -65,8 +67,19 @@ fn examples() -> Vec<Example> {
                 Some(variant) => golden.join(variant),
                 None => golden,
             };
+            // A set of records stands beside the first tank, with a report of its own.
+            let set = folder.join("set.json");
+            if set.exists() && stem == "tank" {
+                examples.push(Example {
+                    tank: relative(&tank),
+                    option: "--set",
+                    record: relative(&set),
+                    golden: relative(&root.join("reports").join(format!("{}_set", name.to_string_lossy()))),
+                });
+            }
             examples.push(Example {
                 tank: relative(&tank),
+                option: "--quake",
                 record: relative(&record),
                 golden: relative(&golden),
             });
@@ -128,7 +141,7 @@ fn compare(example: &Example, out: &Path) -> std::process::Output {
         .current_dir(root())
         .arg("compare")
         .arg(&example.tank)
-        .arg("--quake")
+        .arg(example.option)
         .arg(&example.record)
         .arg("--out")
         .arg(out)

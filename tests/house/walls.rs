@@ -83,6 +83,7 @@ const MUST_NOT_NAME: &[(&str, &str, &[&str])] = &[
     ),
     ("tankcheck", "pipeline", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "solve", &["crate::cli", "crate::input", "report::"]),
+    ("tankcheck", "record_set", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "study", &["crate::cli", "report::"]),
     ("engines", "solid", &["crate::harmonic"]),
     ("engines", "harmonic", &["crate::solid"]),

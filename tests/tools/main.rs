@@ -1,10 +1,12 @@
 //! Tests that need another program: where it is absent they are counted as ignored, with the reason.
 //!
 //! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files; `unshare` makes file
-//! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter), snakemake (`SNAKEMAKE`) and Slurm of Debian run studies, python3 with pandas
-//! and pyarrow (`PANDAS_PYTHON`) reads their rows;
-//! python3 runs the package of `python/` and collects the licences of an archive.
+//! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter), snakemake (`SNAKEMAKE`) and Slurm
+//! of Debian run studies, python3 with pandas and pyarrow (`PANDAS_PYTHON`) reads their rows; python3 runs the package of `python/`, collects the
+//! licences of an archive and reads the workbook, which LibreOffice opens too; pandoc makes a text document; xmllint and python3 with jsonschema
+//! hold test reports against their schemas.
 
+mod forms;
 mod report_print;
 #[path = "../golden/sample/mod.rs"]
 mod sample;
@@ -31,6 +33,29 @@ fn main() -> ExitCode {
             "report_print::nothing_is_cut_off_on_screen_phone_and_paper",
             chromium,
             report_print::nothing_is_cut_off_on_screen_phone_and_paper,
+        ),
+        trial("forms::pages_are_few", chromium, forms::pages_are_few),
+        trial("forms::the_program_prints", chromium, forms::the_program_prints),
+        trial(
+            "forms::pandoc_makes_a_clean_document",
+            pandoc,
+            forms::pandoc_makes_a_clean_document,
+        ),
+        trial(
+            "forms::the_workbook_has_the_values",
+            python,
+            forms::the_workbook_has_the_values,
+        ),
+        trial(
+            "forms::libreoffice_opens_the_workbook",
+            libreoffice,
+            forms::libreoffice_opens_the_workbook,
+        ),
+        trial("forms::junit_keeps_its_schema", xmllint, forms::junit_keeps_its_schema),
+        trial(
+            "forms::sarif_keeps_its_schema",
+            jsonschema,
+            forms::sarif_keeps_its_schema,
         ),
         trial("report_print::look", looked_at, report_print::look),
         trial(
@@ -172,6 +197,42 @@ fn python() -> Result<PathBuf, &'static str> {
         true => Ok(python),
         false => Err("skipped: python3 (3.9 or later) is not installed"),
     }
+}
+
+fn installed(program: &str, arguments: &[&str], reason: &'static str) -> Result<PathBuf, &'static str> {
+    let program = PathBuf::from(program);
+    match succeeds(&program, arguments) {
+        true => Ok(program),
+        false => Err(reason),
+    }
+}
+
+fn pandoc() -> Result<PathBuf, &'static str> {
+    installed("pandoc", &["--version"], "skipped: pandoc is not installed")
+}
+
+fn libreoffice() -> Result<PathBuf, &'static str> {
+    installed(
+        "soffice",
+        &["--version"],
+        "skipped: LibreOffice (libreoffice-calc) is not installed",
+    )
+}
+
+fn xmllint() -> Result<PathBuf, &'static str> {
+    installed(
+        "xmllint",
+        &["--version"],
+        "skipped: xmllint (libxml2-utils) is not installed",
+    )
+}
+
+fn jsonschema() -> Result<PathBuf, &'static str> {
+    installed(
+        "python3",
+        &["-c", "import jsonschema"],
+        "skipped: python3 with jsonschema (PyPI) is not installed",
+    )
 }
 
 fn archiver() -> Result<PathBuf, &'static str> {

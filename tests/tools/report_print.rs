@@ -35,9 +35,38 @@ fn browse(program: &Path, profile: &Path, page: &Path, args: &[&str]) -> String 
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-fn rendered(folder: &Path, kind: Kind) -> PathBuf {
+fn rendered(folder: &Path, kind: Kind, level: report::Level) -> PathBuf {
     sample::write(folder, kind, "Broad tank of Manos and Clough, 1982");
-    report::render(folder, None, report::Level::Full).expect("the sample renders")
+    report::render(folder, None, level).expect("the sample renders")
+}
+
+/// Every kind of page: verifications at two levels, an incremental analysis, a pushover, a study.
+fn kinds(folder: &Path) -> Vec<(String, String)> {
+    let mut pages = Vec::new();
+    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Nonlinear] {
+        for level in [report::Level::Standard, report::Level::Full] {
+            let page = std::fs::read_to_string(rendered(folder, kind, level)).expect("readable");
+            pages.push((format!("{kind:?} {level:?}"), page));
+        }
+    }
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for file in [
+        "tests/golden/short/ida/ida.json",
+        "reports/06_sandwich_strip/ida/ida.json",
+    ] {
+        let ida = results::read_ida(&kept.join(file)).expect("kept results");
+        pages.push((file.into(), report::ida::report(&ida).expect("a page").html));
+    }
+    for file in [
+        "tests/golden/short/push/push.json",
+        "reports/07_steel_cylinder/push/push.json",
+    ] {
+        let mut push = results::read_push(&kept.join(file)).expect("kept results");
+        push.tank = Some(sample::sample(Kind::Compare, "Broad tank").0.tank);
+        pages.push((file.into(), report::push::report(&push).expect("a page").html));
+    }
+    pages.push(("study".into(), crate::study::page()));
+    pages
 }
 
 pub(crate) fn it_prints_to_clean_pages(program: &Path) {
@@ -47,7 +76,7 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
         (Kind::Check, 5..=20),
         (Kind::Nonlinear, 15..=60),
     ] {
-        let report = rendered(folder.path(), kind);
+        let report = rendered(folder.path(), kind, report::Level::Full);
         let pdf = folder.path().join("report.pdf");
         let to = format!("--print-to-pdf={}", pdf.display());
         let args = ["--no-pdf-header-footer", "--generate-pdf-document-outline", &to];
@@ -113,14 +142,23 @@ function measure(frame) {
       if (t.left < box.left - 1 || t.right > box.right + 1 || t.top < box.top - 1 || t.bottom > box.bottom + 1)
         say("text outside its figure " + svg.querySelector("title").textContent, text);
     }
+    // Texts over each other by more than two units and about half a line.
+    const unit = box.width / svg.viewBox.baseVal.width;
+    const texts = [...svg.querySelectorAll("text")].filter(t => t.textContent.trim()).map(t => [t, t.getBoundingClientRect()]);
+    for (let i = 0; i < texts.length; i++) for (let j = 0; j < i; j++) {
+      const a = texts[i][1], b = texts[j][1];
+      const width = Math.min(a.right, b.right) - Math.max(a.left, b.left), height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+      if (width > 2 * unit && height > .45 * Math.min(a.height, b.height))
+        say("texts overlap in " + svg.querySelector("title").textContent + ": " + texts[j][0].textContent.trim().slice(0, 30) + " / ", texts[i][0]);
+    }
   }
   for (const cell of page.querySelectorAll("td, th, dd, p, h1, h2, h3, summary, math")) {
     const c = cell.getBoundingClientRect();
     if (!c.width || cell.closest("details:not([open])")) continue;
     if (c.right > width + 1 && !scrolls(cell)) say("text beyond the right edge", cell);
     if (cell.tagName === "math") {
-      const column = cell.closest("td").getBoundingClientRect();
-      if (c.right > column.right + 1 && !(name === "phone")) say("formula wider than its column", cell);
+      const column = cell.closest("td, .line, li, p, summary, h4");
+      if (column && c.right > column.getBoundingClientRect().right + 1 && name !== "phone") say("formula wider than its column", cell);
     }
   }
 }
@@ -136,9 +174,7 @@ addEventListener("load", () => {
 
 pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Nonlinear] {
-        let report = rendered(folder.path(), kind);
-        let html = std::fs::read_to_string(report).expect("readable");
+    for (kind, html) in kinds(folder.path()) {
         // On paper: the print rules for every medium, and no screen rules; 210 mm less the margins is 665 px.
         let paper = html
             .replace("@media print", "@media all")
@@ -147,7 +183,7 @@ pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
         let mut page = String::from("<!DOCTYPE html><meta charset=\"utf-8\"><body>");
         page.push_str(MEASURE);
         for (id, width, text) in [
-            ("phone", 360, &html),
+            ("phone", 390, &html),
             ("screen", 1280, &html),
             ("tablet", 800, &html),
             ("paper", 665, &paper),
@@ -167,14 +203,14 @@ pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
         );
         assert!(
             dom.contains("data-checked=\"yes\""),
-            "{kind:?}: the page was not measured"
+            "{kind}: the page was not measured"
         );
         let faults = dom
             .split("data-faults=\"")
             .nth(1)
             .and_then(|r| r.split('"').next())
             .unwrap_or("?");
-        assert!(faults.is_empty(), "{kind:?}:\n{}", faults.replace(" | ", "\n"));
+        assert!(faults.is_empty(), "{kind}:\n{}", faults.replace(" | ", "\n"));
     }
 }
 

@@ -57,6 +57,16 @@ fn planned(tanks: usize, records: usize, out: &[&str]) -> tempfile::TempDir {
     folder
 }
 
+/// The page of a small study.
+pub(crate) fn page() -> String {
+    let folder = planned(2, 3, &["out"]);
+    for arguments in [["study", "run", "out"], ["study", "merge", "out"]] {
+        let output = tankcheck(folder.path(), &arguments);
+        assert!(output.status.success(), "{}", said(&output));
+    }
+    fs::read_to_string(folder.path().join("out/report.html")).expect("a page")
+}
+
 fn merged(folder: &Path, out: &str) -> String {
     let merge = tankcheck(folder, &["study", "merge", out]);
     assert!(merge.status.success(), "{}", said(&merge));

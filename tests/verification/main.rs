@@ -10,6 +10,7 @@ mod response_simulate;
 mod response_tank;
 mod rigid_cylinder;
 mod rigid_strip;
+mod shared_model;
 mod solid_engine;
 mod strip_wall;
 mod tanks;

@@ -23,6 +23,7 @@ pub(crate) use build::build_observed;
 pub use estimate::estimate;
 pub use limits::notes;
 pub(crate) use limits::{CLAMPED, IN_CONTACT, assumptions};
+pub(crate) use liquid_mesh::content;
 pub use modes::modes;
 pub(crate) use places::Places;
 pub use state::Static;

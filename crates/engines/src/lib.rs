@@ -34,6 +34,7 @@ pub use fem::liquid;
 pub use linear::isolation::{IsolatedBody, isolated_body};
 pub use linear::mesh_error::errors as mesh_errors;
 pub use linear::prepared::{Prepared, Response};
+pub use linear::shared::Shared;
 pub use linear::soil::slab_body;
 pub use linear::{simulate, simulate_watched};
 pub use registry::{ALL, engine};

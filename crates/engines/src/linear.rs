@@ -12,12 +12,15 @@ mod modal;
 pub(crate) mod model;
 pub(crate) mod prepared;
 mod rocking;
+pub(crate) mod shared;
 pub(crate) mod soil;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod turned;
 pub(crate) mod units;
 mod waves;
+
+use std::sync::Arc;
 
 use fem::progress::{Progress, Silent};
 use oscillator::record::Record;
@@ -29,7 +32,7 @@ use tank::{Shape, Support};
 pub(crate) use around::Across;
 use around::Around;
 
-use analysis::{Analysis, LineExtremes, analyse};
+use analysis::{Analysis, LineExtremes, analyse, analyse_on};
 use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
@@ -113,6 +116,8 @@ pub(crate) fn simulate_with_states(
                 direct: None,
                 across: None,
                 states,
+                thorough: true,
+                known: None,
             };
             complete(case, options, &linear, progress)
         });
@@ -124,6 +129,14 @@ pub(crate) fn simulate_with_states(
     });
     let mut simulation = first?;
     mesh_error::note(&mut simulation, other.transpose()?.as_ref(), options);
+    finished(case, options, &mut simulation)?;
+    Ok(simulation)
+}
+
+/// Adds what does not depend on the ground motion.
+///
+/// Errors: a tilted tank that cannot be solved.
+fn finished(case: &Case, options: &Options, simulation: &mut Simulation) -> Result<(), FeError> {
     if !options.snapshots.is_empty() {
         simulation.notes.push(
             "`analysis.snapshots`: states at given times are those of the three-dimensional engine (--fe solid, --fe both).".into(),
@@ -133,7 +146,7 @@ pub(crate) fn simulate_with_states(
         let build = |tilted: &Case| crate::harmonic::build_observed(tilted, options, 1, Places::Usual);
         simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
     }
-    Ok(simulation)
+    Ok(())
 }
 
 /// The ground motion of a case.
@@ -209,6 +222,11 @@ pub(crate) struct Linear<'a> {
     pub across: Option<Across<'a>>,
     /// Time between states of a bottom that lifts, for pictures [s]; none keeps none.
     pub states: Option<f64>,
+    /// Whether all that is reported is computed: a quick run has no envelopes, and a base that lifts is not run on softer and harder ground and
+    /// under motions slightly apart.
+    pub thorough: bool,
+    /// Laws of such a base from runs under other records.
+    pub known: Option<&'a Arc<rocking::Known>>,
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -224,14 +242,14 @@ pub(crate) fn complete(
     let alone = motion.vertical.is_none() && motion.transverse.is_none();
     let newmark = options.integrator == Integrator::Newmark && alone;
     let Some(direct) = linear.direct.filter(|_| newmark) else {
-        let analysis = analyse(linear.model, motion, options, progress)?;
+        let analysis = analyse_on(linear.model, motion, (options, linear.thorough), progress)?;
         return report(case, options, linear, analysis, motion, notes);
     };
     let modal = Options {
         integrator: Integrator::Modal,
         ..options.clone()
     };
-    let mut analysis = analyse(linear.model, motion, &modal, progress)?;
+    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.thorough), progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
     let mut simulation = report(case, options, linear, analysis, motion, notes)?;
     if let Some(time) = interrupted {
@@ -287,7 +305,7 @@ fn report(
         (linear.engine, model),
         &analysis,
         motion,
-        (options, linear.states),
+        (options, linear.thorough, linear.known, linear.states),
     );
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
@@ -301,7 +319,7 @@ fn report(
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
     let mut analysis = match &moving {
-        Some(moving) => analyse(moving, &driven, options, &Silent)?,
+        Some(moving) => analyse_on(moving, &driven, (options, linear.thorough), &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -344,7 +362,11 @@ fn report(
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
-    let mut envelopes = envelopes(seen, &analysis);
+    // A quick run has not the extremes of all lines.
+    let mut envelopes = match linear.thorough {
+        true => envelopes(seen, &analysis),
+        false => Vec::new(),
+    };
     if let Some(moved) = free.moved() {
         moved.correct(&mut envelopes);
     }

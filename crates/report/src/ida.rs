@@ -267,13 +267,10 @@ fn cover(ida: &Ida) -> Cover {
             headline: words::cover::headline(ida),
             lines: words::cover::lines(ida),
         },
-        warnings: match ida.incomplete {
-            true => sentences("ida")
-                .get("interrupted")
-                .map(|s| (*s).into())
-                .into_iter()
-                .collect(),
-            false => Vec::new(),
+        warnings: {
+            let interrupted = sentences("ida").get("interrupted").filter(|_| ida.incomplete).map(|s| (*s).into());
+            let beyond = crate::words::record_set::beyond_of_ida(ida).into_iter().map(|line| line + ".");
+            interrupted.into_iter().chain(beyond).collect()
         },
         facts,
         sketch: sketch.into_iter().collect(),

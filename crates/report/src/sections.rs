@@ -21,6 +21,7 @@ mod overlay;
 mod partings;
 mod profiles;
 mod provenance;
+mod record_set;
 mod reported;
 mod section;
 mod sheets;
@@ -64,6 +65,7 @@ sections![
     engine: Standard,
     motion: Standard,
     spectra: Standard,
+    record_set: Standard,
     checks: Standard,
     comparison: Standard,
     partings: Full,

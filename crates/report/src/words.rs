@@ -39,6 +39,7 @@ pub mod isolation;
 pub mod labels;
 pub mod outcome;
 pub mod push;
+pub mod record_set;
 pub mod sections;
 pub mod sheets;
 pub mod soil;

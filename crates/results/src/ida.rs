@@ -47,6 +47,10 @@ pub struct Ida {
     pub runs: Vec<IdaRun>,
     /// Whether runs that were asked for are missing.
     pub incomplete: bool,
+    /// Longest period of which the record says something, and the sloshing period of the tank [s], where the latter is longer: its waves are not to
+    /// be relied on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sloshing_beyond_usable: Option<[f64; 2]>,
 }
 
 fn of_a_metre() -> Dimension {
@@ -274,6 +278,7 @@ mod tests {
                 energy_residual: 1e-6,
             }],
             incomplete: false,
+            sloshing_beyond_usable: None,
         }
     }
 

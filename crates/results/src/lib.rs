@@ -20,6 +20,7 @@ pub mod nonlinear;
 pub mod numdiff;
 mod previous;
 mod push;
+mod record_set;
 mod run;
 mod snapshots;
 mod soil_run;
@@ -58,6 +59,7 @@ pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
     PushShell, PushStrip, read_push, write_push,
 };
+pub use record_set::{Compatibility, RecordSet, SetCheck, SetPeriod, SetQuantity, SetRun, SetScatter};
 pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
 };
@@ -102,6 +104,9 @@ pub struct Results {
     pub tank: TankSummary,
     /// Ground motion: horizontal first, then vertical; empty in `check` without a record.
     pub records: Vec<RecordSummary>,
+    /// The set of records, of a verification under several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record_set: Option<RecordSet>,
     /// Response spectra of the records and design spectra.
     pub spectra: Vec<SpectrumCurve>,
     /// Methods in report order: procedures, then `fe`, then `measured`.
@@ -256,6 +261,12 @@ pub struct RecordSummary {
     pub cav: f64,
     /// Significant duration D5-95 [s].
     pub significant_duration: f64,
+    /// Longest period of which the record says something [s]: that of the corner of its low-cut filter; none where its file does not give it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub usable_period: Option<f64>,
+    /// Whether the sloshing period of the tank is longer than that of a horizontal record: its waves are not to be relied on.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub sloshing_beyond_usable: bool,
 }
 
 impl RecordSummary {
@@ -279,6 +290,8 @@ impl RecordSummary {
             arias: measures.arias,
             cav: measures.cav,
             significant_duration: measures.significant_duration,
+            usable_period: None,
+            sloshing_beyond_usable: false,
         }
     }
 }

@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
-use codes::record_set::{self, Asked, CLAUSE, FEWEST, RANGE, SHARE};
+use codes::record_set::standard::Standard;
+use codes::record_set::{Horizontal, Ratios};
 use oscillator::record::Record;
 use serde::Serialize;
 use tank::STANDARD_GRAVITY;
+use tank::case::Site;
 use tank::units::{self, Dimension};
 
 use super::target::Target;
@@ -14,7 +16,7 @@ use crate::cli::table::Table;
 use crate::cli::{Format, json, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::input::{self, records};
-use crate::study::rule::{self, FIVE, Wanted};
+use crate::study::rule::{self, FIVE, Question, Wanted};
 use files::code::Code;
 use files::text;
 
@@ -24,6 +26,7 @@ Examples:
   tankcheck quake set a.csv b.csv c.csv --target tank.json
   tankcheck quake set set/*.at2 --target spectrum.csv --period 0.225s --period 6.4s --format json
 
+Rule asce7-16 (recalled): at least eleven records, their mean spectrum not below 90 % of the design spectrum of `site.api650`.
 Rule en1998-1: at least three records, the mean of their peaks not below a_g S of the target, and their mean spectrum not below 90 % of the
 target from 0.2 T to 2 T. Of a tank, T are the impulsive period (5 %) and the sloshing period (damping of sloshing). A spectrum.csv has the
 columns period_s and acceleration_g or acceleration_m_s2, is 5 % damped, and begins at T = 0.
@@ -51,10 +54,23 @@ pub(super) struct Set {
 
 /// A rule for sets of records.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-enum Rule {
+pub(crate) enum Rule {
     /// EN 1998-1:2004 3.2.3.1.2(4).
     #[value(name = "en1998-1")]
     En1998,
+    /// ASCE/SEI 7-16 chapter 16 (recalled): 11 records.
+    #[value(name = "asce7-16")]
+    Asce716,
+}
+
+impl Rule {
+    /// Its code.
+    pub(crate) fn code(self) -> Standard {
+        match self {
+            Rule::En1998 => Standard::En1998,
+            Rule::Asce716 => Standard::Asce716,
+        }
+    }
 }
 
 /// What is printed.
@@ -67,8 +83,8 @@ struct Found {
     smallest_ratio: f64,
     /// One factor for the set with which the rule just holds.
     factor: f64,
-    /// Mean of the peaks over the target at T = 0.
-    mean_zero_period_ratio: f64,
+    /// Mean of the peaks over the target at T = 0, where the rule asks for it.
+    mean_zero_period_ratio: Option<f64>,
     /// Whether the rule holds for the set as it is.
     holds: bool,
     fewest_records: usize,
@@ -105,6 +121,20 @@ impl Set {
             .collect::<Result<Vec<f64>, Error>>()?;
         let target = Target::read(&self.target, &self.reading)?;
         let wanted = self.wanted(&target, &given)?;
+        let code = self.rule.code();
+        let name = self
+            .target
+            .file_name()
+            .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        let nowhere = Site::default();
+        let question = Question {
+            code,
+            table: target.table(),
+            target: &name,
+            site: target.site().unwrap_or(&nowhere),
+            wanted: &wanted,
+        };
+        rule::reaches(&question)?;
         let mut set: Vec<Record> = Vec::new();
         let mut rows = Vec::new();
         let mut broken = Vec::new();
@@ -124,45 +154,29 @@ impl Set {
         if !broken.is_empty() {
             return Err(Error::Files(input::study::together(broken)));
         }
-        let ground = target.curve(FIVE)?;
-        let zero = record_set::zero_period(&set, &ground);
-        let mut periods = Vec::new();
-        for wanted in &wanted {
-            let curve = target.curve(wanted.damping)?;
-            let ratios = record_set::ratios(
-                &set,
-                &Asked {
-                    period: wanted.period,
-                    damping: wanted.damping,
-                    target: &curve,
-                },
-            );
-            periods.push(OfPeriod {
-                which: wanted.which,
-                period: wanted.period,
-                damping: wanted.damping,
-                range: RANGE.map(|r| r * wanted.period),
-                smallest_ratio: ratios.smallest.0,
-                at_period: ratios.smallest.1,
-                holds: ratios.smallest.0 >= SHARE,
-            });
-        }
-        let smallest = periods.iter().map(|p| p.smallest_ratio).fold(f64::INFINITY, f64::min);
+        let horizontal: Vec<Horizontal<'_>> = set.iter().map(Horizontal::from).collect();
+        let answer = rule::answer(&question, &horizontal)?;
+        let of_period = |(wanted, ratios): &(Wanted, Ratios)| OfPeriod {
+            which: wanted.which,
+            period: wanted.period,
+            damping: wanted.damping,
+            range: code.range().map(|r| r * wanted.period),
+            smallest_ratio: ratios.smallest.0,
+            at_period: ratios.smallest.1,
+            holds: ratios.smallest.0 >= code.share(),
+        };
         let found = Found {
-            rule: "en1998-1",
-            clause: CLAUSE,
-            target: self
-                .target
-                .file_name()
-                .map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
-            smallest_ratio: smallest,
-            factor: record_set::factor(smallest, zero),
-            mean_zero_period_ratio: zero,
-            holds: record_set::holds(set.len(), smallest, zero),
-            fewest_records: FEWEST,
-            share: SHARE,
+            rule: code.id(),
+            clause: code.clause(),
+            target: name.clone(),
+            smallest_ratio: answer.smallest,
+            factor: answer.factor,
+            mean_zero_period_ratio: answer.zero,
+            holds: answer.holds,
+            fewest_records: code.fewest(),
+            share: code.share(),
             records: rows,
-            periods,
+            periods: answer.periods.iter().map(of_period).collect(),
         };
         match self.format {
             Format::Human => print(&human(&found))?,
@@ -179,7 +193,7 @@ impl Set {
 
     /// The periods that are asked.
     ///
-    /// Errors: none given and no tank; a tank without them; a table that ends before twice a period.
+    /// Errors: none given and no tank; a tank without them.
     fn wanted(&self, target: &Target, given: &[f64]) -> Result<Vec<Wanted>, Error> {
         let mut wanted: Vec<Wanted> = given
             .iter()
@@ -190,7 +204,7 @@ impl Set {
             })
             .collect();
         match target {
-            Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(tank)?,
+            Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(&tank.case)?,
             Target::Table(_) if wanted.is_empty() => {
                 return Err(Error::input(
                     Code::MissingInput,
@@ -199,21 +213,6 @@ impl Set {
                 ));
             }
             _ => {}
-        }
-        if let Target::Table(table) = target
-            && let Some(far) = wanted
-                .iter()
-                .find(|w| RANGE[1] * w.period > table.longest() * (1.0 + 1e-9))
-        {
-            return Err(Error::input(
-                Code::OutOfRange,
-                format!(
-                    "{}: the table ends at {} s, before 2 T = {} s\n  help: add rows; the table is not continued",
-                    self.target.display(),
-                    table.longest(),
-                    RANGE[1] * far.period
-                ),
-            ));
         }
         Ok(wanted)
     }
@@ -262,16 +261,15 @@ fn human(found: &Found) -> String {
         found.fewest_records,
         if few { ": too few" } else { "" }
     ));
-    said.push_str(&format!(
-        "  mean peak/target   {:.4}, at least 1\n",
-        found.mean_zero_period_ratio
-    ));
+    if let Some(zero) = found.mean_zero_period_ratio {
+        said.push_str(&format!("  mean peak/target   {zero:.4}, at least 1\n"));
+    }
     said.push_str(&format!(
         "  mean/target        {:.4}, at least {}\n",
         found.smallest_ratio, found.share
     ));
     said.push_str(&format!(
-        "  factor of the set  {:.4}, with which peaks and spectrum just hold\n",
+        "  factor of the set  {:.4}, with which the rule just holds\n",
         found.factor
     ));
     said

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use codes::record_set::standard::Standard;
+use tank::case::Site;
 use tank::hazard::SpectrumTable;
 
 use crate::cli::inputs::Reading;
@@ -31,24 +33,37 @@ impl Target {
     pub(super) fn longest(&self) -> f64 {
         match self {
             Target::Table(table) => table.longest(),
-            Target::Tank(tank) => match &tank.case.site.spectrum {
-                Some(own) => codes::hazard::longest(own),
-                None => f64::INFINITY,
-            },
+            Target::Tank(tank) => rule::longest(&tank.case.site),
         }
     }
 
     /// The elastic spectrum at a damping.
     ///
     /// Errors: a tank without the site of EN 1998.
-    pub(super) fn curve(&self, damping: f64) -> Result<Box<dyn Fn(f64) -> f64>, Error> {
+    pub(super) fn curve(&self, damping: f64) -> Result<rule::Curve, Error> {
         match self {
             Target::Table(table) => {
                 let table = table.clone();
                 // Beyond the last row nothing is asked.
                 Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
             }
-            Target::Tank(tank) => rule::elastic(tank, damping),
+            Target::Tank(tank) => rule::elastic(&tank.case.site, Standard::En1998, damping),
+        }
+    }
+
+    /// The table, where it is one.
+    pub(super) fn table(&self) -> Option<&SpectrumTable> {
+        match self {
+            Target::Table(table) => Some(table),
+            Target::Tank(_) => None,
+        }
+    }
+
+    /// The site, of a tank.
+    pub(super) fn site(&self) -> Option<&Site> {
+        match self {
+            Target::Table(_) => None,
+            Target::Tank(tank) => Some(&tank.case.site),
         }
     }
 }

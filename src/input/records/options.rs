@@ -75,4 +75,9 @@ impl ReadRecord {
     pub fn usable_period(&self) -> Option<f64> {
         self.low_cut_frequency.map(|corner| 1.0 / corner)
     }
+
+    /// The same of the processed record [s]: a time axis that is stretched stretches its periods.
+    pub fn usable_after(&self, processing: &Processing) -> Option<f64> {
+        Some(self.usable_period()? * processing.time_factor.unwrap_or(1.0))
+    }
 }

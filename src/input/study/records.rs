@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::keys::{Components, Records};
 use super::{matching, name_of};
-use crate::input::records::{self, AccelerationUnit, Processing, ReadOptions};
+use crate::input::records::{self, AccelerationUnit, Processing, ReadOptions, ReadRecord};
 use crate::input::tank::read::{Field, Opt};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use files::code::Code;
@@ -34,6 +34,8 @@ pub struct Shaking {
     pub across: Option<Record>,
     /// Upwards.
     pub up: Option<Record>,
+    /// Longest period of which every horizontal component says something [s], where a file gives the corner of its filter.
+    pub usable: Option<f64>,
 }
 
 impl RecordEntry {
@@ -41,11 +43,16 @@ impl RecordEntry {
     ///
     /// Errors: those of the readers.
     pub fn read(&self) -> Result<Shaking, Error> {
-        let one = |path: &PathBuf| Ok(records::read(path, &self.options)?.record);
+        let one = |path: &PathBuf| records::read(path, &self.options);
+        let along = one(&self.along)?;
+        let across = self.across.as_ref().map(one).transpose()?;
+        let up = self.up.as_ref().map(one).transpose()?;
+        let horizontal = std::iter::once(&along).chain(&across);
         Ok(Shaking {
-            along: one(&self.along)?,
-            across: self.across.as_ref().map(one).transpose()?,
-            up: self.up.as_ref().map(one).transpose()?,
+            usable: horizontal.filter_map(ReadRecord::usable_period).reduce(f64::min),
+            along: along.record,
+            across: across.map(|read| read.record),
+            up: up.map(|read| read.record),
         })
     }
 }
@@ -66,6 +73,7 @@ impl Shaking {
         Ok(Shaking {
             across: other(&self.across)?,
             up: other(&self.up)?,
+            usable: self.usable.map(|period| period * processing.time_factor.unwrap_or(1.0)),
             along,
         })
     }

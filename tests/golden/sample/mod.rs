@@ -159,6 +159,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
         name: name.into(),
         project: Some(project()),
         standing: None,
+        record_set: None,
         files: vec![
             SourceFile {
                 role: "tank".into(),
@@ -327,6 +328,8 @@ fn record(acceleration: &[f64]) -> RecordSummary {
         arias: std::f64::consts::PI / (2.0 * G) * acceleration.iter().map(|a| a * a * DT).sum::<f64>(),
         cav: acceleration.iter().map(|a| a.abs() * DT).sum(),
         significant_duration: 11.3,
+        usable_period: None,
+        sloshing_beyond_usable: false,
     }
 }
 

@@ -20,6 +20,7 @@ use std::f64::consts::{PI, TAU};
 
 use fem::liquid::{LiquidMesh, scaled};
 use results::Labelled;
+use tank::case::GroundMotion;
 use tank::units::significant;
 use tank::{Case, Shape, Tank};
 
@@ -59,19 +60,22 @@ struct Aim {
     beyond: bool,
 }
 
+/// End of the content of a motion [Hz]: of its components the highest.
+pub(crate) fn content(motion: &GroundMotion) -> f64 {
+    let all = [
+        Some(&motion.horizontal),
+        motion.transverse.as_ref(),
+        motion.vertical.as_ref(),
+    ];
+    let each = all.into_iter().flatten().map(|r| frequency_of_share(r, SHARE));
+    each.fold(0.0, f64::max)
+}
+
 impl Aim {
     /// Of a case; `None` without ground motion and site.
     fn of(case: &Case) -> Option<Aim> {
         let (frequency, record) = match &case.ground_motion {
-            Some(motion) => {
-                let all = [
-                    Some(&motion.horizontal),
-                    motion.transverse.as_ref(),
-                    motion.vertical.as_ref(),
-                ];
-                let each = all.into_iter().flatten().map(|r| frequency_of_share(r, SHARE));
-                (each.fold(0.0, f64::max), true)
-            }
+            Some(motion) => (content(motion), true),
             None => (SITE, false),
         };
         if !record && !case.site.is_given() {

@@ -150,12 +150,29 @@ pub(crate) fn analyse<'a>(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
+    analyse_on(model, motion, (options, true), progress)
+}
+
+/// Whether extremes along a line are part of a quick analysis: those that values and limits are made of.
+fn needed(what: OnWall) -> bool {
+    matches!(what, OnWall::Hoop | OnWall::Pressure)
+}
+
+/// The same, of all lines or of those that are needed, which is most of the work, and then without the waves of further modes.
+///
+/// Errors: as [`analyse`].
+pub(crate) fn analyse_on<'a>(
+    model: &'a Model,
+    motion: &GroundMotion,
+    (options, all): (&Options, bool),
+    progress: &dyn Progress,
+) -> Result<Analysis<'a>, FeError> {
     let records = (&motion.horizontal, motion.vertical.as_ref());
     let both_sides = model.vertical.is_some();
     let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };
     let lines = &model.horizontal.coupled.lines;
     let mut on_lines: Vec<Observable> = Vec::new();
-    for line in lines {
+    for line in lines.iter().filter(|line| all || needed(line.what)) {
         for &opposite in sides {
             on_lines.extend((0..line.z.len()).map(|i| model.observable_on_line(line, i, opposite)));
         }
@@ -172,7 +189,7 @@ pub(crate) fn analyse<'a>(
     let ground: Vec<&Motion> = ground.iter().collect();
     progress.stage("linear response", 2 * grid.steps() as u64);
     let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
-    let mut extremes = collect(model, &found, both_sides);
+    let mut extremes = collect(model, &found, both_sides, all);
     let hoop = extremes
         .iter()
         .find(|l| l.what == OnWall::Hoop)
@@ -186,7 +203,10 @@ pub(crate) fn analyse<'a>(
         Vec::new()
     };
     let sloshing = kept[0].iter().filter(|m| m.kind == Kind::Sloshing).count();
-    let further = waves::further(&scalars, options.wave_modes, sloshing);
+    let further = match all {
+        true => waves::further(&scalars, options.wave_modes, sloshing),
+        false => Vec::new(),
+    };
     let others: Vec<Observable> = opposite
         .iter()
         .cloned()
@@ -210,7 +230,7 @@ pub(crate) fn analyse<'a>(
             scalars: Vec::new(),
             extremes: direct.extremes.split_off(opposite.len()),
         };
-        extremes = collect(model, &lines, both_sides);
+        extremes = collect(model, &lines, both_sides, all);
         difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
         // The energies of the two parts of a lifting wall's motion do not add up to that of the whole.
         energy = model.turned.is_none().then_some(balance);
@@ -237,10 +257,11 @@ fn mirror<'a>(model: &Model, observable: &Observable<'a>) -> Observable<'a> {
 }
 
 /// Sorts the extremes of the rows on lines by line and side.
-fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtremes> {
+fn collect(model: &Model, found: &Observed, both_sides: bool, all: bool) -> Vec<LineExtremes> {
     let mut rest = found.extremes.iter().copied();
     let mut lines = Vec::new();
-    for line in &model.horizontal.coupled.lines {
+    let lines_of = &model.horizontal.coupled.lines;
+    for line in lines_of.iter().filter(|line| all || needed(line.what)) {
         let front: Vec<Extreme> = rest.by_ref().take(line.z.len()).collect();
         let back = if both_sides {
             rest.by_ref().take(line.z.len()).collect()

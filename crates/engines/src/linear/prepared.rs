@@ -101,6 +101,8 @@ impl Prepared {
             direct: None,
             across: None,
             states: None,
+            thorough: true,
+            known: None,
         };
         let simulation = complete(&case, &self.options, &linear, &Silent)?;
         Ok(Response::of(simulation))

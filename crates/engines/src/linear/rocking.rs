@@ -14,6 +14,8 @@ mod search;
 mod tests;
 mod words;
 
+use std::sync::Arc;
+
 use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
@@ -32,6 +34,7 @@ use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::response::motion::{Grid, Motion};
 
 pub(super) use outcome::Moved;
+pub(crate) use search::Known;
 use search::{Found, Setup};
 pub(super) use words::HELD_DOWN;
 
@@ -110,22 +113,24 @@ impl Free {
     }
 }
 
+/// What is asked of a run of a base: options; whether it also runs on softer and harder ground and under motions slightly apart; laws of the base
+/// from runs under other records; time between states of the bottom for pictures [s], none keeps none.
+pub(super) type Asked<'a> = (&'a Options, bool, Option<&'a Arc<Known>>, Option<f64>);
+
 /// The run of a tank that is not held down.
-///
-/// * `states`: time between states of the bottom for pictures [s]; none keeps none
 pub(super) fn free(
     case: &Case,
     (engine, model): (EngineId, &Model),
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, states): (&Options, Option<f64>),
+    (options, thorough, known, states): Asked<'_>,
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if !round || engine != EngineId::Harmonic {
         return Free::Held;
     }
     if case.tank.support == Support::Anchored {
-        return on_anchors(case, model, analysis, motion, (options, states));
+        return on_anchors(case, model, analysis, motion, (options, thorough, known, states));
     }
     let Ok(base) = Base::of(case) else {
         return Free::Held;
@@ -136,7 +141,13 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    match run(&Setup { states, ..setup }, &base, analysis) {
+    let setup = Setup {
+        thorough,
+        known: known.cloned(),
+        states,
+        ..setup
+    };
+    match run(&setup, &base, analysis) {
         Ok(free) => free,
         Err(missed) => Free::NotComputed(words::missed(&missed)),
     }
@@ -148,7 +159,7 @@ fn on_anchors(
     model: &Model,
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, states): (&Options, Option<f64>),
+    (options, thorough, known, states): Asked<'_>,
 ) -> Free {
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
@@ -177,6 +188,8 @@ fn on_anchors(
         return held("the model has no rows of base moment or pressure");
     };
     let setup = Setup {
+        thorough,
+        known: known.cloned(),
         friction: None,
         anchors: Some(Anchors {
             count: anchors.count as usize,
@@ -196,7 +209,7 @@ fn on_anchors(
 
 /// The run, if anything moves.
 fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
-    let laws = search::law(base, setup.anchors, search::FIRST)?;
+    let laws = search::laws(setup, base, search::FIRST)?;
     let law = &laws.law;
     let peak = |channel| {
         analysis
@@ -211,19 +224,23 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     }
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
+    let band: &[f64] = if setup.thorough { &BAND } else { &[] };
     let (main, others) = std::thread::scope(|scope| {
-        let others = BAND.map(|factor| {
-            let on = base.on(factor * base.modulus).with_long_elements();
-            scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
-                Ok(found) => Ok(outcome::band(&on, &found)),
-                Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+        let others: Vec<_> = band
+            .iter()
+            .map(|factor| {
+                let on = base.on(factor * base.modulus).with_long_elements();
+                scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
+                    Ok(found) => Ok(outcome::band(&on, &found)),
+                    Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+                })
             })
-        });
+            .collect();
         let main = search::settle(setup, base, (reach, known), true);
-        (
-            main,
-            others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
-        )
+        let joined = others
+            .into_iter()
+            .map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        (main, joined.collect::<Vec<_>>())
     });
     let found: Found = main?;
     let grid = Grid {
@@ -270,6 +287,8 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         all.iter().map(|p| p / all[FORM - 1]).collect()
     };
     Some(Setup {
+        thorough: true,
+        known: None,
         anchors: None,
         states: None,
         form: form(),

@@ -399,6 +399,8 @@ fn integrated(
         direct: Some(&direct),
         across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
         states: None,
+        thorough: true,
+        known: None,
     };
     let mut simulation = complete(case, options, &linear, progress)?;
     simulation.assumptions.push(

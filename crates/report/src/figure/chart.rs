@@ -80,6 +80,20 @@ impl Axis {
         }
     }
 
+    /// Whole numbers from 1 to `count`.
+    pub fn whole(title: &str, count: usize) -> Axis {
+        let every = count.div_ceil(12).max(1);
+        let ticks = (1..=count).step_by(every);
+        Axis {
+            title: title.into(),
+            scale: Scale::of(Dimension::Dimensionless, [1.0]),
+            log: false,
+            range: (0.5, count as f64 + 0.5),
+            major: ticks.map(|k| (k as f64, plain(k as f64, 0))).collect(),
+            minor: Vec::new(),
+        }
+    }
+
     /// A logarithmic axis from `range.0` to `range.1` (SI, both positive), ticks at 1, 2, 5.
     pub fn log(title: &str, dimension: Dimension, range: (f64, f64)) -> Axis {
         let scale = Scale::single(dimension, [1.0]);

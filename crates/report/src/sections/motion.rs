@@ -8,7 +8,7 @@ use crate::figure::Figure;
 use crate::level::Level;
 use crate::number::{count, fixed, significant};
 use crate::table::{Column, Table};
-use crate::words::{capital, labels};
+use crate::words::{self, capital, labels};
 use files::error::Error;
 use results::channel::Ground;
 use results::{Channel, RecordSummary};
@@ -42,6 +42,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             processing: r.processing.clone(),
         })
         .collect();
+    let set = source.results.record_set.as_ref();
+    section.set("one_of", &set.map_or_else(String::new, words::record_set::one_of));
     section.set("records", &views);
     section.set("measures", &measures(source));
     section.set_figures("figures", figures);
@@ -102,5 +104,11 @@ fn measures(source: &Source) -> Table {
     add("Duration", "s", &|r| {
         fixed(r.dt * r.samples.saturating_sub(1) as f64, 2)
     });
+    if records.iter().any(|r| r.usable_period.is_some()) {
+        add(words::record_set::heads::USABLE, "s", &|r| {
+            let mark = if r.sloshing_beyond_usable { " ✗" } else { "" };
+            r.usable_period.map_or("–".into(), |t| significant(t, 4) + mark)
+        });
+    }
     table
 }

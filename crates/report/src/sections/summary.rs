@@ -174,7 +174,9 @@ fn facts(source: &Source) -> Vec<Pair> {
     let summary = &source.results.tank;
     let mut facts = frame::tank(summary);
     let mut add = |label: &str, value: String| facts.push(Pair::new(label, value));
-    if let Some(record) = source.results.records.first() {
+    if let Some(set) = &source.results.record_set {
+        add(words::summary::RECORDS, words::summary::records(set));
+    } else if let Some(record) = source.results.records.first() {
         add(
             words::summary::PEAK_GROUND_ACCELERATION,
             format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
@@ -212,7 +214,11 @@ fn unusual(results: &Results) -> Vec<Warned> {
     let unusable = unusable
         .iter()
         .map(|found| Warned::new(Code::Unusable, words::verdict::unusable(found)));
-    results.warnings.iter().cloned().chain(unusable).collect()
+    let beyond = words::record_set::beyond(results);
+    let beyond = beyond
+        .iter()
+        .map(|line| Warned::new(Code::UnusualRecord, capital(line) + "."));
+    results.warnings.iter().cloned().chain(beyond).chain(unusable).collect()
 }
 
 /// Titles of the deciding procedures, with their editions.

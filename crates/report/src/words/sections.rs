@@ -118,6 +118,16 @@ const ALL: &[Words] = &[
     title("motion", "Ground motion"),
     title("spectra", "Spectra"),
     Words {
+        id: "record_set",
+        title: "Set of records",
+        sentences: &[
+            ("spectrum", "The set against its target spectrum"),
+            ("scatter", "Scatter over the records"),
+            ("each", "Record by record"),
+            ("seismic", "Seismic part alone, absolute maxima."),
+        ],
+    },
+    Words {
         id: "modes",
         title: "Modes",
         sentences: &[(

@@ -1,7 +1,7 @@
 //! First page: subtitle, key figures, limits of the theory that are exceeded.
 
-use crate::number::Scale;
-use results::Limit;
+use crate::number::{Scale, count};
+use results::{Limit, RecordSet};
 
 /// Subtitle of the report; `engine` is whether a finite-element run is part of it.
 pub fn subtitle(engine: bool) -> &'static str {
@@ -21,6 +21,18 @@ pub fn liquid_mass(strip: bool) -> &'static str {
 
 /// Peak acceleration of the record as computed with.
 pub const PEAK_GROUND_ACCELERATION: &str = "Peak ground acceleration";
+/// Records of a set.
+pub const RECORDS: &str = "Records";
+
+/// Number of records and design value.
+pub fn records(set: &RecordSet) -> String {
+    let n = count(set.records.len());
+    match set.combine.as_str() {
+        "mean" => format!("{n}, mean"),
+        _ => format!("{n}, largest"),
+    }
+}
+
 /// Period of the first sloshing mode.
 pub const FIRST_SLOSHING: &str = "First sloshing period";
 /// Period of the first structural mode.

@@ -151,7 +151,7 @@ fn peaks(states: &States, found: &Found, history: &History) -> Peaks {
 pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
     let peaks = peaks(&states(base, found, &found.history), found, &found.history);
     BaseBand {
-        spread: Some(spread(base, found, &peaks)),
+        spread: spread(base, found, &peaks),
         modulus: base.modulus,
         uplift: peaks.uplift.0,
         base_rotation: peaks.rotation.0.abs(),
@@ -162,8 +162,11 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
     }
 }
 
-/// Extremes of the run and its twins.
-fn spread(base: &Base, found: &Found, own: &Peaks) -> BaseSpread {
+/// Extremes of the run and its twins; none without them.
+fn spread(base: &Base, found: &Found, own: &Peaks) -> Option<BaseSpread> {
+    if found.twins.is_empty() {
+        return None;
+    }
     let values = |peaks: &Peaks| {
         [
             peaks.uplift.0,
@@ -181,13 +184,13 @@ fn spread(base: &Base, found: &Found, own: &Peaks) -> BaseSpread {
         }
     }
     let [uplift, base_rotation, plastic_rotation, toe_axial_stress, base_shear] = ranges;
-    BaseSpread {
+    Some(BaseSpread {
         uplift,
         base_rotation,
         plastic_rotation,
         toe_axial_stress,
         base_shear,
-    }
+    })
 }
 
 /// The run as it is reported; the values of the wall held down and the superposed ones are added by [`Moved::complete`].
@@ -197,7 +200,7 @@ pub(super) fn moved(
     setup: &Setup,
     base: &Base,
     found: Found,
-    grounds: [Result<BaseBand, MissedBand>; 2],
+    grounds: Vec<Result<BaseBand, MissedBand>>,
     grid: Grid,
 ) -> Moved {
     let history = &found.history;
@@ -237,7 +240,7 @@ pub(super) fn moved(
         },
         band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
         missed: grounds.into_iter().filter_map(Result::err).collect(),
-        spread: Some(spread(base, &found, &peaks)),
+        spread: spread(base, &found, &peaks),
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);

@@ -1,7 +1,9 @@
 //! The law of the base that covers the run, and its hysteretic share.
 
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
 use ::base::history::{Body, Friction, History, Run, march};
-use ::base::{Anchors, Base, BaseError, Law, Ring, Rocking, Soil};
+use ::base::{Anchors, Base, BaseError, Law, Losses, Ring, Rocking, Soil};
 use results::BaseSpread;
 
 /// Largest rotation of the first law [rad].
@@ -18,6 +20,10 @@ const CRUSHED: f64 = 500e6;
 
 /// What does not depend on the ground.
 pub(super) struct Setup {
+    /// Whether the run is repeated on other grounds and slightly apart.
+    pub thorough: bool,
+    /// Laws of the base from runs under other records.
+    pub known: Option<Arc<Known>>,
     /// Wall and liquid.
     pub body: Body,
     /// Rigid parts of the bottom pressure.
@@ -45,22 +51,76 @@ pub(super) struct Setup {
 }
 
 /// The base up to a rotation.
+#[derive(Debug)]
 pub(super) struct Laws {
     pub rocking: Rocking,
     pub law: Law,
     pub ring: Option<Ring>,
+    /// Loss of its strips, once it is asked for.
+    losses: OnceLock<Losses>,
+}
+
+impl Laws {
+    /// Loss of its strips.
+    ///
+    /// Errors: no equilibrium of a step.
+    fn losses(&self, base: &Base) -> Result<&Losses, BaseError> {
+        if let Some(known) = self.losses.get() {
+            return Ok(known);
+        }
+        let found = self.law.losses(base)?;
+        Ok(self.losses.get_or_init(|| found))
+    }
+}
+
+/// Laws of a tank's base by the modulus of the ground: they do not depend on the record.
+#[derive(Debug, Default)]
+pub(crate) struct Known(Mutex<Vec<(f64, Arc<Laws>)>>);
+
+/// How much farther than asked a law that is known may reach: its points lie that much farther apart.
+const FARTHER: f64 = 3.0;
+
+impl Known {
+    /// The shortest one that reaches a rotation [rad].
+    fn reaching(&self, modulus: f64, largest: f64) -> Option<Arc<Laws>> {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let fits = |laws: &Laws| (largest..=FARTHER * largest).contains(&laws.law.largest());
+        let reaching = all.iter().filter(|(m, laws)| *m == modulus && fits(laws));
+        let shortest = reaching.min_by(|a, b| a.1.law.largest().total_cmp(&b.1.law.largest()));
+        shortest.map(|(_, laws)| Arc::clone(laws))
+    }
+
+    fn add(&self, modulus: f64, laws: &Arc<Laws>) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.push((modulus, Arc::clone(laws)));
+    }
+}
+
+/// The law up to a rotation [rad], or one that is known and reaches it.
+///
+/// Errors: no equilibrium.
+pub(super) fn laws(setup: &Setup, base: &Base, largest: f64) -> Result<Arc<Laws>, BaseError> {
+    let Some(known) = &setup.known else {
+        return law(base, setup.anchors, largest).map(Arc::new);
+    };
+    if let Some(found) = known.reaching(base.modulus, largest) {
+        return Ok(found);
+    }
+    let made = Arc::new(law(base, setup.anchors, largest)?);
+    known.add(base.modulus, &made);
+    Ok(made)
 }
 
 /// A run that its law covers.
 pub(super) struct Found {
-    pub laws: Laws,
+    pub laws: Arc<Laws>,
     pub hysteretic: f64,
     /// Difference of the share from that of the largest rotation.
     pub settled: f64,
     pub dashpot: f64,
     pub history: History,
-    /// The same with a motion that is weaker, one that is stronger, and half the step.
-    pub twins: [History; 3],
+    /// The same with a motion that is weaker, one that is stronger, and half the step; none of a run that is not thorough.
+    pub twins: Vec<History>,
 }
 
 /// Why there is no run.
@@ -102,7 +162,12 @@ pub(super) fn law(base: &Base, anchors: Option<Anchors>, largest: f64) -> Result
             }
             other => {
                 let (law, ring) = other?;
-                return Ok(Laws { rocking, law, ring });
+                return Ok(Laws {
+                    rocking,
+                    law,
+                    ring,
+                    losses: OnceLock::new(),
+                });
             }
         }
     }
@@ -214,18 +279,18 @@ struct Round {
 /// rotation jumps between two shares.
 fn consistent(setup: &Setup, base: &Base, laws: &Laws, dashpot: f64) -> Result<Round, BaseError> {
     let law = &laws.law;
-    let losses = law.losses(base)?;
+    let losses = laws.losses(base)?;
     let run = |share: f64| -> Result<Round, BaseError> {
         let history = one(setup, laws, share, dashpot, false)?;
         let peak = turned(&history);
         Ok(Round {
-            off: law.share(base, &losses, peak) - share,
+            off: law.share(base, losses, peak) - share,
             share,
             history,
             peak,
         })
     };
-    let mut round = run(law.share(base, &losses, 0.5 * law.largest()))?;
+    let mut round = run(law.share(base, losses, 0.5 * law.largest()))?;
     // Shares that are too small and too large.
     let (mut low, mut high): (Option<Round>, Option<Round>) = (None, None);
     for i in 0..ROUNDS {
@@ -285,30 +350,33 @@ fn beyond(peak: f64, law: &Law) -> f64 {
 pub(super) fn settle(
     setup: &Setup,
     base: &Base,
-    (reach, known): (f64, Option<Laws>),
+    (reach, known): (f64, Option<Arc<Laws>>),
     whole: bool,
 ) -> Result<Found, Missed> {
     let dashpot = dashpot(setup, base);
-    let mut laws = match known {
+    let mut found = match known {
         Some(known) => known,
-        None => law(base, setup.anchors, reach)?,
+        None => laws(setup, base, reach)?,
     };
     loop {
-        let largest = laws.law.largest();
+        let largest = found.law.largest();
         let Round {
             share: hysteretic,
             mut history,
             mut peak,
             off,
-        } = consistent(setup, base, &laws, dashpot)?;
+        } = consistent(setup, base, &found, dashpot)?;
         if whole && peak <= largest {
-            history = one(setup, &laws, hysteretic, dashpot, true)?;
+            history = one(setup, &found, hysteretic, dashpot, true)?;
             peak = turned(&history);
         }
         if peak <= largest {
             return Ok(Found {
-                twins: twins(setup, &laws, (hysteretic, dashpot), history.rotation.len())?,
-                laws,
+                twins: match setup.thorough {
+                    true => twins(setup, &found, (hysteretic, dashpot), history.rotation.len())?.into(),
+                    false => Vec::new(),
+                },
+                laws: found,
                 hysteretic,
                 settled: off.abs(),
                 dashpot,
@@ -319,6 +387,6 @@ pub(super) fn settle(
             let passes = history.rotation.iter().position(|psi| psi.abs() > largest).unwrap_or(0);
             return Err(Missed::TooFar(peak, passes as f64 * setup.step));
         }
-        laws = law(base, setup.anchors, beyond(peak, &laws.law))?;
+        found = laws(setup, base, beyond(peak, &found.law))?;
     }
 }

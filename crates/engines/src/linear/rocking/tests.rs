@@ -298,7 +298,7 @@ fn friction_caps_the_shear() {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&Options::default(), None),
+        (&Options::default(), true, None, None),
     ) else {
         panic!("it does not slide")
     };
@@ -334,7 +334,13 @@ fn the_superposed_wall_agrees_with_the_march() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let held = ready.analysis();
     let engine = (EngineId::Harmonic, &ready.model);
-    let Free::Moves(mut moved) = free(&ready.case, engine, &held, ready.motion(), (&Options::default(), None)) else {
+    let Free::Moves(mut moved) = free(
+        &ready.case,
+        engine,
+        &held,
+        ready.motion(),
+        (&Options::default(), true, None, None),
+    ) else {
         panic!("it does not lift")
     };
     let model = moved.model(&ready.model);
@@ -484,7 +490,7 @@ fn run_of(case: Case) -> Free {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&options, None),
+        (&options, true, None, None),
     )
 }
 

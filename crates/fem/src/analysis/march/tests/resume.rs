@@ -91,11 +91,11 @@ fn resumed_march_is_the_same() {
         CheckpointError::Checksum { .. }
     ));
     broken = bytes.clone();
-    broken[8] = 9;
+    broken[8] = 200;
     fs::write(&path, &broken).unwrap();
     let text = refused(problem, &load, &settings).to_string();
     let known = format!(
-        "format 9, this one reads format {}",
+        "format 200, this one reads format {}",
         crate::analysis::checkpoint::VERSION
     );
     assert!(text.contains(&known), "{text}");

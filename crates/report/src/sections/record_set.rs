@@ -1,0 +1,367 @@
+//! The set of records: design value, scatter, spectrum against its target.
+
+use tank::units::Dimension;
+
+use super::{Section, Source};
+use crate::figure::chart::{Axis, Chart, Line, Mark, Rule};
+use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::level::Level;
+use crate::number::{Scale, count, fixed, percent, significant, utilisation};
+use crate::table::{Column, Table, spread};
+use crate::words::record_set::{self as words, captions, heads, legend};
+use files::error::Error;
+use results::{Compatibility, FE, RecordSet, SetPeriod, SetQuantity, SetRun, SetScatter};
+
+/// Quantities that are drawn and stand in the table of the records.
+const GOVERNING: [&str; 4] = ["sloshing_height", "base_shear", "overturning_moment", "hoop_stress"];
+
+/// Makes the section.
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(set) = &source.results.record_set else {
+        return Ok(None);
+    };
+    let mut section = Section::new("record_set");
+    let mut lines = vec![words::design(set), words::shown(set)];
+    lines.extend(words::factor(set));
+    section.set("lines", &lines);
+    section.set("name", &set.name);
+    let mut figures = Vec::new();
+    let mut said = Vec::new();
+    if let Some(found) = &set.compatibility {
+        said = words::compatibility(set, found);
+        section.set("spectrum", &spectrum_table(found));
+        for period in &found.periods {
+            figures.push(spectrum(set, found, period, source.results.tank.gravity)?);
+        }
+    } else {
+        section.set("no_target", &words::no_target(set));
+    }
+    section.set("compatibility", &said);
+    section.set_figures("spectra", figures);
+    section.set("quantities", &quantities(set, source.level == Level::Full));
+    section.set("scatter", words::SCATTER);
+    let drawn = governing(set).into_iter().map(|row| quantity(set, row));
+    section.set_figures("figures", drawn.collect::<Result<Vec<_>, Error>>()?);
+    section.set("checks", &checks(set));
+    section.set("records", &records(source, set));
+    section.set("limits", words::LIMITS);
+    let base = source.results.reference().is_some_and(|run| run.base.is_some());
+    section.set("base", if base { words::BASE } else { "" });
+    Ok(Some(section))
+}
+
+/// The method whose values are shown: the engine, or else the first.
+fn method(set: &RecordSet) -> &str {
+    match set.quantities.iter().any(|q| q.method == FE) {
+        true => FE,
+        false => set.quantities.first().map_or(FE, |q| q.method.as_str()),
+    }
+}
+
+fn governing(set: &RecordSet) -> Vec<&SetQuantity> {
+    let of = |id: &&str| {
+        let mut rows = set.quantities.iter();
+        rows.find(|q| q.method == method(set) && q.quantity == **id)
+    };
+    GOVERNING.iter().filter_map(of).collect()
+}
+
+/// Values of a quantity under each record.
+fn values(set: &RecordSet, row: &SetQuantity) -> Vec<f64> {
+    let of = |run: &SetRun| run.values.get(&row.method)?.get(&row.quantity).copied();
+    set.records.iter().map(|run| of(run).unwrap_or(f64::NAN)).collect()
+}
+
+fn quantity(set: &RecordSet, row: &SetQuantity) -> Result<Figure, Error> {
+    let values = values(set, row);
+    let n = values.len();
+    let scatter = &row.scatter;
+    let x = Axis::whole(heads::NUMBER, n);
+    let y = Axis::linear(
+        "",
+        row.dimension,
+        values.iter().copied().chain([0.0, scatter.design]),
+        5,
+    );
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let across = |value: f64| vec![(0.5, value), (n as f64 + 0.5, value)];
+    if scatter.design > scatter.mean {
+        chart.lines.push(Line {
+            points: across(scatter.mean),
+            class: "k-s2 thin".into(),
+            label: legend::OF_RECORDS.into(),
+        });
+    }
+    chart.lines.push(Line {
+        points: across(scatter.design),
+        class: "k-fe".into(),
+        label: legend::DESIGN.into(),
+    });
+    chart.marks = values
+        .iter()
+        .enumerate()
+        .filter(|(_, v)| v.is_finite())
+        .map(|(i, v)| Mark {
+            at: (i as f64 + 1.0, *v),
+            label: String::new(),
+            class: "own k-s3".into(),
+        })
+        .collect();
+    let chart = chart.with_plot_height(150.0);
+    let scale = Scale::of(row.dimension, values.iter().copied());
+    let mut table = Table::new(vec![
+        Column::numbers("No.", ""),
+        Column::words("Record"),
+        Column::numbers(&row.title, scale.symbol()),
+    ]);
+    for (i, (run, value)) in set.records.iter().zip(&values).enumerate() {
+        table.row(vec![count(i + 1), run.id.clone(), scale.text(*value)]);
+    }
+    let title = words::quantity_title(&row.title);
+    Ok(Figure {
+        id: format!("set_{}", row.quantity),
+        caption: words::quantity_caption(scatter.cov),
+        titled: false,
+        description: title.clone(),
+        title,
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity: f64) -> Result<Figure, Error> {
+    let points = |values: &[f64], factor: f64| -> Vec<(f64, f64)> {
+        let each = period.periods.iter().zip(values);
+        each.map(|(t, a)| (*t, factor * a / gravity)).collect()
+    };
+    let curves = period.records.iter().chain([&period.target, &period.mean]);
+    let positive = curves.flatten().map(|a| a / gravity).filter(|a| *a > 0.0);
+    let (least, largest) = positive.fold((f64::INFINITY, 0.0_f64), |(l, m), a| (l.min(a), m.max(a)));
+    // A tenth of a decade of air; the range that counts is that of the axis.
+    let x = Axis::log("Period T", Dimension::Time, (period.range[0], period.range[1]));
+    let mut y = Axis::log("", Dimension::Dimensionless, (0.8 * least, 1.25 * largest));
+    y.title = heads::PSA.into();
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    chart.rules.push(Rule {
+        x: period.period,
+        label: format!("T = {} s", significant(period.period, 3)),
+    });
+    for (i, record) in period.records.iter().enumerate() {
+        chart.lines.push(Line {
+            points: points(record, 1.0),
+            class: "k-ground hist".into(),
+            label: if i == 0 { legend::RECORD.into() } else { String::new() },
+        });
+    }
+    for (values, factor, class, label) in [
+        (&period.target, 1.0, "k-s3", legend::TARGET.to_owned()),
+        (
+            &period.target,
+            found.share,
+            "k-s3 thin dotted",
+            words::share(found.share),
+        ),
+        (&period.mean, 1.0, "k-fe", legend::MEAN.to_owned()),
+    ] {
+        chart.lines.push(Line {
+            points: points(values, factor),
+            class: class.into(),
+            label,
+        });
+    }
+    let chart = chart.with_plot_height(190.0);
+    let mut columns = vec![
+        Column::numbers("Period", "s"),
+        Column::numbers("Target", "g"),
+        Column::numbers("Mean", "g"),
+    ];
+    columns.extend(set.records.iter().map(|r| Column::numbers(&r.id, "g")));
+    let mut table = Table::new(columns);
+    for i in spread(period.periods.len(), 30) {
+        let cell = |values: &Vec<f64>| values.get(i).map_or("–".into(), |a| significant(a / gravity, 3));
+        let mut row = vec![
+            significant(period.periods[i], 3),
+            cell(&period.target),
+            cell(&period.mean),
+        ];
+        row.extend(period.records.iter().map(cell));
+        table.row(row);
+    }
+    Ok(Figure {
+        id: format!("set_spectrum_{}", period.which),
+        title: words::spectrum_title(period),
+        caption: words::spectrum_caption(period, found.share),
+        titled: false,
+        description: words::spectrum_description(period),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Wide,
+    })
+}
+
+fn spectrum_table(found: &Compatibility) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("Period"),
+        Column::numbers("T", "s"),
+        Column::numbers("Damping", ""),
+        Column::numbers("From", "s"),
+        Column::numbers("To", "s"),
+        Column::numbers(heads::RATIO, ""),
+        Column::numbers("At", "s"),
+        Column::words("Result"),
+    ]);
+    table.caption = captions::SPECTRUM.into();
+    for period in &found.periods {
+        table.row(vec![
+            words::which(period).into(),
+            significant(period.period, 4),
+            percent(period.damping),
+            significant(period.range[0], 3),
+            significant(period.range[1], 3),
+            fixed(period.smallest_ratio, 3),
+            significant(period.at_period, 3),
+            if period.holds { "✓ holds" } else { "✗ fails" }.into(),
+        ]);
+    }
+    table
+}
+
+fn cov(scatter: &SetScatter) -> String {
+    scatter.cov.map_or("–".into(), percent)
+}
+
+/// Scatter of the method shown, or of all.
+fn quantities(set: &RecordSet, all: bool) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("Quantity"),
+        Column::words("Method"),
+        Column::words("Unit"),
+        Column::numbers(heads::DESIGN, ""),
+        Column::numbers("Mean", ""),
+        Column::numbers(heads::COV, ""),
+        Column::numbers("Smallest", ""),
+        Column::numbers("Largest", ""),
+        Column::words(heads::LARGEST_UNDER),
+    ]);
+    table.caption = captions::QUANTITIES.into();
+    let (own, others): (Vec<_>, Vec<_>) = set.quantities.iter().partition(|q| q.method == FE);
+    let shown = |q: &&&SetQuantity| all || q.method == method(set);
+    for row in own.iter().chain(&others).filter(shown) {
+        let s = &row.scatter;
+        let scale = Scale::of(row.dimension, [s.design, s.min, s.max]);
+        table.row(vec![
+            row.title.clone(),
+            row.method.clone(),
+            scale.symbol().into(),
+            scale.text(s.design),
+            scale.text(s.mean),
+            cov(s),
+            scale.text(s.min),
+            scale.text(s.max),
+            s.max_record.clone(),
+        ]);
+    }
+    table
+}
+
+fn checks(set: &RecordSet) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("Check"),
+        Column::numbers(heads::DESIGN, ""),
+        Column::numbers("Mean", ""),
+        Column::numbers(heads::COV, ""),
+        Column::numbers("Smallest", ""),
+        Column::numbers("Largest", ""),
+        Column::words(heads::LARGEST_UNDER),
+    ]);
+    table.caption = captions::CHECKS.into();
+    for check in &set.checks {
+        let name = crate::words::capital(&check.name);
+        let Some(s) = &check.scatter else {
+            if let Some(why) = words::without(check.status) {
+                let dashes = (0..5).map(|_| "–".to_owned());
+                table.row([name, why.to_owned()].into_iter().chain(dashes).collect());
+            }
+            continue;
+        };
+        table.row(vec![
+            name,
+            utilisation(s.design),
+            utilisation(s.mean),
+            cov(s),
+            utilisation(s.min),
+            utilisation(s.max),
+            s.max_record.clone(),
+        ]);
+    }
+    table
+}
+
+fn records(source: &Source, set: &RecordSet) -> Table {
+    let gravity = source.results.tank.gravity;
+    let shown = governing(set);
+    let scales: Vec<Scale> = shown
+        .iter()
+        .map(|row| Scale::of(row.dimension, values(set, row)))
+        .collect();
+    let usable = set.records.iter().any(|r| r.usable_period.is_some());
+    let limits = set.records.iter().any(|r| !r.limits_exceeded.is_empty());
+    let utilised = set.records.iter().any(|r| !r.utilisations.is_empty());
+    let mut columns = vec![
+        Column::numbers("No.", ""),
+        Column::words("Record"),
+        Column::numbers(heads::PGA, "g"),
+        Column::numbers(heads::DURATION, "s"),
+    ];
+    if usable {
+        columns.push(Column::numbers(heads::USABLE, "s"));
+    }
+    columns.extend(
+        shown
+            .iter()
+            .zip(&scales)
+            .map(|(row, scale)| Column::numbers(&row.title, scale.symbol())),
+    );
+    if utilised {
+        columns.push(Column::numbers(heads::UTILISATION, ""));
+        columns.push(Column::words("Check"));
+    }
+    if limits {
+        columns.push(Column::words(heads::LIMITS));
+    }
+    let mut table = Table::new(columns);
+    table.caption = captions::RECORDS.into();
+    for (i, run) in set.records.iter().enumerate() {
+        let mut row = vec![
+            count(i + 1),
+            run.id.clone(),
+            fixed(run.peaks[0] / gravity, 3),
+            significant(run.significant_duration, 3),
+        ];
+        if usable {
+            let mark = if run.sloshing_beyond_usable { " ✗" } else { "" };
+            row.push(run.usable_period.map_or("–".into(), |t| significant(t, 3) + mark));
+        }
+        for (quantity, scale) in shown.iter().zip(&scales) {
+            row.push(scale.text(values(set, quantity)[i]));
+        }
+        if utilised {
+            let largest = run.utilisations.iter().max_by(|a, b| a.1.total_cmp(b.1));
+            let (value, check) = match (run.without_capacity.first(), largest) {
+                (Some(lost), _) => (words::NO_CAPACITY.to_owned(), lost.as_str()),
+                (None, Some((id, u))) => (utilisation(*u), id.as_str()),
+                (None, None) => ("–".to_owned(), "–"),
+            };
+            row.push(value);
+            row.push(check.replace('_', " "));
+        }
+        if limits {
+            row.push(run.limits_exceeded.join(", ").replace('_', " "));
+        }
+        table.row(row);
+    }
+    table
+}

@@ -1,0 +1,42 @@
+//! Columns under a set of records: the design values in place of those of one record.
+
+use std::collections::BTreeMap;
+
+use codes::time_history::Findings;
+use tank::Quantity;
+use tank::assessment::{Check, Excitation};
+
+use super::quantities::quantities;
+use results::{Method, RecordSet, Value};
+
+/// What a set of records makes of the columns under the record.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// Demands of the engine against capacities, over all records.
+    pub findings: Findings,
+    /// Design values of the engine.
+    pub values: BTreeMap<Quantity, f64>,
+    /// Quantities and checks of the procedures, by id.
+    pub procedures: BTreeMap<String, (BTreeMap<String, Value>, Vec<Check>)>,
+    /// Remark on the columns, one sentence.
+    pub note: String,
+    /// The set.
+    pub set: RecordSet,
+}
+
+/// Gives the columns of the procedures under the record the values of the set.
+pub(super) fn procedures(methods: &mut [Method], design: &Design) {
+    for method in methods.iter_mut().filter(|m| m.excitation == Excitation::Record) {
+        if let Some((values, checks)) = design.procedures.get(&method.id) {
+            method.quantities.clone_from(values);
+            method.checks.clone_from(checks);
+            method.notes.insert(0, design.note.clone());
+        }
+    }
+}
+
+/// The same for the column of the engine, whose checks come from the findings.
+pub(super) fn engine(method: &mut Method, design: &Design) {
+    method.quantities = quantities(&design.values);
+    method.notes.insert(0, design.note.clone());
+}
