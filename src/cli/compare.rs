@@ -98,7 +98,7 @@ pub(crate) struct Args {
     #[command(flatten)]
     style: StyleArg,
     /// Write the results alone, without report and figures.
-    #[arg(long, conflicts_with_all = ["templates", "report", "lang", "units"])]
+    #[arg(long, conflicts_with_all = ["templates", "report", "lang", "report_units"])]
     no_report: bool,
     #[command(flatten)]
     select: SelectArg,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::cli::style::StyleArg;
-use crate::cli::terminal::{say, warn};
+use crate::cli::terminal::warn;
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
 use files::code::{Code, Warning};
@@ -20,7 +20,7 @@ use results::{COMPARE_REPORT, FORMS, REPORT_FILE};
 Examples:
   tankcheck report out/
   tankcheck report out/ --report full
-  tankcheck report out/ --lang de --units both
+  tankcheck report out/ --lang de --report-units both
   tankcheck report out/ --pdf                     out/report.pdf, through an installed Chromium (CHROME names another one)
   tankcheck report out/ --pdf=TK-104.pdf
   tankcheck report out/ --format docx,xlsx        out/report.docx (through pandoc), out/report.xlsx

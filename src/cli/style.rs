@@ -1,4 +1,4 @@
-//! `--lang` and `--units`: language and units of a report.
+//! `--lang` and `--report-units`: language and units of a report.
 
 use report::style::{self, Wish, Wished};
 use results::Results;
@@ -11,9 +11,9 @@ pub(crate) struct StyleArg {
     /// Language of the report, instead of `project.language`; terminal and JSON stay English.
     #[arg(long, value_enum, value_name = "LANGUAGE")]
     lang: Option<LanguageArg>,
-    /// Units of the report, instead of `project.units`; JSON stays in SI.
+    /// Units of the report and of CSV, instead of `project.units`; JSON stays in SI.
     #[arg(long, value_enum, value_name = "SYSTEM")]
-    units: Option<UnitsArg>,
+    report_units: Option<UnitsArg>,
 }
 
 impl StyleArg {
@@ -25,7 +25,7 @@ impl StyleArg {
                 LanguageArg::En => Language::English,
                 LanguageArg::De => Language::German,
             }),
-            units: self.units.map(|u| match u {
+            units: self.report_units.map(|u| match u {
                 UnitsArg::Si => System::Si,
                 UnitsArg::Us => System::Us,
                 UnitsArg::Both => System::Both,

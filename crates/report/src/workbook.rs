@@ -110,6 +110,8 @@ fn digits(value: f64) -> &'static str {
 ///
 /// Errors: more rows, columns or characters than a sheet holds.
 pub fn workbook(results: &Results, series: &Series) -> Result<Vec<u8>, Error> {
+    // Where a report has both systems, a cell has the first: it holds one number.
+    let _style = crate::style::of(results.project.as_ref());
     write(results, series).map_err(|e| Error::Report(format!("workbook: {e}")))
 }
 
@@ -227,7 +229,7 @@ fn quantities(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
         .collect();
     page.head(&heads, 2)?;
     for row in &results.comparison.rows {
-        let scale = Scale::of(row.dimension, row.cells.iter().flatten().map(|c| c.value));
+        let scale = Scale::single(row.dimension, row.cells.iter().flatten().map(|c| c.value));
         let values = row
             .cells
             .iter()
@@ -247,7 +249,7 @@ fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
         .flat_map(|m| m.checks.iter().map(move |c| (m, c)))
         .collect();
     for (method, check) in rows {
-        let scale = Scale::of(check.dimension, [check.demand, check.capacity].into_iter().flatten());
+        let scale = Scale::single(check.dimension, [check.demand, check.capacity].into_iter().flatten());
         let number = |value: Option<f64>| value.map(|v| Cell::Number(scale.convert(v)));
         page.cells([
             Some(Cell::Text(&method.title)),
@@ -290,7 +292,7 @@ fn steps(page: &mut Page, method: &Method) -> Result<(), XlsxError> {
 
 /// A value in SI as number in an engineer's unit, with its symbol.
 fn in_unit(value: f64, dimension: Dimension) -> (f64, &'static str) {
-    let scale = Scale::of(dimension, [value]);
+    let scale = Scale::single(dimension, [value]);
     (scale.convert(value), scale.symbol())
 }
 
@@ -299,8 +301,8 @@ fn profiles(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     page.head(&words::PROFILES, 0)?;
     for method in &results.methods {
         for profile in &method.profiles {
-            let height = Scale::of(Dimension::Length, profile.z.iter().copied());
-            let scale = Scale::of(profile.dimension, profile.values.iter().copied());
+            let height = Scale::single(Dimension::Length, profile.z.iter().copied());
+            let scale = Scale::single(profile.dimension, profile.values.iter().copied());
             for (z, value) in profile.z.iter().zip(&profile.values) {
                 page.cells([
                     Some(Cell::Text(&method.title)),
@@ -335,11 +337,11 @@ fn history(results: &Results, id: &str, values: &[f64]) -> (String, Scale) {
                 "" => info.title.clone(),
                 engine => format!("{}, {engine}", info.title),
             };
-            (title, Scale::of(info.dimension, values.iter().copied()))
+            (title, Scale::single(info.dimension, values.iter().copied()))
         }
         None => (
             id.to_owned(),
-            Scale::of(Dimension::Dimensionless, values.iter().copied()),
+            Scale::single(Dimension::Dimensionless, values.iter().copied()),
         ),
     }
 }

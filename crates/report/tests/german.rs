@@ -144,39 +144,33 @@ fn us_units_reach_every_number() {
     assert!(all.is_empty(), "{} values in SI:\n{}", all.len(), all.join("\n"));
 }
 
+/// Parts that are not read: styles, formulas, texts of the user, and clauses, which are quoted.
+const UNREAD: [(&str, &str); 7] = [
+    ("<style", "</style>"),
+    ("<title>", "</title>"),
+    ("<h1>", "</h1>"),
+    ("<code>", "</code>"),
+    ("<math", "</math>"),
+    ("class=\"clause\"", "<"),
+    ("class=\"given\"", "</td>"),
+];
+
 /// The text of a page, tags as line breaks, all blanks as one.
 fn plain(html: &str) -> String {
-    let mut html = html.to_owned();
-    // Styles, texts of the user and clauses, which are quoted.
-    for (open, close) in [
-        ("<style", "</style>"),
-        ("<title>", "</title>"),
-        ("<h1>", "</h1>"),
-        ("class=\"clause\"", "<"),
-        ("class=\"given\"", "</td>"),
-        ("<code>", "</code>"),
-        ("<math", "</math>"),
-    ] {
-        while let Some(at) = html.find(open) {
-            let end = html[at..].find(close).map_or(html.len(), |e| at + e);
-            html.replace_range(at..end, "");
-        }
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find('<') {
+        out.push_str(&rest[..at]);
+        out.push('\n');
+        rest = &rest[at..];
+        let tag = rest.find('>').map_or(rest.len(), |e| e + 1);
+        // The end of what is not read is sought behind the tag.
+        let unread = UNREAD.iter().find(|(open, _)| rest[..tag].contains(open));
+        let end = unread.and_then(|(_, close)| rest[tag..].find(close).map(|e| tag + e));
+        rest = &rest[end.unwrap_or(tag)..];
     }
-    let mut out = String::new();
-    let mut inside = false;
-    for c in html.chars() {
-        match c {
-            '<' => {
-                inside = true;
-                out.push('\n');
-            }
-            '>' => inside = false,
-            '\u{a0}' if !inside => out.push(' '),
-            c if !inside => out.push(c),
-            _ => {}
-        }
-    }
-    out
+    out.push_str(rest);
+    out.replace('\u{a0}', " ")
 }
 
 /// In the system of both, each value has its second one, once.

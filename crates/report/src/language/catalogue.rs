@@ -23,7 +23,7 @@ use super::text::{bound, forms, is_neutral, sentences};
 /// Weight below which an entry joins parts (`{}, {}`) instead of saying something, and the longest text for which that
 /// is tried, in bytes.
 const JOINT: usize = 4 * 4;
-const JOINED: usize = 240;
+const JOINED: usize = 800;
 
 /// Entries by their English.
 #[derive(Debug)]

@@ -28,7 +28,7 @@ object! {
         approver ("M. Jones"): Opt<String>,
         /// Language of the report; English if absent. Terminal and JSON are English. `--lang` overrides it.
         language ("de"): Opt<Language>,
-        /// Units of the report and of its tables; SI if absent. JSON is in SI. `--units` overrides it.
+        /// Units of the report and of its tables; SI if absent. JSON is in SI. `--report-units` overrides it.
         units ("us"): Opt<System>,
     }
 }
@@ -46,7 +46,7 @@ choice! {
     System {
         /// SI: mm, m, kg, t, kN, MN, kPa, MPa.
         Si = "si",
-        /// US customary: in, ft, lb, ton (2000 lb), lbf, kip, psf, psi, ksi.
+        /// US customary: in, ft, lb, klb (1000 lb), lbf, kip, psf, psi, ksi.
         Us = "us",
         /// SI with US customary units in brackets.
         Both = "both",
