@@ -10,12 +10,12 @@
 
 use std::collections::BTreeMap;
 
-use codes::record_set::standard::{Combine, Standard};
-use files::code::Code;
 use codes::record_set::design::{self, Combined, Scatter};
+use codes::record_set::standard::{Combine, Standard};
 use codes::record_set::{Component, Horizontal, Ratios};
 use codes::time_history::Findings;
 use fem::progress::Progress;
+use files::code::Code;
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::Quantity;
@@ -301,7 +301,8 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
 /// Errors: no target; one that ends too early; no periods.
 fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<Compatibility, Error> {
     if wanted.is_empty() {
-        return Err(Error::input(Code::MissingInput, 
+        return Err(Error::input(
+            Code::MissingInput,
             "no procedure and no engine gives a period of this tank".into(),
         ));
     }

@@ -12,9 +12,9 @@
 //! A tank has two fundamental periods, the impulsive and the sloshing one. The rule is asked for each; at the sloshing period with the
 //! damping of sloshing, which the clauses do not know. [`design`] has the design value.
 
-pub mod standard;
 pub mod design;
 mod direction;
+pub mod standard;
 
 use oscillator::record::Record;
 use oscillator::spectrum::{Method, spectrum};

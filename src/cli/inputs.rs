@@ -89,10 +89,13 @@ impl Inputs {
             ("--vertical", &self.vertical),
         ];
         if let Some((option, paths)) = options.into_iter().find(|(_, paths)| paths.len() > 1) {
-            return Err(Error::input(Code::OptionConflict, format!(
-                "{option}: found {} records, expected one; `tankcheck compare` takes a set",
-                paths.len()
-            )));
+            return Err(Error::input(
+                Code::OptionConflict,
+                format!(
+                    "{option}: found {} records, expected one; `tankcheck compare` takes a set",
+                    paths.len()
+                ),
+            ));
         }
         let mut warnings = tank.warnings.clone();
         let (mut case, mut nonlinear, mut echo) = (tank.case, tank.nonlinear, tank.echo);

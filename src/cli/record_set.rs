@@ -79,18 +79,24 @@ impl SetArgs {
             ];
             return match options.iter().find(|(_, given)| *given) {
                 None => Ok(None),
-                Some((option, _)) => Err(Error::input(Code::OptionConflict, format!(
-                    "{option} applies to a set of records only\n  help: give --quake three times or more, or --set set.json"
-                ))),
+                Some((option, _)) => Err(Error::input(
+                    Code::OptionConflict,
+                    format!(
+                        "{option} applies to a set of records only\n  help: give --quake three times or more, or --set set.json"
+                    ),
+                )),
             };
         };
         let count = input.entries.len();
         if count < FEWEST {
-            return Err(Error::input(Code::MissingInput, format!(
-                "--quake: found {count} records, expected one, or a set of {FEWEST} or more ({})\n  help: add records, or run them one \
+            return Err(Error::input(
+                Code::MissingInput,
+                format!(
+                    "--quake: found {count} records, expected one, or a set of {FEWEST} or more ({})\n  help: add records, or run them one \
                  by one",
-                Standard::En1998.clause()
-            )));
+                    Standard::En1998.clause()
+                ),
+            ));
         }
         if let Some(rule) = self.rule {
             input.code = Some(rule.code());
@@ -123,9 +129,12 @@ fn listed(inputs: &Inputs) -> Result<SetInput, Error> {
         match paths.len() {
             0 => Ok(vec![None; count]),
             n if n == count => Ok(paths.iter().cloned().map(Some).collect()),
-            n => Err(Error::input(Code::OptionConflict, format!(
-                "{option}: found {n} files beside {count} of --quake, expected none, or one for each in the same order"
-            ))),
+            n => Err(Error::input(
+                Code::OptionConflict,
+                format!(
+                    "{option}: found {n} files beside {count} of --quake, expected none, or one for each in the same order"
+                ),
+            )),
         }
     };
     let across = others("--quake-y", &inputs.quake_y)?;
@@ -173,11 +182,14 @@ impl Given {
         let code = input.code.unwrap_or_else(|| code_of(&job.case.site));
         let count = input.entries.len();
         if input.combine == Some(Combine::Mean) && count < code.fewest_for_mean() {
-            return Err(Error::input(Code::OptionConflict, format!(
-                "--combine mean: found {count} records, expected {} or more ({})\n  help: add records, or use --combine worst",
-                code.fewest_for_mean(),
-                code.design_clause()
-            )));
+            return Err(Error::input(
+                Code::OptionConflict,
+                format!(
+                    "--combine mean: found {count} records, expected {} or more ({})\n  help: add records, or use --combine worst",
+                    code.fewest_for_mean(),
+                    code.design_clause()
+                ),
+            ));
         }
         let (mut read, mut broken) = (Vec::new(), Vec::new());
         for entry in &input.entries {
@@ -256,26 +268,32 @@ fn distinct(read: &[(&SetEntry, Components)]) -> Result<(), Error> {
         .collect();
     for (i, (path, sha)) in all.iter().enumerate() {
         if let Some((earlier, _)) = all[..i].iter().find(|(_, other)| other == sha) {
-            return Err(Error::input(Code::Repeated, format!(
-                "the same record twice in a set: `{}` has the content of `{}` (SHA-256 {}…), expected different records\n  help: remove one \
+            return Err(Error::input(
+                Code::Repeated,
+                format!(
+                    "the same record twice in a set: `{}` has the content of `{}` (SHA-256 {}…), expected different records\n  help: remove one \
                  of them",
-                shown(path),
-                shown(earlier),
-                &sha[..12.min(sha.len())]
-            )));
+                    shown(path),
+                    shown(earlier),
+                    &sha[..12.min(sha.len())]
+                ),
+            ));
         }
     }
     let directions = |found: &Components| found.iter().map(|(d, ..)| *d).collect::<Vec<_>>().join(", ");
     if let Some((_, first)) = read.first() {
         let wanted = directions(first);
         if let Some((entry, found)) = read.iter().find(|(_, found)| directions(found) != wanted) {
-            return Err(Error::input(Code::Contradiction, format!(
-                "the records of a set have different components: `{}` has {}, expected {wanted} as the first, `{}`\n  help: give all of \
+            return Err(Error::input(
+                Code::Contradiction,
+                format!(
+                    "the records of a set have different components: `{}` has {}, expected {wanted} as the first, `{}`\n  help: give all of \
                  them the same components",
-                shown(&entry.along),
-                directions(found),
-                shown(&first[0].1)
-            )));
+                    shown(&entry.along),
+                    directions(found),
+                    shown(&first[0].1)
+                ),
+            ));
         }
     }
     Ok(())
@@ -340,7 +358,10 @@ fn earthquake(
     };
     let (horizontal, transverse, vertical) = (take("x"), take("y"), take("vertical"));
     let Some(horizontal) = horizontal else {
-        return Err(Error::input(Code::MissingInput, format!("the record {id} has no component along x")));
+        return Err(Error::input(
+            Code::MissingInput,
+            format!("the record {id} has no component along x"),
+        ));
     };
     let role = |direction: &str| match direction {
         "x" => "record",

@@ -268,8 +268,13 @@ fn cover(ida: &Ida) -> Cover {
             lines: words::cover::lines(ida),
         },
         warnings: {
-            let interrupted = sentences("ida").get("interrupted").filter(|_| ida.incomplete).map(|s| (*s).into());
-            let beyond = crate::words::record_set::beyond_of_ida(ida).into_iter().map(|line| line + ".");
+            let interrupted = sentences("ida")
+                .get("interrupted")
+                .filter(|_| ida.incomplete)
+                .map(|s| (*s).into());
+            let beyond = crate::words::record_set::beyond_of_ida(ida)
+                .into_iter()
+                .map(|line| line + ".");
             interrupted.into_iter().chain(beyond).collect()
         },
         facts,

@@ -141,7 +141,10 @@ pub fn report(study: &Study) -> Result<Report, Error> {
             project: frame::document(project),
             signatures: frame::signatures(project),
             verdict: verdict(study),
-            warnings: words::warnings(study).iter().map(|warning| warning.text().into()).collect(),
+            warnings: words::warnings(study)
+                .iter()
+                .map(|warning| warning.text().into())
+                .collect(),
             facts: facts(study),
             sketch: Vec::new(),
         }
