@@ -15,7 +15,7 @@ use codes::record_set::standard::{Combine, Standard};
 use codes::record_set::{Component, Horizontal, Ratios};
 use codes::time_history::Findings;
 use fem::progress::Progress;
-use files::code::Code;
+use files::code::{Code, Warning};
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::Quantity;
@@ -91,7 +91,7 @@ impl SetJob {
     /// Errors: more than one engine, or the nonlinear one.
     pub fn adopt(&mut self, job: &Job) -> Result<(), Error> {
         if job.engines.len() > 1 || job.engines.contains(&EngineId::Nonlinear) {
-            return Err(Error::input(Code::OptionConflict, 
+            return Err(Error::input(Code::OptionConflict,
                 "--fe: a set of records runs with one linear engine, expected harmonic, solid or none\n  help: run nonlinear engines record \
                  by record, or as a study (`tankcheck study`)"
                     .into(),
@@ -220,9 +220,10 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     let rest = set.records.iter().enumerate().filter(|(i, _)| *i != shown);
     job.files.extend(rest.flat_map(|(_, record)| record.files.clone()));
     if !job.case.measured.is_empty() {
-        job.warnings.push(
-            "`measured`: measured values belong to one ground motion and are not compared with a set of records".into(),
-        );
+        job.warnings.push(Warning::new(
+            Code::NotUsed,
+            "`measured`: measured values belong to one ground motion and are not compared with a set of records",
+        ));
     }
     pipeline::run_set(&job, simulation.into_iter().collect(), design)
 }

@@ -244,7 +244,7 @@ mod tests {
     /// 3 to 6 records: the worst; 7: the mean; of ASCE 7-16 from 11.
     #[test]
     fn how_many_make_a_mean() {
-        use code::Combine::{Mean, Worst};
+        use standard::Combine::{Mean, Worst};
         let of = |code: Standard| [3, 6, 7, 10, 11].map(|n| code.combine(n));
         assert_eq!(of(EN), [Worst, Worst, Mean, Mean, Mean]);
         assert_eq!(of(Standard::Asce716), [Worst, Worst, Worst, Worst, Mean]);

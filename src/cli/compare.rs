@@ -183,7 +183,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let (job, processing) = args.inputs.without_records(refuses)?;
             let set = given.job(job, &processing)?;
             for warning in &set.job.warnings {
-                say!("warning: {}", text::line(warning));
+                stream::warn("", warning);
             }
             (set.longest(), Some(set))
         }

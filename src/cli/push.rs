@@ -180,6 +180,7 @@ impl Args {
         }
         if self.plane_foot && job.case.tank.support != tank::Support::Unanchored {
             return refuse(
+                Code::OptionConflict,
                 "--plane-foot: found an anchored tank, expected an unanchored one with a bottom plate".into(),
                 "remove --plane-foot: the foot of an anchored wall does not move",
             );

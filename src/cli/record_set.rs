@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use codes::record_set::standard::{Combine, Standard};
-use files::code::Code;
+use files::code::{Code, Warning};
 use tank::case::{GroundMotion, Site};
 use tank::hazard::SpectrumTable;
 
@@ -208,15 +208,15 @@ impl Given {
             let scaled = entry.scale * input.factor;
             let (record, warnings) = earthquake(&id, found, scaled, processing, self.allow_implausible)?;
             job.warnings
-                .extend(warnings.into_iter().map(|w| format!("record {id}: {w}")));
+                .extend(warnings.into_iter().map(|w| w.about(&format!("record {id}"))));
             records.push(record);
         }
         if processing.scale_to.is_some() {
-            job.warnings.push(
+            job.warnings.push(Warning::new(
+                Code::UnusualRecord,
                 "record.scale_to: every record of the set is scaled to the same peak, before the factor of the set; remove it to keep the scatter of \
-                 the records"
-                    .into(),
-            );
+                 the records",
+            ));
         }
         if let Some(path) = &self.file {
             job.files.push(source("set of records", path, &input.sha256));
@@ -322,7 +322,7 @@ fn earthquake(
     factor: f64,
     processing: &Processing,
     allow_implausible: bool,
-) -> Result<(Earthquake, Vec<String>), Error> {
+) -> Result<(Earthquake, Vec<Warning>), Error> {
     let (mut warnings, mut processed) = (Vec::new(), Vec::new());
     let mut scale = 1.0;
     for (i, (direction, path, read)) in found.iter().enumerate() {

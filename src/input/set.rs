@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use ::tank::hazard::SpectrumTable;
 use codes::record_set::standard::{Combine, Standard};
+use files::code::Code;
 
 use crate::input::diagnostic::{Faults, Source};
 use crate::input::records::{AccelerationUnit, ReadOptions};
@@ -166,8 +167,12 @@ fn entry(r: &mut Resolver<'_>, given: &SetRecord, folder: &Path) -> Option<SetEn
 fn file(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Option<PathBuf> {
     let path = folder.join(r.text(field)?);
     if !path.is_file() {
-        r.faults
-            .push(range_fault(field, "no such file", "a record, relative to the set file"));
+        r.faults.push(range_fault(
+            Code::FileUnreadable,
+            field,
+            "no such file",
+            "a record, relative to the set file",
+        ));
         return None;
     }
     Some(path)
@@ -180,7 +185,12 @@ fn unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> 
         "gal" | "cm/s2" => Some(AccelerationUnit::Gal),
         "m/s2" => Some(AccelerationUnit::MetrePerSecondSquared),
         _ => {
-            r.faults.push(range_fault(field, "an unknown unit", "g, gal or m/s2"));
+            r.faults.push(range_fault(
+                Code::UnitUnknown,
+                field,
+                "an unknown unit",
+                "g, gal or m/s2",
+            ));
             None
         }
     }

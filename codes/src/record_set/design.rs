@@ -14,7 +14,7 @@ use tank::Quantity;
 use tank::assessment::{Check, CheckStatus};
 use tank::check;
 
-use super::code::Combine;
+use super::standard::Combine;
 
 /// A number under each record.
 #[derive(Clone, Debug, PartialEq)]

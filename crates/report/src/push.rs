@@ -371,7 +371,7 @@ fn cover(push: &Push) -> Cover {
             headline: words::headline(push),
             lines: words::lines(push),
         },
-        warnings: push.doubts.iter().map(|doubt| doubt.text().into()).collect(),
+        warnings: push.doubts.iter().map(|doubt| doubt.to_string()).collect(),
         facts,
         sketch: sketch.into_iter().collect(),
     }

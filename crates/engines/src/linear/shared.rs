@@ -82,6 +82,7 @@ impl Shared {
             across: None,
             thorough,
             known: Some(&self.laws),
+            states: None,
         };
         if thorough {
             return complete(&case, &self.options, &linear, progress);

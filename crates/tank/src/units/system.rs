@@ -143,7 +143,7 @@ mod tests {
     /// Definitions: international yard and pound agreement of 1959, standard gravity 9.80665 m/s²; NIST SP 811, appendix B.
     #[test]
     fn factors_by_definition() {
-        let (inch, foot, pound, lbf) = (0.0254, 0.3048, 0.453_592_37, 4.448_221_615_260_5);
+        let (inch, foot, pound, lbf): (f64, f64, f64, f64) = (0.0254, 0.3048, 0.453_592_37, 4.448_221_615_260_5);
         for (text, dimension, factor) in [
             ("in", D::Length, inch),
             ("ft", D::Length, foot),

@@ -261,7 +261,7 @@ fn a_run_that_does_not_repeat_says_so() {
     let setup = ready.setup(10);
     let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     let grounds = [3.3e7, 3e8].map(|k| Ok(outcome::band(&base.on(k), &found)));
-    let mut moved = outcome::moved(&setup, &base, found, grounds, ready.analysis().grid);
+    let mut moved = outcome::moved(&setup, &base, found, grounds.into(), ready.analysis().grid);
     let own = moved.result.spread.unwrap();
     assert!(
         own.repeats() && own.uplift[0] > 0.0 && own.uplift[0] < own.uplift[1],
@@ -452,7 +452,7 @@ fn a_missed_ground_is_named() {
     let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     let soft = outcome::band(&base.on(3.3e7), &found);
     let missed = words::missed_band(3e8, &search::Missed::TooFar(0.0612, 3.25));
-    let moved = outcome::moved(&setup, &base, found, [Ok(soft), Err(missed)], ready.analysis().grid);
+    let moved = outcome::moved(&setup, &base, found, vec![Ok(soft), Err(missed)], ready.analysis().grid);
     assert_eq!(moved.result.band, [soft]);
     let [missed] = &moved.result.missed[..] else {
         panic!("{:?}", moved.result.missed)

@@ -189,7 +189,7 @@ fn an_imperfect_tank_is_pushed_off_the_ground() {
         }),
         ..NonlinearOptions::new(case.damping)
     };
-    let plan = Plan::new(&case, &own).unwrap();
+    let plan = Plan::new(&case, &own, false).unwrap();
     let dent = Dent::Weld(Depression {
         radius: 4.0,
         amplitude: 2.5e-3,
