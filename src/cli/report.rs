@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::cli::style::StyleArg;
-use crate::cli::terminal::warn;
+use crate::cli::terminal::{say, warn};
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
 use files::code::{Code, Warning};

@@ -143,11 +143,7 @@ pub fn report(study: &Study) -> Result<Report, Error> {
             verdict: verdict(study),
             warnings: words::warnings(study)
                 .iter()
-<<<<<<< HEAD
-                .map(|warning| warning.text().into())
-=======
                 .map(|warning| warning.to_string())
->>>>>>> 1f55c074473695363a0dabeb0bba26f6898b589c
                 .collect(),
             facts: facts(study),
             sketch: Vec::new(),
