@@ -20,6 +20,7 @@ pub mod sketch;
 pub mod svg;
 pub mod wall;
 pub mod waterfall;
+pub mod width;
 
 use serde::Serialize;
 

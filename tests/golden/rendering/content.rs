@@ -17,7 +17,11 @@ fn warnings_and_unusable_numbers_are_shown() {
     row.cells[fe].as_mut().expect("a value").unusable = true;
     let run = results.runs.first_mut().expect("a run");
     run.mesh_error.insert("base_shear".into(), 0.34);
-    results.warnings = vec!["record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s".into()];
+    results.warnings = vec![
+        "record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s"
+            .to_owned()
+            .into(),
+    ];
     let html = rendered(&results, &series).html;
     assert_eq!(html.matches("✗ unusable").count(), 1);
     assert!(html.contains("34\u{a0}%, unusable"));

@@ -141,6 +141,6 @@ impl DrawingBackend for ClassBackend<'_> {
         style: &S,
     ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
         let size = style.size();
-        Ok(((super::svg::text_width(text) * size) as u32, size as u32))
+        Ok(((super::width::text_width(text) * size) as u32, size as u32))
     }
 }

@@ -3,7 +3,8 @@
 use tank::units::Dimension;
 
 use super::chart::{FONT, titled};
-use super::svg::{Anchor, Svg, text_width};
+use super::svg::{Anchor, Svg};
+use super::width::text_width;
 use super::{Figure, Room};
 use crate::methods::Look;
 use crate::number::{Scale, ratio};

@@ -6,8 +6,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use tank::units::Dimension;
 
 use super::backend::{ClassBackend, GRID, ink};
-use super::svg::{Anchor, Svg, text_width};
+use super::svg::{Anchor, Svg};
 use super::ticks;
+use super::width::text_width;
 use crate::number::{Scale, plain};
 use crate::words::labels::ANGLE_AXIS;
 use files::error::Error;

@@ -11,8 +11,9 @@
 //! Height and circumference have different scales: strokes are the images of the directions, like everything in the
 //! picture.
 
-use super::svg::{Anchor, Svg, n, text_width};
+use super::svg::{Anchor, Svg, n};
 use super::wall::{self, Cell, Layout};
+use super::width::text_width;
 use super::{Figure, WIDE};
 use crate::number::{fixed, significant};
 use crate::table::{Column, Table};

@@ -4,7 +4,8 @@
 use tank::units::Dimension;
 use tank::{Course, Shape, Support};
 
-use super::svg::{Anchor, Svg, text_width};
+use super::svg::{Anchor, Svg};
+use super::width::text_width;
 use crate::number::{Scale, given, plain};
 use results::TankSummary;
 

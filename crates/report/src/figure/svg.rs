@@ -233,24 +233,6 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// Rough width of a text in units of its font size: enough to place labels. Classes as wide as in the widest of the usual
-/// fonts (DejaVu Sans), so that labels fit whatever is installed. The text is measured in the language of the page.
-pub fn text_width(text: &str) -> f64 {
-    crate::language::say(text)
-        .chars()
-        .map(|c| match c {
-            'i' | 'j' | 'l' | '\'' | '|' | '\u{202f}' => 0.28,
-            '.' | ',' | ':' | ';' | '!' | ' ' => 0.33,
-            'f' | 't' | 'r' | '(' | ')' | '-' | '/' | '·' | '²' | '³' => 0.4,
-            'm' | 'w' | 'M' | 'W' | '%' => 0.94,
-            '0'..='9' => 0.64,
-            '−' | '+' => 0.84,
-            c if c.is_uppercase() => 0.72,
-            _ => 0.61,
-        })
-        .sum()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

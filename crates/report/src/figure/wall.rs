@@ -3,7 +3,8 @@
 use tank::units::Dimension;
 
 use super::chart::{FONT, titled};
-use super::svg::{Anchor, Svg, text_width};
+use super::svg::{Anchor, Svg};
+use super::width::text_width;
 use super::{HALF, Room, WIDE, ticks};
 use crate::number::{Scale, fixed, plain};
 use results::nonlinear::{Columns, WallGrid};

@@ -2,7 +2,8 @@
 //! factors are equally long.
 
 use super::chart::FONT;
-use super::svg::{Anchor, Svg, text_width};
+use super::svg::{Anchor, Svg};
+use super::width::text_width;
 use super::{Figure, HALF, Room};
 use crate::methods::Look;
 use crate::number::{ratio, significant};
