@@ -127,6 +127,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
         files: Vec::new(),
         warnings: file.warnings,
         raw_records: vec![quake.clone()],
+        usable_periods: Vec::new(),
     };
     pipeline::run(&job, &Silent).map_err(|e| refused(&e)).ok()
 }
