@@ -41,7 +41,7 @@ pub(crate) struct Args {
 enum Form {
     /// For reading.
     Human,
-    /// One object, or a list.
+    /// One object; a list of all, and of a quantity and a check with the same id.
     Json,
     /// A page of all, as docs/codes.md.
     Markdown,
@@ -230,13 +230,17 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
         })?;
         return Ok(EXIT_OK);
     };
-    let Some(entry) = all.iter().find(|entry| entry.id.eq_ignore_ascii_case(id.trim())) else {
+    // A quantity and the check of it may have one id.
+    let found: Vec<&Entry> = all.iter().filter(|e| e.id.eq_ignore_ascii_case(id.trim())).collect();
+    if found.is_empty() {
         return Err(unknown(id, &all));
-    };
-    print(&match args.format {
-        Form::Human => human(entry),
-        Form::Json => json(entry)?,
-        Form::Markdown => markdown(entry),
+    }
+    let each = |form: fn(&Entry) -> String| found.iter().map(|e| form(e)).collect::<Vec<_>>().join("\n");
+    print(&match (args.format, &found[..]) {
+        (Form::Human, _) => each(human),
+        (Form::Json, [one]) => json(one)?,
+        (Form::Json, _) => json(&found)?,
+        (Form::Markdown, _) => each(markdown),
     })?;
     Ok(EXIT_OK)
 }
@@ -384,9 +388,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ids_are_unique_and_explained() {
+    fn ids_of_a_kind_are_unique_and_explained() {
         let all = entries();
-        let ids: BTreeSet<String> = all.iter().map(|entry| entry.id.to_lowercase()).collect();
+        let ids: BTreeSet<_> = all.iter().map(|entry| (entry.kind, entry.id.to_lowercase())).collect();
         assert_eq!(ids.len(), all.len());
         for entry in &all {
             assert!(!entry.meaning.is_empty() && !entry.title.is_empty(), "{entry:?}");

@@ -59,6 +59,19 @@ pub(crate) fn cases() -> Vec<Case> {
         .into_iter()
         .filter_map(read)
         .collect();
+    let strips = all.iter().filter_map(|case| match case.tank.shape {
+        tank::Shape::Rectangle { length, breadth, .. } => {
+            let mut boxed = case.clone();
+            boxed.tank.shape = tank::Shape::Rectangle {
+                length,
+                breadth,
+                strip: false,
+            };
+            Some(boxed)
+        }
+        tank::Shape::Cylinder { .. } => None,
+    });
+    all.extend(strips.collect::<Vec<_>>());
     if let Some(mut lifted) = all.first().cloned() {
         lifted.tank.support = Support::Unanchored;
         lifted.tank.anchors = None;
@@ -71,7 +84,7 @@ pub(crate) fn cases() -> Vec<Case> {
     all
 }
 
-/// Pressure above the liquid of the third of [`cases`] [Pa].
+/// Pressure above the liquid of the last of [`cases`] [Pa].
 const GAS: f64 = 1e3;
 
 /// Runs the subcommand; returns the exit code.

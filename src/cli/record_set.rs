@@ -33,7 +33,7 @@ pub(crate) struct SetArgs {
     #[arg(long, value_enum)]
     combine: Option<CombineArg>,
     /// Target spectrum of a set: a CSV table [default: the spectrum of the site].
-    #[arg(long, value_name = "CSV")]
+    #[arg(long, value_name = "FILE")]
     target: Option<PathBuf>,
     /// Multiply the set by the one factor with which the rule for its spectrum just holds.
     #[arg(long)]

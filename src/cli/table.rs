@@ -248,7 +248,7 @@ mod tests {
         let text = table.fitted(Some(23)).to_string();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[0], "quantity  housner");
-        assert_eq!(lines[4], "quantity  ec8-2006  fe");
+        assert_eq!(lines[4], "quantity  ec8-2006   fe");
         assert_eq!(lines[6], "T [s]          2.2  2.3");
     }
 }

@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 use oscillator::record::Record;
 use oscillator::sdof;
 
-/// Points a period. The maximum between two of them is up to (π/40)²/2 = 0.3 % larger; a mean spectrum that is too small by that is on the safe
-/// side.
+/// Points a period. The peak of a sine of p points a period through three of them is right to (2π/p)⁴/384: 2e-6 for 40, 3e-5 for the
+/// 20 that a motion of half the oscillator's period has.
 const POINTS: f64 = 40.0;
 
 /// Pseudo-accelerations [m/s²] of two components together, at periods > 0 [s].
@@ -29,10 +29,23 @@ pub(super) fn maxima(along: &Record, across: &Record, periods: &[f64], damping: 
                 sdof::exact(&ground, h, omega, damping).u
             };
             let (x, y) = (response(along), response(across));
-            let largest = x.iter().zip(&y).fold(0.0_f64, |m, (x, y)| m.max(x.hypot(*y)));
-            omega * omega * largest
+            let both: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
+            omega * omega * peak(&both)
         })
         .collect()
+}
+
+/// Largest value ≥ 0 of a history: of the parabolas through each local maximum and its neighbours.
+fn peak(values: &[f64]) -> f64 {
+    let samples = values.iter().fold(0.0_f64, |m, &v| m.max(v));
+    values.windows(3).fold(samples, |m, three| {
+        let (before, after) = (three[0] - three[1], three[2] - three[1]);
+        let curvature = before + after;
+        if before > 0.0 || after > 0.0 || curvature == 0.0 {
+            return m;
+        }
+        m.max(three[1] - (after - before).powi(2) / (8.0 * curvature))
+    })
 }
 
 /// Acceleration at a time, linear between samples, 0 after the last.

@@ -122,9 +122,9 @@ pub fn strips(push: &Push) -> Option<Table> {
         Column::numbers(heads::OF_STRIPS, "mm"),
         Column::numbers("Toe stress", stress.symbol()),
         Column::numbers(heads::OF_STRIPS, stress.symbol()),
-        Column::numbers("Plastic rotation of the plate", "rad"),
+        Column::numbers(heads::PLATE, "rad"),
         Column::numbers(heads::OF_STRIPS, "rad"),
-        Column::numbers("Plastic rotation of the wall", "rad"),
+        Column::numbers(heads::WALL, "rad"),
     ]);
     for i in spread(states.len(), BASE_STATES) {
         let (base, strip) = &states[i];

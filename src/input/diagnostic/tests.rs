@@ -104,7 +104,7 @@ fn long_and_hostile_lines_keep_their_place() {
         text.contains("éWRONGyyy") && text.contains("^^^^^ found WRONG"),
         "{text}"
     );
-    assert!(!text.contains(":::") && text.lines().count() == 7, "{text}");
+    assert!(!text.contains(":::") && text.lines().count() == 8, "{text}");
     let hostile = "{ \"a\u{1b}[31m\u{202e}\u{9b}b\": 17 }";
     let at = hostile.find("17").unwrap();
     let text = Faults::from(Fault::new(Code::OutOfRange, "m").at(at..at + 2)).render(&Source::new("t", hostile), false);

@@ -26,6 +26,10 @@ pub mod heads {
     pub const STRIPS: &str = "Moment of the strips";
     /// The same of the strips.
     pub const OF_STRIPS: &str = "of the strips";
+    /// Rotation of the joint by the plate.
+    pub const PLATE: &str = "Plastic rotation of the plate";
+    /// Rotation of the joint by the wall.
+    pub const WALL: &str = "Plastic rotation of the wall";
     /// Stress of beam theory.
     pub const BEAM: &str = "of beam theory at the base";
 }
