@@ -355,15 +355,7 @@ impl ZoneSolver {
             dense.outer.add(*share, outer);
             dense.inner.add(*share, &mut self.rest);
         }
-        self.matrix.values.copy_from_slice(&self.rest);
-        add_own(&zone, own, &mut self.matrix);
-        let starts = &zone.inner.pattern().starts;
-        let diagonal = |&q: &u32| {
-            let d = self.matrix.values[starts[q as usize]].abs();
-            if d > 0.0 && d.is_finite() { d } else { 1.0 }
-        };
-        let scale: Vec<f64> = zone.touched.iter().map(diagonal).collect();
-        let c = self.outside.factor(&scale)?;
+        let c = self.outside.factor(&bounds(&zone, &self.rest))?;
         let mut places = zone.border.iter();
         for b in 0..c.cols {
             for (value, &p) in c.column(b)[b..].iter().zip(places.by_ref()) {
@@ -460,6 +452,28 @@ fn add_own(zone: &Zone, own: Option<(f64, &Symmetric)>, matrix: &mut Symmetric) 
             matrix.values[to as usize] += factor * own.values[from as usize];
         }
     }
+}
+
+/// Sums of the absolute values of the rows of S without the elements of the zone, at the unknowns that the outside touches. With D their
+/// diagonal matrix D ≥ S (Gershgorin) and S ≥ B E⁻¹ Bᵀ where the outside is positive semi-definite, so that D + C has a factor. The zone's
+/// elements do not enter: a resumed run has them in a later state, and C would be another in its last digits.
+fn bounds(zone: &Zone, rest: &[f64]) -> Vec<f64> {
+    let pattern = zone.inner.pattern();
+    let mut sums = vec![0.0; pattern.size()];
+    for j in 0..pattern.size() {
+        for p in pattern.starts[j]..pattern.starts[j + 1] {
+            let i = pattern.rows[p];
+            sums[i] += rest[p].abs();
+            if i != j {
+                sums[j] += rest[p].abs();
+            }
+        }
+    }
+    let bound = |&q: &u32| match sums[q as usize] {
+        d if d > 0.0 && d.is_finite() => d,
+        _ => 1.0,
+    };
+    zone.touched.iter().map(bound).collect()
 }
 
 fn factor_zone(
