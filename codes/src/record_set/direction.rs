@@ -24,10 +24,7 @@ pub(super) fn maxima(along: &Record, across: &Record, periods: &[f64], damping: 
             let h = along.dt / parts;
             // Half a period of free vibration after the motion holds its largest swing.
             let count = ((duration + 0.5 * period) / h).ceil() as usize + 1;
-            let response = |record: &Record| {
-                let ground: Vec<f64> = (0..count).map(|k| at(record, k as f64 * h)).collect();
-                sdof::exact(&ground, h, omega, damping).u
-            };
+            let response = |record: &Record| response(record, h, count, omega, damping);
             let (x, y) = (response(along), response(across));
             let both: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
             omega * omega * peak(&both)
@@ -48,15 +45,31 @@ fn peak(values: &[f64]) -> f64 {
     })
 }
 
-/// Acceleration at a time, linear between samples, 0 after the last.
+/// Displacements at `count` points h apart [m]: under the record, then in free vibration from its last sample.
+fn response(record: &Record, h: f64, count: usize, omega: f64, damping: f64) -> Vec<f64> {
+    let within = (record.duration() / h).round() as usize + 1;
+    let ground: Vec<f64> = (0..within).map(|k| at(record, k as f64 * h)).collect();
+    let driven = sdof::exact(&ground, h, omega, damping);
+    let mut u = driven.u;
+    if let (Some(&u0), Some(&v0)) = (u.last(), driven.v.last()) {
+        let (decay, omega_d) = (damping * omega, omega * (1.0 - damping * damping).sqrt());
+        let free = (1..).map(|k| {
+            let t = f64::from(k) * h;
+            let (sin, cos) = (omega_d * t).sin_cos();
+            (-decay * t).exp() * (u0 * cos + (v0 + decay * u0) / omega_d * sin)
+        });
+        u.extend(free.take(count.saturating_sub(within)));
+    }
+    u
+}
+
+/// Acceleration at a time from 0 to the last sample, linear between samples.
 fn at(record: &Record, time: f64) -> f64 {
     let place = time / record.dt;
-    let before = place.floor() as usize;
-    let value = |k: usize| record.acceleration.get(k).copied();
-    match (value(before), value(before + 1)) {
-        (Some(a), Some(b)) => a + (b - a) * (place - before as f64),
-        // The last sample, within rounding.
-        (Some(a), None) if place - (before as f64) < 1e-9 => a,
-        _ => 0.0,
-    }
+    let Some(last) = record.acceleration.len().checked_sub(1) else {
+        return 0.0;
+    };
+    let before = (place.floor() as usize).min(last);
+    let (a, b) = (record.acceleration[before], record.acceleration[(before + 1).min(last)]);
+    a + (b - a) * (place - before as f64).min(1.0)
 }

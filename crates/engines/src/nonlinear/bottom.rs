@@ -28,7 +28,7 @@ use fem::linalg::Matrix;
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
 use nalgebra::Matrix3;
-use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
+use tank::{Behaviour, Bottom, Case, Layer, LayerKind, Tank};
 
 use super::arcs::shares;
 use super::cylinder::section::row;
@@ -441,7 +441,7 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
     Ok(())
 }
 
-/// Plastic rotation of the plate's joint at the `back` (θ = π) or at θ = 0, positive where the plate lifts [rad], by [`hinge`].
+/// Plastic rotation of the plate at its joint, at the `back` (θ = π) or at θ = 0, positive where the plate lifts [rad], by [`hinge`].
 ///
 /// Errors: a section that fails.
 pub(super) fn plastic_rotation(
@@ -456,6 +456,20 @@ pub(super) fn plastic_rotation(
         .filter_map(|ring| if back { ring.last() } else { ring.first() });
     let sum = hinge(model, cells.map(|&cell| (cell, bottom.soft(cell))), state)?;
     Ok(LIFTS * sum)
+}
+
+/// That of the wall at its joint, positive where it turns with a plate that lifts [rad]: normals of a wall point outwards, those of the plate
+/// upwards, and along the meridian, round the corner, their curvatures have opposite signs.
+///
+/// * `cells`: elements of a column from the foot on, with [`wall_bending`]
+///
+/// Errors: a section that fails.
+pub(super) fn wall_rotation(
+    model: &Model,
+    cells: impl Iterator<Item = (usize, [f64; 2])>,
+    state: &State,
+) -> Result<f64, AnalysisError> {
+    Ok(-LIFTS * hinge(model, cells, state)?)
 }
 
 /// Plastic rotation of shells along a meridian from the joint on: curvature of the meridian less that of an elastic shell under its moments,
@@ -483,6 +497,13 @@ pub(super) fn hinge(
         sum += part;
     }
     Ok(sum)
+}
+
+/// 1/D′ and ν/D′ of the wall at a height [m], as in [`hinge`] [1/(N m)].
+pub(super) fn wall_bending(tank: &Tank, height: f64) -> [f64; 2] {
+    let course = tank.course_at(height);
+    let soft = 12.0 / (course.material.youngs_modulus * course.thickness.powi(3));
+    [soft, course.material.poisson_ratio * soft]
 }
 
 /// Plastic rotation across a cell along the meridian [rad]; none of a cell that has not yielded. `soft`: as in [`hinge`].

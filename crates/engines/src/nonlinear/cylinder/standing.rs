@@ -57,6 +57,8 @@ pub(crate) struct Standing {
     angles: Vec<f64>,
     radii: Vec<f64>,
     foot: usize,
+    /// Elements of the wall at θ = 0 and π from the foot on, with their bending.
+    wall: [Vec<(usize, [f64; 2])>; 2],
     /// Modulus of the ground [N/m³].
     modulus: f64,
     /// What carries the base shear.
@@ -156,7 +158,17 @@ impl Standing {
             ground: Vec::new(),
             rest: Vec::new(),
         };
+        let height = |level: usize| mesh.footprint.points[mesh.footprint.levels[level][0]][2];
+        let meridian = |cell: fn(&[usize]) -> Option<&usize>| -> Vec<(usize, [f64; 2])> {
+            let rows = wall.rows.iter().enumerate();
+            rows.filter_map(|(row, cells)| {
+                let middle = 0.5 * (height(row) + height(row + 1));
+                Some((*cell(cells)?, bottom::wall_bending(&case.tank, middle)))
+            })
+            .collect()
+        };
         let standing = Standing {
+            wall: [meridian(<[usize]>::first), meridian(<[usize]>::last)],
             placed,
             angles,
             radii: plate.radii.clone(),
@@ -333,11 +345,23 @@ impl Standing {
         each.max_by(|a, b| a.force.total_cmp(&b.force).then(a.height.total_cmp(&b.height)))
     }
 
-    /// Plastic rotations of the joints at θ = 0 and π, positive where the plate lifts [rad].
+    /// Plastic rotations of the joints at θ = 0 and π, of plate and wall together, positive where the plate lifts [rad].
     ///
     /// Errors: a section that fails.
     pub(super) fn plastic(&self, tank: &CylinderModel, state: &State) -> Result<[f64; 2], AnalysisError> {
-        let at = |back| bottom::plastic_rotation(&tank.model, &self.placed, self.foot, back, state);
+        let [front, back] = self.plastic_parts(tank, state)?;
+        Ok([front, back].map(|[plate, wall]| plate + wall))
+    }
+
+    /// The parts of the plate and of the wall, on both sides [rad].
+    ///
+    /// Errors: a section that fails.
+    pub(super) fn plastic_parts(&self, tank: &CylinderModel, state: &State) -> Result<[[f64; 2]; 2], AnalysisError> {
+        let at = |back: bool| -> Result<[f64; 2], AnalysisError> {
+            let plate = bottom::plastic_rotation(&tank.model, &self.placed, self.foot, back, state)?;
+            let column = self.wall[usize::from(back)].iter().copied();
+            Ok([plate, bottom::wall_rotation(&tank.model, column, state)?])
+        };
         Ok([at(false)?, at(true)?])
     }
 }

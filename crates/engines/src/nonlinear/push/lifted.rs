@@ -66,9 +66,8 @@ pub(super) fn base(
         .last()
         .map_or(0.0, |(_, r)| plate.radii[plate.foot] - r);
     let wall = model.cells.iter().zip(model.levels.windows(2)).filter_map(|(row, z)| {
-        let course = plan.case.tank.course_at(0.5 * (z[0] + z[1]));
-        let soft = 12.0 / (course.material.youngs_modulus * course.thickness.powi(3));
-        Some((*row.last()?, [soft, course.material.poisson_ratio * soft]))
+        let soft = bottom::wall_bending(&plan.case.tank, 0.5 * (z[0] + z[1]));
+        Some((*row.last()?, soft))
     });
     Ok(Some(PushBase {
         rotation: -tilt / plan.radius,
@@ -81,7 +80,7 @@ pub(super) fn base(
         plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)
             .map_err(failed)?
             .abs(),
-        wall_rotation: bottom::hinge(&model.model, wall, state).map_err(failed)?.abs(),
+        wall_rotation: bottom::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
         toe_stress,
         toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
         strips: None,

@@ -103,6 +103,31 @@ fn a_shock_lifts_the_foot() {
     assert!(yields(pictures.states.last().unwrap()));
 }
 
+/// Where a foot lifts, plate and wall bend under one moment and turn the joint in one sense: the wall of a weaker steel yields with its plate. Where the
+/// foot is pressed, both have the other sign.
+#[test]
+fn plate_and_wall_turn_the_joint_in_one_sense() {
+    let mut case = slender();
+    let lowest = &mut case.tank.courses[0];
+    lowest.thickness = 6e-3;
+    if let Behaviour::Steel(steel) = &mut lowest.material.behaviour {
+        steel.yield_strength = 120e6;
+    }
+    let case = shaken(case, 4.0, 50);
+    let own = options(&case, 24, 12);
+    let tank = CylinderModel::new(&case, &own).unwrap();
+    let cylinder = Cylinder::of(&case, &own, tank).unwrap();
+    let motion = case.ground_motion.as_ref().unwrap();
+    let (watch, run) = cylinder.march(motion, 1.0, 1, None, &Silent).unwrap();
+    let standing = cylinder.tank.standing.as_ref().unwrap();
+    let parts = standing.plastic_parts(&cylinder.tank, &run.state).unwrap();
+    let wall = parts.map(|[_, wall]| wall.abs()).into_iter().fold(0.0, f64::max);
+    assert!(wall > 1e-4, "{parts:?}");
+    assert!(parts.iter().all(|[plate, wall]| plate * wall >= 0.0), "{parts:?}");
+    let last = watch.seen.standing.joint.map(|joint| joint[joint.len() - 1]);
+    assert_eq!(last, parts.map(|[plate, wall]| plate + wall));
+}
+
 /// Half of the wall and of the liquid over the rings, from the foot to half of the radius. A quarter of every quadrilateral goes with each of
 /// its corners, which puts the peak under the foot, two thicknesses wide, off by a third of a ring: 1 % of the whole. The areas of the ground are those of
 /// arcs of 30°, the quadrilaterals are between their chords.
