@@ -214,7 +214,7 @@ impl Given {
         if processing.scale_to.is_some() {
             job.warnings.push(Warning::new(
                 Code::UnusualRecord,
-                "record.scale_to: every record of the set is scaled to the same peak, before the factor of the set; remove it to keep the scatter of \
+                "`record.scale_to`: every record of the set is scaled to the same peak, before the factor of the set; remove it to keep the scatter of \
                  the records",
             ));
         }
