@@ -173,6 +173,9 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         Err(error) if set.fit => return Err(error),
         Err(error) => (None, reason(&error)),
     };
+    if let Some(found) = compatibility.as_ref().filter(|found| !found.holds) {
+        set.job.warnings.push(Warning::new(Code::UnusualRecord, misses(found)));
+    }
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
     let (mut simulation, mut errors) = (None, BTreeMap::new());
@@ -295,6 +298,19 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
     };
     let sizes: Vec<f64> = records.iter().map(of).collect();
     (0..sizes.len()).fold(0, |best, i| if sizes[i] > sizes[best] { i } else { best })
+}
+
+/// That a set does not stand for its target.
+fn misses(found: &Compatibility) -> String {
+    let least = found
+        .periods
+        .iter()
+        .map(|p| p.smallest_ratio)
+        .fold(f64::INFINITY, f64::min);
+    format!(
+        "the set of records does not hold for its target spectrum ({}): smallest ratio of the means {least:.2}, factor with which it holds {:.3}",
+        found.clause, found.factor
+    )
 }
 
 /// The set against its target; a set that is to be fitted is scaled first.

@@ -305,7 +305,7 @@ pub const ALL: &[Meaning] = &[
     state(
         "damage_limitation",
         "response to the frequent earthquake, ν times that of the ultimate limit state",
-        "ends in damage_freeboard and damage_hoop",
+        "ends in damage_freeboard, damage_hoop, damage_wall and damage_crack_width",
         Dimensionless,
     ),
     part(
@@ -319,6 +319,18 @@ pub const ALL: &[Meaning] = &[
         "hoop stress under the frequent earthquake",
         "yield strength",
         Stress,
+    ),
+    part(
+        ("damage_wall", "damage_limitation"),
+        "stress of a metal wall that bends, under the frequent earthquake",
+        "yield strength",
+        Stress,
+    ),
+    part(
+        ("damage_crack_width", "damage_limitation"),
+        "width of cracks under the frequent earthquake",
+        "width allowed by the tightness class",
+        Length,
     ),
 ];
 

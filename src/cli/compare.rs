@@ -598,7 +598,11 @@ fn verdict(results: &Results) -> String {
     if let Some(aside) = &verdict.record {
         let governing = aside.governing.as_ref().map(terminal::governing);
         let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();
-        let _ = writeln!(text, "{}{governing}", words::verdict::record(aside));
+        let _ = writeln!(
+            text,
+            "{}{governing}",
+            words::verdict::record(aside, results.record_set.is_some())
+        );
     }
     // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();

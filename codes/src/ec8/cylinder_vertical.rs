@@ -3,7 +3,6 @@
 use super::vertical;
 use super::work::Work;
 use crate::procedure::CodeError;
-use crate::sheet::number;
 use tank::assessment::NotApplicable;
 use tank::units::Dimension::*;
 
@@ -30,8 +29,8 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
         return Err(CodeError::NotApplicable(NotApplicable {
             clause,
             reason: format!(
-                "vertical motion with H/R = {} found, the pressure of the breathing wall is given for H/R < 4",
-                number(gamma)
+                "vertical motion with H/R = {gamma:.2} found, the pressure of the breathing wall is given for H/R < 4; `site.ec8.vertical: false` leaves \
+                 vertical motion out"
             ),
         }));
     };

@@ -6,9 +6,10 @@
 //! | downwards | 13 mm | 13 mm on a ring wall or mat, 25 mm on a berm |
 //! | horizontal, radial and tangential | 13 mm | 50 mm |
 //!
-//! The same values stand in ASCE 7, table 15.7-1. They are minima: where the uplift y_u of E.7.3.1 is larger, it counts. The kind of
-//! foundation is not an input, so a self-anchored tank takes the larger value. Recalled, not compared with the printed standard.
+//! The same values stand in ASCE 7, table 15.7-1. They are minima: where the uplift y_u of E.7.3.1 is larger, it counts. A self-anchored tank
+//! without `tank.foundation`, or on soil, takes the value of a berm. Recalled, not compared with the printed standard.
 
+use tank::FoundationKind;
 use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::units::Dimension::Length;
 
@@ -38,8 +39,8 @@ pub(super) struct Displacements {
     pub horizontal: f64,
 }
 
-/// The displacements that the pipes must allow.
-pub(super) fn required(anchored: bool, lift: &Lift) -> Displacements {
+/// The displacements that the pipes must allow; `stiff`: on a ring wall or mat.
+pub(super) fn required(anchored: bool, stiff: bool, lift: &Lift) -> Displacements {
     let up = match lift {
         Lift::Held => Some(0.025),
         Lift::Lifts(uplift) => Some(uplift.max(0.1)),
@@ -53,7 +54,7 @@ pub(super) fn required(anchored: bool, lift: &Lift) -> Displacements {
         },
         false => Displacements {
             up,
-            down: 0.025,
+            down: if stiff { 0.013 } else { 0.025 },
             horizontal: 0.05,
         },
     }
@@ -66,16 +67,19 @@ impl Run<'_> {
             return;
         }
         let anchored = self.basis.anchored();
-        let required = required(anchored, &self.lift);
+        let foundation = self.basis.case.tank.foundation.as_ref().map(|f| f.kind);
+        let stiff = foundation.is_some_and(|kind| kind != FoundationKind::Soil);
+        let required = required(anchored, stiff, &self.lift);
         self.sheet.section("Displacements of the pipes");
         let up = match &self.lift {
             Lift::Lifts(uplift) if *uplift > 0.1 => "y_u, which is more than the 100 mm of table E.8",
             Lift::Lifts(_) => "J above 0.785",
             _ => "no uplift",
         };
-        let down = match anchored {
-            true => "mechanically anchored",
-            false => "on a berm; 13 mm on a ring wall or mat",
+        let down = match (anchored, stiff) {
+            (true, _) => "mechanically anchored",
+            (false, true) => "on a ring wall or mat",
+            (false, false) => "on a berm; 13 mm on a ring wall or mat",
         };
         let pipes = self.basis.case.tank.pipes.unwrap_or_default();
         let parts = [

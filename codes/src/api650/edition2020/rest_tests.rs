@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 use tank::assessment::{Assessment, Check, CheckStatus, Excitation};
-use tank::{Case, Pipes, Roof, RoofKind, Support};
+use tank::{Case, Foundation, FoundationKind, Pipes, Roof, RoofKind, Support};
 
 use super::super::example::{case, close, line};
 use super::super::hold_down::{allowable, allowable_compression};
@@ -66,10 +66,14 @@ fn design_pressure_stresses_the_dry_wall() {
 
 #[test]
 fn table_e8() {
-    let of = |anchored, lift| {
-        let d = required(anchored, &lift);
+    let on = |stiff: bool, anchored, lift| {
+        let d = required(anchored, stiff, &lift);
         (d.up, d.down, d.horizontal)
     };
+    let of = |anchored, lift| on(false, anchored, lift);
+    // On a ring wall or mat 13 mm downwards, anchored or not.
+    assert_eq!(on(true, false, Lift::Held), (Some(0.025), 0.013, 0.05));
+    assert_eq!(on(true, true, Lift::Held), of(true, Lift::Held));
     assert_eq!(of(true, Lift::Held), (Some(0.025), 0.013, 0.013));
     assert_eq!(of(false, Lift::Held), (Some(0.025), 0.025, 0.05));
     assert_eq!(of(false, Lift::Lifts(0.03)), (Some(0.1), 0.025, 0.05));
@@ -99,6 +103,19 @@ fn pipes_follow_the_uplift() {
     close(up.demand.unwrap(), 0.2108, 5e-5, "uplift");
     assert_eq!((up.status, up.limit_state.as_str()), (CheckStatus::Fails, "piping"));
     assert!(check(&out, "piping_settlement").holds() && check(&out, "piping_horizontal").holds());
+    // On a ring wall 13 mm do downwards.
+    let mut ring = case.clone();
+    ring.tank.foundation = Some(Foundation {
+        kind: FoundationKind::RingWall,
+        stiffness: None,
+        shear_wave_velocity: None,
+        soil_density: 1900.0,
+        soil_poisson_ratio: 0.33,
+        thickness: None,
+        friction: None,
+    });
+    let down = check(&assess(&ring), "piping_settlement").demand.unwrap();
+    close(down, 0.013, 1e-12, "on a ring wall");
     // One value missing leaves the limit state open beside the others.
     case.tank.pipes = Some(Pipes {
         horizontal: None,

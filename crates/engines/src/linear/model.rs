@@ -48,9 +48,9 @@ pub(crate) struct Harmonic {
 }
 
 impl Harmonic {
-    /// First mode of a kind.
+    /// First mode of a kind: of those that the motion excites, where there are others.
     pub(crate) fn first(&self, kind: Kind) -> Option<&CoupledMode> {
-        self.modes.iter().find(|m| m.kind == kind)
+        self.modes.iter().find(|m| m.kind == kind && m.number == 1)
     }
 
     /// The impulsive mode.

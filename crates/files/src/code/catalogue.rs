@@ -345,8 +345,8 @@ catalogue! {
         "\"pressure\" enters the codes' checks; the engines leave it out"
 
     UnusualRecord "T0903" Warning "an unusual record"
-        "The record was used; its number of samples, time step or factor is unusual. Periods shorter than about ten steps are \
-         not in it."
+        "The record was used; its number of samples, time step or factor is unusual, or a set of records does not hold for its \
+         target spectrum. Periods shorter than about ten steps are not in a record."
         "a time step of 0.2 s"
 
     UnusedAcceptance "T0904" Warning "an accepted gap that is none"

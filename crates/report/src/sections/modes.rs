@@ -112,8 +112,7 @@ fn drawn(fe: &Run) -> Vec<&Mode> {
     let pick = |kind: &'static str, most: usize| {
         fe.modes
             .iter()
-            .filter(move |m| m.harmonic == 1 && m.kind == kind && !m.shape.z.is_empty())
-            .take(most)
+            .filter(move |m| m.harmonic == 1 && m.kind == kind && m.number <= most && !m.shape.z.is_empty())
     };
     pick("sloshing", 3).chain(pick("structural", 2)).collect()
 }

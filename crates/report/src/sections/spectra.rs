@@ -10,7 +10,7 @@ use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table, spread};
 use crate::words::figures::spectra as words;
 use files::error::Error;
-use results::SpectrumCurve;
+use results::{Mode, SpectrumCurve};
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
@@ -53,8 +53,9 @@ fn periods(source: &Source) -> Vec<Period> {
     let mut periods = Vec::new();
     if let Some(fe) = source.results.reference() {
         for (kind, letter, most) in [("sloshing", 'c', 2), ("structural", 'i', 1)] {
-            let modes = fe.modes.iter().filter(|m| m.kind == kind && m.harmonic == 1);
-            periods.extend(modes.take(most).map(|mode| Period {
+            // Numbers count what the motion excites first.
+            let own = |m: &&Mode| m.kind == kind && m.harmonic == 1 && m.number <= most;
+            periods.extend(fe.modes.iter().filter(own).map(|mode| Period {
                 letter,
                 number: mode.number,
                 value: mode.period,

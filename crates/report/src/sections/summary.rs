@@ -102,15 +102,34 @@ fn verdict(results: &Results) -> Verdict {
         VerdictStatus::Incomplete => ("open", "?"),
         VerdictStatus::NotAssessed => ("none", "–"),
     };
-    let missing: Vec<Missing> = v.missing.iter().map(missing).collect();
+    let input = v.missing.iter().any(|gap| gap.check.input.is_some());
+    // Checks that are open for one reason stand in one line.
+    let mut open: Vec<Missing> = Vec::new();
+    for gap in v.missing.iter().map(missing) {
+        match open
+            .iter_mut()
+            .find(|m| m.method == gap.method && m.reason == gap.reason)
+        {
+            Some(same) => same.name = format!("{}, {}", same.name, gap.name),
+            None => open.push(gap),
+        }
+    }
     Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
         deciding: words::verdict::deciding(v),
-        supply: if missing.is_empty() { "" } else { words::verdict::SUPPLY },
-        missing,
-        record: v.record.iter().map(record).collect(),
+        supply: match (open.is_empty(), input) {
+            (true, _) => "",
+            (false, true) => words::verdict::SUPPLY,
+            (false, false) => words::verdict::ACCEPT,
+        },
+        missing: open,
+        record: v
+            .record
+            .iter()
+            .map(|aside| record(aside, results.record_set.is_some()))
+            .collect(),
     }
 }
 
@@ -123,9 +142,12 @@ fn missing(gap: &results::Governing) -> Missing {
 }
 
 /// Checks under the record and the governing one.
-fn record(aside: &Aside) -> String {
+fn record(aside: &Aside, set: bool) -> String {
     let governing = aside.governing.iter().map(words::terminal::governing);
-    let lines: Vec<String> = [words::verdict::record(aside)].into_iter().chain(governing).collect();
+    let lines: Vec<String> = [words::verdict::record(aside, set)]
+        .into_iter()
+        .chain(governing)
+        .collect();
     lines.join("; governing: ")
 }
 

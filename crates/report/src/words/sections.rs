@@ -172,15 +172,12 @@ const ALL: &[Words] = &[
     Words {
         id: "standing",
         title: "Base under the moments of the codes",
-        sentences: &[
-            (
-                "about",
-                "The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane, under the weight at rest; \
+        sentences: &[(
+            "about",
+            "The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane, under the weight at rest; \
                  the sheets of the codes subtract vertical motion and overpressure from it. A given stiffness of the ground decides, of assumed \
                  ones the least favourable.",
-            ),
-            ("toe", "Soft ground lifts more, hard ground presses more at the toe."),
-        ],
+        )],
     },
     Words {
         id: "isolation",

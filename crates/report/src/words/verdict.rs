@@ -76,9 +76,11 @@ pub fn deciding(verdict: &Verdict) -> String {
 
 /// How the missing part of the verdict is supplied.
 pub const SUPPLY: &str = "Supply the missing input, or accept a gap with its reason in `accepted` of the tank file.";
+/// What can be done about gaps of which none is for want of input.
+pub const ACCEPT: &str = "A gap can be accepted with its reason in `accepted` of the tank file.";
 
 /// What the assessments under the record amount to.
-pub fn record(aside: &Aside) -> String {
+pub fn record(aside: &Aside, set: bool) -> String {
     let counts = &aside.counts;
     let of = counts.compared();
     let state = match counts.fails {
@@ -89,7 +91,8 @@ pub fn record(aside: &Aside) -> String {
             plural(fails, "fails", "fail")
         ),
     };
-    format!("Under this record, unreduced and not deciding: {state}")
+    let motion = if set { "the set of records" } else { "this record" };
+    format!("Under {motion}, unreduced and not deciding: {state}")
 }
 
 /// What the checks of one method amount to.
