@@ -7,7 +7,7 @@
 //!
 //! * [`Excitation::Site`]: zone method, needs `zone_factor` in the site data.
 //! * [`Excitation::Record`]: the spectrum alternative of E.3.3. `Z I C_1` becomes the largest spectral acceleration in the
-//!   impulsive range at 2 % damping ([`plateau`]), `Z I C_2` becomes S_a(T) at 0.5 % damping. The appendix fixes
+//!   impulsive range at 2 % damping (`plateau`), `Z I C_2` becomes S_a(T) at 0.5 % damping. The appendix fixes
 //!   both damping ratios.
 //!
 //! The ratio `x = M/(D² (w_t + w_L))` gives the shell compression b per length: the linear `w_t + 1.273 M/D²` up to 0.785

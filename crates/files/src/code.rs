@@ -1,7 +1,7 @@
 //! Codes of errors and warnings: stable ids such as `T0206`, one a *kind* of fault, not one a message.
 //!
 //! A fault cannot be made without a code, and a code cannot be declared without title, explanation and example
-//! ([`catalogue`]); `tankcheck explain T0206` prints them. An id is never used again for another kind.
+//! (`catalogue`); `tankcheck explain T0206` prints them. An id is never used again for another kind.
 
 use std::fmt::{Display, Formatter};
 

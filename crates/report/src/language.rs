@@ -7,11 +7,11 @@
 //!
 //! | module | does |
 //! |---|---|
-//! | [`catalogue`] | looks texts up |
-//! | [`pattern`] | a sentence with holes, and how a text matches it |
-//! | [`text`] | words, sentences, first letters |
-//! | [`markup`] | finds the texts of a page |
-//! | [`decimal`] | decimal commas |
+//! | `catalogue` | looks texts up |
+//! | `pattern` | a sentence with holes, and how a text matches it |
+//! | `text` | words, sentences, first letters |
+//! | `markup` | finds the texts of a page |
+//! | `decimal` | decimal commas |
 //! | `german/*.txt` | the catalogue, by topic |
 //!
 //! A text that the catalogue lacks stays English and is remembered: [`untranslated`]. The tests render the examples and

@@ -16,7 +16,7 @@
 //! | [`level`] | how much of it |
 //! | [`document`] | the page for text processors |
 //! | [`figure`] | draws |
-//! | [`frame`] | cover, contents and running head of every page |
+//! | `frame` | cover, contents and running head of every page |
 //! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
 //! | [`study`] | that of a study |
