@@ -260,6 +260,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
             &row.title,
             row.dimension,
             &values,
+            row.cells.iter().flatten().map(|c| c.value),
         ));
     }
     figures
