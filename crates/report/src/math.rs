@@ -97,7 +97,10 @@ pub fn words(text: &str) -> String {
             }
         }
         out.push_str(&escape(&c.to_string()));
-        if matches!(c, '·' | '/' | '+' | '=' | ',') {
+        // Not behind a decimal comma.
+        let digit = |at: Option<usize>| at.and_then(|j| chars.get(j)).is_some_and(char::is_ascii_digit);
+        let decimal = c == ',' && digit(i.checked_sub(1)) && digit(Some(i + 1));
+        if matches!(c, '·' | '/' | '+' | '=' | ',') && !decimal {
             out.push_str("<wbr>");
         }
         i += 1;

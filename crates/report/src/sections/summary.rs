@@ -14,7 +14,7 @@ use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Aside, Limit, Results, VerdictStatus};
+use results::{Aside, Deciding, Limit, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -107,10 +107,23 @@ fn verdict(results: &Results) -> Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
-        deciding: words::verdict::deciding(v),
+        deciding: deciding(results),
         supply: if missing.is_empty() { "" } else { words::verdict::SUPPLY },
         missing,
         record: v.record.iter().map(record).collect(),
+    }
+}
+
+/// The deciding methods by their titles.
+fn deciding(results: &Results) -> String {
+    let titled = |d: &Deciding| {
+        let method = results.methods.iter().find(|m| m.id == d.method);
+        let title = method.map_or(d.method.as_str(), |m| m.title.as_str());
+        format!("{title} ({})", words::terminal::excitation(d.excitation))
+    };
+    match results.verdict.deciding.as_slice() {
+        [] => words::verdict::deciding(&results.verdict),
+        some => some.iter().map(titled).collect::<Vec<_>>().join("; "),
     }
 }
 
