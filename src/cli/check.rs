@@ -72,7 +72,7 @@ enum CheckFormat {
     Human,
     /// JSON in SI units.
     Json,
-    /// Comma-separated values in SI units.
+    /// Comma-separated values, in SI units unless `--report-units` or `project.units` asks for others.
     Csv,
     /// JUnit XML: a test case a check of the deciding methods.
     Junit,

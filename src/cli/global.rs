@@ -37,7 +37,7 @@ pub enum Format {
     Human,
     /// JSON in SI units.
     Json,
-    /// Comma-separated values in SI units, where the result is a table.
+    /// Comma-separated values, where the result is a table; in SI units unless `--report-units` or `project.units` asks for others.
     Csv,
 }
 

@@ -216,7 +216,10 @@ impl<'a> Basis<'a> {
             ("F_ty", f_ty.unwrap_or(0.0), Stress),
             ("E", material.youngs_modulus, Stress),
         ];
-        let (ratio, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
+        let (ratio, name) = (
+            "G·H·D²/t_s²",
+            "pressure parameter of the shell, D and H in m, t_s in mm",
+        );
         let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
         let scaled = scales && is_aluminium(material);
         let Some(formula) = hold_down::allowable(ratio, f_ty.is_some(), scaled) else {

@@ -423,7 +423,7 @@ fn self_anchored(
         ("H", h, Length),
         ("D", d, Length),
     ];
-    let name = "hold-down force of the bottom strip per length [N/m]";
+    let name = "hold-down force of the bottom strip per length";
     let w_l = sheet.calc("w_L", name, hd::HOLD_DOWN_1993, &terms, LineForce, E4);
     let terms = [
         ("M", moment, Moment),

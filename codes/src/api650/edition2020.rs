@@ -139,7 +139,7 @@ impl Procedure for Api6502020 {
 
     fn label(&self) -> Label {
         Label {
-            title: "API 650, annex E (12th and 13th edition, 2020)",
+            title: "API 650, annex E (12th edition 2013, 13th edition 2020)",
             short: "API 650 annex E",
             figure_key: "k-api650-2020",
         }

@@ -329,7 +329,10 @@ fn api_lines(work: &mut Work<'_>, clause: &str, radius: f64, (course, pressure):
         ("H", depth, Length),
         ("F_ty", strength(course), Stress),
     ];
-    let (symbol, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
+    let (symbol, name) = (
+        "G·H·D²/t_s²",
+        "pressure parameter of the shell, D and H in m, t_s in mm",
+    );
     let ratio = sheet.calc(symbol, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
     if let Some(formula) = hold_down::allowable(ratio, true, false) {
         let name = "allowable shell compression";

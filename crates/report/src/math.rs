@@ -4,14 +4,10 @@
 //! symbols with their subscripts. It is broken before `+` and `−` (and before `·` where it is long) into pieces that wrap
 //! like words. Text that is not a formula is set as words with raised and lowered letters, without loss.
 
-use tank::units::{System, converted};
-
 use tank::formula::{Bracket, Formula, Number, Operator, Power, Primary, Product, Sign, Sum};
 
 use super::figure::svg::escape;
 
-/// Significant digits of a value in other units than it was computed in.
-const DIGITS: usize = 5;
 /// Longest piece that is not broken further, in characters.
 const LONG: usize = 26;
 /// Widest piece that fits its column, in characters.
@@ -19,9 +15,9 @@ const WIDEST: usize = 52;
 
 /// The formula as HTML.
 ///
-/// Its values with units are in those of the page; where that has both systems, in SI alone.
+/// Its values with units stay in SI in every report: the constants of a code's formula may have a unit that is not written
+/// (`C_c` in s/√m), and hold in SI alone.
 pub fn formula(text: &str) -> String {
-    let text = &*converted(text, System::current().first(), DIGITS);
     let Ok(formula) = Formula::parse(text) else {
         return words(text);
     };
@@ -101,7 +97,10 @@ pub fn words(text: &str) -> String {
             }
         }
         out.push_str(&escape(&c.to_string()));
-        if matches!(c, '·' | '/' | '+' | '=' | ',') {
+        // Not behind a decimal comma.
+        let digit = |at: Option<usize>| at.and_then(|j| chars.get(j)).is_some_and(char::is_ascii_digit);
+        let decimal = c == ',' && digit(i.checked_sub(1)) && digit(Some(i + 1));
+        if matches!(c, '·' | '/' | '+' | '=' | ',') && !decimal {
             out.push_str("<wbr>");
         }
         i += 1;

@@ -97,6 +97,16 @@ impl Scale {
         }
     }
 
+    /// As [`Scale::single`] for values up to `peak` (SI), in the unit of the largest of `all`.
+    pub fn sharing(dimension: Dimension, all: impl IntoIterator<Item = f64>, peak: f64) -> Scale {
+        let unit = System::current().first().column_unit(all, dimension);
+        let decimals = decimals_for(in_unit(peak, unit), 4);
+        Scale {
+            first: Part { unit, decimals },
+            second: None,
+        }
+    }
+
     /// Symbol of the unit, empty for a bare number.
     pub fn symbol(&self) -> &'static str {
         symbols(self.first.unit.symbol, self.second.map(|s| s.unit.symbol))

@@ -26,7 +26,7 @@ Examples:
   tankcheck quake set a.csv b.csv c.csv --target tank.json
   tankcheck quake set set/*.at2 --target spectrum.csv --period 0.225s --period 6.4s --format json
 
-Rule asce7-16 (recalled): at least eleven records, their mean spectrum not below 90 % of the design spectrum of `site.api650`.
+Rule asce7-16 (not compared with the printed text): at least eleven records, their mean spectrum not below 90 % of the design spectrum of `site.api650`.
 Rule en1998-1: at least three records, the mean of their peaks not below a_g S of the target, and their mean spectrum not below 90 % of the
 target from 0.2 T to 2 T. Of a tank, T are the impulsive period (5 %) and the sloshing period (damping of sloshing). A spectrum.csv has the
 columns period_s and acceleration_g or acceleration_m_s2, is 5 % damped, and begins at T = 0.

@@ -132,7 +132,7 @@ impl Run<'_> {
             ("G_e", g_e, Dimensionless),
             ("D", d, Length),
         ];
-        let name = "hold-down force of the annulus per length [N/m]";
+        let name = "hold-down force of the annulus per length";
         let w_a = sheet.calc("w_a", name, hd::HOLD_DOWN, &terms, LineForce, E6_2_1_1);
         let w_int = self.pressure_uplift();
         let f_p = self.f_p();

@@ -167,7 +167,7 @@ impl Run<'_> {
             ("E", edge.course.material.youngs_modulus, Stress),
         ];
         let local = |formula: &str| formula.replace("t_s", "t").replace('H', "H_z");
-        let name = "pressure parameter with the depth H_z above z [m³/mm²]";
+        let name = "pressure parameter with the depth H_z above z, D and H_z in m, t in mm";
         let slenderness = local(hd::SLENDERNESS);
         let ratio = sheet.calc("G·H_z·D²/t²", name, &slenderness, &terms, Dimensionless, E6_2_2_3);
         let formula = local(hd::allowable(

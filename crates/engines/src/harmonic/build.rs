@@ -150,9 +150,9 @@ fn describe(assembly: &Assembly) -> Vec<Labelled> {
         label(
             "wall elements",
             format!(
-                "{}, {kind}, shortest {:.2e} m at the base",
+                "{}, {kind}, shortest {} at the base",
                 wall.elements.len(),
-                shortest
+                tank::units::display(shortest, tank::units::Dimension::Length)
             ),
         ),
         label(

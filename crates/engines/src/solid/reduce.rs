@@ -358,9 +358,10 @@ fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> 
         label(
             "wall elements",
             format!(
-                "{} × {} (circumference, height), four-node shells, shortest {shortest:.2e} m",
+                "{} × {} (circumference, height), four-node shells, shortest {}",
                 division.sectors,
-                division.wall.len() - 1
+                division.wall.len() - 1,
+                tank::units::display(shortest, tank::units::Dimension::Length)
             ),
         ),
         label(

@@ -28,14 +28,21 @@ pub struct Bar {
     pub outside: bool,
 }
 
-/// Bars of one quantity; `None` without a finite value.
-pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option<Figure> {
+/// Bars of one quantity, in the unit that suits `all` its values (SI): the same for each figure of the quantity; `None`
+/// without a finite value.
+pub fn bars(
+    id: &str,
+    title: &str,
+    dimension: Dimension,
+    bars: &[Bar],
+    all: impl IntoIterator<Item = f64>,
+) -> Option<Figure> {
     let bars: Vec<&Bar> = bars.iter().filter(|b| b.value.is_finite()).collect();
     let largest = bars.iter().fold(0.0_f64, |m, b| m.max(b.value.abs()));
     if bars.is_empty() || largest == 0.0 {
         return None;
     }
-    let scale = Scale::single(dimension, [largest]);
+    let scale = Scale::sharing(dimension, all, largest);
     let labels = bars
         .iter()
         .map(|b| text_width(&b.look.full_label()) * FONT)

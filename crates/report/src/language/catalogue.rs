@@ -160,8 +160,18 @@ impl Catalogue {
             if let Some(german) = self.whole(part) {
                 return german;
             }
-            let word = |word: &str| self.whole(word).unwrap_or_else(|| word.to_owned());
-            let german = part.split(' ').map(word).collect::<Vec<_>>().join(" ");
+            let words: Vec<&str> = part.split(' ').collect();
+            let word = |(i, word): (usize, &&str)| match self.whole(word) {
+                Some(german) => german,
+                // A value, not the number of a clause.
+                None if words.get(i + 1) == Some(&"%")
+                    || (i > 0 && matches!(words[i - 1], "<" | ">" | "≤" | "≥" | "=")) =>
+                {
+                    commas(word)
+                }
+                None => (*word).to_owned(),
+            };
+            let german = words.iter().enumerate().map(word).collect::<Vec<_>>().join(" ");
             if german == part && !is_neutral(part) {
                 return self.partial(part, &Seen::default(), missing);
             }

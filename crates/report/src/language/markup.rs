@@ -18,6 +18,8 @@ const RAW: [&str; 2] = ["style", "script"];
 
 /// Elements that hold a text of the user: it stays as it is.
 const GIVEN: &str = "class=\"given\"";
+/// Elements that hold a formula and what is put into it: their values stay in SI, as the constants beside them.
+const CALCULATED: [&str; 2] = ["class=\"calc\"", "class=\"source\""];
 /// Forms of the cover whose values, in these elements, are the user's.
 const FORMS: [(&str, &str); 2] = [("class=\"cover\"", "dd"), ("class=\"signatures\"", "td")];
 
@@ -68,6 +70,8 @@ struct Open {
     clause: bool,
     /// A text of the user stands in it: all of it stays.
     given: bool,
+    /// A formula stands in it: values stay in SI.
+    calculated: bool,
     /// The name of the user begins it: units and decimals stay.
     title: bool,
     /// Within a form: the element whose values are the user's.
@@ -161,6 +165,7 @@ impl Page {
         let mut element = self.open.last().cloned().unwrap_or_default();
         name.clone_into(&mut element.name);
         element.clause |= tag.contains("class=\"clause\"");
+        element.calculated |= CALCULATED.iter().any(|c| tag.contains(c));
         element.title |= name == "h1" || (name == "title" && self.svg == 0);
         if let Some((_, inside)) = FORMS.iter().find(|f| tag.contains(f.0)) {
             element.form = Some(inside);
@@ -227,7 +232,7 @@ impl Page {
         let units = match self.units {
             // Labels with two values do not fit.
             System::Both if self.svg > 0 => System::Si,
-            _ if place.clause || place.title => System::Si,
+            _ if place.clause || place.title || place.calculated => System::Si,
             units => units,
         };
         let words = converted(&words, units, DIGITS);

@@ -19,6 +19,7 @@ use results::compare::MEASURED;
 use results::nonlinear::End;
 use results::{EngineId, Method, Run, Status};
 use tank::assessment::Step;
+use tank::units::System;
 
 #[derive(Serialize)]
 struct Sheet {
@@ -99,6 +100,13 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut section = Section::new("sheets");
     section.set("sheets", &sheets);
     section.set("full", &full);
+    // The constants of the codes' formulas hold in SI.
+    let substituted = if System::current() == System::Si {
+        ""
+    } else {
+        words::SUBSTITUTED
+    };
+    section.set("substituted", &substituted);
     Ok(Some(section))
 }
 

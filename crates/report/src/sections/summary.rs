@@ -14,7 +14,7 @@ use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Aside, Limit, Results, VerdictStatus};
+use results::{Aside, Deciding, Limit, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -118,7 +118,7 @@ fn verdict(results: &Results) -> Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
-        deciding: words::verdict::deciding(v),
+        deciding: deciding(results),
         supply: match (open.is_empty(), input) {
             (true, _) => "",
             (false, true) => words::verdict::SUPPLY,
@@ -130,6 +130,19 @@ fn verdict(results: &Results) -> Verdict {
             .iter()
             .map(|aside| record(aside, results.record_set.is_some()))
             .collect(),
+    }
+}
+
+/// The deciding methods by their titles.
+fn deciding(results: &Results) -> String {
+    let titled = |d: &Deciding| {
+        let method = results.methods.iter().find(|m| m.id == d.method);
+        let title = method.map_or(d.method.as_str(), |m| m.title.as_str());
+        format!("{title} ({})", words::terminal::excitation(d.excitation))
+    };
+    match results.verdict.deciding.as_slice() {
+        [] => words::verdict::deciding(&results.verdict),
+        some => some.iter().map(titled).collect::<Vec<_>>().join("; "),
     }
 }
 
@@ -282,6 +295,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
             &row.title,
             row.dimension,
             &values,
+            row.cells.iter().flatten().map(|c| c.value),
         ));
     }
     figures

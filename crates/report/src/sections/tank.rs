@@ -123,8 +123,13 @@ fn courses(summary: &TankSummary) -> Table {
     let thickness = Scale::of(Dimension::Length, courses.iter().map(|c| c.thickness));
     let modulus = Scale::of(Dimension::Stress, courses.iter().map(|c| c.material.youngs_modulus));
     let density = Scale::of(Dimension::Density, courses.iter().map(|c| c.material.density));
-    let yields = courses.iter().filter_map(|c| c.material.yield_strength);
-    let strength = Scale::of(Dimension::Stress, yields);
+    // Without any, the unit of those of metals.
+    const USUAL: f64 = 200e6;
+    let yields: Vec<f64> = courses.iter().filter_map(|c| c.material.yield_strength).collect();
+    let strength = match yields.as_slice() {
+        [] => Scale::of(Dimension::Stress, [USUAL]),
+        some => Scale::of(Dimension::Stress, some.iter().copied()),
+    };
     let mut table = Table::new(vec![
         Column::numbers("Course", ""),
         Column::numbers("Height", height.symbol()),

@@ -1,5 +1,9 @@
 //! Calculation sheets: what stands elsewhere.
 
+/// Units within formulas, of a report in other units than SI.
+pub const SUBSTITUTED: &str = "Numbers substituted into formulas are in SI, in which the constants of the formulas hold; the values beside them are in the \
+     units of this report.";
+
 /// Lines of an engine that does not decide; empty without any.
 pub fn left(count: usize) -> String {
     match count {
