@@ -16,7 +16,7 @@ fn wish(language: Language, units: System) -> (style::Wished, style::Scope) {
 
 const SAMPLE: &[(&str, &str)] = &[(
     "sample",
-    "base shear\nFundamentschub\n\n{} by method: {}.\n{1} je Verfahren: {2}.\n\nAt z = {#}, {}.\nBei z = {}, {}.\n\n\
+    "base shear\nGesamterdbebenkraft\n\n{} by method: {}.\n{1} je Verfahren: {2}.\n\nAt z = {#}, {}.\nBei z = {}, {}.\n\n\
      file {=}\nDatei {}\n\nHousner\nHousner\n\n{}, site\n{}, Standort\n\n{} {#}\n{} {}\n\n{}; {}\n{}; {}\n",
 )];
 
@@ -42,17 +42,17 @@ fn faults_of_a_file_are_named() {
 fn holes_are_filled_with_translations() {
     let catalogue = Catalogue::new(SAMPLE);
     for (english, german) in [
-        ("Base shear", "Fundamentschub"),
-        ("Base shear, site", "Fundamentschub, Standort"),
-        ("At z = 1.50 m, base shear.", "Bei z = 1,50\u{a0}m, Fundamentschub."),
+        ("Base shear", "Gesamterdbebenkraft"),
+        ("Base shear, site", "Gesamterdbebenkraft, Standort"),
+        ("At z = 1.50 m, base shear.", "Bei z = 1,50\u{a0}m, Gesamterdbebenkraft."),
         (
             "Base shear by method: Housner 1.2 kN; Housner, site 3.",
-            "Fundamentschub je Verfahren: Housner 1,2\u{a0}kN; Housner, Standort 3.",
+            "Gesamterdbebenkraft je Verfahren: Housner 1,2\u{a0}kN; Housner, Standort 3.",
         ),
         ("file a.1.csv", "Datei a.1.csv"),
         (
             "Base shear by method: 2. At z = 3 m, base shear.",
-            "Fundamentschub je Verfahren: 2. Bei z = 3\u{a0}m, Fundamentschub.",
+            "Gesamterdbebenkraft je Verfahren: 2. Bei z = 3\u{a0}m, Gesamterdbebenkraft.",
         ),
     ] {
         let mut missing = Vec::new();
@@ -66,7 +66,7 @@ fn what_is_missing_stays_and_is_named() {
     let catalogue = Catalogue::new(SAMPLE);
     let mut missing = Vec::new();
     let german = catalogue.translate("Base shear by method: strange thing 1.5.", &mut missing);
-    assert_eq!(german, "Fundamentschub je Verfahren: strange thing 1,5.");
+    assert_eq!(german, "Gesamterdbebenkraft je Verfahren: strange thing 1,5.");
     assert_eq!(missing, ["strange thing 1.5"]);
 }
 
@@ -95,11 +95,11 @@ fn a_page_keeps_its_markup() {
     let html = "<html lang=\"en\"><p id=\"base shear\">Base shear <code>base.shear 1.5</code></p>\
                 <svg viewBox=\"0 0 1.5 2.5\"><path d=\"M1.5 2\"/><text x=\"1.5\">1.5</text></svg>\
                 <math><mn>1.5</mn><mo>,</mo></math><td>S<sub>d</sub> 16\u{202f}312.5</td>";
-    let german = "<html lang=\"de\"><p id=\"base shear\">Fundamentschub <code>base.shear 1.5</code></p>\
+    let german = "<html lang=\"de\"><p id=\"base shear\">Gesamterdbebenkraft <code>base.shear 1.5</code></p>\
                   <svg viewBox=\"0 0 1.5 2.5\"><path d=\"M1.5 2\"/><text x=\"1.5\">1,5</text></svg>\
                   <math><mn>1,5</mn><mo>;</mo></math><td>S<sub>d</sub> 16\u{202f}312,5</td>";
     let html = html.replace("Base shear <code>", "Base shear</p><p><code>");
-    let german = german.replace("Fundamentschub <code>", "Fundamentschub</p><p><code>");
+    let german = german.replace("Gesamterdbebenkraft <code>", "Gesamterdbebenkraft</p><p><code>");
     assert_eq!(page(html), german);
     untranslated();
 }
