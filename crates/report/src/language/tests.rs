@@ -44,7 +44,10 @@ fn holes_are_filled_with_translations() {
     for (english, german) in [
         ("Base shear", "Gesamterdbebenkraft"),
         ("Base shear, site", "Gesamterdbebenkraft, Standort"),
-        ("At z = 1.50 m, base shear.", "Bei z = 1,50\u{a0}m, Gesamterdbebenkraft."),
+        (
+            "At z = 1.50 m, base shear.",
+            "Bei z = 1,50\u{a0}m, Gesamterdbebenkraft.",
+        ),
         (
             "Base shear by method: Housner 1.2 kN; Housner, site 3.",
             "Gesamterdbebenkraft je Verfahren: Housner 1,2\u{a0}kN; Housner, Standort 3.",
