@@ -174,7 +174,9 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         Err(error) => (None, reason(&error)),
     };
     if let Some(found) = compatibility.as_ref().filter(|found| !found.holds) {
-        set.job.warnings.push(Warning::new(Code::UnusualRecord, misses(found)));
+        set.job
+            .warnings
+            .push(Warning::new(Code::UnusualRecord, misses(found, set.records.len())));
     }
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
@@ -300,16 +302,30 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
     (0..sizes.len()).fold(0, |best, i| if sizes[i] > sizes[best] { i } else { best })
 }
 
-/// That a set does not stand for its target.
-fn misses(found: &Compatibility) -> String {
+/// In what a set of `count` records misses the rule for its target.
+fn misses(found: &Compatibility, count: usize) -> String {
     let least = found
         .periods
         .iter()
         .map(|p| p.smallest_ratio)
         .fold(f64::INFINITY, f64::min);
+    let mut reasons = Vec::new();
+    if count < found.fewest_records {
+        reasons.push(format!("{count} records of at least {}", found.fewest_records));
+    }
+    if found.periods.iter().any(|p| !p.holds) {
+        reasons.push(format!(
+            "smallest ratio of the mean spectra {least:.3} of {}",
+            found.share
+        ));
+    }
+    if let Some(peaks) = found.mean_zero_period_ratio.filter(|ratio| *ratio < 1.0) {
+        reasons.push(format!("mean of the peaks {peaks:.3} of the target"));
+    }
     format!(
-        "the set of records does not hold for its target spectrum ({}): smallest ratio of the means {least:.2}, factor with which it holds {:.3}",
-        found.clause, found.factor
+        "the set of records does not hold for its target spectrum ({}): {}",
+        found.clause,
+        reasons.join(", ")
     )
 }
 

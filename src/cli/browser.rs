@@ -193,10 +193,7 @@ mod tests {
 
     #[test]
     fn paths_are_addresses() {
-        assert_eq!(
-            address(Path::new("/tmp/a b/ü#.html")),
-            "file:///tmp/a%20b/%C3%BC%23.html"
-        );
+        assert_eq!(address(Path::new("/a b/ü#.html")), "file:///a%20b/%C3%BC%23.html");
         assert_eq!(address(Path::new("C:\\a\\b.html")), "file:///C:/a/b.html");
     }
 }

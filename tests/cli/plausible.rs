@@ -206,7 +206,7 @@ fn examples_have_no_warning() {
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("readable") {
             let path = entry.expect("readable").path();
-            // A study file and its results, and a set of records, are no tanks.
+            // Results, study files and sets of records do not describe a tank.
             if ["expected", "study.json", "set.json"]
                 .iter()
                 .any(|name| path.ends_with(name))

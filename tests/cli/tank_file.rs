@@ -75,7 +75,7 @@ fn examples_are_read_without_remarks() {
     let mut seen = 0;
     for folder in entries(&root).into_iter().filter(|path| path.is_dir()) {
         for path in entries(&folder) {
-            // A study file and a set of records are no tanks.
+            // Study files and sets of records do not describe a tank.
             let other = ["study.json", "set.json"].iter().any(|name| path.ends_with(name));
             if path.extension().is_some_and(|e| e == "json") && !other {
                 let file = read(&path);

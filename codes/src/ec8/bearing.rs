@@ -9,7 +9,8 @@
 //! ```
 //!
 //! N is the weight of liquid, wall and roof, with the vertical motion up or down; e = M′/N with the moment below the base plate. Base is
-//! the plan of the tank: a foundation that spreads the load, and its weight, are left out. The resistance is a given design value
+//! the plan of the tank: a foundation that spreads the load, and its weight, are left out. Anchors hold a tank to its foundation, so that one
+//! whose resultant leaves its plan has not failed: it is not checked. The resistance is a given design value
 //! (EN 1998-5 annex F, EN 1997-1).
 //!
 //! Source: EN 1998-5:2004 5.4.1.1, recalled; formulas derived here (no tension, plane distribution).
@@ -19,12 +20,15 @@ use std::f64::consts::PI;
 use super::limit_states::BEARING;
 use super::work::Work;
 use crate::sheet::{Sheet, Term, number};
-use tank::Shape;
 use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
+use tank::{Shape, Support};
 
 const CLAUSE: &str = "EN 1998-5:2004 5.4.1.1";
+/// Why the ground under an anchored tank is not compared where the resultant leaves its plan.
+pub(crate) const ON_ANCHORS: &str =
+    "the resultant leaves the plan of the tank, which is held to a foundation whose plan and weight are not an input";
 /// Path of the resistance.
 pub(crate) const RESISTANCE: &str = "site.ec8.bearing_capacity";
 
@@ -201,6 +205,9 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
     };
     match base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms)) {
         Bears::Pressure(pressure) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
+        Bears::Leaves { .. } if case.tank.support == Support::Anchored => {
+            work.without_comparison(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
+        }
         Bears::Leaves { limit } => {
             let note = format!("the resultant leaves the base; {note}");
             let name = "Moment that a base without tension carries";

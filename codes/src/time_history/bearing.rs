@@ -8,6 +8,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use tank::Support;
 use tank::assessment::{Check, CheckStatus};
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Acceleration, Force, Mass, Moment, Stress, Time};
@@ -15,7 +16,7 @@ use tank::units::Dimension::{Acceleration, Force, Mass, Moment, Stress, Time};
 use super::limit_states::BEARING;
 use super::search::Found;
 use super::work::Work;
-use crate::ec8::bearing::{Bears, RESISTANCE, base_lines, largest_pressure};
+use crate::ec8::bearing::{Bears, ON_ANCHORS, RESISTANCE, base_lines, largest_pressure};
 use crate::sheet::with_unit;
 
 /// The largest error that is stated: where the resultant nears the edge, the pressure grows without bound.
@@ -74,6 +75,9 @@ pub(super) fn assess(work: &mut Work<'_>) {
         Bears::Pressure(now) => (pressure(k, more) / now - 1.0).min(LARGEST_ERROR),
         Bears::Leaves { .. } => more,
     });
+    if work.case.tank.support == Support::Anchored && matches!(bears, Bears::Leaves { .. }) {
+        return work.without(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
+    }
     let clause = work.clause(BEARING);
     let note = "rigid base without tension, weight of the same instant, without bottom plate and foundation";
     let check = match bears {

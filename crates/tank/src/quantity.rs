@@ -131,8 +131,14 @@ impl Quantity {
                  rigid."
             }
             Quantity::ImpulsiveMass => "Liquid that moves with the wall: with its first mode, or with a rigid wall.",
-            Quantity::WallMass => "Part of the wall's mass that a method moves with the impulsive part.",
-            Quantity::RoofMass => "Part of the roof's mass that a method moves with the impulsive part.",
+            Quantity::WallMass => {
+                "Base shear of the wall's inertia in the impulsive part over its spectral acceleration: the wall's mass by the codes, γ Σ m φ \
+                 of the modes by the engine."
+            }
+            Quantity::RoofMass => {
+                "Base shear of the roof's inertia in the impulsive part over its spectral acceleration: the roof's mass by the codes, γ m φ of \
+                 the modes by the engine, which exceeds the mass where the mode moves the top most."
+            }
             Quantity::ConvectiveMass => "Liquid that moves with the first sloshing mode.",
             Quantity::BaseShear => "Horizontal force of the tank on its foundation.",
             Quantity::BaseMoment => {

@@ -11,6 +11,7 @@ use super::super::example::{check, line, site};
 use super::{circle, segment};
 use crate::Procedure;
 use crate::samples::{close, concrete_rectangle};
+use tank::Support;
 use tank::assessment::{CheckStatus, Excitation};
 use tank::case::{Case, Ec8Site};
 
@@ -115,9 +116,16 @@ fn strip() {
         let bearing = check(&a, "bearing");
         close(bearing.demand.unwrap() / expected, 1.0, 1e-6);
     }
-    // The resultant leaves the base.
-    let case = with(concrete_rectangle(1.0, true, site()), 1e9, 3.0, false);
-    assert!(!check(&En2006.assess(&case, Excitation::Site).unwrap(), "bearing").holds());
+    // The resultant leaves the base: a tank that stands fails, one that is held to a foundation is not decided.
+    let mut case = with(concrete_rectangle(1.0, true, site()), 1e9, 3.0, false);
+    for (support, status) in [
+        (Support::Unanchored, CheckStatus::Fails),
+        (Support::Anchored, CheckStatus::NotChecked),
+    ] {
+        case.tank.support = support;
+        let out = En2006.assess(&case, Excitation::Site).unwrap();
+        assert_eq!(check(&out, "bearing").status, status, "{support:?}");
+    }
 }
 
 #[test]

@@ -6,10 +6,10 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use tank::Shape;
 use tank::assessment::CheckStatus;
 use tank::case::{Case, Ec8Site};
 use tank::demand::Demands;
+use tank::{Shape, Support};
 
 use super::super::{Codes, assess as assess_all};
 use crate::samples::{case, course, steel};
@@ -87,20 +87,27 @@ fn half_a_circle_in_contact() {
 /// A channel 8 m long, 10 m high and 80 m broad: N/A + M/W within L/3, 2 N/(3 b (L − e)) at e = L/2, and no pressure beyond the edge.
 #[test]
 fn rectangle_within_beyond_and_outside_the_kern() {
-    let case = tank(Shape::Rectangle {
+    let mut case = tank(Shape::Rectangle {
         length: 8.0,
         breadth: 80.0,
         strip: false,
     });
     let normal = G * (1000.0 * 8.0 * 80.0 * 8.0 + 7850.0 * 2.0 * 88.0 * 10.0 * 0.01);
-    let found = |e: f64| {
+    let found = |case: &Case, e: f64| {
         let demands = shaken([e * normal, 0.0, 0.0], [0.0; 3]);
-        bearing(&case, &demands, &BTreeMap::new())
+        bearing(case, &demands, &BTreeMap::new())
     };
     let within = normal / 640.0 + normal / (80.0 * 64.0 / 6.0);
-    close(found(1.0).demand.unwrap(), within, 1e-9);
-    close(found(2.0).demand.unwrap(), 2.0 * normal / (3.0 * 80.0 * 2.0), 1e-9);
-    let outside = found(5.0);
+    close(found(&case, 1.0).demand.unwrap(), within, 1e-9);
+    close(
+        found(&case, 2.0).demand.unwrap(),
+        2.0 * normal / (3.0 * 80.0 * 2.0),
+        1e-9,
+    );
+    // A tank that is held to a foundation is not decided, one that stands fails.
+    assert_eq!(found(&case, 5.0).status, CheckStatus::NotChecked);
+    case.tank.support = Support::Unanchored;
+    let outside = found(&case, 5.0);
     close(outside.demand.unwrap(), 5.0 * normal, 1e-9);
     close(outside.capacity.unwrap(), 4.0 * normal, 1e-9);
     assert_eq!(outside.status, CheckStatus::Fails);

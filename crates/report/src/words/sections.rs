@@ -32,7 +32,7 @@ const ALL: &[Words] = &[
             ),
             ("design", "Design values: spectrum of the site"),
             ("record", "Under the record"),
-            ("standards", "Deciding:"),
+            ("standards", "Standards:"),
             ("who", "Name"),
             ("when", "Date"),
             ("signature", "Signature"),
