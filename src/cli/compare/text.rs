@@ -1,0 +1,194 @@
+//! What `compare` prints of its results: tables of quantities, CSV, the verdict.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use files::code::Code;
+use report::words::{self, terminal};
+use results::nonlinear::End;
+use results::{Channel, ComparisonRow, EngineId, Limit, Method, Results, Run, SeriesInfo};
+use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::outside::Outside;
+use tank::units;
+
+use crate::cli::table::Table;
+use crate::cli::terminal as stream;
+use crate::cli::{checks, style};
+
+/// Quantity × method for one excitation, values with their ratio to the engine.
+pub(super) fn table(results: &Results, excitation: Excitation) -> String {
+    let shown = |m: &Method| m.excitation == excitation && !m.quantities.is_empty();
+    let columns: Vec<usize> = results
+        .methods
+        .iter()
+        .enumerate()
+        .filter(|(_, m)| shown(m))
+        .map(|(i, _)| i)
+        .collect();
+    if columns.is_empty() {
+        return String::new();
+    }
+    let fe_here = columns.iter().any(|&i| results.methods[i].id == results::FE);
+    let head = std::iter::once(terminal::corner(excitation, results.reference().is_some(), fe_here))
+        .chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
+    let later = Later::of(results).filter(|_| excitation == Excitation::Record);
+    let mut table = Table::new(head);
+    for row in &results.comparison.rows {
+        let values: Vec<f64> = columns.iter().filter_map(|&i| row.cells[i].map(|c| c.value)).collect();
+        if values.is_empty() {
+            continue;
+        }
+        let unit = units::column_unit(values, row.dimension);
+        let cells = columns.iter().map(|&i| match row.cells[i] {
+            None => "–".to_string(),
+            Some(cell) => {
+                let value = units::significant(units::in_unit(cell.value, unit), 3);
+                let nonlinear = results.methods[i].id == EngineId::Nonlinear.beside();
+                let mark = match later
+                    .as_ref()
+                    .is_some_and(|l| nonlinear && l.peaks.contains_key(&row.quantity))
+                {
+                    true => "*",
+                    false => "",
+                };
+                let unusable = if cell.unusable { terminal::UNUSABLE } else { "" };
+                let outside = if cell.outside { terminal::OUTSIDE } else { "" };
+                let mark = format!("{mark}{unusable}{outside}");
+                match cell.ratio {
+                    Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
+                    None => format!("{value}{mark}"),
+                }
+            }
+        });
+        let title = format!("{} [{}]", row.title, unit.symbol);
+        table.row(std::iter::once(title).chain(cells));
+    }
+    let mut text = format!("{}\n", table.fitted(stream::width()));
+    let marked = |mark: fn(&results::Cell) -> bool| {
+        let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
+        results.comparison.rows.iter().any(of)
+    };
+    if marked(|c| c.unusable) {
+        let _ = writeln!(text, "{}", terminal::unusable());
+    }
+    let open = |why: &Outside| {
+        let of = |i: &usize| results.methods[*i].checks.iter();
+        let is = |c: &Check| c.status == CheckStatus::NotChecked && c.limit_state == why.limit_state();
+        columns.iter().flat_map(of).any(is)
+    };
+    // The column of the engine under the site's spectrum has no checks that give the reason.
+    let plates = results.tank.tank.bends_as_plates();
+    let alone = |why: &Outside| excitation == Excitation::Site && plates == (*why == Outside::Plates);
+    for why in Outside::ALL
+        .into_iter()
+        .filter(|why| marked(|c| c.outside) && (open(why) || alone(why)))
+    {
+        let _ = writeln!(text, "{}", terminal::outside(why));
+    }
+    let together = results
+        .reference()
+        .and_then(|run| terminal::components(&run.directions));
+    if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
+        let _ = writeln!(text, "{line}");
+    }
+    if let Some(later) = later {
+        let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
+    }
+    for method in results.methods.iter().filter(|m| m.excitation == excitation) {
+        if let Some(line) = terminal::not_applicable(method) {
+            let _ = writeln!(text, "{line}");
+        }
+    }
+    // Before what follows; the table has a line of its own after it.
+    if !text.ends_with("\n\n") {
+        text.push('\n');
+    }
+    text
+}
+
+/// Peaks of the linear run after the end of the nonlinear one.
+struct Later {
+    /// End of the nonlinear run [s].
+    end: f64,
+    /// Whether that is the end of the record.
+    completed: bool,
+    /// Quantity → time of the linear peak [s].
+    peaks: BTreeMap<String, f64>,
+}
+
+impl Later {
+    /// `None` if there is none.
+    fn of(results: &Results) -> Option<Later> {
+        let (linear, nonlinear) = (results.reference()?, results.beside(EngineId::Nonlinear)?);
+        let run = nonlinear.nonlinear.as_ref()?;
+        let end = *run.energies.time.last()?;
+        let mut peaks = BTreeMap::new();
+        for row in &results.comparison.rows {
+            let own = |s: &&SeriesInfo| Channel::compared(&s.id).is_some_and(|q| q.id() == row.quantity);
+            let histories = linear.histories.iter().filter(own);
+            if let Some(highest) = histories.max_by(|a, b| a.peak.abs().total_cmp(&b.peak.abs()))
+                && highest.time > end
+            {
+                peaks.insert(row.quantity.clone(), highest.time);
+            }
+        }
+        let completed = nonlinear.end == End::Completed;
+        (!peaks.is_empty()).then_some(Later { end, completed, peaks })
+    }
+}
+
+/// Quantities and checks, a value a line.
+pub(super) fn csv(results: &Results) -> String {
+    let mut text = String::from("method,excitation,quantity,value,unit,ratio_to_fe,usable\n");
+    for row in &results.comparison.rows {
+        for (method, cell) in results.methods.iter().zip(&row.cells) {
+            let Some(cell) = cell else { continue };
+            let excitation = terminal::excitation(method.excitation);
+            let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
+            let usable = if cell.unusable || cell.outside { "no" } else { "yes" };
+            let unit = style::unit(results, cell.value, row.dimension);
+            let (value, unit) = style::in_csv(cell.value, unit);
+            let _ = writeln!(
+                text,
+                "{},{excitation},{},{value:e},{unit},{ratio},{usable}",
+                method.id, row.quantity
+            );
+        }
+    }
+    text.push_str(&checks::csv(results));
+    text
+}
+
+/// Checks, verdict and exceeded limits.
+pub(super) fn verdict(results: &Results) -> String {
+    let mut text = String::new();
+    let verdict = &results.verdict;
+    text.push_str(&checks::tables(results));
+    let _ = writeln!(text, "{}", words::verdict::headline(verdict));
+    let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
+    if let Some(governing) = &verdict.governing {
+        let _ = writeln!(text, "  governing: {}", terminal::governing(governing));
+    }
+    if let Some(aside) = &verdict.record {
+        let governing = aside.governing.as_ref().map(terminal::governing);
+        let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();
+        let _ = writeln!(
+            text,
+            "{}{governing}",
+            words::verdict::record(aside, results.record_set.is_some())
+        );
+    }
+    // A limit that several engines exceed is printed once.
+    let mut told: Vec<&str> = Vec::new();
+    for run in &results.runs {
+        let exceeded: Vec<&Limit> = run.limits.iter().filter(|l| !l.holds).collect();
+        for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
+            let _ = writeln!(text, "{}: {}", Code::LimitExceeded.head(), terminal::exceeded(limit));
+        }
+        told.extend(exceeded.iter().map(|l| l.id.as_str()));
+    }
+    if results.runs.iter().any(Run::parted) {
+        let _ = writeln!(text, "{}: {}", Code::LiquidParted.head(), words::verdict::LIQUID_PARTED);
+    }
+    text
+}
