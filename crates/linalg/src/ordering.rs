@@ -2,7 +2,7 @@
 //!
 //! Nested dissection (George 1973): a separator S splits the graph into parts A and B without an edge between them; A
 //! is eliminated first, B next, S last, and the parts are split in turn. The separators are found from the positions
-//! of the nodes: for each of a few keys (x, y, z, x ± y, radius and angle about the vertical through the centre) the
+//! of the nodes: for each of a few keys (x, y, z, x ± y, radius and angle about the z axis and about the vertical through the centre) the
 //! graph is cut at five quantiles of the key; S is the smaller of the two layers of nodes that touch the cut. The
 //! cheapest of all candidates by |S| (1 + 2 (b − 1/2)), b = larger part/both parts, is used.
 //!
@@ -21,7 +21,7 @@ const LEAF: usize = 24;
 /// Cuts tried for each key, as quantiles.
 const QUANTILES: [f64; 5] = [0.40, 0.45, 0.50, 0.55, 0.60];
 /// Number of keys.
-const KEYS: usize = 7;
+const KEYS: usize = 9;
 /// Marks an absent entry.
 const NONE: u32 = u32::MAX;
 
@@ -152,9 +152,29 @@ impl Graph {
         let centre = [0, 1].map(|k| self.coordinates.iter().map(|c| c[k]).sum::<f64>() / n);
         let key = |&[x, y, z]: &[f64; 3]| {
             let (dx, dy) = (x - centre[0], y - centre[1]);
-            [z, dx, dy, dx.hypot(dy), dx + dy, dx - dy, dy.atan2(dx)]
+            [
+                z,
+                dx,
+                dy,
+                dx.hypot(dy),
+                dx + dy,
+                dx - dy,
+                dy.atan2(dx),
+                // Half of a round plate has its centre of mass off its axis.
+                x.hypot(y),
+                y.atan2(x),
+            ]
         };
-        self.coordinates.iter().map(key).collect()
+        let mut keys: Vec<[f64; KEYS]> = self.coordinates.iter().map(key).collect();
+        // Nodes of one ring or meridian have one key: a cut between the last digits of its nodes would be a zigzag.
+        for k in 0..KEYS {
+            let largest = keys.iter().fold(0.0_f64, |m, own| m.max(own[k].abs()));
+            if largest > 0.0 {
+                keys.iter_mut()
+                    .for_each(|own| own[k] = (own[k] / largest * 1e9).round());
+            }
+        }
+        keys
     }
 
     /// Nested dissection: nodes in order of elimination.

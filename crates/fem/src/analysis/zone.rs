@@ -226,6 +226,17 @@ impl Zone {
             true => outer_places.extend(place(&outer, pair(&outer_of, i, j)).map(|to| [p as u32, to])),
             false => inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to])),
         });
+        let by_position = {
+            let [interior, _] = split(&(0..size).map(|e| inside[e] && !touched[e]).collect::<Vec<bool>>());
+            let part = Symmetric::zeros(pattern.clone()).submatrix(&interior);
+            let node_of: Vec<usize> = interior.iter().map(|&e| dofs.unknown(e).0).collect();
+            let order = match Ordering::dissection(&part.pattern, &node_of, model.nodes()) {
+                Ordering::Given(order) => order,
+                Ordering::MinimumDegree => (0..interior.len()).collect(),
+            };
+            let all = order.iter().map(|&k| interior[k]).chain(border.iter().copied());
+            all.map(|e| inner_of[e] as usize).collect::<Vec<usize>>()
+        };
         let touched: Vec<u32> = border.iter().map(|&e| inner_of[e]).collect();
         let mut c_places = Vec::with_capacity(touched.len() * (touched.len() + 1) / 2);
         for (b, &j) in touched.iter().enumerate() {
@@ -259,20 +270,17 @@ impl Zone {
                 out
             })
             .collect();
-        // Of the two orders of the zone the one of fewer operations.
-        let analysed = |order: &Ordering| Symbolic::new(inner.clone(), order).map_err(failed(WHAT));
-        let dissected = analysed(&Ordering::Given((0..inner_order.len()).collect()))?;
-        let degree = analysed(&Ordering::MinimumDegree)?;
+        // Of two orders the one of fewer operations, in both of which come last those that the outside touches: these need not have a pivot of their own.
+        let analysed = |order| Symbolic::new(inner.clone(), &Ordering::Given(order)).map_err(failed(WHAT));
+        let [first, second] = [analysed((0..inner_order.len()).collect())?, analysed(by_position)?];
+        let fewest = if second.flops() < first.flops() { second } else { first };
         Ok(Zone {
             elements,
             sizes: [outside, inner_order.len()],
             outer_of,
             inner_of,
             outer,
-            inner: Arc::new(match degree.flops() < dissected.flops() {
-                true => degree,
-                false => dissected,
-            }),
+            inner: Arc::new(fewest),
             outer_places,
             inner_places,
             touched,

@@ -2,8 +2,13 @@
 //!
 //! ```text
 //! y_jk       displacement of the liquid's floor at ring j and meridian k, upwards; linear between the rings, still within the inmost one
-//! y_jk = Σ_i a_ji u_z,ik        a_ji = ∫ N_j N_i r dr/∫ N_j r dr    over the rings i of the plate, by a stiff spring
+//! y_jk = Σ_i a_ji u_z,ik + g_jk  a_ji = ∫ N_j N_i r dr/∫ N_j r dr    over the rings i of the plate
+//! W = κ_j g (y − Σ a u_z) − κ_j g²/2                                stationary in the gap g of a stiff spring κ_j = k ∫ N_j r dr Δθ
 //! ```
+//!
+//! Where the liquid is not assembled the gap is an unknown of its own: eliminated, it would join all displacements of a meridian under its function
+//! with each other, κ a aᵀ, and the factor of the plate would take three times the operations. Each of its terms is an element, so that nothing
+//! else is joined. Its pivot is negative, and y has none before it: y is eliminated after it ([`fem::analysis::zone`]).
 //!
 //! The condensed liquid has y among its unknowns as it has the wall's radial displacements, so that its pressure acts on the plate and the moving
 //! plate on the liquid, with one symmetric mass matrix: energy is kept. Few rings carry the pressure, which is smooth; the weights spread it
@@ -28,6 +33,18 @@ const STIFF: f64 = 1e10;
 /// Points of the weights in a ring of the plate.
 const GAUSS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
+/// What of a spring acts on the plate.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Share {
+    /// Number of an element.
+    pub element: usize,
+    /// Its unknowns, and those that are u_z of a node: place and ring.
+    pub size: usize,
+    pub places: Vec<(usize, usize)>,
+    /// Of the meridian [rad].
+    pub angle: f64,
+}
+
 /// The floor of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LiquidFloor {
@@ -46,8 +63,7 @@ impl LiquidFloor {
         LiquidFloor { radii, nodes }
     }
 
-    /// Joins the floor to the rings of the plate at these angles [rad]. Returns each spring with the rings under it, in the order of its dofs after
-    /// y, and its angle.
+    /// Joins the floor to the rings of the plate at these angles [rad], with the gaps as unknowns or without; returns the shares of the plate.
     ///
     /// Errors: those of the elements.
     pub(super) fn join(
@@ -56,28 +72,56 @@ impl LiquidFloor {
         builder: &mut Builder,
         rings: &[Vec<usize>],
         angles: &[f64],
-    ) -> Result<Vec<(usize, Vec<usize>, f64)>, FeError> {
+        with_gaps: bool,
+    ) -> Result<Vec<Share>, FeError> {
         let (shares, mut out) = (shares(angles), Vec::new());
         for (j, weights) in self.weights(plate).iter().enumerate() {
             let area: f64 = weights.iter().map(|w| w.1).sum();
-            for (k, share) in shares.iter().enumerate() {
-                let mut unknowns = vec![(self.nodes[j * shares.len() + k], Dof::Amplitude)];
-                unknowns.extend(weights.iter().map(|(ring, _)| (rings[*ring][k], Dof::Uz)));
-                let row: Vec<f64> = std::iter::once(1.0)
-                    .chain(weights.iter().map(|(_, weight)| -weight / area))
-                    .collect();
-                let n = row.len();
-                let mut matrix = Matrix::zeros(n, n);
-                for a in 0..n {
-                    for b in 0..n {
-                        matrix.add(a, b, STIFF * area * share * row[a] * row[b]);
-                    }
+            for (k, (share, &angle)) in shares.iter().zip(angles).enumerate() {
+                let stiffness = STIFF * area * share;
+                let on_plate = weights
+                    .iter()
+                    .map(|(ring, weight)| ((rings[*ring][k], Dof::Uz), -weight / area));
+                let own = (self.nodes[j * shares.len() + k], Dof::Amplitude);
+                let row: Vec<((usize, Dof), f64)> = std::iter::once((own, 1.0)).chain(on_plate).collect();
+                // Where it is, for the order of elimination.
+                let place = [self.radii[j] * angle.cos(), self.radii[j] * angle.sin(), 0.0];
+                let gap = with_gaps.then(|| (builder.node(place), Dof::Amplitude));
+                let mut spring = |unknowns: &[(usize, Dof)], terms: &[(usize, usize, f64)]| {
+                    let mut matrix = Matrix::zeros(unknowns.len(), unknowns.len());
+                    terms
+                        .iter()
+                        .for_each(|&(a, b, term)| matrix.add(a, b, stiffness * term));
+                    let spring = SuperElement::over(unknowns).and_then(|e| e.with_stiffness(matrix));
+                    spring.map(|e| builder.element(FLOOR, e)).map_err(failed)
+                };
+                let Some(gap) = gap else {
+                    let unknowns: Vec<_> = row.iter().map(|r| r.0).collect();
+                    let terms: Vec<_> = (0..row.len())
+                        .flat_map(|a| (0..row.len()).map(move |b| (a, b)))
+                        .map(|(a, b)| (a, b, row[a].1 * row[b].1))
+                        .collect();
+                    out.push(Share {
+                        element: spring(&unknowns, &terms)?,
+                        size: row.len(),
+                        places: weights
+                            .iter()
+                            .enumerate()
+                            .map(|(i, (ring, _))| (1 + i, *ring))
+                            .collect(),
+                        angle,
+                    });
+                    continue;
+                };
+                spring(&[own, gap], &[(0, 1, 1.0), (1, 0, 1.0), (1, 1, -1.0)])?;
+                for ((unknown, along), (ring, _)) in row[1..].iter().zip(weights) {
+                    out.push(Share {
+                        element: spring(&[*unknown, gap], &[(0, 1, *along), (1, 0, *along)])?,
+                        size: 2,
+                        places: vec![(0, *ring)],
+                        angle,
+                    });
                 }
-                let spring = SuperElement::over(&unknowns)
-                    .and_then(|e| e.with_stiffness(matrix))
-                    .map_err(failed)?;
-                let under = weights.iter().map(|(ring, _)| *ring).collect();
-                out.push((builder.element(FLOOR, spring), under, angles[k]));
             }
         }
         Ok(out)

@@ -112,8 +112,10 @@ impl<'a> Cylinder<'a> {
             StepLength::Adaptive => Some(Adaptive::DEFAULT),
         };
         if tank.contact() {
-            settings.newton = Options::for_contact();
-            settings.newton.zone = tank.zone.clone();
+            settings.newton = match tank.zone.clone() {
+                Some(zone) => Options::for_ground(zone),
+                None => Options::for_contact(),
+            };
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
         let interval = (record.duration() / LOOKS).max(record.dt);

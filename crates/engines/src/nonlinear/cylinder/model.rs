@@ -251,7 +251,7 @@ impl CylinderModel {
         if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
             standing.found(plate, case, &mut builder, options, &mut pressure_loads)?;
             if let Some(floor) = &floor {
-                standing.wet(plate, &mut builder, floor)?;
+                standing.wet(plate, &mut builder, floor, operator)?;
             }
         }
         let model = builder.build().map_err(failed)?;

@@ -24,7 +24,7 @@ use fem::state::{Gather, State};
 use tank::options::nonlinear::{Contact, NonlinearOptions};
 use tank::{Case, LayerKind, Support};
 
-use super::floor::LiquidFloor;
+use super::floor::{LiquidFloor, Share};
 use super::model::CylinderModel;
 use super::recorded::row;
 use crate::FeError;
@@ -67,8 +67,8 @@ pub(crate) struct Standing {
     anchors: Vec<(usize, Anchor)>,
     /// Number of anchors at every node of the foot.
     bolts: Vec<f64>,
-    /// Springs of the liquid's floor, with the radii of the rings and the angle of the meridian.
-    floor: Vec<(usize, Vec<usize>, f64)>,
+    /// Shares of the plate in the springs of the liquid's floor.
+    floor: Vec<Share>,
 }
 
 /// What carries the base shear.
@@ -227,8 +227,14 @@ impl Standing {
     /// Joins the liquid's floor to the plate.
     ///
     /// Errors: those of the elements.
-    pub(super) fn wet(&mut self, plate: &Plate, builder: &mut Builder, floor: &LiquidFloor) -> Result<(), FeError> {
-        self.floor = floor.join(plate, builder, &self.placed.rings, &self.angles)?;
+    pub(super) fn wet(
+        &mut self,
+        plate: &Plate,
+        builder: &mut Builder,
+        floor: &LiquidFloor,
+        with_gaps: bool,
+    ) -> Result<(), FeError> {
+        self.floor = floor.join(plate, builder, &self.placed.rings, &self.angles, with_gaps)?;
         Ok(())
     }
 
@@ -261,9 +267,12 @@ impl Standing {
             },
             true => {
                 let rings = self.placed.ground.iter().zip(&self.radii);
-                let floor = self.floor.iter().map(|(element, rings, angle)| {
-                    let up = rings.iter().map(|r| -copies * self.radii[*r] * angle.cos());
-                    (*element, std::iter::once(0.0).chain(up).collect())
+                let floor = self.floor.iter().map(|share| {
+                    let mut force = vec![0.0; share.size];
+                    for &(place, ring) in &share.places {
+                        force[place] = -copies * self.radii[ring] * share.angle.cos();
+                    }
+                    (share.element, force)
                 });
                 let foot = self.anchors.iter().zip(&self.angles).map(|((e, _), angle)| {
                     let lever = self.radii[self.foot] * angle.cos();

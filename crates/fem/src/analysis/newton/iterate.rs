@@ -92,7 +92,6 @@ impl Newton<'_> {
                 // Loads that are elements themselves (follower pressure) are part of the forces and vanish with them.
                 || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
             {
-                self.note_iterations(iteration);
                 return Ok(StepReport {
                     iterations: iteration,
                     residuals,
@@ -131,6 +130,10 @@ impl Newton<'_> {
             if iteration == 0 {
                 first = energy;
                 self.reference = self.reference.max(energy);
+            }
+            // Neither another tangent outside of the zone nor more iterations bring such a step back; a shorter one converges.
+            if self.zoned.is_some() && iteration > 1 && energy > first {
+                return Err(self.divergence(iteration, norm));
             }
             slope = Some(work);
             if self.options.line_search {

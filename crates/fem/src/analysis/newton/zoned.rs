@@ -14,10 +14,9 @@ use crate::element::Want;
 use crate::linalg::Symmetric;
 use crate::state::State;
 
-/// Slow iterations in succession with the same contact after which the tangent outside of the zone is renewed.
-const SLUGGISH: usize = 2;
-/// A step of more iterations has an old tangent outside of the zone.
-const MANY: usize = 8;
+/// Slow iterations in succession with the same contact after which the tangent outside of the zone is renewed: most are slow by what the zone
+/// does, and full Newton is as slow.
+const SLUGGISH: usize = 4;
 
 /// Tangents of a zone and what decides about them.
 pub(super) struct Zoned {
@@ -28,8 +27,6 @@ pub(super) struct Zoned {
     switches: Vec<bool>,
     /// Slow iterations in succession.
     slow: usize,
-    /// Whether the tangent outside is renewed at the next opportunity.
-    stale: bool,
     /// Everything in every iteration.
     pub(super) whole: bool,
 }
@@ -49,7 +46,6 @@ impl Zoned {
             own: Symmetric::zeros(assembler.pattern().clone()),
             switches: Vec::new(),
             slow: 0,
-            stale: false,
             whole: false,
         }
     }
@@ -66,7 +62,6 @@ impl Zoned {
         to.count(self.switches.len());
         self.switches.iter().for_each(|on| to.count(usize::from(*on)));
         to.count(self.slow);
-        to.count(usize::from(self.stale));
     }
 
     /// Errors: the end of the payload, numbers of another model.
@@ -78,7 +73,6 @@ impl Zoned {
             self.switches.push(from.count()? != 0);
         }
         self.slow = from.count()?;
-        self.stale = from.count()? != 0;
         Ok(())
     }
 }
@@ -92,7 +86,7 @@ impl Newton<'_> {
         };
         let changed = set != zoned.switches;
         zoned.slow = if slow && !changed { zoned.slow + 1 } else { 0 };
-        let renew = if !current || zoned.whole || zoned.stale || zoned.slow > SLUGGISH {
+        let renew = if !current || zoned.whole || zoned.slow > SLUGGISH {
             Renew::Whole
         } else if changed || slow {
             Renew::Zone
@@ -101,7 +95,6 @@ impl Newton<'_> {
         };
         if renew == Renew::Whole {
             zoned.slow = 0;
-            zoned.stale = false;
         }
         zoned.switches = set;
         renew
@@ -161,13 +154,6 @@ impl Newton<'_> {
     pub(super) fn end_whole(&mut self) {
         if let Some(zoned) = &mut self.zoned {
             zoned.whole = false;
-        }
-    }
-
-    /// Notes the iterations of a step that has converged.
-    pub(super) fn note_iterations(&mut self, iterations: usize) {
-        if let Some(zoned) = &mut self.zoned {
-            zoned.stale = iterations > MANY && !zoned.whole;
         }
     }
 }
