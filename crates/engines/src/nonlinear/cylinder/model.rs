@@ -29,6 +29,7 @@ use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
 use tank::Case;
 use tank::Shape;
+use tank::Support;
 
 use super::contact::{JOINT, Join, Joints};
 use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
@@ -321,11 +322,13 @@ impl CylinderModel {
             },
         };
         out.wall_omega = match out.imperfections.is_empty() {
-            // A tank that slides has the damping of one that is kept in place.
-            true if super::standing::slides(case) && out.standing.is_some() => {
-                let mut kept = case.clone();
-                kept.tank.foundation.iter_mut().for_each(|f| f.friction = None);
-                CylinderModel::new(&kept, options)?.wall_omega
+            // A tank on its bottom has the damping of the wall held at its foot, as in the harmonic engine: plate and ground carry nothing in the
+            // state without weight, where the first mode would be that of a tank that hangs on its plate.
+            true if out.standing.is_some() => {
+                let mut held = case.clone();
+                held.tank.support = Support::Anchored;
+                held.tank.anchors = None;
+                CylinderModel::new(&held, options)?.wall_omega
             }
             true => out.first_wall_mode()?,
             // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
