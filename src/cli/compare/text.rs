@@ -99,7 +99,7 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
             let _ = writeln!(text, "{line}");
         }
     }
-    // Before what follows; the table has a line of its own after it.
+    // A blank line separates the table from what follows; the notes under a table end without one.
     if !text.ends_with("\n\n") {
         text.push('\n');
     }
@@ -117,7 +117,7 @@ struct Later {
 }
 
 impl Later {
-    /// `None` if there is none.
+    /// `None` without a nonlinear run, or where no linear peak is later.
     fn of(results: &Results) -> Option<Later> {
         let (linear, nonlinear) = (results.reference()?, results.beside(EngineId::Nonlinear)?);
         let run = nonlinear.nonlinear.as_ref()?;

@@ -181,9 +181,10 @@ pub(super) fn integration(
         label(
             "damping of the first mode of wall and liquid",
             format!(
-                "{} % at {} rad/s, initial stiffness",
+                "{} % at {} rad/s, initial stiffness{}",
                 significant(100.0 * tank.wall_ratio, 3),
-                significant(tank.wall_omega, 4)
+                significant(tank.wall_omega, 4),
+                if tank.standing.is_some() { ", foot held" } else { "" }
             ),
         ),
     ];

@@ -6,9 +6,9 @@
 //! W = κ_j g (y − Σ a u_z) − κ_j g²/2                                stationary in the gap g of a stiff spring κ_j = k ∫ N_j r dr Δθ
 //! ```
 //!
-//! Where the liquid is not assembled the gap is an unknown of its own: eliminated, it would join all displacements of a meridian under its function
-//! with each other, κ a aᵀ, and the factor of the plate would take three times the operations. Each of its terms is an element, so that nothing
-//! else is joined. Its pivot is negative, and y has none before it: y is eliminated after it ([`fem::analysis::zone`]).
+//! The gap g stays an unknown where the liquid is an operator. Eliminating it would couple all displacements of a meridian under one function,
+//! κ a aᵀ, and triple the operations of the plate's factor. One element carries each term of W, which couples no other pair of unknowns. The pivot of g
+//! is negative; y has no stiffness of its own and must be eliminated after g ([`fem::analysis::zone`]).
 //!
 //! The condensed liquid has y among its unknowns as it has the wall's radial displacements, so that its pressure acts on the plate and the moving
 //! plate on the liquid, with one symmetric mass matrix: energy is kept. Few rings carry the pressure, which is smooth; the weights spread it

@@ -322,8 +322,8 @@ impl CylinderModel {
             },
         };
         out.wall_omega = match out.imperfections.is_empty() {
-            // A tank on its bottom has the damping of the wall held at its foot, as in the harmonic engine: plate and ground carry nothing in the
-            // state without weight, where the first mode would be that of a tank that hangs on its plate.
+            // As in the harmonic engine, the mode of the wall held at its foot sets the damping of a tank on its bottom. In the state without weight
+            // the ground carries nothing, and the first mode would be that of a tank that hangs on its plate.
             true if out.standing.is_some() => {
                 let mut held = case.clone();
                 held.tank.support = Support::Anchored;

@@ -47,6 +47,27 @@ pub(super) fn slender() -> Case {
     case
 }
 
+/// A tank on its bottom is damped at the first mode of the wall held, that of the harmonic engine: another element on 48 sectors and 24 rows,
+/// whose frequency is within 1 % of it for a held wall (`small_shaking_is_linear`). Sliding, or on anchors, it is the same.
+#[test]
+fn the_damping_is_that_of_the_held_wall() {
+    let case = shaken(slender(), 0.05, 10);
+    let linear_options = crate::Options {
+        mesh_error: false,
+        ..crate::Options::default()
+    };
+    let linear = crate::simulate(&case, &linear_options).unwrap();
+    let period = linear.values[&tank::Quantity::ImpulsivePeriod];
+    let mut sliding = case.clone();
+    sliding.tank.foundation.as_mut().unwrap().friction = Some(0.4);
+    for case in [case, sliding, anchored(1e12)] {
+        let tank = CylinderModel::new(&case, &options(&case, 24, 48)).unwrap();
+        assert!(tank.standing.is_some());
+        let found = std::f64::consts::TAU / tank.wall_omega;
+        assert!((found / period - 1.0).abs() < 0.01, "{found} s, expected {period} s");
+    }
+}
+
 /// The shock lifts the foot on one side by millimetres and presses it on the other, where the wall is compressed; the plate yields at
 /// its weld. Work and energies agree to rounding, since the ground is elastic: 1e-6 of the energy put in.
 #[test]
