@@ -4,6 +4,7 @@
 //! modes      q̈_n + 2 ξ_n ω_n q̇_n + ω_n² q_n = −Γ_n A − Γ_n^ψ ψ̈                     A = a_g + s̈
 //! moment     Σ Γ_n^ψ q̈_n + S A + J ψ̈ + M_b(ψ, history) + c_ψ ψ̇ = 0
 //! shear      I = Σ Γ_n q̈_n + m A + S ψ̈ = −f          |f| ≤ μ N ,  N = W (1 + a_v/g)
+//!            f = Σ_j clamp(k_j (s − s_j), ±m_j N/W)   of a plate dragged along the ground ([`crate::Drag`])
 //! base       M_b = (1 − η) M(ψ, p_b) + η Σ_i clamp(k_i (ψ − s_i), ±m_i)
 //! ```
 //!
@@ -29,7 +30,7 @@ use energy::Rates;
 
 use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
-use crate::law::{Law, Response};
+use crate::law::{Law, Response, Spring};
 
 /// A body in its modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +69,10 @@ pub struct Friction {
     pub weight: f64,
     /// Vertical ground acceleration over g at each step; empty without.
     pub vertical: Vec<f64>,
+    /// The bottom plate on the ground as springs that slip at μ W altogether ([`crate::Drag`]); empty where all of it sticks or slides.
+    pub springs: Vec<Spring>,
+    /// What a dashpot along the ground resists with per velocity, over the stiffness of the springs that stick [s].
+    pub delay: f64,
 }
 
 /// What is given to a run.
@@ -120,6 +125,8 @@ pub struct History {
     pub anchor_place: Vec<usize>,
     /// Largest force of each anchor of the run [N], by its place in the ring.
     pub anchor_peaks: Vec<f64>,
+    /// Whether all of the bottom slid at once.
+    pub slid: bool,
     /// The anchors at the end.
     pub bolts: Bolts,
     /// Energies at the end [J].
@@ -143,7 +150,7 @@ pub struct Energy {
     pub anchors: f64,
     /// Radiated by the dashpot of the base.
     pub base_radiated: f64,
-    /// Lost in friction.
+    /// Lost in friction, and the little that a plate dragged along the ground stores.
     pub friction: f64,
     /// Kinetic, and stored in the body.
     pub body: f64,
@@ -170,6 +177,14 @@ struct State {
     shear: f64,
     /// s̈ at the instant of the forces [m/s²].
     slipping: f64,
+    /// Slips of the springs along the ground, and their force [N].
+    along: Vec<f64>,
+    drag: f64,
+    /// The dashpot along the ground in this step [N s/m], and its force [N].
+    dashpot: f64,
+    dashed: f64,
+    /// Whether all of the bottom slides.
+    slides: bool,
 }
 
 /// Newton's iterations of a step, before an equilibrium is enclosed and halved.
@@ -203,6 +218,11 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         moment: 0.0,
         shear: 0.0,
         slipping: 0.0,
+        along: vec![0.0; run.friction.as_ref().map_or(0, |f| f.springs.len())],
+        drag: 0.0,
+        dashpot: 0.0,
+        dashed: 0.0,
+        slides: false,
     };
     let mut history = History::default();
     let mut sums = Energy::default();
@@ -223,7 +243,10 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
             let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(&before) + f(&rates));
             sums.input += mean(|r| r.input);
             sums.viscous += mean(|r| r.viscous);
-            sums.friction += mean(|r| r.friction);
+            sums.friction += match state.along.is_empty() {
+                true => mean(|r| r.friction),
+                false => 0.5 * (before.drag + rates.drag) * (state.slip[0] - before.slip),
+            };
             sums.base_radiated += mean(|r| r.radiated);
             sums.base_hysteretic += run.hysteretic * state.lost;
             sums.anchors += state.cost;
@@ -237,6 +260,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         history.rotation.push(state.psi[0]);
         history.rotational_acceleration.push(state.psi[2]);
         history.slip.push(state.slip[0]);
+        history.slid |= state.slides;
         history.acceleration.push(state.slipping);
         history.pressure.push(state.pressure);
         history.moment.push(rates.moment);
@@ -295,6 +319,16 @@ fn predicted(x: &[f64; 3], h: f64) -> [f64; 2] {
     ]
 }
 
+/// A motion at the end of a step with the acceleration at the instant of the forces.
+fn moved(x: &[f64; 3], acceleration: f64, h: f64) -> [f64; 3] {
+    let [place, velocity] = predicted(x, h);
+    [
+        place + BETA * h * h * acceleration,
+        velocity + GAMMA * h * acceleration,
+        acceleration,
+    ]
+}
+
 /// Inertia of a mode in a step, and its force without the accelerations of the step.
 fn modal(mode: &BodyMode, q: &[f64; 3], h: f64) -> (f64, f64) {
     let (c, k) = (2.0 * mode.damping * mode.omega, mode.omega * mode.omega);
@@ -335,13 +369,29 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
         .as_ref()
         .map(|f| (1.0 - BEGIN) * f.at(i) + BEGIN * f.at(i - 1));
     let shear = |[a, b]: [f64; 2]| sums.shift[0] + sums.shift[1] * a + sums.shift[2] * b;
+    if let (Some(friction), Some(limit), false) = (&run.friction, limit, state.along.is_empty()) {
+        let held = limit / (friction.coefficient * friction.weight);
+        state.dashpot = friction.delay * friction.drag(state.slip[0], held, &state.along).tangent;
+        let found = accelerations(run, state, &sums, ground, Way::Dragged(held))?;
+        advance(run, state, &sums, found);
+        let slipping = found[0] - ground;
+        state.slip = moved(&state.slip, slipping, h);
+        let answer = friction.drag(state.slip[0], held, &state.along);
+        (state.drag, state.slides) = (answer.moment, answer.tangent == 0.0);
+        // Spring and dashpot together hold no more than friction.
+        let most = held * friction.most();
+        state.dashed = (state.drag + state.dashpot * state.slip[1]).clamp(-most, most) - state.drag;
+        friction.commit(state.slip[0], held, &mut state.along);
+        (state.shear, state.slipping) = (shear(found), slipping);
+        return Ok(());
+    }
     // Sticking, or sliding if friction does not hold: direction of the inertia force, A and ψ̈.
     let hold = |state: &State| -> Result<(f64, [f64; 2]), BaseError> {
-        let stuck = accelerations(run, state, &sums, ground, None)?;
+        let stuck = accelerations(run, state, &sums, ground, Way::Stuck)?;
         match limit {
             Some(limit) if shear(stuck).abs() > limit => {
                 let sliding = shear(stuck).signum();
-                let found = accelerations(run, state, &sums, ground, Some(sliding * limit))?;
+                let found = accelerations(run, state, &sums, ground, Way::Sliding(sliding * limit))?;
                 Ok((sliding, found))
             }
             _ => Ok((0.0, stuck)),
@@ -350,7 +400,7 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     let (sliding, found) = match (state.sliding, limit) {
         (0.0, _) | (_, None) => hold(state)?,
         (direction, Some(limit)) => {
-            let force = Some(direction * limit);
+            let force = Way::Sliding(direction * limit);
             (direction, accelerations(run, state, &sums, ground, force)?)
         }
     };
@@ -367,6 +417,7 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     advance(run, state, &sums, found);
     state.shear = shear(found);
     (state.sliding, state.slipping) = (sliding, slipping);
+    state.slides = sliding != 0.0;
     match back {
         None => {
             let way = h * state.slip[1] + 0.5 * h * h * acceleration;
@@ -394,35 +445,86 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     Ok(())
 }
 
-/// A and ψ̈ in a step: the shear is `force` where the body slides.
-fn accelerations(
-    run: &Run<'_>,
-    state: &State,
-    sums: &Sums,
-    ground: f64,
-    force: Option<f64>,
-) -> Result<[f64; 2], BaseError> {
-    let h = run.step;
-    let translation = |b: f64| match force {
-        Some(force) => (force - sums.shift[0] - sums.shift[2] * b) / sums.shift[1],
-        None => ground,
+/// How the body moves along the ground in a step.
+#[derive(Clone, Copy)]
+enum Way {
+    Stuck,
+    /// Under this shear [N].
+    Sliding(f64),
+    /// On springs whose limits are this many times those at rest.
+    Dragged(f64),
+}
+
+/// A in a step and its derivative by ψ̈, where ψ̈ is known.
+fn translation(run: &Run<'_>, state: &State, sums: &Sums, (ground, way): (f64, Way), b: f64) -> [f64; 2] {
+    let [constant, mass, turning] = sums.shift;
+    let (held, friction) = match (way, &run.friction) {
+        (Way::Sliding(force), _) => return [(force - constant - turning * b) / mass, -turning / mass],
+        (Way::Dragged(held), Some(friction)) => (held, friction),
+        _ => return [ground, 0.0],
     };
+    let h = run.step;
+    let [place, velocity] = predicted(&state.slip, h);
+    let share = (1.0 - BEGIN) * BETA * h * h;
+    let most = held * friction.most();
+    // Mass and springs resist the more, the larger s̈ is: one root.
+    let mut c = state.slip[2];
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut stiff = 0.0;
+    for _ in 0..ITERATIONS {
+        let answer = friction.drag(place + BETA * h * h * c, held, &state.along);
+        let along = answer.moment + state.dashpot * (velocity + GAMMA * h * c);
+        let slides = along.abs() > most;
+        let along = along.clamp(-most, most);
+        let terms = [
+            constant,
+            mass * (ground + c),
+            turning * b,
+            (1.0 - BEGIN) * along,
+            BEGIN * (state.drag + state.dashed),
+        ];
+        let residual: f64 = terms.iter().sum();
+        stiff = match slides {
+            true => 0.0,
+            false => share * answer.tangent + (1.0 - BEGIN) * state.dashpot * GAMMA * h,
+        };
+        let scale = terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        if residual.abs() <= 1e-13 * scale {
+            break;
+        }
+        if residual < 0.0 {
+            low = c;
+        } else {
+            high = c;
+        }
+        let mut next = c - residual / (mass + stiff);
+        if !(low..=high).contains(&next) {
+            next = 0.5 * (low + high);
+        }
+        if next == c {
+            break;
+        }
+        c = next;
+    }
+    [ground + c, -turning / (mass + stiff)]
+}
+
+/// A and ψ̈ in a step.
+fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Way) -> Result<[f64; 2], BaseError> {
+    let h = run.step;
+    let translation = |b: f64| translation(run, state, sums, (ground, way), b);
     let Some(law) = run.law else {
-        return Ok([translation(0.0), 0.0]);
+        return Ok([translation(0.0)[0], 0.0]);
     };
     let predicted = predicted(&state.psi, h);
     let psi = |b: f64| predicted[0] + BETA * h * h * b;
     let velocity = |b: f64| predicted[1] + GAMMA * h * b;
-    let slope = match force {
-        Some(_) => sums.turn[2] - sums.turn[1] * sums.shift[2] / sums.shift[1],
-        None => sums.turn[2],
-    };
     let mut b = state.psi[2];
     let mut scale = 0.0_f64;
     // Accelerations at which the base resists too little and too much; between them lies an equilibrium.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for iteration in 0..ITERATIONS {
-        let a = translation(b);
+        let [a, follows] = translation(b);
         let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
         let response = resist(run, law, state, (psi(b), pressure));
         let dashpot = run.dashpot * law.contact(psi(b));
@@ -443,6 +545,7 @@ fn accelerations(
         } else {
             high = b;
         }
+        let slope = sums.turn[2] + sums.turn[1] * follows;
         let tangent = slope + (1.0 - BEGIN) * (BETA * h * h * response.tangent.max(0.0) + GAMMA * h * dashpot);
         let mut next = b - residual / tangent;
         // The bottom pressure depends on ψ̈ and the dashpot on the contact, which the tangent does not know: what turns round is halved, what
@@ -460,7 +563,7 @@ fn accelerations(
         let change = next - b;
         b = next;
         if (BETA * h * h * change).abs() < 1e-16 {
-            return Ok([translation(b), b]);
+            return Ok([translation(b)[0], b]);
         }
     }
     Err(BaseError::Parameter {
@@ -485,19 +588,11 @@ fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) 
 /// Moves to the end of the step with these accelerations.
 fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
     let h = run.step;
-    let moved = |x: &[f64; 3], acceleration: f64| {
-        let [place, velocity] = predicted(x, h);
-        [
-            place + BETA * h * h * acceleration,
-            velocity + GAMMA * h * acceleration,
-            acceleration,
-        ]
-    };
     for (mode, q) in run.body.modes.iter().zip(&mut state.q) {
         let (inertia, force) = modal(mode, q, h);
-        *q = moved(q, (-mode.translation * a - mode.rotation * b - force) / inertia);
+        *q = moved(q, (-mode.translation * a - mode.rotation * b - force) / inertia, h);
     }
-    state.psi = moved(&state.psi, b);
+    state.psi = moved(&state.psi, b, h);
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
     if let Some(law) = run.law {
         let response = resist(run, law, state, (state.psi[0], state.pressure));
@@ -523,6 +618,35 @@ impl Friction {
     fn at(&self, i: usize) -> f64 {
         let vertical = self.vertical.get(i).copied().unwrap_or(0.0);
         (self.coefficient * self.weight * (1.0 + vertical)).max(0.0)
+    }
+
+    /// What all springs hold at rest [N].
+    fn most(&self) -> f64 {
+        self.springs.iter().map(|spring| spring.limit).sum()
+    }
+
+    /// Force of the springs at a slip [m] and its derivative; `held` is the pressure on the ground over that at rest.
+    fn drag(&self, slip: f64, held: f64, slips: &[f64]) -> Response {
+        let mut response = Response::default();
+        for (spring, own) in self.springs.iter().zip(slips) {
+            let (trial, limit) = (spring.stiffness * (slip - own), held * spring.limit);
+            response.moment += trial.clamp(-limit, limit);
+            if trial.abs() < limit {
+                response.tangent += spring.stiffness;
+            }
+        }
+        response
+    }
+
+    /// Lets the springs slip to where the body is [m].
+    fn commit(&self, slip: f64, held: f64, slips: &mut [f64]) {
+        for (spring, own) in self.springs.iter().zip(slips) {
+            let trial = spring.stiffness * (slip - *own);
+            let over = trial.abs() - held * spring.limit;
+            if over > 0.0 {
+                *own += over / spring.stiffness * trial.signum();
+            }
+        }
     }
 }
 

@@ -30,12 +30,12 @@ const MANY: [f64; 7] = [0.05, 0.12, 0.22, 0.35, 0.5, 0.75, 1.0];
 /// Steps of a strip on its way up.
 const WAY: usize = 24;
 
-/// A spring with friction.
+/// A spring with friction, against a rotation or against a displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
-    /// Stiffness k_i [N m].
+    /// Stiffness k_i [N m], [N/m].
     pub stiffness: f64,
-    /// Moment m_i at which it slips [N m].
+    /// Moment [N m] or force [N] at which it slips.
     pub limit: f64,
 }
 
@@ -52,12 +52,12 @@ pub struct Law {
     linear: f64,
 }
 
-/// Moment and its derivative.
+/// Moment or force and its derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Response {
-    /// M_b [N m].
+    /// M_b [N m], or the force along the ground [N].
     pub moment: f64,
-    /// dM_b/dψ [N m].
+    /// dM_b/dψ [N m], or that of the force by the displacement [N/m].
     pub tangent: f64,
 }
 

@@ -17,6 +17,7 @@ mod anchors;
 mod band;
 pub mod closed;
 mod curve;
+mod drag;
 mod edge;
 mod element;
 mod error;
@@ -35,6 +36,7 @@ mod tests;
 
 pub use anchors::{Anchors, Bolts, Cost, Pull, Ring};
 pub use curve::{Curve, Point};
+pub use drag::Drag;
 pub use edge::Edge;
 pub use error::BaseError;
 pub use ground::{Soil, subgrade_modulus};

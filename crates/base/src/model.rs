@@ -151,6 +151,16 @@ impl Base {
         self.bands.rim()
     }
 
+    /// The plate at a distance from the wall [m].
+    pub(crate) fn plate_at(&self, distance: f64) -> &Plate {
+        self.bands.at(distance)
+    }
+
+    /// Radial stiffness k₁₁ of the wall's edge [N/m²].
+    pub(crate) fn edge_stiffness(&self) -> f64 {
+        self.edge.stiffness().k[0][0]
+    }
+
     /// Thickness of the lowest course [m].
     pub fn wall_thickness(&self) -> f64 {
         self.edge.thickness
@@ -163,7 +173,7 @@ impl Base {
             .stress([point.axial_force, point.rim_moment, point.hold_down], point.rotation)
     }
 
-    /// A strip under a pressure on the plate [Pa].
+    /// A strip under a pressure on the plate [Pa], which the foot of the wall has, too: liquid that moves widens it and turns it.
     ///
     /// Errors: data without meaning.
     pub fn strip(&self, pressure: f64) -> Result<Strip, BaseError> {
@@ -185,7 +195,7 @@ impl Base {
     }
 
     fn bare(&self, pressure: f64) -> Result<Strip, BaseError> {
-        let rim = Rim::Wall(self.edge);
+        let rim = Rim::Wall(Edge { pressure, ..self.edge });
         Strip::new(
             self.bands.clone(),
             rim,

@@ -14,15 +14,17 @@
 //! | U14 to U17 | sliding in time | closed forms, an independent program |
 //! | U18 to U20 | loops of plates that yield | an independent program, strips around the rim, Masing's rule |
 //! | U21 to U23 | anchors that yield | closed forms |
+//! | U24 to U26 | bottom plate dragged along the ground | closed forms |
 //! | U30 to U34 | joint of wall and plate, either of which yields | the strips |
 
-use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
+use ::base::{Bands, Base, BaseError, Edge, Plan, Plate, Rim, Strip};
 use tank::reference::{case, material};
-use tank::{Case, Material, Shape};
+use tank::{Bottom, Case, Foundation, FoundationKind, Material, Shape, Support};
 
 use crate::Failure;
 
 pub(crate) mod anchors;
+pub(crate) mod drag;
 pub(crate) mod history;
 pub(crate) mod joint;
 pub(crate) mod loops;
@@ -95,6 +97,32 @@ impl Sample {
         let courses = [(lower, self.wall), (upper, (section - lower * self.wall) / upper)];
         let shape = Shape::Cylinder { radius: self.radius };
         case(shape, &courses, &steel, (self.density, self.fill))
+    }
+
+    /// The base of the tank where it stands on soil of 10⁸ N/m³.
+    fn standing(&self) -> Result<Base, Failure> {
+        let mut case = self.case();
+        let steel = case.tank.courses[0].material.clone();
+        case.tank.support = Support::Unanchored;
+        case.tank.bottom = Some(Bottom {
+            thickness: self.plate,
+            corrosion: 0.0,
+            width: None,
+            sketch: None,
+            projection: 0.0,
+            subgrade_modulus: None,
+            material: steel,
+        });
+        case.tank.foundation = Some(Foundation {
+            kind: FoundationKind::Soil,
+            stiffness: Some(1e8),
+            shear_wave_velocity: None,
+            soil_density: 1900.0,
+            soil_poisson_ratio: 1.0 / 3.0,
+            thickness: None,
+            friction: None,
+        });
+        Base::of(&case).map_err(|missing| Failure::from(format!("{missing:?}")))
     }
 
     fn strip(&self, yields: bool, modulus: f64, plan: Plan) -> Result<Strip, BaseError> {

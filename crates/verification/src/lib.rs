@@ -62,6 +62,7 @@ pub const ALL: &[&Benchmark] = &[
     &base::round::BENCHMARK,
     &base::rocking::BENCHMARK,
     &base::history::BENCHMARK,
+    &base::drag::BENCHMARK,
     &base::sliding::BENCHMARK,
     &base::anchors::BENCHMARK,
     &base::loops::BENCHMARK,

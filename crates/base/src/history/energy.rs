@@ -25,6 +25,8 @@ pub(super) struct Rates {
     pub(super) moment: f64,
     pub(super) shear: f64,
     pub(super) psi: f64,
+    pub(super) drag: f64,
+    pub(super) slip: f64,
 }
 
 impl Rates {
@@ -33,6 +35,8 @@ impl Rates {
         let (psi, s) = (state.psi, state.slip);
         let mut rates = Rates {
             psi: psi[0],
+            drag: state.drag,
+            slip: s[0],
             ..Rates::default()
         };
         let (mut shift, mut turn) = (0.0, 0.0);
@@ -42,6 +46,7 @@ impl Rates {
             shift += mode.translation * q[1];
             turn += mode.rotation * q[1];
         }
+        rates.viscous += state.dashed * s[1];
         rates.body += psi[1] * turn
             + s[1] * shift
             + 0.5 * body.second_moment * psi[1] * psi[1]

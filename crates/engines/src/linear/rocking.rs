@@ -17,7 +17,7 @@ mod words;
 use std::sync::Arc;
 
 use ::base::history::Friction;
-use ::base::{Anchors, Base, Soil};
+use ::base::{Anchors, Base, Drag, Soil};
 use results::channel::OnWall;
 use results::{BaseRun, BaseSpread, Channel, EngineId, Limit, Snapshots};
 use tank::case::GroundMotion;
@@ -141,12 +141,18 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    let setup = Setup {
+    let mut setup = Setup {
         thorough,
         known: known.cloned(),
         states,
         ..setup
     };
+    if let Some(friction) = &mut setup.friction {
+        match Drag::of(&base, friction.coefficient) {
+            Ok(drag) => friction.springs = drag.springs(),
+            Err(error) => return Free::NotComputed(words::missed(&error.into())),
+        }
+    }
     match run(&setup, &base, analysis) {
         Ok(free) => free,
         Err(missed) => Free::NotComputed(words::missed(&missed)),
@@ -296,6 +302,12 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
             coefficient,
             weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
             vertical: vertical.iter().map(|a| a / STANDARD_GRAVITY).collect(),
+            springs: Vec::new(),
+            // That of the wall at its impulsive mode, which the plate and the ground are a part of.
+            delay: model
+                .horizontal
+                .impulsive()
+                .map_or(0.0, |i| 2.0 * case.damping.impulsive / i.dominant.omega),
         }),
         soil: foundation.and_then(|f| {
             let velocity = f.shear_wave_velocity?;

@@ -377,8 +377,9 @@ impl Plate {
     }
 }
 
-/// A stiff spring against the mean displacement of the foot along x, ∫ (u_r cos θ − u_θ sin θ) dθ/π = 0: the tank does not slide, while the
-/// foot is free to move in and out. Returns its element and the weights that make ∫ of its force along x.
+/// A stiff spring against the displacement of the foot along itself, −2 ∫ u_θ sin θ dθ/π = 0 over half of it: the ground takes the shear as the wall
+/// hands it over, and the tank does not slide, while the foot is free to move in and out. A spring that also pushed across the foot would make the plate
+/// turn one into the other, V/s = 1.2·10¹⁰ N/m for plates of 8 mm. Returns its element and the weights that make ∫ of its force along x.
 pub(super) fn keep_in_place(
     builder: &mut Builder,
     angles: &[f64],
@@ -389,10 +390,9 @@ pub(super) fn keep_in_place(
     let mut unknowns = Vec::new();
     let (mut mean, mut along) = (Vec::new(), Vec::new());
     for ((&node, share), angle) in foot.iter().zip(shares(angles)).zip(angles) {
-        unknowns.extend([(node, Dof::Ux), (node, Dof::Uy)]);
-        let (s, c) = angle.sin_cos();
-        mean.extend([c * share / PI, -s * share / PI]);
-        along.extend([c, -s]);
+        unknowns.push((node, Dof::Uy));
+        mean.push(-2.0 * angle.sin() * share / PI);
+        along.push(-angle.sin());
     }
     let mut matrix = Matrix::zeros(mean.len(), mean.len());
     for (i, a) in mean.iter().enumerate() {

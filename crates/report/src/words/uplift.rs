@@ -57,7 +57,7 @@ pub const ENERGIES: [&str; 8] = [
     "Plastic joint",
     "Anchors that yield or break",
     "Radiated into the soil",
-    "Sliding",
+    "Friction under the bottom plate",
     "Kinetic and stored in wall and liquid",
 ];
 /// Head of the shares.

@@ -13,9 +13,8 @@ use std::f64::consts::{PI, TAU};
 
 use ::base::history::{Body, BodyMode, Run, march};
 use ::base::{Base, Law, Lifted, Plan, Rocking};
-use tank::{Bottom, Foundation, FoundationKind, Support};
 
-use super::{Sample, TANKS, failure};
+use super::{TANKS, failure};
 use crate::benchmark::{Benchmark, Part};
 use crate::soil::IMPULSIVE;
 use crate::{Answer, Failure, Reference, Row};
@@ -73,32 +72,6 @@ fn strips() -> Answer {
         }
     }
     Ok(rows)
-}
-
-/// The base of a tank.
-fn base(tank: &Sample) -> Result<Base, Failure> {
-    let mut case = tank.case();
-    let steel = case.tank.courses[0].material.clone();
-    case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        thickness: tank.plate,
-        corrosion: 0.0,
-        width: None,
-        sketch: None,
-        projection: 0.0,
-        subgrade_modulus: None,
-        material: steel,
-    });
-    case.tank.foundation = Some(Foundation {
-        kind: FoundationKind::Soil,
-        stiffness: Some(1e8),
-        shear_wave_velocity: None,
-        soil_density: 1900.0,
-        soil_poisson_ratio: 1.0 / 3.0,
-        thickness: None,
-        friction: None,
-    });
-    Base::of(&case).map_err(|missing| Failure::from(format!("{missing:?}")))
 }
 
 /// ∮ M dψ of the second cycle between ±ψ on the law.
@@ -164,7 +137,7 @@ fn turned() -> Answer {
     let mut rows = Vec::new();
     for (i, rotations) in [(1, [1e-3, 2e-3]), (2, [1e-3, 2e-3]), (3, [2e-3, 4e-3])] {
         let tank = &TANKS[i];
-        let base = base(tank)?;
+        let base = tank.standing()?;
         let rocking = base.rocking(-0.08, 0.25, true).map_err(failure)?;
         for psi in rotations {
             let law = Law::new(&rocking, 1.2 * psi).map_err(failure)?;
@@ -195,7 +168,7 @@ fn turned() -> Answer {
 
 fn shaken() -> Answer {
     let tank = &TANKS[2];
-    let base = base(tank)?;
+    let base = tank.standing()?;
     let law = Law::new(&base.rocking(-0.06, 0.25, true).map_err(failure)?, 3e-3).map_err(failure)?;
     let (_, _, [mass, arm, period]) = IMPULSIVE[1];
     let body = Body {

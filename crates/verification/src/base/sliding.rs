@@ -47,6 +47,8 @@ fn slide(ground: &[f64], step: f64, coefficient: f64, vertical: Vec<f64>) -> Res
             coefficient,
             weight: MASS * GRAVITY,
             vertical,
+            springs: Vec::new(),
+            delay: 0.0,
         }),
         rigid_pressure: [0.0; 2],
         step,

@@ -162,7 +162,7 @@ impl Moved {
             }
         }
         let mut held_shear = None;
-        if let (true, Some(probe)) = (self.slides(), model.horizontal.coupled.probe(Channel::BaseShear)) {
+        if let (true, Some(probe)) = (self.slid, model.horizontal.coupled.probe(Channel::BaseShear)) {
             let grid = moving.grid(motion, Integrator::Modal)?;
             let stride = stride(moving, &grid);
             let records = (&motion.horizontal, motion.vertical.as_ref());
@@ -233,10 +233,6 @@ impl Moved {
 
     fn value(&self, id: &str) -> f64 {
         self.result.quantity(id).map_or(0.0, |q| q.value.value)
-    }
-
-    fn slides(&self) -> bool {
-        self.value("slip") > 0.0
     }
 
     fn anchor(&self) -> Option<Peak> {

@@ -48,6 +48,8 @@ pub(crate) struct Moved {
     pub march: [f64; 2],
     /// Whether the bottom plate may yield.
     pub yields: bool,
+    /// Whether all of the bottom slid at once.
+    pub slid: bool,
     /// Stress of the lowest course at the joint at the largest uplift, and its yield strength [Pa].
     pub wall: Option<[f64; 2]>,
     /// Its histories at the steps of the record.
@@ -286,6 +288,7 @@ pub(super) fn moved(
         ],
         foot: states.foot,
         yields: base.yields(),
+        slid: found.history.slid,
         wall: base.wall_yield.map(|strength| {
             let point = found.laws.rocking.curve().at(peaks.uplift.0);
             [base.wall_stress(&point), strength]

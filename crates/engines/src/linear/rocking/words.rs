@@ -133,7 +133,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
          over the height of the course. Higher courses have the part with cos θ alone, as the envelope has above the foot.",
         "Mesh errors are the relative ones of the wall held down.",
         "The toe's stress contains the weight of wall and roof; it is the force per length over the thickness of the lowest course.",
-        "The suction on the lifted side acts on the strips; the pressure of a vertical motion does not.",
+        "The suction on the lifted side acts on the strips and on the foot of the wall; the pressure of a vertical motion does not.",
         "The liquid above the lifted crescent adds no inertia, and the liquid's floor stays at rest.",
     ]
     .map(String::from)
@@ -165,7 +165,8 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
             display(anchors.yield_force, Dimension::Force)
         ),
         (None, Some(friction)) => format!(
-            "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight.",
+            "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight. The foot of the wall drags the \
+             bottom plate along ground that is as stiff along its surface as across it; the plate slips from the wall inwards.",
             significant(friction.coefficient, 3),
             if setup.vertical {
                 ", with the vertical acceleration"
@@ -173,7 +174,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
                 ""
             }
         ),
-        (None, None) => "Without `tank.foundation.friction` the tank does not slide.".into(),
+        (None, None) => "Without `tank.foundation.friction` the tank does not slide, and the bottom plate does not give way along the ground.".into(),
     });
     list.push(if found.dashpot > 0.0 {
         "The soil under the rim radiates energy where it is in contact.".into()

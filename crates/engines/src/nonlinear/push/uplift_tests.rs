@@ -78,7 +78,8 @@ impl Progress for Until {
 }
 
 /// Where the foot is kept a plane, elastic plates have the moments of the strips from 10⁻³ rad on, within 3 %: strips neglect hoop forces,
-/// which makes them 1.3 to 1.8 % stiff against a plate of von Karman, and the impulsive pressure that turns the foot of the wall.
+/// which makes them 1.3 to 1.8 % stiff against a plate of von Karman. Before, where the ground under the rim carries, within 5 %: its springs stand at
+/// nodes two plate thicknesses apart. The impulsive pressure turns the foot of the wall; strips without that are 13 % stiff there.
 #[test]
 fn a_plane_foot_has_the_moments_of_the_strips() {
     let case = oil(205e9);
@@ -99,9 +100,11 @@ fn a_plane_foot_has_the_moments_of_the_strips() {
     let bases = shells[0].path.iter().filter_map(|p| p.base);
     let far: Vec<PushBase> = bases.filter(|b| b.rotation > 1e-3).collect();
     assert!(far.len() > 4 && far.iter().any(|b| b.uplift > 0.08), "{far:?}");
-    for base in far {
+    let bases = shells[0].path.iter().filter_map(|p| p.base);
+    for base in bases.filter(|b| b.rotation > 1e-5) {
         let ratio = base.moment / base.strips.unwrap();
-        assert!((ratio - 1.0).abs() < 0.03, "{ratio}: {base:?}");
+        let tolerance = if base.rotation > 1e-3 { 0.03 } else { 0.05 };
+        assert!((ratio - 1.0).abs() < tolerance, "{ratio}: {base:?}");
     }
 }
 

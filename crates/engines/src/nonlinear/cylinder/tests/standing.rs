@@ -80,7 +80,7 @@ fn a_shock_lifts_the_foot() {
         found.map(|h| h.peak).unwrap()
     };
     let [front, back] = Side::BOTH.map(|side| peak(Channel::Uplift(side)));
-    assert!(front > 1e-3 && back < 1e-4, "{front} {back}");
+    assert!(front > 1e-3 && back < 0.02 * front, "{front} {back}");
     let extremes = &run.result.nonlinear.as_ref().unwrap().extremes;
     let pressed = |side: Side| {
         let of = extremes.iter().find(|e| e.title == Channel::Uplift(side).title());
@@ -281,7 +281,8 @@ fn anchors_hold_the_foot_and_yield() {
     let lifted = [&strong, &weak].map(|run| peak(run, Channel::Uplift(Side::Front)));
     assert!(lifted[0] < lifted[1] && lifted[1] < free * 1.05, "{lifted:?} {free}");
     let force = peak(&strong, Channel::AnchorForce);
-    assert!((force / (2e7 * lifted[0]) - 1.0).abs() < 1e-3, "{force} {lifted:?}");
+    // The force is that of the recorded instants, the uplift that of every step.
+    assert!((force / (2e7 * lifted[0]) - 1.0).abs() < 5e-3, "{force} {lifted:?}");
     assert!((peak(&weak, Channel::AnchorForce) / 1e4 - 1.0).abs() < 1e-6);
     for run in [&strong, &weak] {
         assert_eq!(run.result.end, End::Completed);
