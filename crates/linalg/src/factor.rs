@@ -189,11 +189,6 @@ impl Factor {
             .expect("the analysis was made before the factor")
     }
 
-    /// Values of the factor, supernode after supernode.
-    pub(super) fn values(&self) -> &[f64] {
-        &self.values
-    }
-
     /// B ← A⁻¹ B for all columns.
     ///
     /// Errors: not enough memory.

@@ -1,16 +1,16 @@
 //! Plain `f64` linear algebra over faer; the only crate that uses faer, so that its generic code is compiled once.
 //!
-//! Everything runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
+//! Everything but [`Fronts`] runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
 //! second one.
 
 mod basis;
 mod dense;
 mod eigen;
 mod factor;
+mod fronts;
 mod lanczos;
 mod minres;
 mod ordering;
-mod partial;
 mod pencil;
 mod sparse;
 mod symbolic;
@@ -20,10 +20,10 @@ mod three_field;
 pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
 pub use factor::{Factor, Inertia, Kind};
+pub use fronts::{Fronts, Keep};
 pub use lanczos::{Modes, Search, modes};
 pub use minres::{Iterations, Precondition, minres};
 pub use ordering::Ordering;
-pub use partial::Partial;
 pub use pencil::{Pencil, Shifted, Sparse};
 pub use sparse::{SparseCholesky, Triplets};
 pub use symbolic::Symbolic;

@@ -6,13 +6,13 @@
 //! S + C          C = −B E⁻¹ Bᵀ, on the unknowns of the zone that E touches
 //! ```
 //!
-//! E is factored and C formed rarely, S + C whenever the zone has changed: what the ground does costs a factor of the zone. The liquid of
+//! E is factored and C formed rarely, S + C whenever iterations become slow: what the ground does costs a factor of the zone. The liquid of
 //! a wall is dense in E, and its factor takes ten to thirty times the operations of that of a zone.
 //!
 //! # Newton's method with an E that is kept
 //!
 //! Let F be the residual of a step, B(u) = A_E⁰ + A_S(u) with the tangent A_E⁰ of an earlier state outside of the zone and an element A_S(u) of
-//! the generalised Jacobian of the forces of the zone at u, whatever its set of pressed points is. The forces are piecewise smooth, so
+//! the generalised Jacobian of the forces of the zone at u, whatever its set of pressed points is, as after every slow iteration. The forces are piecewise smooth, so
 //! that F(u) = V(u) (u − u*) + o(|u − u*|), V(u) = A_E(u) + A_S(u) (semi-smoothness, Qi & Sun 1993), and with e = u − u*
 //!
 //! ```text
@@ -21,7 +21,8 @@
 //! ```
 //!
 //! since B ≥ A_E⁰. The rate is that of the tangent outside of the zone and does not depend on the set of pressed points: a set that changes in
-//! every iteration does not disturb it, because A_S is always that of the present set. A factor kept as a whole has no such bound: (A_S⁰ − A_S) is of
+//! every iteration does not disturb it, because A_S is that of the present set. Where few points change, as in most steps, an earlier A_S serves as well,
+//! and an iteration that shows that it does not makes way for the present one. A factor kept as a whole has no such bound: (A_S⁰ − A_S) is of
 //! the size of the ground's stiffness, a thousand times what remains where a point opens. δ is small, since A_E⁰ contains the inertia of the liquid
 //! (w_M M exceeds the stiffness of the wall a hundred times at steps of some milliseconds); where the wall outside of the zone
 //! yields, iterations become slow and E is factored anew.
@@ -33,7 +34,7 @@ use std::sync::Arc;
 use super::AnalysisError;
 use super::failed;
 use crate::assembly::Assembler;
-use crate::linalg::{Factor, Kind, LinalgError, Matrix, Ordering, Partial, Pattern, Symbolic, Symmetric};
+use crate::linalg::{Fronts, Keep, LinalgError, Ordering, Pattern, Symmetric};
 use crate::model::Model;
 
 /// Marks unknowns that are not in a part.
@@ -51,7 +52,7 @@ pub struct Zone {
     /// Position of each equation in the zone.
     inner_of: Vec<u32>,
     outer: Arc<Pattern>,
-    inner: Arc<Symbolic>,
+    inner: Arc<Pattern>,
     /// Places in the model's pattern and in those of the parts.
     outer_places: Vec<[u32; 2]>,
     inner_places: Vec<[u32; 2]>,
@@ -125,6 +126,18 @@ fn pattern_of(size: usize, pairs: impl Iterator<Item = (usize, usize)>, cliques:
     Pattern { starts, rows }
 }
 
+/// Unknowns of a part by dissection at the places of their nodes.
+fn dissected(model: &Model, pattern: &Arc<Pattern>, part: &[usize]) -> Vec<usize> {
+    let mut unknowns = part.to_vec();
+    unknowns.sort_unstable();
+    let own = Symmetric::zeros(pattern.clone()).submatrix(&unknowns);
+    let node_of: Vec<usize> = unknowns.iter().map(|&e| model.dofs().unknown(e).0).collect();
+    match Ordering::dissection(&own.pattern, &node_of, model.nodes()) {
+        Ordering::Given(order) => order.iter().map(|&k| unknowns[k]).collect(),
+        Ordering::MinimumDegree => unknowns,
+    }
+}
+
 /// Positions of two unknowns in a part, the larger one first.
 fn pair(of: &[u32], i: usize, j: usize) -> Option<(usize, usize)> {
     let (a, b) = (of[i], of[j]);
@@ -190,20 +203,19 @@ impl Zone {
         let outside = outer_order.len();
         let border: Vec<usize> = (0..size).filter(|&e| touched[e]).collect();
         outer_order.extend(&border);
-        let mut inner_order = apart(&|e| inside[e] && !touched[e]);
-        inner_order.extend(&border);
         let numbered = |order: &[usize]| {
             let mut of = vec![NONE; size];
             order.iter().enumerate().for_each(|(k, &e)| of[e] = k as u32);
             of
         };
-        let (outer_of, inner_of) = (numbered(&outer_order), numbered(&inner_order));
+        let outer_of = numbered(&outer_order);
         // Entries of the zone are not those of the outside.
         let is_outer = |i: usize, j: usize| !(inside[i] && inside[j]);
-        let mut pairs = [Vec::new(), Vec::new()];
-        each(&mut |i, j, _| match is_outer(i, j) {
-            true => pairs[0].extend(pair(&outer_of, i, j)),
-            false => pairs[1].extend(pair(&inner_of, i, j)),
+        let mut outer_pairs = Vec::new();
+        each(&mut |i, j, _| {
+            if is_outer(i, j) {
+                outer_pairs.extend(pair(&outer_of, i, j));
+            }
         });
         let last = |of: &[u32]| -> Vec<usize> { border.iter().map(|&e| of[e] as usize).collect() };
         let mut cliques = vec![last(&outer_of)];
@@ -213,30 +225,35 @@ impl Zone {
             clique.sort_unstable();
             cliques.push(clique);
         }
-        let [outer_pairs, inner_pairs] = pairs;
         let outer = Arc::new(pattern_of(outer_order.len(), outer_pairs.into_iter(), &cliques));
-        let inner = Arc::new(pattern_of(
-            inner_order.len(),
-            inner_pairs.into_iter(),
-            &[last(&inner_of)],
-        ));
+        // Of two orders the one of fewer operations, in both of which come last those that the outside touches: these need not have a pivot of their own.
+        let interior = apart(&|e| inside[e] && !touched[e]);
+        let mut choice: Option<(f64, Vec<u32>, Arc<Pattern>)> = None;
+        for order in [interior.clone(), dissected(model, &pattern, &interior)] {
+            let order: Vec<usize> = order.into_iter().chain(border.iter().copied()).collect();
+            let of = numbered(&order);
+            let mut pairs = Vec::new();
+            each(&mut |i, j, _| {
+                if !is_outer(i, j) {
+                    pairs.extend(pair(&of, i, j));
+                }
+            });
+            let places = Arc::new(pattern_of(order.len(), pairs.into_iter(), &[last(&of)]));
+            let fronts = Fronts::new(&places, order.len(), Keep::Double).map_err(failed(WHAT))?;
+            let flops = fronts.flops();
+            if choice.as_ref().is_none_or(|(fewest, ..)| flops < *fewest) {
+                choice = Some((flops, of, places));
+            }
+        }
+        let Some((_, inner_of, inner)) = choice else {
+            return Err(failed(WHAT)(LinalgError::Singular { size }));
+        };
         let place = |of: &Pattern, at: Option<(usize, usize)>| at.and_then(|(i, j)| of.place(i, j)).map(|p| p as u32);
         let (mut outer_places, mut inner_places) = (Vec::new(), Vec::new());
         each(&mut |i, j, p| match is_outer(i, j) {
             true => outer_places.extend(place(&outer, pair(&outer_of, i, j)).map(|to| [p as u32, to])),
             false => inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to])),
         });
-        let by_position = {
-            let [interior, _] = split(&(0..size).map(|e| inside[e] && !touched[e]).collect::<Vec<bool>>());
-            let part = Symmetric::zeros(pattern.clone()).submatrix(&interior);
-            let node_of: Vec<usize> = interior.iter().map(|&e| dofs.unknown(e).0).collect();
-            let order = match Ordering::dissection(&part.pattern, &node_of, model.nodes()) {
-                Ordering::Given(order) => order,
-                Ordering::MinimumDegree => (0..interior.len()).collect(),
-            };
-            let all = order.iter().map(|&k| interior[k]).chain(border.iter().copied());
-            all.map(|e| inner_of[e] as usize).collect::<Vec<usize>>()
-        };
         let touched: Vec<u32> = border.iter().map(|&e| inner_of[e]).collect();
         let mut c_places = Vec::with_capacity(touched.len() * (touched.len() + 1) / 2);
         for (b, &j) in touched.iter().enumerate() {
@@ -270,17 +287,13 @@ impl Zone {
                 out
             })
             .collect();
-        // Of two orders the one of fewer operations, in both of which come last those that the outside touches: these need not have a pivot of their own.
-        let analysed = |order| Symbolic::new(inner.clone(), &Ordering::Given(order)).map_err(failed(WHAT));
-        let [first, second] = [analysed((0..inner_order.len()).collect())?, analysed(by_position)?];
-        let fewest = if second.flops() < first.flops() { second } else { first };
         Ok(Zone {
             elements,
-            sizes: [outside, inner_order.len()],
+            sizes: [outside, inner.size()],
             outer_of,
             inner_of,
             outer,
-            inner: Arc::new(fewest),
+            inner,
             outer_places,
             inner_places,
             touched,
@@ -303,44 +316,42 @@ impl Zone {
 /// Factors of a matrix with a zone.
 pub struct ZoneSolver {
     zone: Arc<Zone>,
-    outside: Partial,
+    /// E and B, then their factor.
+    outer: Symmetric,
+    outside: Fronts,
     /// S without the elements of the zone, and C.
     rest: Vec<f64>,
     matrix: Symmetric,
-    inside: Option<Factor>,
+    inside: Fronts,
+    threads: usize,
 }
 
 impl ZoneSolver {
-    /// Memory for the factors.
+    /// Memory for the factors, kept as `keep` says.
     ///
     /// Errors: not enough of it.
-    pub fn new(zone: &Arc<Zone>) -> Result<ZoneSolver, LinalgError> {
-        let pattern = zone.inner.pattern().clone();
+    pub fn new(zone: &Arc<Zone>, keep: Keep, threads: usize) -> Result<ZoneSolver, LinalgError> {
+        let inner = &zone.inner;
         Ok(ZoneSolver {
-            outside: Partial::new(zone.outer.clone(), zone.sizes[0])?,
-            rest: vec![0.0; pattern.places()],
-            matrix: Symmetric::zeros(pattern),
-            inside: None,
+            outer: Symmetric::zeros(zone.outer.clone()),
+            outside: Fronts::new(&zone.outer, zone.sizes[0], keep)?,
+            rest: vec![0.0; inner.places()],
+            matrix: Symmetric::zeros(inner.clone()),
+            inside: Fronts::new(inner, inner.size(), keep)?,
             zone: zone.clone(),
+            threads,
         })
     }
 
-    /// A solver of `base` + `factor` `own` + the operators, `shares` times their mass and stiffness; `own` is that of the elements
-    /// of the zone.
-    ///
-    /// Errors: a zero pivot, not enough memory.
-    pub fn of(
-        zone: &Arc<Zone>,
-        base: &Symmetric,
-        own: Option<(f64, &Symmetric)>,
-        shares: &[[f64; 2]],
-    ) -> Result<ZoneSolver, LinalgError> {
-        let mut out = ZoneSolver::new(zone)?;
-        out.renew(base, own, shares)?;
-        Ok(out)
+    /// Keeps the next factor of the zone, and with `outside` that of the outside, in this precision.
+    pub fn keep_as(&mut self, keep: Keep, outside: bool) {
+        self.inside.keep_as(keep);
+        if outside {
+            self.outside.keep_as(keep);
+        }
     }
 
-    /// Factors both parts; arguments as for [`ZoneSolver::of`].
+    /// Factors `base` + `factor` `own` + the operators, `shares` times their mass and stiffness; `own` is that of the elements of the zone.
     ///
     /// Errors: a zero pivot, not enough memory; the solver must not be used then.
     pub fn renew(
@@ -350,7 +361,7 @@ impl ZoneSolver {
         shares: &[[f64; 2]],
     ) -> Result<(), LinalgError> {
         let zone = self.zone.clone();
-        let outer = &mut self.outside.matrix.values;
+        let outer = &mut self.outer.values;
         outer.fill(0.0);
         self.rest.fill(0.0);
         for &[from, to] in &zone.outer_places {
@@ -363,7 +374,7 @@ impl ZoneSolver {
             dense.outer.add(*share, outer);
             dense.inner.add(*share, &mut self.rest);
         }
-        let c = self.outside.factor(&bounds(&zone, &self.rest))?;
+        let c = self.outside.factor(&self.outer, self.threads)?;
         let mut places = zone.border.iter();
         for b in 0..c.cols {
             for (value, &p) in c.column(b)[b..].iter().zip(places.by_ref()) {
@@ -382,135 +393,45 @@ impl ZoneSolver {
             rest,
             matrix,
             inside,
+            threads,
             ..
         } = self;
-        factor_zone(zone, rest, matrix, inside, own)
+        matrix.values.copy_from_slice(rest);
+        if let Some((factor, own)) = own {
+            for &[from, to] in &zone.inner_places {
+                matrix.values[to as usize] += factor * own.values[from as usize];
+            }
+        }
+        inside.factor(matrix, *threads).map(|_| ())
     }
 
-    /// x = A⁻¹ b.
-    ///
-    /// Errors: no factor, not enough memory.
-    pub fn solve(&self, b: &[f64], x: &mut Vec<f64>) -> Result<(), LinalgError> {
-        let mut outer = eliminate(&self.zone, &self.outside, b);
-        self.complete(b, &mut outer, x)
-    }
-
-    fn complete(&self, b: &[f64], outer: &mut [f64], x: &mut Vec<f64>) -> Result<(), LinalgError> {
+    /// x = A⁻¹ b, as exact as the factors are kept.
+    pub fn solve(&self, b: &[f64], x: &mut Vec<f64>) {
         let zone = &*self.zone;
         let [outside, size] = zone.sizes;
-        let factor = self.inside.as_ref().ok_or(LinalgError::Singular { size })?;
-        let mut inner = Matrix::zeros(size, 1);
-        for (&at, b) in zone.inner_of.iter().zip(b).filter(|(at, _)| **at != NONE) {
-            inner.data[at as usize] = *b;
+        let (mut outer, mut inner) = (vec![0.0; zone.outer.size()], vec![0.0; size]);
+        for ((&o, &i), b) in zone.outer_of.iter().zip(&zone.inner_of).zip(b) {
+            match i {
+                NONE => outer[o as usize] = *b,
+                i => inner[i as usize] = *b,
+            }
         }
-        for (&at, b) in zone.touched.iter().zip(&outer[outside..]) {
-            inner.data[at as usize] = *b;
+        self.outside.forward(&mut outer, self.threads);
+        for (&at, left) in zone.touched.iter().zip(&outer[outside..]) {
+            inner[at as usize] += left;
         }
-        factor.solve(&mut inner)?;
+        self.inside.forward(&mut inner, self.threads);
+        self.inside.backward(&mut inner, self.threads);
         for (&at, x) in zone.touched.iter().zip(&mut outer[outside..]) {
-            *x = inner.data[at as usize];
+            *x = inner[at as usize];
         }
-        self.outside.backward(outer);
+        self.outside.backward(&mut outer, self.threads);
         x.clear();
         x.extend(zone.outer_of.iter().zip(&zone.inner_of).map(|(&o, &i)| match i {
             NONE => outer[o as usize],
-            i => inner.data[i as usize],
+            i => inner[i as usize],
         }));
-        Ok(())
     }
-
-    /// Factors the zone for other values of its elements and solves; the outside is eliminated meanwhile if there are two `threads`.
-    ///
-    /// Errors: those of [`ZoneSolver::renew_zone`] and [`ZoneSolver::solve`].
-    pub fn renew_and_solve(
-        &mut self,
-        own: Option<(f64, &Symmetric)>,
-        b: &[f64],
-        x: &mut Vec<f64>,
-        threads: usize,
-    ) -> Result<(), LinalgError> {
-        if threads < 2 {
-            self.renew_zone(own)?;
-            return self.solve(b, x);
-        }
-        let ZoneSolver {
-            zone,
-            outside,
-            rest,
-            matrix,
-            inside,
-        } = self;
-        let zone: &Zone = zone;
-        let mut outer = std::thread::scope(|scope| {
-            let eliminated = scope.spawn(|| eliminate(zone, outside, b));
-            let factored = factor_zone(zone, rest, matrix, inside, own);
-            let outer = eliminated
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            factored.map(|()| outer)
-        })?;
-        self.complete(b, &mut outer, x)
-    }
-}
-
-/// A ← A + factor B on the entries of the zone.
-fn add_own(zone: &Zone, own: Option<(f64, &Symmetric)>, matrix: &mut Symmetric) {
-    if let Some((factor, own)) = own {
-        for &[from, to] in &zone.inner_places {
-            matrix.values[to as usize] += factor * own.values[from as usize];
-        }
-    }
-}
-
-/// Sums of the absolute values of the rows of S without the elements of the zone, at the unknowns that the outside touches. With D their
-/// diagonal matrix D ≥ S (Gershgorin) and S ≥ B E⁻¹ Bᵀ where the outside is positive semi-definite, so that D + C has a factor. The zone's
-/// elements do not enter: a resumed run has them in a later state, and C would be another in its last digits.
-fn bounds(zone: &Zone, rest: &[f64]) -> Vec<f64> {
-    let pattern = zone.inner.pattern();
-    let mut sums = vec![0.0; pattern.size()];
-    for j in 0..pattern.size() {
-        for p in pattern.starts[j]..pattern.starts[j + 1] {
-            let i = pattern.rows[p];
-            sums[i] += rest[p].abs();
-            if i != j {
-                sums[j] += rest[p].abs();
-            }
-        }
-    }
-    let bound = |&q: &u32| match sums[q as usize] {
-        d if d > 0.0 && d.is_finite() => d,
-        _ => 1.0,
-    };
-    zone.touched.iter().map(bound).collect()
-}
-
-fn factor_zone(
-    zone: &Zone,
-    rest: &[f64],
-    matrix: &mut Symmetric,
-    inside: &mut Option<Factor>,
-    own: Option<(f64, &Symmetric)>,
-) -> Result<(), LinalgError> {
-    matrix.values.copy_from_slice(rest);
-    add_own(zone, own, matrix);
-    *inside = Some(match inside.take() {
-        Some(mut factor) => {
-            factor.refactor(matrix)?;
-            factor
-        }
-        None => zone.inner.factor(matrix, Kind::QuasiDefinite)?,
-    });
-    Ok(())
-}
-
-/// Forward elimination of the outside: its unknowns, then what is left for those of the zone that it touches.
-fn eliminate(zone: &Zone, outside: &Partial, b: &[f64]) -> Vec<f64> {
-    let mut outer = vec![0.0; zone.outer.size()];
-    for (&at, b) in zone.outer_of.iter().zip(b).filter(|(at, _)| **at != NONE) {
-        outer[at as usize] = *b;
-    }
-    outside.forward(&mut outer);
-    outer
 }
 
 #[cfg(test)]

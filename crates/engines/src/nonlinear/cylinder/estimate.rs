@@ -19,7 +19,8 @@ use super::mesh::Cells;
 use super::{standing, two};
 use crate::FeError;
 use crate::estimate::{
-    DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, first_wall_frequency,
+    DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE,
+    first_wall_frequency,
 };
 use crate::solid::mesh::check_levels;
 use tank::options::nonlinear::{Contact, Damping, Integration, NonlinearOptions, ThicknessRule, WallElements};
@@ -51,15 +52,19 @@ const TRANSFORM: f64 = 4.0;
 /// Iterations of a step of the record, and steps from one factorisation to the next, while the wall stays elastic.
 const ITERATIONS: f64 = 3.5;
 const KEPT: f64 = 30.0;
-/// Iterations of a step of a wall on its bottom, and of a step of its static start.
-const GROUND_ITERATIONS: f64 = 4.0;
+/// Iterations of a step of a wall on its bottom, those from one factor of plate and ground to the next, and those of a step of its static
+/// start; bytes of a number of its factors (docs/performance.md, tank of R = 17.5 m: 29 100 iterations and 4 800 factors in 4 270 steps of which half lift far).
+const GROUND_ITERATIONS: f64 = 6.0;
+const RENEWED: f64 = 6.0;
+const SINGLE: f64 = 4.0;
 const GROUND_START: f64 = 12.0;
 /// Unknowns of the foot at a meridian.
 const FOOT: f64 = 6.0;
 /// Bytes a pair of wetted nodes: values, places and pattern of a triangle, and the full matrices that they are taken from.
 const ENTRIES: f64 = 34.0;
-/// Bytes kept for a byte of the factor of wall and liquid: full squares on the diagonal, working space.
-const KEPT_FACTORS: f64 = 3.0;
+/// Bytes kept for a byte of the factor of wall and liquid: in double precision for the start, in single precision, fronts at a time. Measured: 0.9 GiB
+/// where 0.6 were estimated with 3.
+const KEPT_FACTORS: f64 = 7.0;
 /// The same of a step of free vibration in a quiet wall: example 08, 31 ms a step against 57 ms in the record (docs/performance.md).
 const QUIET_ITERATIONS: f64 = 1.9;
 /// Time of a step in which the wall yields or cracks over that of an elastic one: the practical steel tank, 252 s against the 87 s of
@@ -205,17 +210,20 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         Contact::Bonded => bonded,
         Contact::Opening => opening,
     };
-    let sweep = 3.0 * block
-        + 2.0 * NUMBER * (fill.entries + kept_fill.entries)
-        + products * shared.product(unknowns, number * shells);
-    let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
-    let rate = if on_ground { SMALL_RATE } else { FACTOR_RATE };
-    let factor = fill.flops / rate + shared.factor;
+    let sweep = match on_ground {
+        true => 2.0 * SINGLE * (fill.entries + kept_fill.entries) / SWEEP_RATE,
+        false => {
+            let bytes = 3.0 * block + 2.0 * NUMBER * fill.entries;
+            (bytes + products * shared.product(unknowns, number * shells)) / PRODUCT_RATE
+        }
+    };
+    let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep;
+    let factor = fill.flops / FACTOR_RATE + shared.factor;
     let whole = kept_fill.flops / FACTOR_RATE;
     let free = steps * response.tail / (response.duration + response.tail);
     let (elastic, quiet) = match on_ground {
         true => {
-            let each = GROUND_ITERATIONS * (iteration + factor) + whole / KEPT;
+            let each = GROUND_ITERATIONS * (iteration + factor / RENEWED) + whole / KEPT;
             (each, each)
         }
         false => (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration),

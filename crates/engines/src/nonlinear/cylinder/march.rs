@@ -3,7 +3,7 @@
 use fem::analysis::AnalysisError;
 use fem::analysis::march::{Adaptive, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
-use fem::analysis::newton::Options;
+use fem::analysis::newton::{Criteria, Options};
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::transient::Load;
 use fem::progress::Progress;
@@ -35,6 +35,8 @@ pub(crate) struct Cylinder<'a> {
     pub span: Span,
     /// Time between states for pictures [s]; none keeps none.
     pub states: Option<f64>,
+    /// When a step has converged, other than by default.
+    pub criteria: Option<Criteria>,
 }
 
 impl<'a> Cylinder<'a> {
@@ -67,6 +69,7 @@ impl<'a> Cylinder<'a> {
             tank,
             span,
             states: None,
+            criteria: None,
         })
     }
 
@@ -116,6 +119,9 @@ impl<'a> Cylinder<'a> {
                 Some(zone) => Options::for_ground(zone),
                 None => Options::for_contact(),
             };
+        }
+        if let Some(criteria) = self.criteria {
+            settings.newton.criteria = criteria;
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
         let interval = (record.duration() / LOOKS).max(record.dt);

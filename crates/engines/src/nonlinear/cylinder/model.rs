@@ -19,11 +19,12 @@ use fem::analysis::rings::solve_once;
 use fem::analysis::system::System;
 use fem::analysis::zone::{Zone, ZoneSolver};
 use fem::assembly::{Assembler, order};
+use fem::cores;
 use fem::dofs::Dof;
 use fem::element::interlayer;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
-use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
+use fem::linalg::{Keep, Kind, Ordering, Pattern, Symbolic, dot};
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -477,10 +478,12 @@ impl CylinderModel {
     fn static_solver(&self) -> Result<StaticSolver<'_>, FeError> {
         if let Some(zone) = &self.zone {
             let shares: Vec<[f64; 2]> = self.assembler.operators(&self.model).map(|_| [0.0, 1.0]).collect();
-            let solver = ZoneSolver::of(zone, &self.system.stiffness, None, &shares).map_err(failed)?;
+            let mut solver = ZoneSolver::new(zone, Keep::Double, cores::available()).map_err(failed)?;
+            solver.renew(&self.system.stiffness, None, &shares).map_err(failed)?;
             return Ok(Box::new(move |b| {
                 let mut x = Vec::new();
-                solver.solve(b, &mut x).map(|()| x).map_err(failed)
+                solver.solve(b, &mut x);
+                Ok(x)
             }));
         }
         if let WallLiquid::Circular(_) = &self.liquid {

@@ -385,9 +385,22 @@ fn threads_change_no_bit() {
 
 /// A march with the liquid in one of its forms.
 fn marched(case: &Case, options: &NonlinearOptions, operator: bool) -> (Vec<Vec<f64>>, fem::analysis::march::Run) {
+    marched_to(case, options, operator, None)
+}
+
+/// The same with other criteria of a step.
+fn marched_to(
+    case: &Case,
+    options: &NonlinearOptions,
+    operator: bool,
+    criteria: Option<fem::analysis::newton::Criteria>,
+) -> (Vec<Vec<f64>>, fem::analysis::march::Run) {
     let tank = CylinderModel::in_form(case, options, |_| operator).unwrap();
     assert_eq!(tank.assembler.has_operators(), operator);
-    let cylinder = Cylinder::of(case, options, tank).unwrap();
+    let cylinder = Cylinder {
+        criteria,
+        ..Cylinder::of(case, options, tank).unwrap()
+    };
     let (watch, run) = cylinder
         .march(case.ground_motion.as_ref().unwrap(), 1.0, 1, None, &Silent)
         .unwrap();

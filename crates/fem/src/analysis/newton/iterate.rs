@@ -5,12 +5,18 @@ use crate::assembly::Ask;
 
 /// A factor serves as long as an iteration cuts ‖r‖ to this part.
 const SLOW: f64 = 0.25;
+/// ... with that of a zone, which costs about as much as one more iteration.
+const SLOW_WITH_ZONE: f64 = 0.4;
 /// A residual this small against the first one is that of a linear step.
 const LINEAR: f64 = 1e-10;
 /// ... and against the forces, rounding.
 const ROUNDING: f64 = 1e-14;
 /// Negligible shares of the largest first energy: at once, and if iterations do not reduce it.
 const NOTHING: [f64; 2] = [1e-24, 1e-18];
+/// Share of the largest first energy below which an increment is no divergence.
+const LITTLE: f64 = 1e-4;
+/// Unknowns from which a second thread is worth its start.
+const MANY: usize = 10_000;
 /// So many iterations without a new smallest residual are a failure.
 const PATIENCE: usize = 10;
 
@@ -104,11 +110,12 @@ impl Newton<'_> {
             if iteration == limit || (!initial && iteration >= best_at + PATIENCE) {
                 return Err(self.no_convergence(iteration, norm, self.options.criteria.force * scale));
             }
-            let slow = iteration > 0 && norm > SLOW * residuals[iteration - 1];
+            let rate = if self.zoned.is_some() { SLOW_WITH_ZONE } else { SLOW };
+            let slow = iteration > 0 && norm > rate * residuals[iteration - 1];
             let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
             let mut renewed = false;
             if self.zoned.is_some() {
-                let renew = self.what_to_renew(state, current, slow);
+                let renew = self.what_to_renew(current, slow);
                 renewed = self.renew(scheme, state, renew)?;
             } else if initial {
                 if iteration == 0 {
@@ -131,8 +138,9 @@ impl Newton<'_> {
                 first = energy;
                 self.reference = self.reference.max(energy);
             }
-            // Neither another tangent outside of the zone nor more iterations bring such a step back; a shorter one converges.
-            if self.zoned.is_some() && iteration > 1 && energy > first {
+            // Neither another tangent outside of the zone nor more iterations bring such a step back; a shorter one converges. The first increment of
+            // a short step says little: a point that meets the ground within it does more work.
+            if self.zoned.is_some() && iteration > 1 && energy > first.max(LITTLE * self.reference) {
                 return Err(self.divergence(iteration, norm));
             }
             slope = Some(work);
@@ -151,7 +159,7 @@ impl Newton<'_> {
     pub(super) fn residual(&mut self, scheme: &dyn Scheme, state: &State, [p0, p1]: [&[f64]; 2]) -> f64 {
         let (on_mass, on_force) = scheme.collocation();
         let norm = |x: &[f64]| dot(x, x).sqrt();
-        let Room { r, blend, part, .. } = &mut self.room;
+        let Room { r, blend, parts, .. } = &mut self.room;
         mix(on_force, p1, p0, r);
         let mut scale = norm(r);
         match on_force {
@@ -173,31 +181,42 @@ impl Newton<'_> {
             // A static step: no velocities.
             return scale;
         }
-        let mut take = |part: &[f64]| {
-            scale += norm(part);
-            for (r, f) in r.iter_mut().zip(part) {
-                *r -= f;
+        let (model, assembler, viscous) = (self.model, self.assembler, self.viscous.as_ref());
+        let fields = [&state.trial, &state.committed];
+        let of_inertia = |blend: &mut Vec<f64>, part: &mut Vec<f64>| {
+            mix(on_mass, &fields[0].a, &fields[1].a, blend);
+            inertia.mass.add_product(1.0, blend, part);
+            assembler.add_operator_mass(model, blend, part);
+        };
+        let of_damping = |blend: &mut Vec<f64>, part: &mut Vec<f64>| {
+            mix(on_force, &fields[0].v, &fields[1].v, blend);
+            inertia
+                .damping
+                .add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
+            let c = inertia.damping.of_operators();
+            assembler.add_operator_products(model, |_| [c.mass, c.stiffness], blend, part);
+            if let Some(viscous) = viscous {
+                viscous.add_product(1.0, blend, part);
             }
         };
-        part.clear();
-        part.resize(blend.len(), 0.0);
-        mix(on_mass, &state.trial.a, &state.committed.a, blend);
-        inertia.mass.add_product(1.0, blend, part);
-        self.assembler.add_operator_mass(self.model, blend, part);
-        take(part);
-        part.fill(0.0);
-        mix(on_force, &state.trial.v, &state.committed.v, blend);
-        inertia
-            .damping
-            .add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
-        let c = inertia.damping.of_operators();
-        let on_operators = |_| [c.mass, c.stiffness];
-        self.assembler
-            .add_operator_products(self.model, on_operators, blend, part);
-        if let Some(viscous) = &self.viscous {
-            viscous.add_product(1.0, blend, part);
+        let [own, other] = parts;
+        [&mut *own, &mut *other].into_iter().for_each(|part| {
+            part.clear();
+            part.resize(r.len(), 0.0);
+        });
+        if self.threads < 2 || r.len() < MANY {
+            of_inertia(blend, own);
+            of_damping(blend, other);
+        } else {
+            std::thread::scope(|scope| {
+                scope.spawn(|| of_damping(&mut Vec::new(), other));
+                of_inertia(blend, own);
+            });
         }
-        take(part);
+        for part in [own, other] {
+            scale += norm(part);
+            r.iter_mut().zip(&*part).for_each(|(r, f)| *r -= f);
+        }
         scale
     }
 

@@ -5,7 +5,7 @@ use crate::analysis::rings::RingSolver;
 use crate::analysis::scheme::Weights;
 use crate::analysis::zone::ZoneSolver;
 use crate::analysis::{AnalysisError, failed};
-use crate::linalg::{Factor, LinalgError, Symmetric};
+use crate::linalg::{Factor, Keep, LinalgError, Symmetric};
 
 /// Relative residual at which the iteration of one increment ends: Newton's next residual is new anyway, and with less than this
 /// more of them are needed.
@@ -51,11 +51,14 @@ impl Newton<'_> {
         if let Some(zoned) = &self.zoned {
             let shares = self.shares(w);
             let own = Some((w.stiffness, &zoned.own));
-            let solver = match before {
-                Some(Solver::Zone(mut solver)) => solver.renew(&self.effective, own, &shares).map(|()| solver),
-                _ => ZoneSolver::of(&zoned.zone, &self.effective, own, &shares).map(Box::new),
+            let keep = zoned.keep(w);
+            let mut solver = match before {
+                Some(Solver::Zone(solver)) => solver,
+                _ => Box::new(ZoneSolver::new(&zoned.zone, keep, self.threads).map_err(failed(WHAT))?),
             };
-            self.factor = Some((Solver::Zone(solver.map_err(failed(WHAT))?), w));
+            solver.keep_as(keep, true);
+            solver.renew(&self.effective, own, &shares).map_err(failed(WHAT))?;
+            self.factor = Some((Solver::Zone(solver), w));
             return Ok(());
         }
         let solver = match (&self.rings, before) {
@@ -121,7 +124,10 @@ impl Newton<'_> {
                 *x = column.data;
                 solved.map_err(failed(WHAT))
             }
-            Solver::Zone(solver) => solver.solve(b, x).map_err(failed(WHAT)),
+            Solver::Zone(solver) => {
+                solver.solve(b, x);
+                Ok(())
+            }
             Solver::Rings(solver) => {
                 // Two solutions suffice for the criterion of forces.
                 let tolerance = TOLERANCE.min(self.options.criteria.force.sqrt());
@@ -147,13 +153,14 @@ impl Newton<'_> {
         let after = failed("the acceleration after a jump");
         if let Some(zoned) = &self.zoned {
             let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
-            let solver = ZoneSolver::of(&zoned.zone, &regular, None, &shares).map_err(failed("the mass matrix"))?;
-            let solve = |b: &[f64]| {
-                let mut x = Vec::new();
-                solver.solve(b, &mut x).map(|()| x).map_err(&after)
-            };
-            let first = solve(force)?;
-            let second = solve(&rest(&first))?;
+            let mut solver =
+                ZoneSolver::new(&zoned.zone, Keep::Double, self.threads).map_err(failed("the mass matrix"))?;
+            solver
+                .renew(&regular, None, &shares)
+                .map_err(failed("the mass matrix"))?;
+            let [mut first, mut second] = [Vec::new(), Vec::new()];
+            solver.solve(force, &mut first);
+            solver.solve(&rest(&first), &mut second);
             return Ok([first, second]);
         }
         match &self.rings {

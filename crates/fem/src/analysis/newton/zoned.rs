@@ -5,17 +5,16 @@ use std::sync::Arc;
 use super::solver::{Solver, WHAT};
 use super::{Newton, StepFailure};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::contact::switches;
-use crate::analysis::scheme::Scheme;
+use crate::analysis::scheme::{Scheme, Weights};
 use crate::analysis::zone::Zone;
 use crate::analysis::{AnalysisError, failed};
 use crate::assembly::{Apart, Ask, Assembler};
 use crate::element::Want;
-use crate::linalg::Symmetric;
+use crate::linalg::{Keep, Symmetric};
 use crate::state::State;
 
-/// Slow iterations in succession with the same contact after which the tangent outside of the zone is renewed: most are slow by what the zone
-/// does, and full Newton is as slow.
+/// Slow iterations in succession, each with the zone renewed, after which the tangent outside of it is renewed too: most are slow by what
+/// the zone does, and full Newton is as slow.
 const SLUGGISH: usize = 4;
 
 /// Tangents of a zone and what decides about them.
@@ -23,12 +22,10 @@ pub(super) struct Zoned {
     pub(super) zone: Arc<Zone>,
     /// Tangents of its elements.
     pub(super) own: Symmetric,
-    /// Switches of contact for which they were taken.
-    switches: Vec<bool>,
     /// Slow iterations in succession.
     slow: usize,
-    /// Everything in every iteration.
-    pub(super) whole: bool,
+    /// What is renewed in every iteration.
+    pub(super) always: Renew,
 }
 
 /// What an iteration renews.
@@ -44,9 +41,8 @@ impl Zoned {
         Zoned {
             zone,
             own: Symmetric::zeros(assembler.pattern().clone()),
-            switches: Vec::new(),
             slow: 0,
-            whole: false,
+            always: Renew::Nothing,
         }
     }
 
@@ -57,21 +53,23 @@ impl Zoned {
         }
     }
 
+    /// The residual corrects what a rounded factor leaves, as it does with that of an earlier state. Without inertia a thin wall is too badly
+    /// conditioned for that, and a step that has failed gets no rounded factor.
+    pub(super) fn keep(&self, w: Weights) -> Keep {
+        match w.mass > 0.0 && self.always == Renew::Nothing {
+            true => Keep::Single,
+            false => Keep::Double,
+        }
+    }
+
     pub(super) fn save(&self, to: &mut Writer) {
         to.numbers(&self.own.values);
-        to.count(self.switches.len());
-        self.switches.iter().for_each(|on| to.count(usize::from(*on)));
         to.count(self.slow);
     }
 
     /// Errors: the end of the payload, numbers of another model.
     pub(super) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         from.numbers_into("tangent of the zone", &mut self.own.values)?;
-        let count = from.count()?;
-        self.switches.clear();
-        for _ in 0..count {
-            self.switches.push(from.count()? != 0);
-        }
         self.slow = from.count()?;
         Ok(())
     }
@@ -79,16 +77,14 @@ impl Zoned {
 
 impl Newton<'_> {
     /// What the next increment needs; `current`: there is a factor with these weights, `slow`: it has not served the last one.
-    pub(super) fn what_to_renew(&mut self, state: &State, current: bool, slow: bool) -> Renew {
-        let set = switches(self.model, state);
+    pub(super) fn what_to_renew(&mut self, current: bool, slow: bool) -> Renew {
         let Some(zoned) = &mut self.zoned else {
             return Renew::Nothing;
         };
-        let changed = set != zoned.switches;
-        zoned.slow = if slow && !changed { zoned.slow + 1 } else { 0 };
-        let renew = if !current || zoned.whole || zoned.slow > SLUGGISH {
+        zoned.slow = if slow { zoned.slow + 1 } else { 0 };
+        let renew = if !current || zoned.always == Renew::Whole || zoned.slow > SLUGGISH {
             Renew::Whole
-        } else if changed || slow {
+        } else if slow || zoned.always == Renew::Zone {
             Renew::Zone
         } else {
             Renew::Nothing
@@ -96,7 +92,6 @@ impl Newton<'_> {
         if renew == Renew::Whole {
             zoned.slow = 0;
         }
-        zoned.switches = set;
         renew
     }
 
@@ -143,17 +138,19 @@ impl Newton<'_> {
             return self.back_substitute(b, x);
         };
         let own = Some((w.stiffness, &zoned.own));
-        let solved = solver.renew_and_solve(own, b, x, self.threads).map_err(failed(WHAT));
-        if solved.is_err() {
-            self.factor = None;
+        solver.keep_as(zoned.keep(*w), false);
+        let factored = solver.renew_zone(own).map_err(failed(WHAT));
+        match factored {
+            Ok(()) => solver.solve(b, x),
+            Err(_) => self.factor = None,
         }
-        solved
+        factored
     }
 
-    /// Ends an attempt that has renewed everything in every iteration.
-    pub(super) fn end_whole(&mut self) {
+    /// What the iterations of an attempt renew whether they are slow or not.
+    pub(super) fn renew_always(&mut self, what: Renew) {
         if let Some(zoned) = &mut self.zoned {
-            zoned.whole = false;
+            zoned.always = what;
         }
     }
 }
