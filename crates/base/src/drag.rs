@@ -32,6 +32,8 @@ const NEXT: f64 = 1.25;
 /// Share of μ N at which the curve ends.
 const FULL: f64 = 0.995;
 const ITERATIONS: usize = 60;
+/// Shortest part of an increment that overshoots: the work of plate and friction is convex, so that some part does not.
+const SHORTEST: f64 = 1e-6;
 
 /// Shear against displacement under a growing force.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,15 +183,10 @@ impl Plate {
     fn settle(&self, x: &mut [f64], s: f64, places: usize, hold: f64) -> Option<f64> {
         let n = x.len();
         x[n - 1] = s;
+        let (mut force, mut tangent) = self.forces(x, s, places, hold);
         for _ in 0..ITERATIONS {
-            let (mut force, mut tangent) = (vec![0.0; n], Band::new(n, 3));
-            self.plate(x, &mut force, &mut tangent);
-            self.ground(x, places, hold, &mut force, &mut tangent);
-            let edge = x[n - 2] - s;
-            force[n - 2] += self.edge * edge;
-            tangent.add(n - 2, n - 2, self.edge);
             // The wall pushes the plate along its foot and across it.
-            let shear = force[n - 1] - self.edge * edge;
+            let shear = force[n - 1] - self.edge * (x[n - 2] - s);
             let mut change: Vec<f64> = force.iter().map(|f| -f).collect();
             change[n - 1] = 0.0;
             let off = change.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
@@ -200,9 +197,32 @@ impl Plate {
             if !tangent.solve(&mut change) {
                 return None;
             }
-            x.iter_mut().zip(&change).for_each(|(x, d)| *x += d);
+            let slope = |force: &[f64]| -> f64 { change.iter().zip(force).map(|(d, f)| d * f).sum() };
+            let (before, descent) = (x.to_vec(), -slope(&force));
+            let mut share = 1.0;
+            (force, tangent) = loop {
+                x.iter_mut()
+                    .zip(before.iter().zip(&change))
+                    .for_each(|(x, (x0, d))| *x = x0 + share * d);
+                let next = self.forces(x, s, places, hold);
+                if share < SHORTEST || slope(&next.0) <= 0.5 * descent {
+                    break next;
+                }
+                share *= 0.5;
+            };
         }
         None
+    }
+
+    /// Forces on the nodes and their derivatives; the wall holds U(R) against W(R) = s.
+    fn forces(&self, x: &[f64], s: f64, places: usize, hold: f64) -> (Vec<f64>, Band) {
+        let n = x.len();
+        let (mut force, mut tangent) = (vec![0.0; n], Band::new(n, 3));
+        self.plate(x, &mut force, &mut tangent);
+        self.ground(x, places, hold, &mut force, &mut tangent);
+        force[n - 2] += self.edge * (x[n - 2] - s);
+        tangent.add(n - 2, n - 2, self.edge);
+        (force, tangent)
     }
 
     fn plate(&self, x: &[f64], force: &mut [f64], tangent: &mut Band) {
@@ -351,6 +371,19 @@ mod tests {
         for s in [1e-3, 3e-3, 1e-2] {
             let chain: f64 = springs.iter().map(|p| (p.stiffness * s).min(p.limit)).sum();
             assert!((chain / drag.shear(s) - 1.0).abs() < 1e-2, "{s}");
+        }
+    }
+
+    /// The softest and the stiffest ground that an input may name: an equilibrium everywhere, and the whole friction in the end.
+    #[test]
+    fn any_ground_has_an_equilibrium() {
+        for modulus in [1e6, 1e8, 1e10, 1e11, 1e12] {
+            let mut base = base(8e-3);
+            base.modulus = modulus;
+            let drag = Drag::of(&base, 0.4).unwrap_or_else(|e| panic!("{modulus}: {e}"));
+            let held: f64 = drag.springs().iter().map(|s| s.limit).sum();
+            assert!((held / drag.limit() - 1.0).abs() < 1e-9, "{modulus}");
+            assert!(drag.points.windows(2).all(|p| p[0].1 < p[1].1), "{modulus}");
         }
     }
 

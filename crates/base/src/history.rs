@@ -24,13 +24,16 @@
 //!
 //! Source: Malhotra & Veletsos 1994 (rotational spring of a rocking tank); Iwan 1966; Hilber, Hughes & Taylor 1977.
 
+mod along;
 mod energy;
 
+pub use along::Friction;
+use along::{Way, translation};
 use energy::Rates;
 
 use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
-use crate::law::{Law, Response, Spring};
+use crate::law::{Law, Response};
 
 /// A body in its modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,21 +61,6 @@ pub struct BodyMode {
     pub rotation: f64,
     /// Bottom pressure at the rim per q̈ [Pa s²/m].
     pub pressure: f64,
-}
-
-/// Friction under the bottom.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Friction {
-    /// Coefficient μ.
-    pub coefficient: f64,
-    /// Weight W of tank and liquid [N].
-    pub weight: f64,
-    /// Vertical ground acceleration over g at each step; empty without.
-    pub vertical: Vec<f64>,
-    /// The bottom plate on the ground as springs that slip at μ W altogether ([`crate::Drag`]); empty where all of it sticks or slides.
-    pub springs: Vec<Spring>,
-    /// What a dashpot along the ground resists with per velocity, over the stiffness of the springs that stick [s].
-    pub delay: f64,
 }
 
 /// What is given to a run.
@@ -445,70 +433,6 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     Ok(())
 }
 
-/// How the body moves along the ground in a step.
-#[derive(Clone, Copy)]
-enum Way {
-    Stuck,
-    /// Under this shear [N].
-    Sliding(f64),
-    /// On springs whose limits are this many times those at rest.
-    Dragged(f64),
-}
-
-/// A in a step and its derivative by ψ̈, where ψ̈ is known.
-fn translation(run: &Run<'_>, state: &State, sums: &Sums, (ground, way): (f64, Way), b: f64) -> [f64; 2] {
-    let [constant, mass, turning] = sums.shift;
-    let (held, friction) = match (way, &run.friction) {
-        (Way::Sliding(force), _) => return [(force - constant - turning * b) / mass, -turning / mass],
-        (Way::Dragged(held), Some(friction)) => (held, friction),
-        _ => return [ground, 0.0],
-    };
-    let h = run.step;
-    let [place, velocity] = predicted(&state.slip, h);
-    let share = (1.0 - BEGIN) * BETA * h * h;
-    let most = held * friction.most();
-    // Mass and springs resist the more, the larger s̈ is: one root.
-    let mut c = state.slip[2];
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut stiff = 0.0;
-    for _ in 0..ITERATIONS {
-        let answer = friction.drag(place + BETA * h * h * c, held, &state.along);
-        let along = answer.moment + state.dashpot * (velocity + GAMMA * h * c);
-        let slides = along.abs() > most;
-        let along = along.clamp(-most, most);
-        let terms = [
-            constant,
-            mass * (ground + c),
-            turning * b,
-            (1.0 - BEGIN) * along,
-            BEGIN * (state.drag + state.dashed),
-        ];
-        let residual: f64 = terms.iter().sum();
-        stiff = match slides {
-            true => 0.0,
-            false => share * answer.tangent + (1.0 - BEGIN) * state.dashpot * GAMMA * h,
-        };
-        let scale = terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
-        if residual.abs() <= 1e-13 * scale {
-            break;
-        }
-        if residual < 0.0 {
-            low = c;
-        } else {
-            high = c;
-        }
-        let mut next = c - residual / (mass + stiff);
-        if !(low..=high).contains(&next) {
-            next = 0.5 * (low + high);
-        }
-        if next == c {
-            break;
-        }
-        c = next;
-    }
-    [ground + c, -turning / (mass + stiff)]
-}
-
 /// A and ψ̈ in a step.
 fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Way) -> Result<[f64; 2], BaseError> {
     let h = run.step;
@@ -608,43 +532,6 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
                 if !cost.breaks {
                     break;
                 }
-            }
-        }
-    }
-}
-
-impl Friction {
-    /// Largest force at a step [N]; none where the vertical motion lifts everything.
-    fn at(&self, i: usize) -> f64 {
-        let vertical = self.vertical.get(i).copied().unwrap_or(0.0);
-        (self.coefficient * self.weight * (1.0 + vertical)).max(0.0)
-    }
-
-    /// What all springs hold at rest [N].
-    fn most(&self) -> f64 {
-        self.springs.iter().map(|spring| spring.limit).sum()
-    }
-
-    /// Force of the springs at a slip [m] and its derivative; `held` is the pressure on the ground over that at rest.
-    fn drag(&self, slip: f64, held: f64, slips: &[f64]) -> Response {
-        let mut response = Response::default();
-        for (spring, own) in self.springs.iter().zip(slips) {
-            let (trial, limit) = (spring.stiffness * (slip - own), held * spring.limit);
-            response.moment += trial.clamp(-limit, limit);
-            if trial.abs() < limit {
-                response.tangent += spring.stiffness;
-            }
-        }
-        response
-    }
-
-    /// Lets the springs slip to where the body is [m].
-    fn commit(&self, slip: f64, held: f64, slips: &mut [f64]) {
-        for (spring, own) in self.springs.iter().zip(slips) {
-            let trial = spring.stiffness * (slip - *own);
-            let over = trial.abs() - held * spring.limit;
-            if over > 0.0 {
-                *own += over / spring.stiffness * trial.signum();
             }
         }
     }
