@@ -17,7 +17,7 @@ mod words;
 use std::sync::Arc;
 
 use ::base::history::Friction;
-use ::base::{Anchors, Base, Drag, Soil};
+use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
 use results::{BaseRun, BaseSpread, Channel, EngineId, Limit, Snapshots};
 use tank::case::GroundMotion;
@@ -141,19 +141,13 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    let mut setup = Setup {
+    let setup = Setup {
         thorough,
         known: known.cloned(),
         states,
         ..setup
     };
-    if let Some(friction) = &mut setup.friction {
-        match Drag::of(&base, friction.coefficient) {
-            Ok(drag) => friction.springs = drag.springs(),
-            Err(error) => return Free::NotComputed(words::missed(&error.into())),
-        }
-    }
-    match run(&setup, &base, analysis) {
+    match setup.dragging(&base).and_then(|setup| run(&setup, &base, analysis)) {
         Ok(free) => free,
         Err(missed) => Free::NotComputed(words::missed(&missed)),
     }
@@ -236,9 +230,12 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
             .iter()
             .map(|factor| {
                 let on = base.on(factor * base.modulus).with_long_elements();
-                scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
-                    Ok(found) => Ok(outcome::band(&on, &found)),
-                    Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+                scope.spawn(move || {
+                    let own = setup.dragging(&on);
+                    match own.and_then(|own| search::settle(&own, &on, (reach, None), false)) {
+                        Ok(found) => Ok(outcome::band(&on, &found)),
+                        Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+                    }
                 })
             })
             .collect();

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use ::base::history::{Body, Friction, History, Run, march};
-use ::base::{Anchors, Base, BaseError, Law, Losses, Ring, Rocking, Soil};
+use ::base::{Anchors, Base, BaseError, Drag, Law, Losses, Ring, Rocking, Soil};
 use results::BaseSpread;
 
 /// Largest rotation of the first law [rad].
@@ -18,7 +18,8 @@ pub(super) const SETTLED: f64 = 0.005;
 /// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
 const CRUSHED: f64 = 500e6;
 
-/// What does not depend on the ground.
+/// What a run is given besides laws of the base. Of the ground only the drag of the plate depends on it.
+#[derive(Clone)]
 pub(super) struct Setup {
     /// Whether the run is repeated on other grounds and slightly apart.
     pub thorough: bool,
@@ -48,6 +49,17 @@ pub(super) struct Setup {
     pub sub_steps: usize,
     /// Whether there is a vertical record.
     pub vertical: bool,
+}
+
+impl Setup {
+    /// The same with the bottom plate dragged along the ground of a base, where there is friction.
+    pub(super) fn dragging(&self, base: &Base) -> Result<Setup, Missed> {
+        let mut own = self.clone();
+        if let Some(friction) = &mut own.friction {
+            friction.springs = Drag::of(base, friction.coefficient)?.springs();
+        }
+        Ok(own)
+    }
 }
 
 /// The base up to a rotation.
