@@ -10,21 +10,21 @@
 //! All other unknowns are eliminated before them, so that the block is factored once an iteration and all other blocks are sparse.
 //! Horizontal ground motion is along x; with `symmetry` only 0 ≤ θ ≤ π is there.
 
+mod statics;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::Problem;
-use fem::analysis::rings::solve_once;
 use fem::analysis::system::System;
-use fem::analysis::zone::{Zone, ZoneSolver};
+use fem::analysis::zone::Zone;
 use fem::assembly::{Assembler, order};
-use fem::cores;
 use fem::dofs::Dof;
 use fem::element::interlayer;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
-use fem::linalg::{Keep, Kind, Ordering, Pattern, Symbolic, dot};
+use fem::linalg::{Ordering, Pattern, Symbolic, dot};
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -474,30 +474,6 @@ impl CylinderModel {
         }
     }
 
-    /// Solves with the initial stiffness.
-    fn static_solver(&self) -> Result<StaticSolver<'_>, FeError> {
-        if let Some(zone) = &self.zone {
-            let shares: Vec<[f64; 2]> = self.assembler.operators(&self.model).map(|_| [0.0, 1.0]).collect();
-            let mut solver = ZoneSolver::new(zone, Keep::Double, cores::available()).map_err(failed)?;
-            solver.renew(&self.system.stiffness, None, &shares).map_err(failed)?;
-            return Ok(Box::new(move |b| {
-                let mut x = Vec::new();
-                solver.solve(b, &mut x);
-                Ok(x)
-            }));
-        }
-        if let WallLiquid::Circular(_) = &self.liquid {
-            let solve = |b: &[f64]| {
-                let (model, assembler) = (&self.model, &self.assembler);
-                solve_once(model, assembler, &self.system.stiffness, [0.0, 1.0], b).map_err(failed)
-            };
-            return Ok(Box::new(solve));
-        }
-        let factor = self.symbolic.factor(&self.system.stiffness, Kind::QuasiDefinite);
-        let factor = factor.map_err(failed)?;
-        Ok(Box::new(move |b| factor.solve_vector(b).map_err(failed)))
-    }
-
     fn set_damping(&mut self, wanted: Wanted) -> Result<(), FeError> {
         let all = match wanted {
             Wanted::ByGroup { wall, .. } => {
@@ -545,9 +521,6 @@ impl CylinderModel {
         Ok(())
     }
 }
-
-/// Solves a linear system.
-type StaticSolver<'a> = Box<dyn Fn(&[f64]) -> Result<Vec<f64>, FeError> + 'a>;
 
 /// Order of elimination: the wall by nested dissection, then the amplitudes and the radial displacements that the liquid
 /// joins; or minimum degree if that takes fewer operations.
