@@ -73,7 +73,7 @@ impl Fronts {
 
     /// Factors a matrix on the pattern on `threads` threads; returns the lower triangle of C. Its entries among the unknowns that stay are not read.
     ///
-    /// Errors: a zero pivot or a number that is not finite; there is no factor then.
+    /// Errors: a pivot that is zero or not finite; the factor is lost then.
     pub fn factor(&mut self, matrix: &Symmetric, threads: usize) -> Result<Matrix, LinalgError> {
         let Fronts {
             tree,
@@ -126,19 +126,9 @@ impl Fronts {
         Ok(c)
     }
 
-    /// Precision of the factor.
-    pub fn keep(&self) -> Keep {
-        self.keep
-    }
-
     /// Keeps the next factor in this precision.
     pub fn keep_as(&mut self, keep: Keep) {
         self.keep = keep;
-    }
-
-    /// Entries of the factor, with the zeros that supernodes store.
-    pub fn entries(&self) -> usize {
-        self.tree.nodes.iter().map(|n| n.width * n.height()).sum()
     }
 
     /// Additions and multiplications of one factorisation.

@@ -12,7 +12,7 @@
 //! # Newton's method with an E that is kept
 //!
 //! Let F be the residual of a step, B(u) = A_E⁰ + A_S(u) with the tangent A_E⁰ of an earlier state outside of the zone and an element A_S(u) of
-//! the generalised Jacobian of the forces of the zone at u, whatever its set of pressed points is, as after every slow iteration. The forces are piecewise smooth, so
+//! the generalised Jacobian of the forces of the zone at u; every slow iteration is followed by a new one. The forces are piecewise smooth, so
 //! that F(u) = V(u) (u − u*) + o(|u − u*|), V(u) = A_E(u) + A_S(u) (semi-smoothness, Qi & Sun 1993), and with e = u − u*
 //!
 //! ```text

@@ -161,7 +161,7 @@ fn single_precision_is_near() {
     assert!(error < 6e-6 && error > 1e-12, "{error}");
 }
 
-/// No pivot, or a number that is none: an error, and no factor.
+/// A pivot that is zero or NaN is an error, after which solving does nothing.
 #[test]
 fn singular_is_an_error() {
     for value in [0.0, f64::NAN] {

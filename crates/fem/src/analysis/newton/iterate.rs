@@ -13,7 +13,7 @@ const LINEAR: f64 = 1e-10;
 const ROUNDING: f64 = 1e-14;
 /// Negligible shares of the largest first energy: at once, and if iterations do not reduce it.
 const NOTHING: [f64; 2] = [1e-24, 1e-18];
-/// Share of the largest first energy below which an increment is no divergence.
+/// An increment that does less work than this share of the largest first energy has not diverged.
 const LITTLE: f64 = 1e-4;
 /// Unknowns from which a second thread is worth its start.
 const MANY: usize = 10_000;
