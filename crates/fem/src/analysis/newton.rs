@@ -442,6 +442,7 @@ impl<'a> Newton<'a> {
         let limit = self.options.criteria.iterations;
         let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
         if self.zoned.is_some() && result.is_err() {
+            self.set_aside();
             // Most steps that fail pass from one set of points to another that their tangents do not know.
             for what in [Renew::Zone, Renew::Whole] {
                 let diverged = matches!(result, Err(StepFailure::Divergence { .. }));

@@ -360,6 +360,14 @@ impl ZoneSolver {
         own: Option<(f64, &Symmetric)>,
         shares: &[[f64; 2]],
     ) -> Result<(), LinalgError> {
+        self.renew_outside(base, shares)?;
+        self.renew_zone(own)
+    }
+
+    /// Factors the outside alone; [`ZoneSolver::renew_zone`] comes before a solution.
+    ///
+    /// Errors: a zero pivot, not enough memory; the solver must not be used then.
+    pub fn renew_outside(&mut self, base: &Symmetric, shares: &[[f64; 2]]) -> Result<(), LinalgError> {
         let zone = self.zone.clone();
         let outer = &mut self.outer.values;
         outer.fill(0.0);
@@ -381,7 +389,7 @@ impl ZoneSolver {
                 self.rest[p as usize] += value;
             }
         }
-        self.renew_zone(own)
+        Ok(())
     }
 
     /// Factors the zone alone, for other values of its elements.

@@ -115,7 +115,7 @@ impl Newton<'_> {
             let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
             let mut renewed = false;
             if self.zoned.is_some() {
-                let renew = self.what_to_renew(current, slow);
+                let renew = self.what_to_renew(scheme.weights(), slow);
                 renewed = self.renew(scheme, state, renew)?;
             } else if initial {
                 if iteration == 0 {

@@ -6,8 +6,29 @@ use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::Weights;
 use crate::state::State;
 
+/// A run keeps no tangent that it could not factor.
+pub(super) const NO_PIVOT: CheckpointError = CheckpointError::Value {
+    what: "a pivot of the effective tangent",
+    found: 0.0,
+    allowed: "a matrix that can be factored",
+};
+
+pub(super) fn save_weights(to: &mut Writer, w: Weights) {
+    to.numbers(&[w.mass, w.damping, w.stiffness]);
+}
+
+pub(super) fn restore_weights(from: &mut Reader) -> Result<Weights, CheckpointError> {
+    let mut w = [0.0; 3];
+    from.numbers_into("weights", &mut w)?;
+    Ok(Weights {
+        mass: w[0],
+        damping: w[1],
+        stiffness: w[2],
+    })
+}
+
 impl Newton<'_> {
-    /// Writes the largest first energy, the costs, C_T, the matrix of the kept factor with its weights, and the forces at the
+    /// Writes the largest first energy, the costs, C_T, the matrices of the kept factors with their weights, and the forces at the
     /// committed state.
     pub(in crate::analysis) fn save(&self, to: &mut Writer) {
         to.number(self.reference);
@@ -28,12 +49,13 @@ impl Newton<'_> {
         self.viscous.iter().for_each(|c| to.numbers(&c.values));
         to.count(usize::from(self.factor.is_some()));
         if let Some((_, w)) = &self.factor {
-            to.numbers(&[w.mass, w.damping, w.stiffness]);
+            save_weights(to, *w);
             to.numbers(&self.effective.values);
             if let Some(zoned) = &self.zoned {
                 zoned.save(to);
             }
         }
+        self.zoned.iter().for_each(|zoned| zoned.save_spare(to));
         to.count(usize::from(self.committed_at.is_some()));
         if self.committed_at.is_some() {
             to.numbers(&self.committed.internal);
@@ -71,23 +93,15 @@ impl Newton<'_> {
         }
         self.factor = None;
         if from.count()? != 0 {
-            let mut w = [0.0; 3];
-            from.numbers_into("weights", &mut w)?;
+            let weights = restore_weights(from)?;
             from.numbers_into("effective tangent", &mut self.effective.values)?;
-            let weights = Weights {
-                mass: w[0],
-                damping: w[1],
-                stiffness: w[2],
-            };
             if let Some(zoned) = &mut self.zoned {
                 zoned.restore(from)?;
             }
-            // A run keeps no tangent that it could not factor.
-            self.factorise(weights).map_err(|_| CheckpointError::Value {
-                what: "a pivot of the effective tangent",
-                found: 0.0,
-                allowed: "a matrix that can be factored",
-            })?;
+            self.factorise(weights).map_err(|_| NO_PIVOT)?;
+        }
+        if self.zoned.is_some() {
+            self.restore_spare(from)?;
         }
         if from.count()? != 0 {
             let unknowns = self.model.dofs().len();

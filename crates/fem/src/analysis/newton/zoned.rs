@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::memory::{NO_PIVOT, restore_weights, save_weights};
 use super::solver::{Solver, WHAT};
 use super::{Newton, StepFailure};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::{Scheme, Weights};
-use crate::analysis::zone::Zone;
+use crate::analysis::zone::{Zone, ZoneSolver};
 use crate::analysis::{AnalysisError, failed};
 use crate::assembly::{Apart, Ask, Assembler};
 use crate::element::Want;
@@ -26,6 +27,16 @@ pub(super) struct Zoned {
     slow: usize,
     /// What is renewed in every iteration.
     pub(super) always: Renew,
+    spare: Option<Spare>,
+}
+
+/// The factor of another length of step, whose zone is renewed before it is used again: steps that are halved come back to their length, and
+/// the tangent outside of the zone serves both.
+struct Spare {
+    solver: Box<ZoneSolver>,
+    weights: Weights,
+    /// What it is the factor of, but for the zone.
+    effective: Symmetric,
 }
 
 /// What an iteration renews.
@@ -43,6 +54,7 @@ impl Zoned {
             own: Symmetric::zeros(assembler.pattern().clone()),
             slow: 0,
             always: Renew::Nothing,
+            spare: None,
         }
     }
 
@@ -73,18 +85,85 @@ impl Zoned {
         self.slow = from.count()?;
         Ok(())
     }
+
+    pub(super) fn save_spare(&self, to: &mut Writer) {
+        to.count(usize::from(self.spare.is_some()));
+        if let Some(spare) = &self.spare {
+            save_weights(to, spare.weights);
+            to.numbers(&spare.effective.values);
+        }
+    }
 }
 
 impl Newton<'_> {
-    /// What the next increment needs; `current`: there is a factor with these weights, `slow`: it has not served the last one.
-    pub(super) fn what_to_renew(&mut self, current: bool, slow: bool) -> Renew {
+    /// Reads what [`Zoned::save_spare`] has written, and factors it.
+    ///
+    /// Errors: the end of the payload, numbers of another model, a matrix that cannot be factored.
+    pub(super) fn restore_spare(&mut self, from: &mut Reader) -> Result<(), AnalysisError> {
+        let found = from.count()?;
+        let Some(zoned) = &mut self.zoned else { return Ok(()) };
+        zoned.spare = None;
+        if found == 0 {
+            return Ok(());
+        }
+        let weights = restore_weights(from)?;
+        let mut effective = Symmetric::zeros(self.assembler.pattern().clone());
+        from.numbers_into("effective tangent", &mut effective.values)?;
+        let (zone, keep) = (zoned.zone.clone(), zoned.keep(weights));
+        let shares = self.shares(weights);
+        let mut solver = ZoneSolver::new(&zone, keep, self.threads).map_err(failed(WHAT))?;
+        solver.renew_outside(&effective, &shares).map_err(|_| NO_PIVOT)?;
+        if let Some(zoned) = &mut self.zoned {
+            zoned.spare = Some(Spare {
+                solver: Box::new(solver),
+                weights,
+                effective,
+            });
+        }
+        Ok(())
+    }
+
+    /// Exchanges the factor for the spare one if these weights are not its own; whether it is theirs now.
+    fn exchange(&mut self, weights: Weights) -> bool {
+        let Some(zoned) = &mut self.zoned else { return false };
+        if zoned.always != Renew::Nothing || weights.mass == 0.0 || self.factor.as_ref().is_some_and(|(_, w)| *w == weights) {
+            return false;
+        }
+        let before = zoned.spare.take();
+        self.set_aside();
+        let Some(spare) = before else { return false };
+        let found = spare.weights == weights;
+        self.effective = spare.effective;
+        self.factor = Some((Solver::Zone(spare.solver), spare.weights));
+        found
+    }
+
+    /// Makes the factor the spare one; without inertia the next step starts from tangents of its own.
+    pub(super) fn set_aside(&mut self) {
+        let Some(zoned) = &mut self.zoned else { return };
+        if let Some((Solver::Zone(solver), weights)) = self.factor.take()
+            && weights.mass > 0.0
+        {
+            let none = Symmetric::zeros(self.assembler.pattern().clone());
+            zoned.spare = Some(Spare {
+                solver,
+                weights,
+                effective: std::mem::replace(&mut self.effective, none),
+            });
+        }
+    }
+
+    /// What the next increment needs under these weights; `slow`: the factor has not served the last one.
+    pub(super) fn what_to_renew(&mut self, weights: Weights, slow: bool) -> Renew {
+        let exchanged = self.exchange(weights);
+        let current = self.factor.as_ref().is_some_and(|(_, w)| *w == weights);
         let Some(zoned) = &mut self.zoned else {
             return Renew::Nothing;
         };
         zoned.slow = if slow { zoned.slow + 1 } else { 0 };
         let renew = if !current || zoned.always == Renew::Whole || zoned.slow > SLUGGISH {
             Renew::Whole
-        } else if slow || zoned.always == Renew::Zone {
+        } else if slow || exchanged || zoned.always == Renew::Zone {
             Renew::Zone
         } else {
             Renew::Nothing

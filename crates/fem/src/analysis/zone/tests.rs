@@ -3,7 +3,9 @@
 use super::*;
 use crate::analysis::march::{Instant, Outcome, Problem, Settings, march};
 use crate::analysis::motion::{Grid, Motion};
-use crate::analysis::newton::Options;
+use crate::analysis::checkpoint::{Reader, Writer};
+use crate::analysis::newton::{Cost, Inertia, Newton, Options};
+use crate::analysis::scheme::TimeScheme;
 use crate::analysis::system::System;
 use crate::analysis::transient::Load;
 use crate::dofs::Dof;
@@ -12,6 +14,7 @@ use crate::element::solid8::{Elastic, Kinematics, Solid8};
 use crate::linalg::{Kind, Symbolic};
 use crate::model::Builder;
 use crate::progress::Silent;
+use crate::state::State;
 
 const LENGTH: usize = 12;
 const GROUND: &str = "ground";
@@ -140,4 +143,61 @@ fn a_kept_outside_is_full_newton() {
         kept.cost,
         full.cost
     );
+}
+
+/// Steps that are halved and come back to their length: the factor of each length is made once and serves again with the present tangents of the
+/// zone, the motion is that of full Newton (1e-6, as above), and a run that is stored and taken up at any of these steps goes on with the same bits.
+#[test]
+fn a_spare_factor_serves_another_length_of_step() {
+    let (model, assembler) = beam();
+    let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
+    let system = System::new(&model, &assembler).unwrap();
+    let inertia = Inertia {
+        mass: &system.mass,
+        stiffness: &system.stiffness,
+        damping: &system.damping,
+    };
+    let begin = |zone: Option<Arc<Zone>>| {
+        let options = Options {
+            zone,
+            ..Options::for_contact()
+        };
+        Newton::with_options(&model, &assembler, &symbolic, Some(inertia), options).unwrap()
+    };
+    let parts = [1, 1, 2, 2, 1, 2, 2, 1, 1];
+    let weight = assembler.body_force(&model, [0.0, 0.0, -9.81]);
+    let at = |t: f64| -> Vec<f64> { weight.iter().map(|w| w * (1.0 + 2.5 * (25.0 * t).sin())).collect() };
+    let folder = tempfile::tempdir().unwrap();
+    let run = |zone: Option<Arc<Zone>>, stored_after: Option<usize>| -> (Vec<f64>, Cost) {
+        let (mut newton, mut state, mut t) = (begin(zone.clone()), State::new(&model), 0.0);
+        for (k, part) in parts.iter().cycle().take(54).enumerate() {
+            let h = 0.01 / f64::from(*part);
+            let scheme = TimeScheme::Trapezoidal.with_step(h).unwrap();
+            newton.step(&scheme, &mut state, &at(t), &at(t + h)).unwrap();
+            t += h;
+            if stored_after == Some(k) {
+                let path = folder.path().join(format!("{k}"));
+                let mut to = Writer::default();
+                to.state(&state);
+                newton.save(&mut to);
+                to.save(&path, 1).unwrap();
+                let mut from = Reader::open(&path, 1).unwrap();
+                (newton, state) = (begin(zone.clone()), State::new(&model));
+                from.state_into(&mut state).unwrap();
+                newton.restore(&mut from, &state).unwrap();
+            }
+        }
+        (state.committed.u, newton.cost())
+    };
+    let (expected, _) = run(None, None);
+    let zone = zone(&model, &assembler);
+    let (found, cost) = run(Some(zone.clone()), None);
+    let largest = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    for (x, e) in found.iter().zip(&expected) {
+        assert!((x - e).abs() < 1e-6 * largest, "{x} {e}");
+    }
+    assert_eq!(cost.wholes, 2, "{cost:?}");
+    for k in [3, 4, 5, 30] {
+        assert!(run(Some(zone.clone()), Some(k)) == (found.clone(), cost), "stored after step {k}");
+    }
 }
