@@ -100,7 +100,7 @@ pub fn pushover(
     checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Pushed, FeError> {
-    let plan = Plan::new(case, options, push.plane_foot)?;
+    let plan = Plan::new(case, options, push.plane_foot || options.plane_foot)?;
     let height = case.tank.wall_height();
     if let Some(z) = push.height.filter(|z| !(0.0..=height).contains(z)) {
         return Err(FeError::Option {

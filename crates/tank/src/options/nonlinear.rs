@@ -41,6 +41,9 @@ pub struct NonlinearOptions {
     /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub bottom_mesh: f64,
+    /// Whether the foot of a cylinder on its bottom plate stays a plane, as under a stiff roof; of no account where the foot is clamped.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub plane_foot: bool,
     /// Free vibration after the record.
     #[serde(default)]
     pub after_record: AfterRecord,
@@ -72,6 +75,7 @@ impl NonlinearOptions {
             follower_pressure: true,
             integration: Integration::DEFAULT,
             bottom_mesh: 1.0,
+            plane_foot: false,
             after_record: AfterRecord::DEFAULT,
             checkpoint: 60.0,
             imperfections: Imperfections::NONE,

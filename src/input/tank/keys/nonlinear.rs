@@ -61,6 +61,10 @@ object! {
         /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
         bottom_mesh (2): Opt<Number> [Limits::from(0.5).to(8.0)] = default(Number(DEFAULT.bottom_mesh))
             .because("rings of two thicknesses at the foot resolve the hinge of the plate"),
+        /// Whether the foot of a cylinder on its bottom plate stays a plane, as it does in the strips of the harmonic engine and under a stiff roof; of
+        /// no account where the foot is clamped.
+        plane_foot (true): Opt<bool>
+            = default(DEFAULT.plane_foot).because("the mass of the roof is modelled, not its stiffness: the foot may warp"),
         /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
         after_record ("2 periods"): Opt<AfterRecord> = default(DEFAULT.after_record)
             .because("as the linear engines: two periods of the first sloshing mode"),
@@ -256,6 +260,7 @@ pub(super) fn nonlinear(
         follower_pressure: r.choice(&given.follower_pressure),
         integration: integration(r, &given.integration),
         bottom_mesh: r.or_default(&given.bottom_mesh),
+        plane_foot: r.choice(&given.plane_foot),
         after_record: r.choice(&given.after_record),
         checkpoint: r.or_default(&given.checkpoint),
         // Those of `analysis`.

@@ -26,6 +26,7 @@ const STANDS: [&str; 3] = [
      radius the liquid's floor rests.",
     "Base shear and base moment are the forces on the ground, the moment without that of the pressure on the bottom.",
 ];
+const PLANE_FOOT: &str = "The foot of the wall is kept a plane, as under a stiff roof: its uplift is w₀ + ψ R cos θ.";
 /// What keeps it in place.
 const KEPT: &str = "The tank does not slide: the mean horizontal displacement of the foot is zero. In its plane the plate moves on the ground without \
      friction.";
@@ -234,6 +235,9 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
     ];
     if let Some(standing) = &tank.standing {
         out.extend(STANDS.map(String::from));
+        if options.plane_foot {
+            out.push(PLANE_FOOT.into());
+        }
         let kept = match (standing.slides(), case.tank.support) {
             (true, _) => FRICTION,
             (false, Support::Anchored) => ANCHORS,

@@ -197,6 +197,9 @@ impl Standing {
         let slides = slides(case);
         let kinds = [options.follower_pressure, slides, slides];
         self.placed.ground = plate.place(builder, &self.angles, rings, kinds, pressure)?;
+        if options.plane_foot {
+            bottom::keep_plane(builder, &self.angles, &rings[self.foot])?;
+        }
         if let Some((count, stiffness, strength)) = anchors(case) {
             let bolts: Vec<f64> = shares(&self.angles).iter().map(|share| count * share / TAU).collect();
             let own = case.tank.anchors.as_ref();
