@@ -26,7 +26,8 @@
 //!   of K_T, which softening cannot make indefinite.
 //! * **Zone** ([`super::zone`]): elements whose tangents are renewed after every slow iteration; those of the others when iterations stay slow
 //!   all the same. A step that has failed is tried again with those of the zone in every iteration, then with all of them.
-//!   A step has diverged once an increment does more work than the first one; then the last of these is left out.
+//!   A step has diverged once an increment does more work than the first one; then the last of these is left out. Iterations since the last factor correct it
+//!   (`secant`), and the factor of another length of step is kept.
 //! * **Tangent damping**: C_T = Σ a_K K_e⁺ of the last committed tangents, K_e⁺ the positive part of an element's.
 //!
 //! Source: Bathe 1996, section 8.4; Matthies & Strang 1979 (line search); criteria: theory manual.
@@ -49,6 +50,7 @@ mod iterate;
 mod memory;
 mod path;
 mod search;
+mod secant;
 mod solver;
 mod zoned;
 
@@ -255,6 +257,7 @@ pub struct Newton<'a> {
     /// Where elements are not assembled.
     rings: Option<Arc<RingLayout>>,
     zoned: Option<Zoned>,
+    secants: secant::Secants,
     /// C_T.
     viscous: Option<Symmetric>,
     /// Forces at the committed state, and the displacements they belong to.
@@ -354,6 +357,7 @@ impl<'a> Newton<'a> {
             factor: None,
             rings,
             zoned,
+            secants: secant::Secants::default(),
             viscous: None,
             committed: Forces::default(),
             committed_at: None,

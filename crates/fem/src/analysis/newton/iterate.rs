@@ -56,6 +56,7 @@ impl Newton<'_> {
     ) -> Result<StepReport, StepFailure> {
         let modified = self.options.modified || initial || self.zoned.is_some();
         state.revert();
+        self.secants.clear();
         if let Some(kept) = &mut self.kept {
             kept.clear();
         }
@@ -80,10 +81,14 @@ impl Newton<'_> {
                 && self.options.line_search
                 && self.overshoots(g0)
             {
+                self.secants.clear();
                 scale = self.search(scheme, state, loads, g0)?;
                 if !modified {
                     self.evaluate(state, Want::ALL, scheme.collocation().1)?;
                 }
+            }
+            if self.zoned.is_some() && iteration > 0 {
+                self.secants.learn(&self.room.du, &self.room.r);
             }
             let norm = dot(&self.room.r, &self.room.r).sqrt();
             residuals.push(norm);
@@ -116,7 +121,11 @@ impl Newton<'_> {
             let mut renewed = false;
             if self.zoned.is_some() {
                 let renew = self.what_to_renew(scheme.weights(), slow);
+                if renew != Renew::Nothing {
+                    self.secants.clear();
+                }
                 renewed = self.renew(scheme, state, renew)?;
+                self.secants.begin(&self.room.r);
             } else if initial {
                 if iteration == 0 {
                     self.take_initial()?;
@@ -260,12 +269,15 @@ impl Newton<'_> {
     /// δu from r with the factor there is, or with that of the zone `renewed`.
     fn solve(&mut self, renewed: bool) -> Result<(), AnalysisError> {
         self.cost.iterations += 1;
-        let (r, mut du) = (std::mem::take(&mut self.room.r), std::mem::take(&mut self.room.du));
+        let (mut b, mut du) = (std::mem::take(&mut self.room.blend), std::mem::take(&mut self.room.du));
+        b.clone_from(&self.room.r);
+        let alphas = self.secants.ahead(&mut b);
         let solved = match renewed {
-            true => self.renew_and_substitute(&r, &mut du),
-            false => self.back_substitute(&r, &mut du),
+            true => self.renew_and_substitute(&b, &mut du),
+            false => self.back_substitute(&b, &mut du),
         };
-        (self.room.r, self.room.du) = (r, du);
+        self.secants.after(&mut du, &alphas);
+        (self.room.blend, self.room.du) = (b, du);
         solved
     }
 
