@@ -7,6 +7,8 @@
 //! This is a thin layer over `libm` (`J_n`) and `spec_math` (Cephes, `e⁻ˣ I₀`, `e⁻ˣ I₁`), checked against the tables of
 //! Abramowitz and Stegun (1972), 9.5 and 9.8, and against 30-digit values.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use spec_math::cephes64;
@@ -59,10 +61,26 @@ pub fn i1_over_i1_prime(x: f64) -> f64 {
 /// The zeros are bracketed by walking in unit steps (they lie more than 2 apart and above `m`), so no start formula can
 /// land on a neighbour, and then found by Newton's method with `J_m″ = −J_m′/x − (1 − m²/x²) J_m`.
 ///
+/// This thread remembers those it has found.
+///
 /// # Panics
 /// If `n = 0`.
 pub fn j_prime_zero(m: u32, n: usize) -> f64 {
     assert!(n >= 1, "zeros of J_m' are counted from 1");
+    if let Some(known) = ZEROS.with_borrow(|zeros| zeros.get(&(m, n)).copied()) {
+        return known;
+    }
+    let found = nth_zero(m, n);
+    ZEROS.with_borrow_mut(|zeros| zeros.insert((m, n), found));
+    found
+}
+
+thread_local! {
+    /// The zeros that this thread has found, by order and number: of sloshing modes, some tens.
+    static ZEROS: RefCell<HashMap<(u32, usize), f64>> = RefCell::default();
+}
+
+fn nth_zero(m: u32, n: usize) -> f64 {
     let mut left = if m == 0 { 1.0 } else { f64::from(m) };
     let mut found = 0;
     loop {
