@@ -56,6 +56,24 @@ pub struct Simulation {
     pub second: Option<(f64, ModalUnits)>,
 }
 
+impl Simulation {
+    /// A run of which nothing but values and demands is used.
+    pub(crate) fn unreported(engine: EngineId, values: BTreeMap<Quantity, f64>, demands: Demands) -> Simulation {
+        Simulation {
+            values,
+            result: Run::new(engine),
+            series: Series::default(),
+            assumptions: Vec::new(),
+            notes: Vec::new(),
+            snapshots: None,
+            demands: Some(demands),
+            units: None,
+            of_modes: None,
+            second: None,
+        }
+    }
+}
+
 /// A finite-element engine.
 pub trait Engine: Sync {
     /// Its id.

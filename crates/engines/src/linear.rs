@@ -32,7 +32,7 @@ use tank::{Shape, Support};
 pub(crate) use around::Across;
 use around::Around;
 
-use analysis::{Analysis, LineExtremes, analyse, analyse_on};
+use analysis::{Analysis, Extent, LineExtremes, analyse, analyse_on};
 use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
@@ -117,6 +117,7 @@ pub(crate) fn simulate_with_states(
                 across: None,
                 states,
                 thorough: true,
+                reported: true,
                 known: None,
             };
             complete(case, options, &linear, progress)
@@ -225,8 +226,20 @@ pub(crate) struct Linear<'a> {
     /// Whether all that is reported is computed: a quick run has no envelopes, and a base that lifts is not run on softer and harder ground and
     /// under motions slightly apart.
     pub thorough: bool,
+    /// Whether anything but values and demands is used: histories, envelopes, modes, limits, notes.
+    pub reported: bool,
     /// Laws of such a base from runs under other records.
     pub known: Option<&'a Arc<rocking::Known>>,
+}
+
+impl Linear<'_> {
+    fn extent(&self) -> Extent {
+        match (self.thorough, self.reported) {
+            (_, false) => Extent::Values,
+            (true, true) => Extent::Whole,
+            (false, true) => Extent::Quick,
+        }
+    }
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -242,14 +255,14 @@ pub(crate) fn complete(
     let alone = motion.vertical.is_none() && motion.transverse.is_none();
     let newmark = options.integrator == Integrator::Newmark && alone;
     let Some(direct) = linear.direct.filter(|_| newmark) else {
-        let analysis = analyse_on(linear.model, motion, (options, linear.thorough), progress)?;
+        let analysis = analyse_on(linear.model, motion, (options, linear.extent()), progress)?;
         return report(case, options, linear, analysis, motion, notes);
     };
     let modal = Options {
         integrator: Integrator::Modal,
         ..options.clone()
     };
-    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.thorough), progress)?;
+    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.extent()), progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
     let mut simulation = report(case, options, linear, analysis, motion, notes)?;
     if let Some(time) = interrupted {
@@ -319,7 +332,7 @@ fn report(
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
     let mut analysis = match &moving {
-        Some(moving) => analyse_on(moving, &driven, (options, linear.thorough), &Silent)?,
+        Some(moving) => analyse_on(moving, &driven, (options, linear.extent()), &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -343,6 +356,10 @@ fn report(
     if let Some(second) = linear.across {
         demands::across(&mut demands, (model, second.model), motion, options)?;
     }
+    demands.wave = around.as_ref().map_or(demands.wave, |around| around.wave);
+    if !linear.reported && moving.is_none() {
+        return Ok(Simulation::unreported(linear.engine, values, demands));
+    }
     let mut histories = histories(motion, &analysis);
     if let Some(around) = &around {
         around.add(&mut histories);
@@ -363,9 +380,9 @@ fn report(
         found.add(&mut histories);
     }
     // A quick run has not the extremes of all lines.
-    let mut envelopes = match linear.thorough {
-        true => envelopes(seen, &analysis),
-        false => Vec::new(),
+    let mut envelopes = match linear.extent() {
+        Extent::Whole => envelopes(seen, &analysis),
+        _ => Vec::new(),
     };
     if let Some(moved) = free.moved() {
         moved.correct(&mut envelopes);
@@ -409,7 +426,6 @@ fn report(
         notes,
         snapshots,
         demands: Some(Demands {
-            wave: around.as_ref().map_or(demands.wave, |around| around.wave),
             plates: linear.engine == EngineId::Solid,
             ..demands
         }),

@@ -13,7 +13,7 @@ use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
-use crate::response::observe::{Extreme, History, Observed};
+use crate::response::observe::{Extreme, History};
 use crate::response::superpose::{self, ModalSystem, Observable};
 use results::channel::{OnWall, Side};
 use results::{Channel, EnergyBalance};
@@ -150,21 +150,34 @@ pub(crate) fn analyse<'a>(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
-    analyse_on(model, motion, (options, true), progress)
+    analyse_on(model, motion, (options, Extent::Whole), progress)
 }
 
-/// Whether extremes along a line are part of a quick analysis: those that values and limits are made of.
-fn needed(what: OnWall) -> bool {
-    matches!(what, OnWall::Hoop | OnWall::Pressure)
+/// How much of a run is observed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// All lines, which is most of the work, and the waves of further modes.
+    Whole,
+    /// The lines that values and limits are made of.
+    Quick,
+    /// Those, without the history at the place of the largest hoop stress, which is known after a first pass alone.
+    Values,
 }
 
-/// The same, of all lines or of those that are needed, which is most of the work, and then without the waves of further modes.
+impl Extent {
+    /// Whether extremes along a line are observed.
+    fn has(self, what: OnWall) -> bool {
+        self == Extent::Whole || matches!(what, OnWall::Hoop | OnWall::Pressure)
+    }
+}
+
+/// The same to an extent.
 ///
 /// Errors: as [`analyse`].
 pub(crate) fn analyse_on<'a>(
     model: &'a Model,
     motion: &GroundMotion,
-    (options, all): (&Options, bool),
+    (options, extent): (&Options, Extent),
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
     let records = (&motion.horizontal, motion.vertical.as_ref());
@@ -172,7 +185,7 @@ pub(crate) fn analyse_on<'a>(
     let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };
     let lines = &model.horizontal.coupled.lines;
     let mut on_lines: Vec<Observable> = Vec::new();
-    for line in lines.iter().filter(|line| all || needed(line.what)) {
+    for line in lines.iter().filter(|line| extent.has(line.what)) {
         for &opposite in sides {
             on_lines.extend((0..line.z.len()).map(|i| model.observable_on_line(line, i, opposite)));
         }
@@ -188,8 +201,13 @@ pub(crate) fn analyse_on<'a>(
     let ground = model.motions(records, &grid);
     let ground: Vec<&Motion> = ground.iter().collect();
     progress.stage("linear response", 2 * grid.steps() as u64);
-    let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
-    let mut extremes = collect(model, &found, both_sides, all);
+    let mut extremes = match extent {
+        Extent::Values => Vec::new(),
+        _ => {
+            let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
+            collect(model, &found.extremes, both_sides, extent)
+        }
+    };
     let hoop = extremes
         .iter()
         .find(|l| l.what == OnWall::Hoop)
@@ -203,17 +221,23 @@ pub(crate) fn analyse_on<'a>(
         Vec::new()
     };
     let sloshing = kept[0].iter().filter(|m| m.kind == Kind::Sloshing).count();
-    let further = match all {
-        true => waves::further(&scalars, options.wave_modes, sloshing),
-        false => Vec::new(),
+    let further = match extent {
+        Extent::Whole => waves::further(&scalars, options.wave_modes, sloshing),
+        _ => Vec::new(),
     };
+    let beside: &[Observable] = if extent == Extent::Values { &on_lines } else { &[] };
     let others: Vec<Observable> = opposite
         .iter()
         .cloned()
         .chain(further.iter().flat_map(waves::Further::observables))
+        .chain(beside.iter().cloned())
         .collect();
     let mut observed = superpose::respond(&systems, &ground, grid, &observables, &others, progress)?;
-    let waves = waves::rises(&further, &observed.extremes.split_off(opposite.len()));
+    let others_found = observed.extremes.split_off(opposite.len());
+    let waves = waves::rises(&further, &others_found);
+    if extent == Extent::Values {
+        extremes = collect(model, &others_found, both_sides, extent);
+    }
     let (mut used, mut energy, mut difference) = (grid, None, None);
     if options.integrator == Integrator::Newmark {
         used = model.grid(motion, Integrator::Newmark)?;
@@ -226,11 +250,7 @@ pub(crate) fn analyse_on<'a>(
         let others: Vec<Observable> = opposite.iter().chain(&on_lines).cloned().collect();
         progress.stage("linear response, direct integration", used.steps() as u64);
         let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others, progress)?;
-        let lines = Observed {
-            scalars: Vec::new(),
-            extremes: direct.extremes.split_off(opposite.len()),
-        };
-        extremes = collect(model, &lines, both_sides, all);
+        extremes = collect(model, &direct.extremes.split_off(opposite.len()), both_sides, extent);
         difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
         // The energies of the two parts of a lifting wall's motion do not add up to that of the whole.
         energy = model.turned.is_none().then_some(balance);
@@ -257,11 +277,11 @@ fn mirror<'a>(model: &Model, observable: &Observable<'a>) -> Observable<'a> {
 }
 
 /// Sorts the extremes of the rows on lines by line and side.
-fn collect(model: &Model, found: &Observed, both_sides: bool, all: bool) -> Vec<LineExtremes> {
-    let mut rest = found.extremes.iter().copied();
+fn collect(model: &Model, found: &[Extreme], both_sides: bool, extent: Extent) -> Vec<LineExtremes> {
+    let mut rest = found.iter().copied();
     let mut lines = Vec::new();
     let lines_of = &model.horizontal.coupled.lines;
-    for line in lines_of.iter().filter(|line| all || needed(line.what)) {
+    for line in lines_of.iter().filter(|line| extent.has(line.what)) {
         let front: Vec<Extreme> = rest.by_ref().take(line.z.len()).collect();
         let back = if both_sides {
             rest.by_ref().take(line.z.len()).collect()

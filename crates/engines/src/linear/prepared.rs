@@ -102,6 +102,7 @@ impl Prepared {
             across: None,
             states: None,
             thorough: true,
+            reported: false,
             known: None,
         };
         let simulation = complete(&case, &self.options, &linear, &Silent)?;

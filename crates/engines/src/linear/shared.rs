@@ -6,6 +6,7 @@ use std::sync::Arc;
 use tank::case::{GroundMotion, Site};
 use tank::{Case, Shape};
 
+use super::analysis::Extent;
 use super::mesh_error::{self, Second, SecondMesh};
 use super::model::Model;
 use super::rocking::Known;
@@ -81,6 +82,7 @@ impl Shared {
             direct: None,
             across: None,
             thorough,
+            reported: true,
             known: Some(&self.laws),
             states: None,
         };
@@ -111,7 +113,7 @@ impl Shared {
                 let round = matches!(self.case.tank.shape, Shape::Cylinder { .. });
                 Some(Second {
                     ratio: mesh.ratio,
-                    values: analyse_on(&model, motion, (&mesh.options, false), &Silent)?.values(&model, round),
+                    values: analyse_on(&model, motion, (&mesh.options, Extent::Quick), &Silent)?.values(&model, round),
                     wave: None,
                     units: match self.case.site.is_given() {
                         true => Some(units::units(&model, &mesh.options)?),

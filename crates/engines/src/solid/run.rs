@@ -400,6 +400,7 @@ fn integrated(
         across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
         states: None,
         thorough: true,
+        reported: true,
         known: None,
     };
     let mut simulation = complete(case, options, &linear, progress)?;
