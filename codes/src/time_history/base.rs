@@ -194,10 +194,14 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             c if c > 0.0 => size(k) / c,
             _ => f64::INFINITY,
         };
-        let Some(k) = (0..shear.len()).max_by(|&i, &j| ratio(i).total_cmp(&ratio(j)).then(j.cmp(&i))) else {
+        let larger = |best: (usize, f64), next: (usize, f64)| match next.1.total_cmp(&best.1).is_gt() {
+            true => next,
+            false => best,
+        };
+        let Some((k, utilisation)) = (0..shear.len()).map(|k| (k, ratio(k))).reduce(larger) else {
             continue;
         };
-        let (time, upwards, utilisation) = (work.demands.times[k], upwards(k), ratio(k));
+        let (time, upwards) = (work.demands.times[k], upwards(k));
         let when = with_unit(time, tank::units::Dimension::Time);
         work.sheet.section(&format!("Sliding ({clause}): t = {when}"));
         let demand = size(k);

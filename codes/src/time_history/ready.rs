@@ -8,14 +8,17 @@ use tank::demand::{Demands, Place, Terms};
 
 use super::base;
 use super::field::{Direction, rows};
-use super::search::{Searched, directions};
+use super::search::{Searched, Shelf, directions};
 
 /// What the checks of a run need of its demands, computed once: a linear model under the same record times a factor needs nothing else.
 pub struct Ready<'a> {
     pub(super) demands: &'a Demands,
     pub(super) directions: Vec<Direction>,
-    /// For each limit state of the wall and each course the number of the place that governed last, where a search begins.
-    pub(super) governing: RefCell<BTreeMap<(&'static str, usize), usize>>,
+    /// For each limit state of the wall and each course the number of the place and of the instant that governed last, where a search
+    /// begins.
+    pub(super) governing: RefCell<BTreeMap<(&'static str, usize), (usize, usize)>>,
+    /// Lower bounds of capacities, which the motion does not change.
+    pub(super) shelf: Shelf,
     /// Places on the wall of a metal cylinder as corrosion leaves it, by course and height.
     pub(super) wall: Vec<Searched<'a>>,
     /// Places at the base of a cylinder as the engine has them.
@@ -94,6 +97,7 @@ impl<'a> Ready<'a> {
             vertical: demands.vertical.as_ref().map(|terms| demands.history(terms)),
             base: at_base,
             governing: RefCell::default(),
+            shelf: Shelf::default(),
             wall,
             directions,
             demands,

@@ -3,8 +3,11 @@
 //! A place keeps the extremes of its fields by blocks of instants ([`Extremes`]), not their histories. They bound what a block can hold
 //! under the motion times any factor; the histories are combined again in the blocks that can govern. What is found is what a search
 //! of all instants finds, to the last bit: the first instant and place of the largest utilisation.
+//!
+//! Sixteen blocks are a row, whose extremes pass over all of them at once.
 
 mod at_base;
+mod compression;
 mod floors;
 mod membrane;
 
@@ -13,10 +16,12 @@ use std::ops::Range;
 
 use tank::demand::{Angles, Demands, OnWall, Place};
 
-use super::field::{Direction, Extremes, Factors, Field, SIDES, block_of, blocks, factored, instants};
+use super::field::{Direction, Extremes, Factors, Field, SIDES, Span, block_of, blocks_of, factored, instants, rows};
 use at_base::AtBase;
-use floors::Floors;
 use membrane::Membrane;
+
+pub(super) use compression::Capacity;
+pub(super) use floors::{Floors, Shelf};
 
 /// Steps of the angle from 0 to 180° where a utilisation is not linear in cos θ.
 const STEPS: usize = 12;
@@ -92,6 +97,16 @@ pub(super) fn mises(a: f64, b: f64) -> f64 {
     mises_squared(a, b).max(0.0).sqrt()
 }
 
+/// The largest σ² of von Mises of two normal stresses in ranges, with the square of a shear stress.
+fn most_squared((a, b): (f64, f64), (c, d): (f64, f64), shear: f64) -> f64 {
+    // Convex in both stresses: largest at a corner.
+    let corners = [(a, c), (a, d), (b, c), (b, d)].map(|(hoop, axial)| mises_squared(hoop, axial));
+    (corners.into_iter().fold(0.0, f64::max) + 3.0 * shear) * (1.0 + ROUNDING)
+}
+
+/// Ranges of cos θ whose equivalent stresses are bounded apart.
+const PARTS: [(f64, f64); 5] = [(-1.0, -0.8), (-0.8, -0.4), (-0.4, 0.4), (0.4, 0.8), (0.8, 1.0)];
+
 /// A place on the wall, ready to be searched under the motion times any factor.
 pub(super) struct Searched<'a> {
     demands: &'a Demands,
@@ -110,12 +125,14 @@ impl<'a> Searched<'a> {
     ///
     /// * `lost`: thickness as built over that left
     pub(super) fn new(demands: &'a Demands, place: &'a Place, lost: f64) -> Searched<'a> {
-        let pressure = place.pressure.as_ref();
+        let of = |field: &OnWall, stress: f64| {
+            Extremes::new(field.rest * stress, !field.even.is_empty(), demands.times.len())
+        };
         Searched {
-            hoop: Extremes::new(place.hoop.rest * lost),
-            axial: Extremes::new(place.axial.rest * lost),
-            pressure: pressure.map(|of| Extremes::new(of.rest)),
-            shear: place.shear.as_ref().map(|_| Extremes::new(0.0)),
+            hoop: of(&place.hoop, lost),
+            axial: of(&place.axial, lost),
+            pressure: place.pressure.as_ref().map(|pressure| of(pressure, 1.0)),
+            shear: { place.shear.as_ref() }.map(|_| Extremes::new(0.0, false, demands.times.len())),
             base: None,
             demands,
             place,
@@ -167,6 +184,7 @@ impl<'a> Searched<'a> {
             at: self,
             factor,
             directions,
+            block: None,
         }
     }
 }
@@ -179,15 +197,44 @@ pub(super) struct Search<'a> {
     at: &'a Searched<'a>,
     factor: f64,
     directions: &'a [Direction],
+    /// The one block that is searched; none searches all.
+    block: Option<usize>,
 }
 
 impl Search<'_> {
+    /// The same in the block of an instant alone.
+    pub(super) fn near(self, instant: usize) -> Self {
+        Search {
+            block: Some(block_of(instant)),
+            ..self
+        }
+    }
+
+    /// Number of the course, from 0.
+    pub(super) fn course(&self) -> usize {
+        self.at.place.course
+    }
+
     fn count(&self) -> usize {
         self.at.demands.times.len()
     }
 
-    fn blocks(&self) -> Range<usize> {
-        0..blocks(self.count())
+    /// Takes each block that is searched, in the order of time, where its row and it may hold more than what is found.
+    fn blocks<T>(&self, found: &mut T, may: impl Fn(&T, Span) -> bool, take: impl Fn(&mut T, usize)) {
+        let count = self.count();
+        let one = |found: &mut T, block: usize| {
+            if may(found, Span::Block(block)) {
+                take(found, block);
+            }
+        };
+        if let Some(block) = self.block {
+            return one(found, block);
+        }
+        for row in 0..rows(count).len() {
+            if may(found, Span::Row(row)) {
+                blocks_of(row, count).for_each(|block| one(found, block));
+            }
+        }
     }
 
     /// Instants of a block.
@@ -249,26 +296,27 @@ impl Search<'_> {
         capacity: f64,
         above: f64,
     ) -> Option<Found> {
-        let below = |block: Option<usize>| ratio(extremes.bounds(block, self.factor).1, capacity) <= above;
-        if below(None) {
+        let bound = |span: Span| extremes.bounds(span, self.factor).1;
+        let counts = |bound: f64| ratio(bound, capacity) > above;
+        if !counts(bound(Span::All)) {
             return None;
         }
         let mut largest: Option<(usize, Direction, f64)> = None;
-        for block in self.blocks() {
-            let (_, bound) = extremes.bounds(Some(block), self.factor);
-            if largest.is_some_and(|(_, _, most)| bound <= most) || below(Some(block)) {
-                continue;
-            }
+        let may = |largest: &Option<(usize, Direction, f64)>, span: Span| {
+            let bound = bound(span);
+            largest.is_none_or(|(_, _, most)| bound > most) && counts(bound)
+        };
+        self.blocks(&mut largest, may, |largest, block| {
             let (field, start) = (field(block), self.instants(block).start);
             for k in 0..field.len() {
                 for direction in field.ends(k) {
                     let value = field.at(k, direction);
                     if largest.is_none_or(|(_, _, most)| value.total_cmp(&most).is_gt()) {
-                        largest = Some((start + k, direction, value));
+                        *largest = Some((start + k, direction, value));
                     }
                 }
             }
-        }
+        });
         let (instant, direction, demand) = largest?;
         let demand = demand.max(0.0);
         Some(Found {
@@ -281,54 +329,65 @@ impl Search<'_> {
         })
     }
 
-    /// What σ² of von Mises can be at most in a block or over all.
-    fn equivalent_bound(&self, block: Option<usize>) -> f64 {
-        let ((a, b), (c, d)) = (
-            self.at.hoop.bounds(block, self.factor),
-            self.at.axial.bounds(block, self.factor),
-        );
+    /// What σ² of von Mises can be at most in some instants.
+    fn equivalent_bound(&self, span: Span) -> f64 {
+        let bounds = |of: &Extremes| of.bounds(span, self.factor);
+        let shear = self.at.shear.as_ref().map_or(0.0, |shear| bounds(shear).1);
+        most_squared(bounds(&self.at.hoop), bounds(&self.at.axial), shear * shear)
+    }
+
+    /// The same part by part of the circumference, without a motion along y: closer, and dearer.
+    fn closer_bound(&self, span: Span) -> f64 {
         let shear = self.at.shear.as_ref();
-        let shear = shear.map_or(0.0, |shear| shear.bounds(block, self.factor).1);
-        // Convex in both stresses: largest at a corner.
-        let corners = [(a, c), (a, d), (b, c), (b, d)].map(|(hoop, axial)| mises_squared(hoop, axial));
-        let normal = corners.into_iter().fold(0.0, f64::max);
-        (normal + 3.0 * shear * shear) * (1.0 + ROUNDING)
+        let shear = shear.map_or(0.0, |shear| shear.bounds(span, self.factor).1);
+        let of = |part: (f64, f64)| {
+            let bounds = |of: &Extremes| of.towards(part, span, self.factor);
+            // The shear goes with the sine.
+            let nearest = if part.0 * part.1 < 0.0 {
+                0.0
+            } else {
+                part.0.abs().min(part.1.abs())
+            };
+            let squared = shear * shear * (1.0 - nearest * nearest);
+            most_squared(bounds(&self.at.hoop), bounds(&self.at.axial), squared)
+        };
+        PARTS.into_iter().map(of).fold(0.0, f64::max)
     }
 
     /// Equivalent membrane stress against a capacity. With a motion along y it is searched around the circumference.
     pub(super) fn equivalent(&self, capacity: f64, above: f64) -> Option<Found> {
-        let below = |bound: f64| ratio(bound.sqrt(), capacity) <= above;
-        if below(self.equivalent_bound(None)) {
+        let turns = !self.at.demands.transverse.is_empty();
+        let counts = |most: f64, bound: f64| bound > most && ratio(bound.sqrt(), capacity) > above;
+        let may = |worst: &Option<(usize, Direction, f64)>, span: Span| {
+            let most = worst.map_or(f64::NEG_INFINITY, |w| w.2);
+            counts(most, self.equivalent_bound(span)) && (turns || counts(most, self.closer_bound(span)))
+        };
+        let mut worst: Option<(usize, Direction, f64)> = None;
+        if !may(&worst, Span::All) {
             return None;
         }
-        let turns = !self.at.demands.transverse.is_empty();
-        let mut worst: Option<(usize, Direction, f64)> = None;
-        for block in self.blocks() {
-            let most = worst.map_or(f64::NEG_INFINITY, |w| w.2);
-            let bound = self.equivalent_bound(Some(block));
-            if bound <= most || below(bound) {
-                continue;
-            }
+        self.blocks(&mut worst, may, |worst, block| {
             let (membrane, start) = (self.membrane(block), self.instants(block).start);
             for k in 0..membrane.hoop.len() {
                 let most = worst.map_or(f64::NEG_INFINITY, |w| w.2);
                 if !turns {
                     let (squared, cosine) = membrane.largest(k);
                     if squared > most {
-                        worst = Some((start + k, (cosine, 0.0), squared));
+                        *worst = Some((start + k, (cosine, 0.0), squared));
                     }
                 } else if membrane.bound(k) > most {
                     for &direction in self.directions {
                         let squared = membrane.squared(k, direction);
                         if worst.is_none_or(|w| squared > w.2) {
-                            worst = Some((start + k, direction, squared));
+                            *worst = Some((start + k, direction, squared));
                         }
                     }
                 }
             }
-        }
+        });
         let (instant, direction, squared) = worst?;
-        let (direction, squared) = match turns {
+        // Near a hint the coarse one is reached in any case.
+        let (direction, squared) = match turns && self.block.is_none() {
             true => self.finer(instant, direction),
             false => (direction, squared),
         };
@@ -364,116 +423,6 @@ impl Search<'_> {
         let block = block_of(instant);
         let start = self.instants(block).start;
         self.pressure(block).map_or(0.0, |p| p.at(instant - start, direction))
-    }
-
-    /// Bounds of the pressure, and of the compression the upper one [Pa].
-    fn compression_bounds(&self, block: Option<usize>) -> ((f64, f64), f64) {
-        let pressure = self.at.pressure.as_ref();
-        let pressure = pressure.map_or((0.0, 0.0), |p| p.bounds(block, self.factor));
-        (pressure, -self.at.axial.bounds(block, self.factor).0)
-    }
-
-    /// Axial compression against a capacity that depends on the interior pressure of the same instant and place, monotonously: at no
-    /// pressure of a range is it below both ends.
-    pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64, above: f64) -> Option<Found> {
-        let (range, most) = self.compression_bounds(None);
-        if self.count() == 0 || ratio(most, capacity(range.0).min(capacity(range.1))) <= above {
-            return None;
-        }
-        // Capacity is dear: it is asked for where its lower bounds leave more than has been found.
-        let floors = Floors::new(range, &capacity);
-        // Where no capacity is left at some pressure, the first compression decides, not the largest.
-        let first = match floors.lowest > 0.0 {
-            true => self.largest_compression(self.at.axial.lowest()),
-            false => self.first_compression(),
-        };
-        let mut best: Option<Found> = None;
-        let capacity = (&floors, &capacity as &dyn Fn(f64) -> f64);
-        self.compressed((block_of(first), Some(first)), capacity, above, &mut best);
-        for block in self.blocks() {
-            let ((low, high), most) = self.compression_bounds(Some(block));
-            let bound = ratio(most, floors.at(low).min(floors.at(high)));
-            if bound > above && best.is_none_or(|best| bound > best.utilisation) {
-                self.compressed((block, None), capacity, above, &mut best);
-            }
-        }
-        best
-    }
-
-    /// The first instant of the largest compression of a block.
-    fn largest_compression(&self, block: usize) -> usize {
-        let axial = self.axial(block);
-        let compression = |k: usize| axial.ends(k).map(|at| -axial.at(k, at)).into_iter().fold(0.0, f64::max);
-        let larger = |best: usize, k: usize| if compression(k) > compression(best) { k } else { best };
-        self.instants(block).start + (0..axial.len()).fold(0, larger)
-    }
-
-    /// The first instant of compression, or 0.
-    fn first_compression(&self) -> usize {
-        let compressed = self.blocks().filter_map(|block| {
-            if self.compression_bounds(Some(block)).1 <= 0.0 {
-                return None;
-            }
-            let (axial, start) = (self.axial(block), self.instants(block).start);
-            let first = (0..axial.len()).find(|&k| axial.ends(k).iter().any(|&at| axial.at(k, at) < 0.0));
-            first.map(|k| start + k)
-        });
-        { compressed }.next().unwrap_or(0)
-    }
-
-    /// The largest compression against its capacity in a block or at one instant of it, where it is more than what was found.
-    fn compressed(
-        &self,
-        (block, only): (usize, Option<usize>),
-        (floors, capacity): (&Floors, &dyn Fn(f64) -> f64),
-        above: f64,
-        best: &mut Option<Found>,
-    ) {
-        let (axial, pressure) = (self.axial(block), self.pressure(block));
-        let all = self.instants(block);
-        let start = all.start;
-        let state = |k: usize, direction: Direction| {
-            let pressure = pressure.as_ref().map_or(0.0, |p| p.at(k, direction));
-            ((-axial.at(k, direction)).max(0.0), pressure)
-        };
-        // Compression and pressure are linear in cos θ. Of each half of the circumference: the larger compression of its ends over the
-        // lower bound of the capacity between their pressures. Both are large on the same half, small on the other.
-        let halves = |k: usize| {
-            let [front, middle, back] = [1.0, 0.0, -1.0].map(|cosine| {
-                let (demand, pressure) = state(k, (cosine, 0.0));
-                (demand, floors.at(pressure))
-            });
-            let half = |a: (f64, f64), b: (f64, f64)| ratio(a.0.max(b.0), a.1.min(b.1));
-            half(front, middle).max(half(middle, back)) * (1.0 + ROUNDING)
-        };
-        for instant in only.map_or(all, |instant| instant..instant + 1) {
-            let k = instant - start;
-            let counts = |bound: f64, best: &Option<Found>| {
-                best.map_or(only.is_some() || bound > above, |best| bound > best.utilisation)
-            };
-            if !axial.turns() && !counts(halves(k), best) {
-                continue;
-            }
-            let own = axial.turns().then(|| axial.ends(k));
-            for direction in self.directions.iter().copied().chain(own.into_iter().flatten()) {
-                let (demand, pressure) = state(k, direction);
-                if !counts(ratio(demand, floors.at(pressure)), best) {
-                    continue;
-                }
-                let capacity = capacity(pressure);
-                let utilisation = ratio(demand, capacity);
-                if best.is_none_or(|best| utilisation > best.utilisation) {
-                    *best = Some(Found {
-                        utilisation,
-                        demand,
-                        rest: (-axial.rest).max(0.0),
-                        capacity,
-                        instant,
-                        direction,
-                    });
-                }
-            }
-        }
     }
 
     /// Range of the equivalent stress of a face from the empty tank and between the extremes of its meridional stress, against a

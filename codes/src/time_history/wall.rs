@@ -9,7 +9,8 @@ use tank::units::Dimension::{Dimensionless, Length, Stress};
 use super::limit_states::{
     API, API_COMPRESSION, API_HOOP, BENDING, COLLAPSE, Codes, ELASTIC, EN_1993, EQUIVALENT, HOOP,
 };
-use super::search::{Found, Search};
+use super::ready::Ready;
+use super::search::{Capacity, Found, Search};
 use super::work::Work;
 use crate::api650::edition2020::hoop_check;
 use crate::api650::edition2020::limit_states::carbon_steel;
@@ -60,7 +61,8 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
 
 /// The worst place of each course for each limit state: the first of those with the largest utilisation.
 ///
-/// Where the same demands were searched under another factor, what is found now at the place that governed then passes over most others.
+/// Where the same demands were searched under another factor, what is found now near the place and the instant that governed then passes over
+/// most others.
 fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
@@ -69,10 +71,10 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let reached: Vec<Vec<f64>> = { all.iter() }
         .map(|asked| {
             let of = |number: usize| {
-                let place = governing.get(&(asked.id, number));
-                let searched = place.and_then(|&place| work.ready.wall.get(place));
-                let found =
-                    searched.and_then(|place| (asked.find)(&work.search(place), &courses[number], f64::NEG_INFINITY));
+                let found = governing.get(&(asked.id, number)).and_then(|&(place, instant)| {
+                    let near = work.search(work.ready.wall.get(place)?).near(instant);
+                    (asked.find)(&near, &courses[number], f64::NEG_INFINITY)
+                });
                 found.map_or(f64::NEG_INFINITY, |found| found.utilisation.next_down())
             };
             (0..courses.len()).map(of).collect()
@@ -86,7 +88,7 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
             let above = best.map_or(reached[number], |best| best.found.utilisation);
             let found = (asked.find)(&search, course, above).filter(|found| found.utilisation > above);
             if let Some(found) = found {
-                governing.insert((asked.id, number), of_place);
+                governing.insert((asked.id, number), (of_place, found.instant));
                 *best = Some(Worst {
                     course: number,
                     found: found.turned(place.turned),
@@ -130,7 +132,7 @@ fn check(work: &mut Work<'_>, asked: &Asked<'_>, found: &[Worst], radius: f64) {
 /// The limit states of the wall, those without their strengths marked as not checked.
 fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
     let case = work.case;
-    let mut all = eurocode(case, work.codes, radius);
+    let mut all = eurocode(case, work.codes, radius, work.ready);
     let without = case.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
     let without = without.map(|course| format!("materials.{}.yield_strength", course.material.name));
     let mut missing: Vec<(&str, String)> = Vec::new();
@@ -147,7 +149,7 @@ fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
         match (carbon_steel(case), without) {
             (false, _) => {}
             (true, Some(input)) => missing.push((API_COMPRESSION, input)),
-            (true, None) => all.push(api_compression(case, radius)),
+            (true, None) => all.push(api_compression(case, radius, work.ready)),
         }
     }
     for (id, input) in missing {
@@ -168,7 +170,7 @@ fn quality(case: &Case) -> f64 {
 }
 
 /// Limit states of the Eurocodes; those of EN 1993-1-6 alone where another code is named.
-fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
+fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64, ready: &'a Ready<'a>) -> Vec<Asked<'a>> {
     let quality = quality(case);
     let mut all: Vec<Asked<'a>> = vec![
         Asked {
@@ -204,7 +206,8 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         of: &[Quantity::AxialMembraneStress],
         find: Box::new(move |at, c, above| {
             let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
-            at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit, above)
+            let capacity = |p: f64| elastic(modulus, strength(c), s, radius, p, quality).limit;
+            compression((ELASTIC, ready), at, &capacity, above)
         }),
     });
     all.push(Asked {
@@ -215,10 +218,25 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         find: Box::new(move |at, c, above| {
             let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
             let capacity = |p: f64| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0));
-            at.compression(capacity, above)
+            compression((COLLAPSE, ready), at, &capacity, above)
         }),
     });
     all
+}
+
+/// Compression at a place against the capacity of its course in a limit state, which depends on the pressure alone [Pa].
+fn compression(
+    (id, ready): (&'static str, &Ready<'_>),
+    at: &Search<'_>,
+    capacity: &dyn Fn(f64) -> f64,
+    above: f64,
+) -> Option<Found> {
+    let floors = ready.shelf.floors((id, at.course()), at.pressures(), capacity);
+    let capacity = Capacity {
+        of: capacity,
+        floors: &floors,
+    };
+    at.compression(capacity, above)
 }
 
 /// Hoop stress of API 650, whose strengths [`asked`] has seen to be given.
@@ -236,7 +254,7 @@ fn api_hoop<'a>(efficiency: f64) -> Asked<'a> {
 }
 
 /// Compression of API 650.
-fn api_compression(case: &Case, radius: f64) -> Asked<'_> {
+fn api_compression<'a>(case: &'a Case, radius: f64, ready: &'a Ready<'a>) -> Asked<'a> {
     Asked {
         id: API_COMPRESSION,
         name: "Compression of the shell",
@@ -244,7 +262,7 @@ fn api_compression(case: &Case, radius: f64) -> Asked<'_> {
         of: &[Quantity::AxialMembraneStress],
         find: Box::new(move |at, course, above| {
             let capacity = |p: f64| allowable_compression(case.liquid.density, case.gravity, radius, course, p);
-            at.compression(capacity, above)
+            compression((API_COMPRESSION, ready), at, &capacity, above)
         }),
     }
 }

@@ -31,9 +31,22 @@ pub(super) struct AtBase {
 impl AtBase {
     /// * fields: axial, hoop and bending
     pub(super) fn of([axial, hoop, bending]: [&Field; 3], poisson: f64, directions: &[Direction]) -> Option<AtBase> {
-        let face = |direction: Direction, side: f64| -> Option<Face> {
+        if axial.len() == 0 {
+            return None;
+        }
+        let face = |direction: Direction, side: f64| -> Face {
             let meridional = |k: usize| axial.at(k, direction) + side * bending.at(k, direction);
-            let by_size = |i: &usize, j: &usize| meridional(*i).total_cmp(&meridional(*j));
+            // The first of the lowest and the last of the highest.
+            let (mut low, mut high) = ((0, meridional(0)), (0, meridional(0)));
+            for k in 1..axial.len() {
+                let value = meridional(k);
+                if value.total_cmp(&low.1).is_lt() {
+                    low = (k, value);
+                }
+                if value.total_cmp(&high.1).is_ge() {
+                    high = (k, value);
+                }
+            }
             let state = |instant: usize| {
                 let bent = side * bending.moved(instant, direction);
                 State {
@@ -42,20 +55,20 @@ impl AtBase {
                     hoop: hoop.moved(instant, direction) + poisson * bent,
                 }
             };
-            Some(Face {
+            Face {
                 direction,
-                low: state((0..axial.len()).min_by(by_size)?),
-                high: state((0..axial.len()).max_by(by_size)?),
-            })
+                low: state(low.0),
+                high: state(high.0),
+            }
         };
-        let both = |&direction: &Direction| Some([face(direction, 1.0)?, face(direction, -1.0)?]);
+        let both = |&direction: &Direction| [face(direction, 1.0), face(direction, -1.0)];
         let rest = [1.0, -1.0].map(|side| {
             let bent = side * bending.rest;
             (axial.rest + bent, hoop.rest + poisson * bent)
         });
         Some(AtBase {
             rest,
-            faces: directions.iter().map(both).collect::<Option<Vec<[Face; 2]>>>()?,
+            faces: directions.iter().map(both).collect(),
         })
     }
 

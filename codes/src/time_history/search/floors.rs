@@ -1,50 +1,84 @@
 //! Lower bounds of a capacity over the pressure.
 
-/// Lower bounds of a capacity that depends monotonously on the pressure: the smaller value at the ends of each of some parts of its range.
-pub(super) struct Floors {
-    low: f64,
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Lower bounds of a capacity that depends monotonously on the pressure: the smaller value at the ends of each of some parts of a range.
+#[derive(Clone, Debug)]
+pub(in crate::time_history) struct Floors {
+    /// Least and largest pressure [Pa].
+    range: (f64, f64),
     /// Parts for each pascal; 0 for a single pressure.
     per_pascal: f64,
-    parts: [f64; PARTS],
-    /// The lowest of all.
-    pub(super) lowest: f64,
+    parts: Vec<f64>,
 }
 
-/// Parts of the range of the pressure: few enough to fill for every place, many enough that a bound is within some per cent.
-const PARTS: usize = 48;
+/// Parts of the range of the pressure: many enough that a bound is within some per cent.
+const PARTS: usize = 192;
+
+/// What is added to either end of a range, as a part of it, so that it serves a motion that is somewhat stronger.
+const MORE: f64 = 0.5;
 
 impl Floors {
     /// * range: least and largest pressure [Pa]
-    pub(super) fn new((low, high): (f64, f64), capacity: impl Fn(f64) -> f64) -> Floors {
+    fn new(range: (f64, f64), capacity: &dyn Fn(f64) -> f64) -> Floors {
+        let (low, high) = range;
         let width = high - low;
-        let lowest = capacity(low).min(capacity(high));
         if !(width > 0.0 && width.is_finite()) {
             return Floors {
-                low,
+                range,
                 per_pascal: 0.0,
-                parts: [lowest; PARTS],
-                lowest,
+                parts: vec![capacity(low).min(capacity(high))],
             };
         }
         let mut before = capacity(low);
-        let parts = std::array::from_fn(|i| {
+        let floor = |i: usize| {
             let after = capacity(low + width * (i + 1) as f64 / PARTS as f64);
             let floor = before.min(after);
             before = after;
             floor
-        });
+        };
         Floors {
-            low,
+            range,
             per_pascal: PARTS as f64 / width,
-            parts,
-            lowest,
+            parts: (0..PARTS).map(floor).collect(),
         }
     }
 
-    /// At a pressure; next to an edge, where rounding decides, the smaller of both parts.
+    fn covers(&self, (low, high): (f64, f64)) -> bool {
+        self.range.0 <= low && high <= self.range.1
+    }
+
+    /// At a pressure of the range; next to an edge, where rounding decides, the smaller of both parts.
     pub(super) fn at(&self, pressure: f64) -> f64 {
-        let place = (pressure - self.low) * self.per_pascal;
-        let part = |place: f64| self.parts[(place.max(0.0) as usize).min(PARTS - 1)];
+        let place = (pressure - self.range.0) * self.per_pascal;
+        let part = |place: f64| self.parts[(place.max(0.0) as usize).min(self.parts.len() - 1)];
         part(place - 1e-9).min(part(place + 1e-9))
+    }
+}
+
+/// The lower bounds of capacities that depend on the pressure alone, by limit state and course.
+#[derive(Default)]
+pub(in crate::time_history) struct Shelf(RefCell<BTreeMap<(&'static str, usize), Rc<Floors>>>);
+
+impl Shelf {
+    /// Those of a limit state and the number of a course, over a range of pressures [Pa] at least.
+    pub(in crate::time_history) fn floors(
+        &self,
+        (id, course): (&'static str, usize),
+        range: (f64, f64),
+        capacity: &dyn Fn(f64) -> f64,
+    ) -> Rc<Floors> {
+        let mut all = self.0.borrow_mut();
+        let known = all.get(&(id, course));
+        if let Some(known) = known.filter(|known| known.covers(range)) {
+            return Rc::clone(known);
+        }
+        let (low, high) = known.map_or(range, |known| (known.range.0.min(range.0), known.range.1.max(range.1)));
+        let more = MORE * (high - low);
+        let floors = Rc::new(Floors::new((low - more, high + more), capacity));
+        all.insert((id, course), Rc::clone(&floors));
+        floors
     }
 }

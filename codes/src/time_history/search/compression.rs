@@ -1,0 +1,155 @@
+//! Axial compression against a capacity that depends on the interior pressure of the same instant and place.
+
+use super::{Floors, Found, ROUNDING, Search, ratio};
+use crate::time_history::field::{Direction, Span};
+
+/// A capacity that depends on the interior pressure [Pa], monotonously: at no pressure of a range is it below both ends.
+#[derive(Clone, Copy)]
+pub(in crate::time_history) struct Capacity<'a> {
+    pub(in crate::time_history) of: &'a dyn Fn(f64) -> f64,
+    /// Its lower bounds.
+    pub(in crate::time_history) floors: &'a Floors,
+}
+
+impl Search<'_> {
+    /// Bounds of the interior pressure at the place under this motion [Pa].
+    pub(in crate::time_history) fn pressures(&self) -> (f64, f64) {
+        self.compression_bounds(Span::All).0
+    }
+
+    /// Bounds of the pressure, and of the compression the upper one [Pa].
+    fn compression_bounds(&self, span: Span) -> ((f64, f64), f64) {
+        let pressure = self.at.pressure.as_ref();
+        let pressure = pressure.map_or((0.0, 0.0), |p| p.bounds(span, self.factor));
+        (pressure, -self.at.axial.bounds(span, self.factor).0)
+    }
+
+    /// The same in a direction, without a motion along y.
+    fn towards(&self, cosine: f64, span: Span) -> ((f64, f64), f64) {
+        let here = (cosine, cosine);
+        let pressure = self.at.pressure.as_ref();
+        let pressure = pressure.map_or((0.0, 0.0), |p| p.towards(here, span, self.factor));
+        (pressure, -self.at.axial.towards(here, span, self.factor).0)
+    }
+
+    /// Whether compression over capacity can exceed a utilisation in some instants.
+    fn compressed_above(&self, floors: &Floors, span: Span, above: f64) -> bool {
+        let exceeds = |((low, high), most): ((f64, f64), f64)| {
+            ratio(most, floors.at(low).min(floors.at(high))) * (1.0 + ROUNDING) > above
+        };
+        if !exceeds(self.compression_bounds(span)) {
+            return false;
+        }
+        let turns = !self.at.demands.transverse.is_empty();
+        turns
+            || self
+                .directions
+                .iter()
+                .any(|&(cosine, _)| exceeds(self.towards(cosine, span)))
+    }
+
+    /// Axial compression against its capacity.
+    pub(in crate::time_history) fn compression(&self, capacity: Capacity<'_>, above: f64) -> Option<Found> {
+        if self.count() == 0 {
+            return None;
+        }
+        let (range, most) = self.compression_bounds(Span::All);
+        let mut best: Option<Found> = None;
+        if self.block.is_none() {
+            let lowest = (capacity.of)(range.0).min((capacity.of)(range.1));
+            if ratio(most, lowest) <= above || !self.compressed_above(capacity.floors, Span::All, above) {
+                return None;
+            }
+            // Where no capacity is left at some pressure, the first compression decides, not the largest.
+            let first = match lowest > 0.0 {
+                true => self.largest_compression(self.at.axial.lowest()),
+                false => self.first_compression(),
+            };
+            self.compressed((super::block_of(first), Some(first)), capacity, above, &mut best);
+        }
+        // Capacity is dear: it is asked for where its lower bounds leave more than has been found.
+        let may = |best: &Option<Found>, span: Span| {
+            let above = best.map_or(above, |best| above.max(best.utilisation));
+            self.compressed_above(capacity.floors, span, above)
+        };
+        self.blocks(&mut best, may, |best, block| {
+            self.compressed((block, None), capacity, above, best);
+        });
+        best
+    }
+
+    /// The first instant of the largest compression of a block.
+    fn largest_compression(&self, block: usize) -> usize {
+        let axial = self.axial(block);
+        let compression = |k: usize| axial.ends(k).map(|at| -axial.at(k, at)).into_iter().fold(0.0, f64::max);
+        let larger = |best: usize, k: usize| if compression(k) > compression(best) { k } else { best };
+        self.instants(block).start + (0..axial.len()).fold(0, larger)
+    }
+
+    /// The first instant of compression, or 0.
+    fn first_compression(&self) -> usize {
+        let mut found: Option<usize> = None;
+        let may = |found: &Option<usize>, span: Span| found.is_none() && self.compression_bounds(span).1 > 0.0;
+        self.blocks(&mut found, may, |found, block| {
+            let (axial, start) = (self.axial(block), self.instants(block).start);
+            let first = (0..axial.len()).find(|&k| axial.ends(k).iter().any(|&at| axial.at(k, at) < 0.0));
+            *found = first.map(|k| start + k);
+        });
+        found.unwrap_or(0)
+    }
+
+    /// The largest compression against its capacity in a block or at one instant of it, where it is more than what was found.
+    fn compressed(
+        &self,
+        (block, only): (usize, Option<usize>),
+        capacity: Capacity<'_>,
+        above: f64,
+        best: &mut Option<Found>,
+    ) {
+        let (axial, pressure) = (self.axial(block), self.pressure(block));
+        let all = self.instants(block);
+        let (start, floors) = (all.start, capacity.floors);
+        let state = |k: usize, direction: Direction| {
+            let pressure = pressure.as_ref().map_or(0.0, |p| p.at(k, direction));
+            ((-axial.at(k, direction)).max(0.0), pressure)
+        };
+        // Compression and pressure are linear in cos θ. Of each half of the circumference: the larger compression of its ends over the
+        // lower bound of the capacity between their pressures. Both are large on the same half, small on the other.
+        let halves = |k: usize| {
+            let [front, middle, back] = [1.0, 0.0, -1.0].map(|cosine| {
+                let (demand, pressure) = state(k, (cosine, 0.0));
+                (demand, floors.at(pressure))
+            });
+            let half = |a: (f64, f64), b: (f64, f64)| ratio(a.0.max(b.0), a.1.min(b.1));
+            half(front, middle).max(half(middle, back)) * (1.0 + ROUNDING)
+        };
+        for instant in only.map_or(all, |instant| instant..instant + 1) {
+            let k = instant - start;
+            let counts = |bound: f64, best: &Option<Found>| {
+                best.map_or(only.is_some() || bound > above, |best| bound > best.utilisation)
+            };
+            if !axial.turns() && !counts(halves(k), best) {
+                continue;
+            }
+            let own = axial.turns().then(|| axial.ends(k));
+            for direction in self.directions.iter().copied().chain(own.into_iter().flatten()) {
+                let (demand, pressure) = state(k, direction);
+                if !counts(ratio(demand, floors.at(pressure)), best) {
+                    continue;
+                }
+                let capacity = (capacity.of)(pressure);
+                let utilisation = ratio(demand, capacity);
+                if best.is_none_or(|best| utilisation > best.utilisation) {
+                    *best = Some(Found {
+                        utilisation,
+                        demand,
+                        rest: (-axial.rest).max(0.0),
+                        capacity,
+                        instant,
+                        direction,
+                    });
+                }
+            }
+        }
+    }
+}
