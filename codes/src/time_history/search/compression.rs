@@ -24,28 +24,25 @@ impl Search<'_> {
         (pressure, -self.at.axial.bounds(span, self.factor).0)
     }
 
-    /// The same in a direction, without a motion along y.
-    fn towards(&self, cosine: f64, span: Span) -> ((f64, f64), f64) {
-        let here = (cosine, cosine);
-        let pressure = self.at.pressure.as_ref();
-        let pressure = pressure.map_or((0.0, 0.0), |p| p.towards(here, span, self.factor));
-        (pressure, -self.at.axial.towards(here, span, self.factor).0)
-    }
-
     /// Whether compression over capacity can exceed a utilisation in some instants.
     fn compressed_above(&self, floors: &Floors, span: Span, above: f64) -> bool {
-        let exceeds = |((low, high), most): ((f64, f64), f64)| {
-            ratio(most, floors.at(low).min(floors.at(high))) * (1.0 + ROUNDING) > above
-        };
-        if !exceeds(self.compression_bounds(span)) {
+        let floor = |(low, high): (f64, f64)| floors.at(low).min(floors.at(high));
+        let exceeds = |most: f64, floor: f64| ratio(most, floor) * (1.0 + ROUNDING) > above;
+        let (range, most) = self.compression_bounds(span);
+        let least = floor(range);
+        if !exceeds(most, least) {
             return false;
         }
+        let (axial, pressure) = (&self.at.axial, self.at.pressure.as_ref());
         let turns = !self.at.demands.transverse.is_empty();
-        turns
-            || self
-                .directions
-                .iter()
-                .any(|&(cosine, _)| exceeds(self.towards(cosine, span)))
+        // Without a motion along y direction by direction, with the pressure of those alone that are compressed enough.
+        let counts = |&(cosine, _): &Direction| {
+            let here = (cosine, cosine);
+            let most = -axial.towards(here, span, self.factor).0;
+            let own = || pressure.map_or((0.0, 0.0), |p| p.towards(here, span, self.factor));
+            exceeds(most, least) && exceeds(most, floor(own()))
+        };
+        turns || self.directions.iter().any(counts)
     }
 
     /// Axial compression against its capacity.
