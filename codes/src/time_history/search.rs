@@ -340,8 +340,8 @@ impl Search<'_> {
     fn closer_bound(&self, span: Span) -> f64 {
         let shear = self.at.shear.as_ref();
         let shear = shear.map_or(0.0, |shear| shear.bounds(span, self.factor).1);
+        let [hoop, axial] = [&self.at.hoop, &self.at.axial].map(|of| of.fan(span, self.factor));
         let of = |part: (f64, f64)| {
-            let bounds = |of: &Extremes| of.towards(part, span, self.factor);
             // The shear goes with the sine.
             let nearest = if part.0 * part.1 < 0.0 {
                 0.0
@@ -349,7 +349,7 @@ impl Search<'_> {
                 part.0.abs().min(part.1.abs())
             };
             let squared = shear * shear * (1.0 - nearest * nearest);
-            most_squared(bounds(&self.at.hoop), bounds(&self.at.axial), squared)
+            most_squared(hoop.within(part), axial.within(part), squared)
         };
         PARTS.into_iter().map(of).fold(0.0, f64::max)
     }

@@ -1,7 +1,7 @@
 //! Axial compression against a capacity that depends on the interior pressure of the same instant and place.
 
 use super::{Floors, Found, ROUNDING, Search, ratio};
-use crate::time_history::field::{Direction, Span};
+use crate::time_history::field::{Direction, Extremes, Span};
 
 /// A capacity that depends on the interior pressure [Pa], monotonously: at no pressure of a range is it below both ends.
 #[derive(Clone, Copy)]
@@ -33,16 +33,17 @@ impl Search<'_> {
         if !exceeds(most, least) {
             return false;
         }
-        let (axial, pressure) = (&self.at.axial, self.at.pressure.as_ref());
-        let turns = !self.at.demands.transverse.is_empty();
-        // Without a motion along y direction by direction, with the pressure of those alone that are compressed enough.
-        let counts = |&(cosine, _): &Direction| {
-            let here = (cosine, cosine);
-            let most = -axial.towards(here, span, self.factor).0;
-            let own = || pressure.map_or((0.0, 0.0), |p| p.towards(here, span, self.factor));
+        if !self.at.demands.transverse.is_empty() {
+            return true;
+        }
+        // Direction by direction, with the pressure of those alone that are compressed enough.
+        let fan = |of: &Extremes| of.fan(span, self.factor);
+        let (axial, pressure) = (fan(&self.at.axial), self.at.pressure.as_ref().map(fan));
+        self.directions.iter().any(|&(cosine, _)| {
+            let most = -axial.at(cosine).0;
+            let own = || pressure.as_ref().map_or((0.0, 0.0), |pressure| pressure.at(cosine));
             exceeds(most, least) && exceeds(most, floor(own()))
-        };
-        turns || self.directions.iter().any(counts)
+        })
     }
 
     /// Axial compression against its capacity.
