@@ -163,21 +163,20 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         _ => None,
     };
     let modes = shared.as_ref().map_or([None; 2], Shared::periods);
-    let wanted = match rule::periods(&case) {
+    let wanted = match rule::periods(&case, &set.job.decision) {
         Ok(wanted) => wanted,
-        Err(_) => rule::both(&case, modes),
+        Err(_) => rule::both(&case, modes.map(|period| Some((period?, "finite elements")))),
     };
     let compatibility = compatible(&mut set, &wanted);
     let (compatibility, no_target) = match compatibility {
-        Ok(found) => (Some(found), String::new()),
+        Ok((found, misses)) => {
+            let warning = misses.map(|text| Warning::new(Code::UnusualRecord, text));
+            set.job.warnings.extend(warning);
+            (Some(found), String::new())
+        }
         Err(error) if set.fit => return Err(error),
         Err(error) => (None, reason(&error)),
     };
-    if let Some(found) = compatibility.as_ref().filter(|found| !found.holds) {
-        set.job
-            .warnings
-            .push(Warning::new(Code::UnusualRecord, misses(found, set.records.len())));
-    }
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
     let (mut simulation, mut errors) = (None, BTreeMap::new());
@@ -302,37 +301,10 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
     (0..sizes.len()).fold(0, |best, i| if sizes[i] > sizes[best] { i } else { best })
 }
 
-/// In what a set of `count` records misses the rule for its target.
-fn misses(found: &Compatibility, count: usize) -> String {
-    let least = found
-        .periods
-        .iter()
-        .map(|p| p.smallest_ratio)
-        .fold(f64::INFINITY, f64::min);
-    let mut reasons = Vec::new();
-    if count < found.fewest_records {
-        reasons.push(format!("{count} records of at least {}", found.fewest_records));
-    }
-    if found.periods.iter().any(|p| !p.holds) {
-        reasons.push(format!(
-            "smallest ratio of the mean spectra {least:.3} of {}",
-            found.share
-        ));
-    }
-    if let Some(peaks) = found.mean_zero_period_ratio.filter(|ratio| *ratio < 1.0) {
-        reasons.push(format!("mean of the peaks {peaks:.3} of the target"));
-    }
-    format!(
-        "the set of records does not hold for its target spectrum ({}): {}",
-        found.clause,
-        reasons.join(", ")
-    )
-}
-
-/// The set against its target; a set that is to be fitted is scaled first.
+/// The set against its target, and in what it misses it; a set that is to be fitted is scaled first.
 ///
 /// Errors: no target; one that ends too early; no periods.
-fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<Compatibility, Error> {
+fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<(Compatibility, Option<String>), Error> {
     if wanted.is_empty() {
         return Err(Error::input(
             Code::MissingInput,
@@ -359,7 +331,7 @@ fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<Compatibility, Erro
         answer = ask(&set.records)?;
         answer.holds |= set.records.len() >= set.code.fewest() && answer.factor < 1.0 + 1e-9;
     }
-    Ok(compatibility(set, &answer))
+    Ok((compatibility(set, &answer), answer.misses(set.code, set.records.len())))
 }
 
 fn compatibility(set: &SetJob, answer: &Answer) -> Compatibility {

@@ -11,8 +11,10 @@ use engines::solid::SolidOptions;
 use files::code::Code;
 use oscillator::record::Record;
 use oscillator::spectrum::{Method, spectrum};
+use results::Method as Column;
 use serde::{Deserialize, Serialize};
 use tank::case::Site;
+use tank::check::Decision;
 use tank::hazard::SpectrumTable;
 use tank::{Case, Quantity};
 
@@ -36,6 +38,8 @@ pub struct Wanted {
     pub period: f64,
     /// Damping ratio.
     pub damping: f64,
+    /// Short name of the procedure or engine that gives the period; empty where it is given.
+    pub of: &'static str,
 }
 
 /// A spectrum: acceleration [m/s²] over the period [s].
@@ -169,10 +173,11 @@ pub fn longest(site: &Site) -> f64 {
     site.spectrum.as_ref().map_or(f64::INFINITY, codes::hazard::longest)
 }
 
-/// The impulsive and the sloshing period of a tank, by the first procedure that gives them under its site.
+/// The impulsive and the sloshing period of a tank under its site: that of a procedure that decides, in report order; where none gives one, that of
+/// the first procedure that does.
 ///
 /// Errors: a tank without a procedure that gives one.
-pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
+pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
     let job = Job {
         case: Case {
             ground_motion: None,
@@ -180,7 +185,7 @@ pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
         },
         project: None,
         procedures: pipeline::select_procedures(&[])?,
-        decision: tank::check::Decision::default(),
+        decision: decision.clone(),
         engines: Vec::new(),
         linear: Options::default(),
         solid: SolidOptions::default(),
@@ -192,11 +197,19 @@ pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
         raw_records: Vec::new(),
         usable_periods: Vec::new(),
     };
-    let (methods, _) = pipeline::decide(&job)?;
-    let of = |quantity: Quantity| {
-        methods
+    let (methods, verdict) = pipeline::decide(&job)?;
+    let decides = |m: &&Column| {
+        verdict
+            .deciding
             .iter()
-            .find_map(|m| m.quantities.get(quantity.id()).map(|v| v.value))
+            .any(|d| d.method == m.id && d.excitation == m.excitation)
+    };
+    let (first, rest): (Vec<&Column>, Vec<&Column>) = methods.iter().partition(decides);
+    let of = |quantity: Quantity| {
+        first.iter().chain(&rest).find_map(|m| {
+            let name = codes::ALL.iter().find(|p| p.id() == m.id)?.label().short;
+            Some((m.quantities.get(quantity.id())?.value, name))
+        })
     };
     let wanted = both(case, [of(Quantity::ImpulsivePeriod), of(Quantity::SloshingPeriod)]);
     match wanted.is_empty() {
@@ -208,18 +221,20 @@ pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
     }
 }
 
-/// The two periods of a tank at which a rule is asked: impulsive and sloshing [s].
-pub fn both(case: &Case, periods: [Option<f64>; 2]) -> Vec<Wanted> {
+/// The two periods of a tank at which a rule is asked: impulsive and sloshing [s], each with the short name of what gives it.
+pub fn both(case: &Case, periods: [Option<(f64, &'static str)>; 2]) -> Vec<Wanted> {
     let [impulsive, sloshing] = periods;
     let found = [
         ("impulsive", impulsive, FIVE),
         ("sloshing", sloshing, case.damping.sloshing),
     ];
     let wanted = found.into_iter().filter_map(|(which, period, damping)| {
+        let (period, of) = period?;
         Some(Wanted {
             which,
-            period: period?,
+            period,
             damping,
+            of,
         })
     });
     wanted.collect()
@@ -247,6 +262,38 @@ pub fn reaches(question: &Question<'_>) -> Result<(), Error> {
         ));
     }
     Ok(())
+}
+
+impl Answer {
+    /// In what a set of `count` records misses the rule; none where it holds.
+    pub fn misses(&self, code: Standard, count: usize) -> Option<String> {
+        if self.holds {
+            return None;
+        }
+        let mut reasons = Vec::new();
+        if count < code.fewest() {
+            reasons.push(format!("{count} records of at least {}", code.fewest()));
+        }
+        let failing = |(wanted, ratios): &(Wanted, Ratios)| {
+            (ratios.smallest.0 < code.share() * (1.0 - 1e-9)).then(|| (*wanted, ratios.smallest.0))
+        };
+        for (wanted, ratio) in self.periods.iter().filter_map(failing) {
+            reasons.push(format!(
+                "smallest ratio of the mean spectra {ratio:.3} of {} around the {} period, {:.3} s",
+                code.share(),
+                wanted.which,
+                wanted.period,
+            ));
+        }
+        if let Some(peaks) = self.zero.filter(|ratio| *ratio < 1.0) {
+            reasons.push(format!("mean of the peaks {peaks:.3} of the target"));
+        }
+        Some(format!(
+            "the set of records does not hold for its target spectrum ({}): {}",
+            code.clause(),
+            reasons.join(", ")
+        ))
+    }
 }
 
 /// Asks the rule of a set as it is.
@@ -290,8 +337,9 @@ fn wanted(rule: &Rule, tank: &TankFile) -> Result<Vec<Wanted>, Error> {
             which: "given",
             period,
             damping: FIVE,
+            of: "",
         }]),
-        _ => Ok(periods(&tank.case)?.into_iter().filter(kept).collect()),
+        _ => Ok(periods(&tank.case, &tank.decision)?.into_iter().filter(kept).collect()),
     }
 }
 

@@ -117,6 +117,69 @@ fn a_set_made_for_a_spectrum_holds_with_its_factor() {
     );
 }
 
+/// What `quake set` rejects, `quake synth` says at once, with the duration that is long enough. The tank is 45 m wide: its sloshing period is about
+/// 7.5 s, and 20 s hold less than three of them.
+#[test]
+fn a_set_that_is_too_short_for_its_tank() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let tank = r#"{
+  "name": "wide tank",
+  "tank": { "shape": "cylinder", "radius": "22.5 m", "support": "unanchored",
+    "courses": [ { "height": "18 m", "thickness": "16 mm", "material": "steel" } ] },
+  "liquid": { "density": "870 kg/m3", "fill_height": "16.2 m" },
+  "materials": { "steel": { "grade": "S355" } },
+  "site": { "ec8": { "ground": "C", "spectrum": 1, "ag": "0.1 g" } }
+}"#;
+    fs::write(path.join("tank.json"), tank).unwrap();
+    let make = |seconds: &str, out: &str| {
+        let made = quake(
+            path,
+            &[
+                "synth",
+                "--target",
+                "tank.json",
+                "--n",
+                "3",
+                "--duration",
+                seconds,
+                "--strong",
+                "12",
+                "--out",
+                out,
+            ],
+        );
+        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+        (
+            String::from_utf8(made.stdout).unwrap(),
+            String::from_utf8(made.stderr).unwrap(),
+        )
+    };
+    let set = |out: &str| {
+        let files: Vec<String> = (1..=3).map(|k| format!("{out}/synthetic-{k:03}.csv")).collect();
+        let mut arguments = vec!["set", "--target", "tank.json", "--format", "json"];
+        arguments.extend(files.iter().map(String::as_str));
+        json(&quake(path, &arguments))
+    };
+    let (_, message) = make("20", "short");
+    assert!(message.contains("T0903") && message.contains("sloshing"), "{message}");
+    let found = set("short");
+    assert_eq!(found["holds"], false);
+    // The period is that of the procedure that decides.
+    assert_eq!(found["periods"][0]["period_of"], "EN 1998-4:2006");
+    let duration = message
+        .split("--duration ")
+        .nth(1)
+        .and_then(|rest| rest.split(';').next())
+        .unwrap();
+    let (said, message) = make(duration, "long");
+    assert!(
+        message.is_empty() && said.contains("holds for tank.json"),
+        "{said}{message}"
+    );
+    assert_eq!(set("long")["holds"], true);
+}
+
 #[test]
 fn bad_input_of_a_set() {
     let folder = tempfile::tempdir().unwrap();

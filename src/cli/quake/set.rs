@@ -28,7 +28,7 @@ Examples:
 
 Rule asce7-16 (not compared with the printed text): at least eleven records, their mean spectrum not below 90 % of the design spectrum of `site.api650`.
 Rule en1998-1: at least three records, the mean of their peaks not below a_g S of the target, and their mean spectrum not below 90 % of the
-target from 0.2 T to 2 T. Of a tank, T are the impulsive period (5 %) and the sloshing period (damping of sloshing). A spectrum.csv has the
+target from 0.2 T to 2 T. Of a tank, T are the impulsive period (5 %) and the sloshing period (damping of sloshing), by the procedure that decides. A spectrum.csv has the
 columns period_s and acceleration_g or acceleration_m_s2, is 5 % damped, and begins at T = 0.
 
 Exit codes: 0 the rule holds for the set as it is; 1 it does not; 2 bad input.")]
@@ -104,6 +104,9 @@ struct OfRecord {
 struct OfPeriod {
     which: &'static str,
     period: f64,
+    /// What gives the period; none where the user does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    period_of: Option<&'static str>,
     damping: f64,
     range: [f64; 2],
     smallest_ratio: f64,
@@ -159,6 +162,7 @@ impl Set {
         let of_period = |(wanted, ratios): &(Wanted, Ratios)| OfPeriod {
             which: wanted.which,
             period: wanted.period,
+            period_of: Some(wanted.of).filter(|of| !of.is_empty()),
             damping: wanted.damping,
             range: code.range().map(|r| r * wanted.period),
             smallest_ratio: ratios.smallest.0,
@@ -201,10 +205,11 @@ impl Set {
                 which: "given",
                 period,
                 damping: FIVE,
+                of: "",
             })
             .collect();
         match target {
-            Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(&tank.case)?,
+            Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(&tank.case, &tank.decision)?,
             Target::Table(_) if wanted.is_empty() => {
                 return Err(Error::input(
                     Code::MissingInput,
@@ -237,11 +242,12 @@ fn human(found: &Found) -> String {
             format!("{:.4}", record.pga / STANDARD_GRAVITY),
         ]);
     }
-    let mut periods = Table::new(["period", "T [s]", "damping", "smallest mean/target", "at [s]", ""]);
+    let mut periods = Table::new(["period", "T [s]", "of", "damping", "smallest mean/target", "at [s]", ""]);
     for period in &found.periods {
         periods.row([
             period.which.to_owned(),
             format!("{:.4}", period.period),
+            period.period_of.unwrap_or_default().to_owned(),
             format!("{:.1} %", 100.0 * period.damping),
             format!("{:.4}", period.smallest_ratio),
             format!("{:.4}", period.at_period),
