@@ -204,6 +204,16 @@ impl Faults {
         }
     }
 
+    /// Gives the fault pushed last another help, if it is of this kind at this place.
+    pub fn help_last(&mut self, code: Code, path: &str, help: &str) {
+        if let Some(fault) = self.list.last_mut()
+            && fault.code == code
+            && &*fault.path == path
+        {
+            fault.help = Some(help.into());
+        }
+    }
+
     /// Whether the list is empty.
     pub fn is_empty(&self) -> bool {
         self.count == 0

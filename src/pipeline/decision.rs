@@ -183,10 +183,25 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<Warning> {
                 gap.check
             );
         }
-        format!(
-            "accepted: `{}` is not an open limit state of this tank; remove the entry",
-            gap.check
-        )
+        let open = methods
+            .iter()
+            .flat_map(|m| &m.checks)
+            .filter(|c| c.status == CheckStatus::NotChecked);
+        let own = gap.check.rsplit('/').next().unwrap_or_default();
+        let near = open
+            .map(|c| (strsim::damerau_levenshtein(own, &c.limit_state), &c.limit_state))
+            .filter(|(distance, id)| distance * 3 <= own.len().max(id.len()))
+            .min_by_key(|(distance, _)| *distance);
+        match near {
+            Some((_, near)) => format!(
+                "accepted: `{}` is not a limit state of this tank; did you mean `{near}`, which is open?",
+                gap.check
+            ),
+            None => format!(
+                "accepted: `{}` is not an open limit state of this tank; remove the entry",
+                gap.check
+            ),
+        }
     };
     unused
         .map(|gap| Warning::new(Code::UnusedAcceptance, text(gap)))

@@ -193,6 +193,20 @@ fn keys() {
     }
     has(&spoiled("2750 kg/m3", "25 kN/m3"), &["a unit of", "2549 kg/m3"]);
     has(
+        &spoiled("\"density\": \"1000 kg/m3\"", "\"specific_gravity\": 0.87"),
+        &["unknown key `specific_gravity`", "870 kg/m3", "1 fault in"],
+    );
+    let site = "\"site\": { \"api650\": { \"ss\": 1, \"s1\": 0.4, \"site_class\": \"D\", \"tl\": 4, \"importance\": 1.25 } }, \"record\"";
+    has(
+        &spoiled("\"record\"", site),
+        &["unknown key `importance`", "give `sug`", "1 fault in"],
+    );
+    // Open is a tank without `roof`.
+    has(
+        &spoiled("\"courses\"", "\"roof\": { \"type\": \"open\" }, \"courses\""),
+        &["the key `mass` is missing", "remove `roof`"],
+    );
+    has(
         &spoiled("\"record\"", "\"colour\""),
         &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"],
     );
@@ -243,6 +257,15 @@ fn units() {
         &["tank.radius", "unit is missing", "found 1.83", "for example \"1.83 m\""],
     );
     has(&spoiled("\"1.83 m\"", "\"1.83\""), &["tank.radius", "unit is missing"]);
+    // The unit of the example of the key: plates are in mm.
+    has(
+        &spoiled("\"2.03 mm\"", "\"2.03\""),
+        &["unit is missing", "for example \"2.03 mm\" if it is mm"],
+    );
+    has(
+        &spoiled("\"2.03 mm\"", "\"5/16 in\""),
+        &["not a decimal number", "write \"0.3125 in\""],
+    );
     has(
         &spoiled("\"69 GPa\"", "\"69 Gpa\""),
         &["youngs_modulus", "unknown unit `Gpa`", "did you mean `GPa`?"],
@@ -288,6 +311,10 @@ fn ranges() {
     has(
         &spoiled("\"1000 kg/m3\"", "\"0 kg/m3\""),
         &["liquid.density", "too small"],
+    );
+    has(
+        &spoiled("\"1000 kg/m3\"", "\"870 t/m3\""),
+        &["liquid.density", "too large", "did you mean \"870 kg/m3\"?"],
     );
     has(
         &spoiled("0.32", "0.5"),
@@ -351,6 +378,17 @@ fn cross_checks() {
     has(
         &spoiled("\"2.03 mm\"", "\"0.00203 mm\""),
         &["tank.courses[0].thickness", "thinner"],
+    );
+    // A radius that no plate fits is one fault, not one of each plate.
+    let small = spoiled("\"1.83 m\"", "\"1.83 mm\"");
+    has(
+        &small,
+        &[
+            "tank.json:5:15",
+            "too small for the thickness of the wall",
+            "did you mean \"1.83 m\"?",
+            "1 fault in",
+        ],
     );
 }
 

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 
 pub use parse::{UnitError, parse};
 pub use print::{column_unit, display, display_in, in_unit, significant, unit_for};
-pub use system::{Scope, System};
+pub use system::{Preferred, Scope, System};
 pub use table::{UNITS, Unit};
 pub use text::converted;
 

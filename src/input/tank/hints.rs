@@ -128,6 +128,18 @@ const HINTS: &[Hint] = &[
         "give `importance`, the factor γ_I",
     ),
     hint(
+        &["importance", "importance_factor", "use_group", "seismic_use_group"],
+        &["site.api650"],
+        "sug",
+        "give `sug`, the seismic use group 1, 2 or 3, from which the importance factor follows; `importance_1993` is that of the zone method alone",
+    ),
+    hint(
+        &["specific_gravity", "sg", "relative_density"],
+        &["liquid"],
+        "density",
+        "give `density`: 1000 kg/m3 times the specific gravity, such as \"870 kg/m3\" for 0.87",
+    ),
+    hint(
         &["soil_class", "ground_type", "soil"],
         &["site.ec8"],
         "ground",
@@ -159,6 +171,18 @@ const HINTS: &[Hint] = &[
         "give `yield_strength`",
     ),
 ];
+
+/// Help for a key that is missing in an object, where another way is likelier than to add it.
+///
+/// * `text`: the text of another key of the object, or an empty one
+pub(super) fn missing<'t>(path: &str, key: &str, text: impl Fn(&str) -> &'t str) -> Option<&'static str> {
+    match (path, key, text("type")) {
+        ("tank.roof", "mass", "open") => Some(
+            "remove `roof` from a tank without one; or add \"mass\": \"2 t\", that of the girders on top of the wall",
+        ),
+        _ => None,
+    }
+}
 
 /// What a user looks for under this key in an object.
 pub(super) fn looked_for(key: &str, path: &str) -> Option<&'static Hint> {

@@ -39,6 +39,8 @@ pub(in crate::input) struct Field<T> {
     pub text: String,
     /// Limits of its key; for a list, those of the items.
     pub limits: Limits,
+    /// Example of its key, without quotes; may be empty.
+    pub example: &'static str,
 }
 
 /// An optional key of an object.
@@ -84,6 +86,7 @@ impl<T: FromNode> Field<T> {
                 Kind::Null | Kind::List(_) | Kind::Object(_) => String::new(),
             },
             limits: Limits::ANY,
+            example: "",
         }
     }
 }
@@ -97,6 +100,7 @@ impl<T> Field<T> {
             path,
             text: String::new(),
             limits: Limits::ANY,
+            example: "",
         }
     }
 
@@ -108,6 +112,7 @@ impl<T> Field<T> {
             path: self.path.clone(),
             text: self.text.clone(),
             limits: self.limits,
+            example: self.example,
         }
     }
 }
@@ -173,10 +178,31 @@ pub(in crate::input) trait Property: Sized {
     }
 }
 
+/// The unit of an example such as `8 mm`.
+pub(in crate::input) fn unit_of(example: &str) -> Option<&str> {
+    example
+        .split_once(' ')
+        .map(|(_, unit)| unit)
+        .filter(|unit| !unit.is_empty())
+}
+
 fn read_member<T: FromNode>(member: &Member, key: &Key<T>, faults: &mut Faults) -> Field<T> {
+    let node = &member.value;
+    let before = faults.count();
+    let field = Field::from_node(node, faults);
+    // The unit of the key's own example is likelier than that of its dimension: mm for a plate, m for a tank.
+    if let (Kind::Text(number) | Kind::Number(number), Some(unit)) = (&node.kind, unit_of(key.example))
+        && faults.count() > before
+    {
+        let number = number.trim();
+        let help =
+            format!("write the unit in which {number} is meant, for example \"{number} {unit}\" if it is {unit}");
+        faults.help_last(Code::UnitMissing, &node.path, &help);
+    }
     Field {
         limits: key.limits,
-        ..Field::from_node(&member.value, faults)
+        example: key.example,
+        ..field
     }
 }
 
@@ -190,12 +216,16 @@ impl<T: FromNode> Property for Field<T> {
         }
         // A misspelt key was already reported with this one as the suggestion.
         if !object.meant.contains(name) {
+            let help = match hints::missing(&object.node.path, name, |key| object.text(key)) {
+                Some(help) => help.to_owned(),
+                None => format!("add \"{name}\": {}", T::example()),
+            };
             faults.push(
                 Fault::new(Code::MissingKey, format!("the key `{name}` is missing"))
                     .at(object.head.clone())
                     .path(join(&object.node.path, name))
                     .allowed(T::allowed())
-                    .help(format!("add \"{name}\": {}", T::example())),
+                    .help(help),
             );
         }
         Field::missing(object.head.clone(), join(&object.node.path, name))
@@ -274,6 +304,14 @@ impl<'a> ObjectReader<'a> {
 
     fn take(&self, key: &str) -> Option<&'a Member> {
         self.members.iter().find(|m| m.key == key)
+    }
+
+    /// The text of a key; empty if it is missing or not a text.
+    fn text(&self, key: &str) -> &'a str {
+        match self.take(key).map(|member| &member.value.kind) {
+            Some(Kind::Text(text)) => text,
+            _ => "",
+        }
     }
 }
 

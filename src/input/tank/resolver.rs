@@ -6,7 +6,7 @@ use files::code::{Code, Warning};
 use tank::units::{Dimension, display_in, unit_for};
 
 use super::key::{Absent, Limits};
-use super::read::{Field, FromNode, Opt};
+use super::read::{Field, FromNode, Opt, unit_of};
 use super::values::{Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use results::InputValue;
@@ -68,12 +68,11 @@ impl<'f> Resolver<'f> {
                 return value.si();
             }
             let allowed = limits.describe(T::DIMENSION);
-            self.faults.push(range_fault(
-                Code::OutOfRange,
-                field,
-                limits.message(value.si()),
-                &allowed,
-            ));
+            let fault = range_fault(Code::OutOfRange, field, limits.message(value.si()), &allowed);
+            self.faults.push(match meant_unit(field, limits, T::DIMENSION) {
+                Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
+                None => fault,
+            });
             return f64::NAN;
         }
         // Equal decimal literals give equal doubles; the tolerance is for percentages.
@@ -254,6 +253,19 @@ pub(in crate::input) fn range_fault<T>(code: Code, field: &Field<T>, message: &s
         .path(&field.path)
         .found(found)
         .allowed(allowed)
+}
+
+/// The same number in the unit of the key's example (of its dimension without one), if that is within the limits.
+fn meant_unit<T>(field: &Field<T>, limits: Limits, dimension: Dimension) -> Option<String> {
+    let unit = unit_of(field.example).or_else(|| unit_of(dimension.example()))?;
+    let number = field
+        .text
+        .trim()
+        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
+    let end = number.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '+' | '-')));
+    let meant = format!("{} {unit}", number[..end.unwrap_or(number.len())].trim_end());
+    let value = tank::units::parse(&meant, dimension).ok()?;
+    (limits.hold(value) && meant != field.text.trim()).then_some(meant)
 }
 
 /// A length in the unit of a field, for messages that compare the two.

@@ -32,7 +32,7 @@ pub(in crate::input) fn quantity(node: &Node, dimension: Dimension, faults: &mut
 /// The kind of fault of a text that is not a quantity.
 pub(in crate::input) fn unit_code(error: &UnitError) -> Code {
     match error {
-        UnitError::Empty | UnitError::NotANumber { .. } => Code::NotANumber,
+        UnitError::Empty | UnitError::NotANumber { .. } | UnitError::Fraction { .. } => Code::NotANumber,
         UnitError::NotFinite { .. } => Code::NotFinite,
         UnitError::MissingUnit { .. } => Code::UnitMissing,
         UnitError::UnknownUnit { .. } => Code::UnitUnknown,

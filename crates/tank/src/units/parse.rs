@@ -19,6 +19,14 @@ pub enum UnitError {
         /// How to write it, if known.
         instead: Option<String>,
     },
+    /// A fraction, or feet and inches with their marks (`5/16 in`, `15' 6"`).
+    #[error("`{found}` is not a decimal number with a unit")]
+    Fraction {
+        /// The text.
+        found: String,
+        /// The same length as a decimal number with its unit.
+        instead: String,
+    },
     /// Infinite, not a number, or too large for one.
     #[error("`{found}` is not a finite number")]
     NotFinite {
@@ -42,7 +50,7 @@ pub enum UnitError {
         nearest: Option<&'static str>,
     },
     /// A unit of another dimension.
-    #[error("`{unit}` is a unit of {}, not of {}", nouns(.found), expected.noun())]
+    #[error("{}", other_dimension(.unit, .found, *.expected))]
     WrongDimension {
         /// The unit.
         unit: String,
@@ -53,8 +61,17 @@ pub enum UnitError {
     },
 }
 
-fn nouns(dimensions: &[Dimension]) -> String {
-    dimensions.iter().map(|d| d.noun()).collect::<Vec<_>>().join(" or ")
+fn other_dimension(unit: &str, found: &[Dimension], expected: Dimension) -> String {
+    let nouns: Vec<&str> = found.iter().map(|d| d.noun()).collect();
+    match (found, expected) {
+        ([Dimension::Dimensionless], expected) => format!("`{unit}` is not a unit of {}", expected.noun()),
+        (_, Dimension::Dimensionless) => format!("`{unit}` is a unit of {}, expected none", nouns.join(" or ")),
+        _ => format!(
+            "`{unit}` is a unit of {}, not of {}",
+            nouns.join(" or "),
+            expected.noun()
+        ),
+    }
 }
 
 impl UnitError {
@@ -62,6 +79,7 @@ impl UnitError {
     pub fn help(&self) -> Option<String> {
         match self {
             UnitError::NotANumber { instead, .. } => instead.as_ref().map(|i| format!("did you mean `{i}`?")),
+            UnitError::Fraction { instead, .. } => Some(format!("write \"{instead}\"")),
             UnitError::MissingUnit { number, example } => Some(format!(
                 "write the unit in which {number} is meant, for example \"{number} {example}\" if it is {example}"
             )),
@@ -98,6 +116,12 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         });
     }
     let spelling = rest.trim();
+    if let Some(instead) = fraction(trimmed) {
+        return Err(UnitError::Fraction {
+            found: trimmed.into(),
+            instead,
+        });
+    }
     if let Some(instead) = misread_number(number, rest) {
         return Err(UnitError::NotANumber {
             found: trimmed.into(),
@@ -161,6 +185,47 @@ fn misread_number(number: &str, rest: &str) -> Option<Option<String>> {
         _ => None,
     };
     Some(guess)
+}
+
+/// A number with a fraction, or feet and inches with their marks, as a decimal number with its unit; none for any other text.
+fn fraction(text: &str) -> Option<String> {
+    // Prime and double prime stand for the units alone as well; these are read.
+    let text = text.replace('″', "\"").replace('′', "'").replace("''", "\"");
+    let (value, unit) = if let Some((feet, rest)) = text.split_once('\'') {
+        match rest.trim().trim_start_matches('-') {
+            "" => (mixed(feet)?, "ft"),
+            inches => (12.0 * mixed(feet)? + mixed(inches.strip_suffix('"')?)?, "in"),
+        }
+    } else if let Some(inches) = text.strip_suffix('"') {
+        (mixed(inches)?, "in")
+    } else {
+        let unit =
+            text.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || matches!(c, '/' | '-' | '.'));
+        let number = &text[..text.len() - unit.len()];
+        if !number.contains('/') || !unit.chars().all(|c| c.is_alphabetic()) || unit.is_empty() {
+            return None;
+        }
+        (mixed(number)?, unit)
+    };
+    // Six decimals are a hundredth of a micrometre of an inch.
+    let decimal = format!("{value:.6}");
+    let decimal = decimal.trim_end_matches('0').trim_end_matches('.');
+    value.is_finite().then(|| format!("{decimal} {unit}"))
+}
+
+/// `3`, `3.5`, `5/16`, `1 1/4` or `1-1/4`.
+fn mixed(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let Some((head, denominator)) = text.split_once('/') else {
+        let plain = !text.is_empty() && text.chars().all(|c| c.is_ascii_digit() || c == '.');
+        return text.parse().ok().filter(|_| plain);
+    };
+    let whole = |text: &str| -> Option<f64> { text.trim().parse::<u32>().ok().map(f64::from) };
+    let denominator = whole(denominator).filter(|d| *d > 0.0)?;
+    match head.trim().rsplit_once([' ', '-']) {
+        Some((units, numerator)) => Some(whole(units.trim_end_matches('-'))? + whole(numerator)? / denominator),
+        None => Some(whole(head)? / denominator),
+    }
 }
 
 fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit, UnitError> {
@@ -263,6 +328,8 @@ mod tests {
             ("3 rad/s", AngularFrequency, 3.0),
             ("25 kN/m", LineForce, 25e3),
             ("25 N/m", LineForce, 25.0),
+            ("1 lbf/in", LineForce, 175.126_8),
+            ("400 kip/in", LineForce, 400.0 * 175_126.8),
             ("3 kNm/m", LineMoment, 3e3),
             ("0.005", Dimensionless, 0.005),
             ("0.5 %", Dimensionless, 0.005),
@@ -296,6 +363,10 @@ mod tests {
     fn wrong_dimension_says_what_it_is() {
         let error = parse("1.83 kg", Dimension::Length).unwrap_err();
         assert_eq!(error.to_string(), "`kg` is a unit of a mass, not of a length");
+        let error = parse("5 %", Dimension::Length).unwrap_err();
+        assert_eq!(error.to_string(), "`%` is not a unit of a length");
+        let error = parse("5 mm", Dimension::Dimensionless).unwrap_err();
+        assert_eq!(error.to_string(), "`mm` is a unit of a length, expected none");
         let error = parse("0.5 g", Dimension::Length).unwrap_err();
         assert_eq!(
             error.to_string(),
@@ -361,6 +432,28 @@ mod tests {
                 UnitError::NotANumber { instead: found, .. } => assert_eq!(found.as_deref(), instead, "{text}"),
                 other => panic!("{text}: {other:?}"),
             }
+        }
+        for (text, instead) in [
+            ("5/16 in", "0.3125 in"),
+            ("3/16\"", "0.1875 in"),
+            ("1 1/4 in", "1.25 in"),
+            ("1-1/4\"", "1.25 in"),
+            ("15'", "15 ft"),
+            ("15' 6\"", "186 in"),
+            ("15'-6 1/2″", "186.5 in"),
+            ("1/3 ft", "0.333333 ft"),
+        ] {
+            let error = parse(text, Dimension::Length).unwrap_err();
+            assert_eq!(
+                error.help().as_deref(),
+                Some(format!("write \"{instead}\"").as_str()),
+                "{text}"
+            );
+        }
+        // No fraction: a unit with a stroke, a division by zero, a date.
+        for text in ["5 N/m", "5/0 in", "1/2/3 in", "1'2'3 m"] {
+            let found = parse(text, Dimension::Length);
+            assert!(!matches!(found, Err(UnitError::Fraction { .. })), "{text}: {found:?}");
         }
         assert_eq!(parse("  ", Dimension::Length), Err(UnitError::Empty));
         assert_eq!(parse("5", Dimension::Dimensionless), Ok(5.0));

@@ -50,6 +50,45 @@ fn us(dimension: D) -> &'static [(&'static str, f64)] {
 
 thread_local! {
     static CURRENT: Cell<System> = const { Cell::new(System::Si) };
+    static PREFERRED: Cell<Option<&'static Unit>> = const { Cell::new(None) };
+}
+
+/// While it lives, print of this thread has one unit for all values of its dimension, in every system; then as before.
+///
+/// ```
+/// use tank::units::{Dimension, Preferred, Unit, display};
+/// let g = Preferred::of(Unit::find("g", Dimension::Acceleration));
+/// assert_eq!(display(9.80665, Dimension::Acceleration), "1.00 g");
+/// drop(g);
+/// assert_eq!(display(9.80665, Dimension::Acceleration), "9.81 m/s²");
+/// ```
+#[derive(Debug)]
+pub struct Preferred {
+    former: Option<&'static Unit>,
+    /// As [`Scope::here`].
+    here: PhantomData<*const ()>,
+}
+
+impl Preferred {
+    /// Print in `unit` from here on; none for the usual unit.
+    #[must_use]
+    pub fn of(unit: Option<&'static Unit>) -> Preferred {
+        Preferred {
+            former: PREFERRED.replace(unit),
+            here: PhantomData,
+        }
+    }
+}
+
+impl Drop for Preferred {
+    fn drop(&mut self) {
+        PREFERRED.set(self.former);
+    }
+}
+
+/// The unit that print prefers for a dimension.
+fn preferred(dimension: D) -> Option<&'static Unit> {
+    PREFERRED.get().filter(|unit| unit.dimension == dimension)
 }
 
 /// While it lives, print of this thread is in its system; then in the former one.
@@ -107,11 +146,14 @@ impl System {
 
     /// Whether values of this dimension have other units than in SI.
     pub fn differs(self, dimension: D) -> bool {
-        self != System::Si && !us(dimension).is_empty()
+        self != System::Si && !us(dimension).is_empty() && preferred(dimension).is_none()
     }
 
     /// The usual unit of this value (SI) in the system; [`System::Both`] has that of SI.
     pub fn unit_for(self, value: f64, dimension: D) -> &'static Unit {
+        if let Some(unit) = preferred(dimension) {
+            return unit;
+        }
         let units = us(dimension);
         if self != System::Us || units.is_empty() {
             return si_unit_for(value, dimension);

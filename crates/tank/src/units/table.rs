@@ -155,6 +155,8 @@ pub const UNITS: &[Unit] = &[
     ten("MN/m", "MN/m", D::LineForce, 6),
     also(by("lbf/ft", "lbf/ft", D::LineForce, POUND_FORCE / FOOT), &["plf"]),
     by("kip/ft", "kip/ft", D::LineForce, 1000.0 * POUND_FORCE / FOOT),
+    also(by("lbf/in", "lbf/in", D::LineForce, POUND_FORCE / INCH), &["pli"]),
+    by("kip/in", "kip/in", D::LineForce, 1000.0 * POUND_FORCE / INCH),
     ten("N·m/m", "Nm/m", D::LineMoment, 0),
     ten("kN·m/m", "kNm/m", D::LineMoment, 3),
     by("lbf·ft/ft", "lbf*ft/ft", D::LineMoment, POUND_FORCE),

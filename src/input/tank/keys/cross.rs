@@ -91,16 +91,54 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
     };
     let thinnest = half / 20_000.0;
+    let plan = t.radius.given.as_ref().or(t.length.given.as_ref());
     let courses: Vec<&Course> = (t.courses.value.iter().flatten())
         .filter_map(|c| c.value.as_ref())
         .collect();
     let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.given.as_ref()).collect();
     plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
     plates.extend(t.bottom.value().map(|b| &b.thickness));
-    for field in plates {
-        let Some(Length(thickness)) = field.value.filter(|l| THICKNESS.hold(l.0)) else {
-            continue;
+    plates.retain(|field| field.value.is_some_and(|l| THICKNESS.hold(l.0)));
+    let thicknesses: Vec<f64> = plates.iter().filter_map(|field| field.value).map(|l| l.0).collect();
+    let impossible = |half: f64| {
+        let thickest = thickest / tank.shape.half_length() * half;
+        let outside = |t: &&f64| **t > thickest || **t < half / 20_000.0;
+        thicknesses.iter().filter(outside).count()
+    };
+    // Several plates that all contradict one dimension: that dimension is wrong, not each of them.
+    if let Some(field) = plan
+        && thicknesses.len() > 1
+        && impossible(half) == thicknesses.len()
+    {
+        let key = if t.radius.given.is_some() { "radius" } else { "length" };
+        let whole = match tank.shape {
+            Shape::Cylinder { .. } => 1.0,
+            Shape::Rectangle { .. } => 0.5,
         };
+        let small = thicknesses.iter().all(|t| *t > thickest);
+        let largest = thicknesses.iter().copied().fold(0.0, f64::max);
+        let least = thicknesses.iter().copied().fold(f64::INFINITY, f64::min);
+        let (message, allowed) = match small {
+            true => (
+                format!("the {key} is too small for the thickness of the wall"),
+                format!("at least {}", like_field(field, largest * half / thickest / whole)),
+            ),
+            false => (
+                format!("the {key} is too large for the thickness of the wall"),
+                format!("at most {}", like_field(field, least * 20_000.0 / whole)),
+            ),
+        };
+        let mut fault = range_fault(Code::OutOfRange, field, &message, &allowed);
+        if let Some(meant) = meant(&field.text, &["m", "ft", "cm", "mm"], |size| {
+            impossible(whole * size) == 0
+        }) {
+            fault = fault.help(format!("did you mean \"{meant}\"?"));
+        }
+        r.faults.push(fault);
+        return;
+    }
+    for field in plates {
+        let Some(Length(thickness)) = field.value else { continue };
         let (message, allowed) = if thickness > thickest {
             (
                 "the wall is thicker than any tank's",
@@ -115,25 +153,25 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             continue;
         };
         let mut fault = range_fault(Code::OutOfRange, field, message, &allowed);
-        if let Some(meant) = meant_thickness(&field.text, half) {
+        // R/t from 20 to 5000.
+        let usual = |thickness: f64| (half / 5000.0..=half / 20.0).contains(&thickness);
+        if let Some(meant) = meant(&field.text, &["mm", "cm", "m", "in"], usual) {
             fault = fault.help(format!("did you mean \"{meant}\"?"));
         }
         r.faults.push(fault);
     }
 }
 
-/// The same number with the unit that makes it a usual thickness (R/t from 20 to 5000), if there is one.
-fn meant_thickness(text: &str, half: f64) -> Option<String> {
+/// The same number with the first of these units that makes it a usual length, if there is one.
+fn meant(text: &str, units: &[&str], usual: impl Fn(f64) -> bool) -> Option<String> {
     let number = text
         .trim()
         .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.')
         .trim_end();
     let value: f64 = number.parse().ok()?;
-    ["mm", "cm", "m", "in"].into_iter().find_map(|unit| {
-        let thickness = value * Unit::find(unit, Dimension::Length)?.factor();
-        (half / 5000.0..=half / 20.0)
-            .contains(&thickness)
-            .then(|| format!("{number} {unit}"))
+    units.iter().find_map(|unit| {
+        let length = value * Unit::find(unit, Dimension::Length)?.factor();
+        usual(length).then(|| format!("{number} {unit}"))
     })
 }
 

@@ -7,6 +7,7 @@ use tank::units::{Dimension, display_in, unit_for};
 use tank::{LayerKind, Liquid, Shape, Tank};
 
 use super::file::TankFile;
+use super::tank::Tank as Given;
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::syntax::join;
 
@@ -27,6 +28,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
         return;
     };
     densities(r, file, tank);
+    thinner_below(r, given, tank);
     let (Some(liquid), Some(liquid_field)) = (liquid, &file.liquid.value) else {
         return;
     };
@@ -77,6 +79,27 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
              theory does not hold",
             field.path
         )));
+    }
+}
+
+/// Courses that are thinner than the one above them, although the pressure grows downwards: two lines were exchanged, or a digit is missing.
+fn thinner_below(r: &mut Resolver<'_>, given: &Given, tank: &Tank) {
+    let fields: Vec<_> = (given.courses.value.iter().flatten())
+        .map(|course| course.value.as_ref().and_then(|c| c.thickness.given.as_ref()))
+        .collect();
+    for (i, pair) in fields.windows(2).enumerate() {
+        let ([Some(lower), Some(upper)], [below, above]) = (pair, &tank.courses[i..=i + 1]) else {
+            continue;
+        };
+        if below.material == above.material && below.thickness < above.thickness * (1.0 - ROUNDING) {
+            r.warnings.push(Warning::new(
+                Code::UnusualTank,
+                format!(
+                    "{}: the course is thinner than the one above it; found {} below {}",
+                    lower.path, lower.text, upper.text
+                ),
+            ));
+        }
     }
 }
 

@@ -195,10 +195,11 @@ pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>
 
 /// Reports a key that is missing although this file needs it.
 fn needed<T, U: FromNode>(r: &mut Resolver<'_>, object: &Field<T>, option: &Opt<U>, why: &str) {
-    if option.given.is_some() {
+    let name = option.key.name;
+    // A key that another one stands for was already reported with this one as the suggestion.
+    if option.given.is_some() || r.faults.suggest(&format!("did you mean `{name}`?")) {
         return;
     }
-    let name = option.key.name;
     let head = object.span.start..object.span.end.min(object.span.start + 1);
     let fault = Fault::new(Code::MissingKey, format!("the key `{name}` is missing{why}"))
         .at(head)
