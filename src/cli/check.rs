@@ -37,7 +37,8 @@ side that holds. Limit states that were not checked are listed with the verdict 
 verdict; 1 if a check fails at every value, 4 if there is no single answer.
 
 --table: each column head is a path of tank.json (tank.radius, liquid.fill_height, tank.courses[0].thickness,
-materials[\"A 36\"].yield_strength), each row a tank; an empty cell keeps the value of tank.json. The answer is the table with
+materials[\"A 36\"].yield_strength), each row a tank; an empty cell keeps the value of tank.json, a cell null removes it (tank.anchors of
+an unanchored tank). A column tag or id only names the tanks. The answer is the table with
 status, governing method and check, utilisation and, with --solve, the solved value. The exit code is that of the worst tank.
 
 Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
@@ -83,6 +84,12 @@ enum CheckFormat {
 }
 
 impl CheckFormat {
+    /// As written on the command line.
+    fn word(self) -> String {
+        let value = clap::ValueEnum::to_possible_value(&self);
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
     /// The form that other commands have too.
     fn plain(self) -> Option<Format> {
         match self {
@@ -125,7 +132,15 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     ) {
         return Err(Error::input(
             Code::OptionConflict,
-            format!("{option}: found a test report as --format, expected human, json or csv"),
+            format!(
+                "{option}: found --format {}, expected {}\n  help: a test report is that of one tank; leave --format or {option} out",
+                args.format.word(),
+                if option == "--table" {
+                    "human or csv"
+                } else {
+                    "human, json or csv"
+                }
+            ),
         ));
     }
     if let Some(table) = &args.table {

@@ -94,7 +94,7 @@ fn gaps(checks: &[Check]) -> Vec<(Vec<&str>, &str, CheckStatus)> {
 pub(crate) fn csv(results: &Results) -> String {
     let mut text = String::new();
     text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason,time_s,z_m,theta_rad,error\n");
-    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:e}"));
+    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:?}"));
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     for method in &results.methods {
         for check in &method.checks {

@@ -221,6 +221,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Some(target) => Some(OutputFolder::prepare(target, vtu::FOLDER)?),
         None => None,
     };
+    let announced = announce_loss(&args.out, &folder, &job);
     let watch = Watch::new(global, "codes and finite elements");
     let Outcome {
         mut results,
@@ -255,7 +256,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let out = (!args.no_report).then_some(args.out.as_path());
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
-    replaced(&args.out, &stale);
+    if !announced {
+        replaced(&args.out, &stale);
+    }
     for line in words::record_set::beyond(&results) {
         stream::warn("", &Warning::new(Code::UnusualRecord, line));
     }
@@ -413,6 +416,32 @@ pub(crate) fn print(
         say!("report: {}", out.join("report.html").display());
     }
     Ok(())
+}
+
+/// Before a run: what of the earlier results in its folder the new ones will not have, so that Ctrl-C keeps it. Returns whether there is anything.
+fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) -> bool {
+    let Ok(earlier) = results::read(out) else { return false };
+    let runs = earlier.runs.iter().filter(|run| !job.engines.contains(&run.engine));
+    let mut lost: Vec<String> = runs.map(|run| format!("a {} run", run.engine.name())).collect();
+    let horizontal = earlier.records.first().filter(|_| job.case.ground_motion.is_none());
+    lost.extend(horizontal.map(|record| format!("the run under the record {}", record.name)));
+    // Nothing is written yet, so that these are all that the earlier run owns.
+    lost.extend(
+        folder
+            .stale()
+            .into_iter()
+            .filter(|name| results::FORMS.contains(&name.as_str())),
+    );
+    if lost.is_empty() {
+        return false;
+    }
+    let text = format!(
+        "{}: this run replaces earlier results with {}; to keep them, stop it (Ctrl-C) and name another folder with --out",
+        out.display(),
+        lost.join(", ")
+    );
+    stream::warn("", &Warning::new(Code::Replaced, text));
+    true
 }
 
 /// Names what of an earlier run is gone.

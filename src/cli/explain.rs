@@ -3,6 +3,7 @@
 //! Every text is where its subject is declared: [`Code`] for faults, [`Quantity`] and [`codes::meaning`] for results, names and
 //! clauses in the procedures. This file only finds and prints them.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use clap::ValueEnum;
@@ -271,6 +272,9 @@ fn unknown(id: &str, all: &[Entry]) -> Error {
         .filter_map(|entry| distance(entry).map(|distance| (distance, entry)))
         .collect();
     near.sort_by_key(|(distance, _)| *distance);
+    // A quantity and the check of it may have one id.
+    let mut ids = BTreeSet::new();
+    near.retain(|(_, entry)| ids.insert(entry.id.clone()));
     let near: Vec<String> = near
         .iter()
         .take(SUGGESTIONS)
@@ -383,8 +387,6 @@ fn markdown(entry: &Entry) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
 
     #[test]
@@ -419,6 +421,7 @@ mod tests {
         assert!(help("bukling").contains("`buckling_elastic`"), "{}", help("bukling"));
         assert!(help("shear").contains("`base_shear`"));
         assert!(help("T0026").contains("T0206"));
+        assert_eq!(help("hoop").matches("`hoop_stress`").count(), 1, "{}", help("hoop"));
         assert!(help("xyzzy").contains("lists all"));
     }
 

@@ -2,10 +2,12 @@
 //!
 //! | outcome | JUnit | SARIF | GitHub |
 //! |---|---|---|---|
-//! | holds | a passed test case | – | – |
+//! | holds | passed, with its text | – | – |
 //! | fails | `failure` | `error` | `::error` |
-//! | not checked | `skipped` | `warning` | `::warning` |
+//! | not checked | `error` | `warning` | `::warning` |
 //! | warns | passed, with its text | `note` | `::notice` |
+//!
+//! A runner of tests counts `skipped` as green, and the exit code is 4 where something required was not checked: hence `error`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -136,15 +138,16 @@ pub(crate) fn junit(name: &str, findings: &[Finding]) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let _ = writeln!(
         text,
-        "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\">",
+        "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">",
         xml(name),
         every.len(),
-        count(&every, Outcome::Fails)
+        count(&every, Outcome::Fails),
+        count(&every, Outcome::NotChecked)
     );
     for (group, all) in suites {
         let _ = writeln!(
             text,
-            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">",
+            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\">",
             xml(group),
             all.len(),
             count(&all, Outcome::Fails),
@@ -154,10 +157,11 @@ pub(crate) fn junit(name: &str, findings: &[Finding]) -> String {
             let (id, message) = (xml(&finding.id), xml(&finding.message));
             let _ = write!(text, "    <testcase classname=\"{}\" name=\"{id}\"", xml(group));
             let _ = match finding.outcome {
-                Outcome::Holds => writeln!(text, "/>"),
                 Outcome::Fails => writeln!(text, "><failure message=\"{message}\"/></testcase>"),
-                Outcome::NotChecked => writeln!(text, "><skipped message=\"{message}\"/></testcase>"),
-                Outcome::Warns => writeln!(text, "><system-out>{message}</system-out></testcase>"),
+                Outcome::NotChecked => {
+                    writeln!(text, "><error message=\"{message}\" type=\"not checked\"/></testcase>")
+                }
+                Outcome::Holds | Outcome::Warns => writeln!(text, "><system-out>{message}</system-out></testcase>"),
             };
         }
         text.push_str("  </testsuite>\n");
@@ -287,8 +291,13 @@ mod tests {
         let text = junit("a <b> & \u{1}", &findings());
         let document = roxmltree::Document::parse(&text).unwrap();
         let suite = document.descendants().find(|n| n.has_tag_name("testsuite")).unwrap();
-        let counts = ["tests", "failures", "skipped"].map(|name| suite.attribute(name).unwrap());
-        assert_eq!(counts, ["3", "1", "1"]);
+        let counts = ["tests", "failures", "errors", "skipped"].map(|name| suite.attribute(name).unwrap());
+        // What was not checked is as red as the exit code.
+        assert_eq!(counts, ["3", "1", "1", "0"]);
+        let error = document.descendants().find(|n| n.has_tag_name("error")).unwrap();
+        assert_eq!(error.attribute("message"), Some("no friction"));
+        let passed = document.descendants().find(|n| n.has_tag_name("system-out")).unwrap();
+        assert_eq!(passed.text(), Some("0.5"));
         let failure = document.descendants().find(|n| n.has_tag_name("failure")).unwrap();
         assert_eq!(failure.attribute("message"), Some("σ < \"R\" & 110 % line"));
     }

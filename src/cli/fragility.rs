@@ -241,7 +241,7 @@ fn human(curves: &[Curve]) -> String {
         }
         if let Some(risk) = curve.risk.as_ref().filter(|r| r.share_beyond_last > 0.05) {
             said.push_str(&format!(
-                "{name}: {:.0} % of the rate come from beyond the last point of the hazard curve, which is extrapolated\n",
+                "{name}: {:.0} % of the rate comes from beyond the last point of the hazard curve, which is extrapolated\n",
                 100.0 * risk.share_beyond_last
             ));
         }

@@ -7,6 +7,7 @@ use crate::cli::style::StyleArg;
 use crate::cli::terminal::{say, warn};
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
+use crate::study::plan;
 use files::code::{Code, Warning};
 use files::text::line;
 use files::{self, OutputFolder};
@@ -23,10 +24,11 @@ Examples:
   tankcheck report out/ --lang de --report-units both
   tankcheck report out/ --pdf                     out/report.pdf, through an installed Chromium (CHROME names another one)
   tankcheck report out/ --pdf=TK-104.pdf
+  tankcheck report farm/ --pdf                    the page of a study, of `ida` or of `push`, as it is
   tankcheck report out/ --format docx,xlsx        out/report.docx (through pandoc), out/report.xlsx
   tankcheck report out/ --templates our-letterhead/")]
 pub(crate) struct Args {
-    /// Results folder written by `tankcheck compare` or `tankcheck check`.
+    /// Results folder written by `tankcheck compare` or `tankcheck check`; with --pdf also that of a study, of `ida` or of `push`.
     folder: PathBuf,
     #[command(flatten)]
     level: LevelArg,
@@ -108,6 +110,9 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
         forms.push(Form::Pdf);
     }
     forms.dedup();
+    if let Some(page) = Page::of(&args.folder) {
+        return page.print(&args, &forms);
+    }
     for name in files::edited(&args.folder, COMPARE_REPORT) {
         match forms.iter().any(|form| form.file() == name) {
             true => return Err(taken(args.folder.join(&name), "has changed since tankcheck wrote it")),
@@ -155,6 +160,67 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
         print(&format!("{}\n", file.display()))?;
     }
     Ok(EXIT_OK)
+}
+
+/// A page that is complete in itself: `report` does not render it again, it prints it.
+struct Page {
+    /// Whose folder it is.
+    what: &'static str,
+    /// The command that writes the page.
+    command: &'static str,
+}
+
+impl Page {
+    /// The page of a folder; none in one with the results of a verification, or with nothing that is known.
+    fn of(folder: &Path) -> Option<Page> {
+        let page = |(file, what, command): (&str, &'static str, &'static str)| {
+            folder.join(file).is_file().then_some(Page { what, command })
+        };
+        let known = [
+            (plan::PLAN, "a study", "study merge"),
+            (results::IDA_FILE, "an incremental dynamic analysis", "ida"),
+            (results::PUSH_FILE, "a pushover", "push"),
+        ];
+        match folder.join(results::RESULTS_FILE).exists() {
+            true => None,
+            false => known.into_iter().find_map(page),
+        }
+    }
+
+    /// Prints it as PDF; returns the exit code.
+    ///
+    /// Errors: another form than PDF, or none; a page that was not written yet; a file that exists; no browser.
+    fn print(&self, args: &Args, forms: &[Form]) -> Result<u8, Error> {
+        let folder = line(&args.folder.display().to_string()).into_owned();
+        let (what, command) = (self.what, self.command);
+        let asked = args.pdf.is_some() || forms.contains(&Form::Pdf);
+        let help = match (args.folder.join(REPORT_FILE).is_file(), asked) {
+            (true, true) if forms.iter().all(|form| *form == Form::Pdf) => None,
+            (true, _) => Some(format!("open {REPORT_FILE} in a browser; --pdf prints it")),
+            (false, _) => Some(format!("`tankcheck {command}` writes the page {REPORT_FILE}")),
+        };
+        if let Some(help) = help {
+            return Err(Error::input(
+                Code::NotResults,
+                format!(
+                    "{folder}: is the folder of {what}, expected one of `tankcheck compare` or `tankcheck check`\n  help: {help}"
+                ),
+            ));
+        }
+        let file = match &args.pdf {
+            Some(Some(file)) => file.clone(),
+            _ => args.folder.join(Form::Pdf.file()),
+        };
+        if file.symlink_metadata().is_ok() {
+            return Err(taken(file, "exists"));
+        }
+        let program = browser::find()?;
+        let page = args.folder.join(REPORT_FILE);
+        let html = std::fs::read_to_string(&page).map_err(|e| files::error::Error::unreadable(&page, &e))?;
+        results::put(&file, &browser::print(&program, &html)?)?;
+        print(&format!("{}\n", file.display()))?;
+        Ok(EXIT_OK)
+    }
 }
 
 fn taken(path: PathBuf, what: &str) -> Error {

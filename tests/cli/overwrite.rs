@@ -66,6 +66,20 @@ fn what_an_earlier_run_left_is_kept_or_named() {
     }
     let message = run(&["check", "tank.json"]);
     assert!(!message.contains("T0602"), "{message}");
+    // A run without the record: what it replaces is said before it runs.
+    std::fs::write(out.join("report.pdf"), "mine").unwrap();
+    let message = run(&["compare", "tank.json", "--no-mesh-error", "--out", "out"]);
+    let first = message
+        .lines()
+        .find(|line| line.starts_with("warning[T0913]: "))
+        .expect("a warning");
+    assert!(
+        first.contains("the run under the record") && first.contains("--out") && !first.contains("report.pdf"),
+        "{first}"
+    );
+    // Of the user, and not in the manifest: it stays.
+    assert_eq!(std::fs::read_to_string(out.join("report.pdf")).unwrap(), "mine");
+    run(&COMPARE);
     // Fewer files: they are named.
     let message = run(&[&COMPARE[..], &["--no-report"]].concat());
     let line = message

@@ -161,7 +161,8 @@ fn test_reports() {
     // One failure more than failing checks: the verdict.
     let fails = counts["fails"].as_u64().unwrap() + 1;
     assert_eq!(number("failure"), fails);
-    assert_eq!(number("skipped"), counts["not_checked"].as_u64().unwrap());
+    assert_eq!(number("error"), counts["not_checked"].as_u64().unwrap());
+    assert_eq!(number("skipped"), 0);
     let sarif: serde_json::Value = serde_json::from_str(&report(TANK, "sarif")).unwrap();
     assert_eq!(sarif["version"], "2.1.0");
     let errors = report(TANK, "github")
@@ -171,7 +172,7 @@ fn test_reports() {
     assert_eq!(errors as u64, fails);
 }
 
-/// A tank that nothing decides on has no green report: its verdict is skipped, though every comparison holds.
+/// A tank that nothing decides on has no green report: its verdict is an error, though every comparison holds.
 #[test]
 fn nothing_decided_is_not_green() {
     let folder = tempfile::tempdir().unwrap();
@@ -187,6 +188,6 @@ fn nothing_decided_is_not_green() {
         String::from_utf8_lossy(&output.stderr)
     );
     let document = roxmltree::Document::parse(&text).unwrap();
-    let skipped = document.descendants().find(|n| n.has_tag_name("skipped")).unwrap();
-    assert_eq!(skipped.parent().unwrap().attribute("name"), Some("verdict"));
+    let error = document.descendants().find(|n| n.has_tag_name("error")).unwrap();
+    assert_eq!(error.parent().unwrap().attribute("name"), Some("verdict"));
 }

@@ -150,7 +150,7 @@ pub(super) fn csv(results: &Results) -> String {
             let (value, unit) = style::in_csv(cell.value, unit);
             let _ = writeln!(
                 text,
-                "{},{excitation},{},{value:e},{unit},{ratio},{usable}",
+                "{},{excitation},{},{value:?},{unit},{ratio},{usable}",
                 method.id, row.quantity
             );
         }

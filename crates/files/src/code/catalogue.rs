@@ -394,7 +394,8 @@ catalogue! {
 
     Replaced "T0913" Warning "files of earlier results are removed"
         "The output folder held results of an earlier run, and the new results have fewer files: without --no-report a report, \
-         without finite elements no histories. Files of the earlier run that have no successor are removed, so that a folder \
+         without finite elements no histories. A run of another engine, under a record, or a printed report is named before the new run \
+         begins. Files of the earlier run that have no successor are removed, so that a folder \
          never mixes two runs. Name another folder to keep both."
         "tankcheck compare tank.json --no-report --out out/   # out/ had a report"
 }
