@@ -39,7 +39,7 @@ pub struct Curve {
     pub median: Option<f64>,
     /// Dispersion β.
     pub dispersion: Option<f64>,
-    /// Runs behind it.
+    /// Points behind it: runs, or of capacities one of each record and sample.
     pub n: usize,
     /// Whether there is one.
     pub status: CurveStatus,

@@ -6,19 +6,35 @@ use crate::cli::inputs::{Inputs, shaken};
 use crate::cli::terminal::say;
 use crate::cli::{compare, print, solve};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::input::csv::{self, Table};
+use crate::input::csv::{self, Cell, Table};
 use crate::input::diagnostic::Faults;
 use crate::input::{self, TankFile};
 use crate::pipeline;
 use crate::solve::Variable;
 use files::text;
 
+/// Columns that name a tank without being a path, as in the table of a study; they are copied to the answer.
+const NAMES: [&str; 2] = ["tag", "id"];
+
+/// The table without the columns that only name its tanks.
+fn values(table: &Table) -> Table {
+    let kept: Vec<usize> = (0..table.head.len())
+        .filter(|&i| !NAMES.contains(&table.head[i].text.as_str()))
+        .collect();
+    let pick = |row: &Vec<Cell>| kept.iter().map(|&i| row[i].clone()).collect();
+    Table {
+        source: table.source.clone(),
+        head: pick(&table.head),
+        rows: table.rows.iter().map(pick).collect(),
+    }
+}
+
 /// Checks every tank of the table and prints the table with the answers; returns the exit code of the worst tank.
 pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Result<u8, Error> {
     let variable = variable.map(Variable::parse).transpose()?;
     let base = input::read_tank(&inputs.tank)?;
     let table = csv::read(path)?;
-    let tanks = tanks(&base, &table)?;
+    let tanks = tanks(&base, &values(&table))?;
     let mut head: Vec<String> = table.head.iter().map(|c| c.text.clone()).collect();
     head.extend(["status", "method", "check", "utilisation"].map(str::to_owned));
     if let Some(variable) = variable {

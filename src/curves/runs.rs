@@ -140,6 +140,14 @@ impl Data {
         }
     }
 
+    /// Points that the curve is fitted to: runs, or of capacities one of each record and sample.
+    fn points(&self, runs: usize) -> usize {
+        match self {
+            Data::Capacities { records, .. } => records.iter().map(Vec::len).sum(),
+            Data::Stripes { .. } | Data::Cloud(_) => runs,
+        }
+    }
+
     fn name(&self) -> &'static str {
         match self {
             Data::Stripes { .. } => "stripes",
@@ -234,9 +242,10 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
         });
     }
     if stepped > 0 {
-        notes.push(format!(
-            "{stepped} capacities are the last intensity before a run without a finite demand"
-        ));
+        notes.push(match stepped {
+            1 => "1 capacity is the last intensity before a run without a finite demand".to_owned(),
+            _ => format!("{stepped} capacities are the last intensities before runs without a finite demand"),
+        });
     }
     let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
         Capacity::Beyond(im) => Some(*im),
@@ -268,7 +277,7 @@ impl Asked {
         let of = |((state, runs), counts): (&(String, Vec<Seen>), &Vec<Stripe>)| {
             let mut notes = Vec::new();
             let curve = match Data::of(method, runs, &mut notes) {
-                Ok(data) => self.of_data(state, runs.len(), &data),
+                Ok(data) => self.of_data(state, data.points(runs.len()), &data),
                 Err(refusal) => self.curve(state, "capacities", runs.len(), Err(refusal)),
             };
             Curve {

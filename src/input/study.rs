@@ -96,6 +96,12 @@ pub fn read(path: &Path) -> Result<StudyInput, Error> {
                 all.push(faults.into_error(&source));
             }
             all.extend(broken);
+            // The faults of the tanks as well, which `plan` looks for in a study without other faults.
+            let mut tables = Vec::new();
+            for tank in found.iter().flat_map(|study| &study.tanks) {
+                tank.nominal(&mut tables);
+            }
+            all.extend(tables.into_iter().map(|(source, faults)| faults.into_error(&source)));
             Err(together(all))
         }
     }

@@ -39,7 +39,14 @@ impl Tanks {
             governing: None,
             periods: row.periods,
             volume: row.volume,
+            open: Vec::new(),
+            size: None,
+            round: true,
+            given: Vec::new(),
         });
+        if tank.open.is_empty() {
+            tank.open.clone_from(&row.open);
+        }
         tank.samples[0] += 1;
         let Some(found) = verdict else { return };
         match tank.verdict {
@@ -97,6 +104,10 @@ pub(super) fn page(
         governing: None,
         periods: [None, None],
         volume: None,
+        open: Vec::new(),
+        size: None,
+        round: true,
+        given: Vec::new(),
     };
     Study {
         name: plan.name.clone(),
@@ -104,6 +115,7 @@ pub(super) fn page(
         engine: plan.engine,
         im: plan.im.clone(),
         dimension: Dimension::from_si_symbol(&plan.im_unit).unwrap_or(Dimension::Dimensionless),
+        unit: plan.im_shown.clone(),
         levels: plan.levels.clone(),
         samples: plan.samples,
         tasks: plan.tasks,
@@ -122,7 +134,12 @@ pub(super) fn page(
         tanks: plan
             .tanks
             .iter()
-            .map(|tank| tanks.0.remove(&tank.id).unwrap_or_else(|| blank(&tank.id)))
+            .map(|tank| StudyTank {
+                size: tank.size,
+                round: tank.round,
+                given: tank.given.clone(),
+                ..tanks.0.remove(&tank.id).unwrap_or_else(|| blank(&tank.id))
+            })
             .collect(),
         states: states(plan, gathered),
         curves: fragility.curves.iter().map(|c| curve(c, end)).collect(),

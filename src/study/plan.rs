@@ -22,6 +22,7 @@ use files::code::Code;
 use files::error::describe;
 use files::write_whole;
 use results::EngineId;
+use tank::Shape;
 
 /// Format of the files of a plan.
 pub const FORMAT: &str = "tankcheck-study/1";
@@ -35,12 +36,21 @@ const MOST_ROWS: usize = 10_000_000;
 const FULL: usize = 200;
 
 /// A tank of the plan.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlannedTank {
     /// Name.
     pub id: String,
     /// Its key, of every sample.
     pub keys: Vec<String>,
+    /// Radius of a cylinder or length of a box, and fill height, without sampling [m]; none in plans of earlier versions.
+    #[serde(default)]
+    pub size: Option<[f64; 2]>,
+    /// Whether the first of the size is a radius.
+    #[serde(default)]
+    pub round: bool,
+    /// Column → cell, of a tank of a table.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub given: Vec<(String, String)>,
 }
 
 /// A record of the plan.
@@ -73,6 +83,9 @@ pub struct Plan {
     pub im: String,
     /// Unit of its levels.
     pub im_unit: String,
+    /// Unit in which all levels are given; none of different units and of factors.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub im_shown: Option<String>,
     /// Levels, SI; empty for factors.
     pub levels: Vec<f64>,
     /// Factors; empty for levels.
@@ -169,6 +182,7 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
         engine: study.engine,
         im: study.scales.name.clone(),
         im_unit: study.scales.axis.dimension().si_symbol().into(),
+        im_shown: study.scales.unit.map(str::to_owned),
         levels: study.scales.levels.clone(),
         factors: study.scales.factors.clone(),
         samples,
@@ -195,22 +209,30 @@ fn planned_tanks(
 ) -> (Vec<PlannedTank>, Vec<(String, TankFile)>) {
     let mut tanks = Vec::new();
     let mut nominal = Vec::new();
+    let mut tables = Vec::new();
     for entry in &study.tanks {
         // The tank of the file itself has to be right; a sample that is not possible is a row.
-        match entry.tank(None, 0) {
-            Ok(tank) if study.rule.is_some() => nominal.push((entry.id.clone(), tank)),
-            Ok(_) => {}
-            Err(error) => {
-                faults.push(error);
-                continue;
-            }
+        let Some(tank) = entry.nominal(&mut tables) else {
+            continue;
+        };
+        let (half, round) = match tank.case.tank.shape {
+            Shape::Cylinder { radius } => (radius, true),
+            Shape::Rectangle { length, .. } => (length, false),
+        };
+        let size = [half, tank.case.liquid.fill_height];
+        if study.rule.is_some() {
+            nominal.push((entry.id.clone(), tank));
         }
         let key = |sample| of_sample(&entry.tank(study.sampling.as_ref(), sample));
         tanks.push(PlannedTank {
             id: entry.id.clone(),
             keys: (0..samples).map(key).collect(),
+            size: Some(size),
+            round,
+            given: entry.given(),
         });
     }
+    faults.extend(tables.into_iter().map(|(source, found)| found.into_error(&source)));
     (tanks, nominal)
 }
 

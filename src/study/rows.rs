@@ -122,6 +122,9 @@ pub struct TankRow {
     pub verdict: String,
     /// Method and check with the largest utilisation, and that.
     pub governing: Option<(String, String, f64)>,
+    /// Method and limit state of what the deciding codes require and was not checked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub open: Vec<(String, String)>,
     /// Why it is refused.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,

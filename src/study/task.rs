@@ -171,6 +171,7 @@ impl Unit<'_> {
             volume: None,
             verdict: "refused".into(),
             governing: None,
+            open: Vec::new(),
             message: Some(message.into()),
             values: BTreeMap::new(),
         };
@@ -309,6 +310,7 @@ impl Unit<'_> {
                 let utilisation = g.check.utilisation.unwrap_or(f64::MAX);
                 (g.method.clone(), g.check.id.clone(), kept(utilisation))
             }),
+            open: open(verdict),
             message: None,
             values,
         }
@@ -449,6 +451,18 @@ impl Unit<'_> {
         }
         Ok(Response::of(simulation))
     }
+}
+
+/// Method and limit state of what is required and was not checked, each once.
+fn open(verdict: &results::Verdict) -> Vec<(String, String)> {
+    let mut open: Vec<(String, String)> = Vec::new();
+    for gap in &verdict.missing {
+        let gap = (gap.method.clone(), gap.check.limit_state.clone());
+        if !open.contains(&gap) {
+            open.push(gap);
+        }
+    }
+    open
 }
 
 fn status(status: VerdictStatus) -> &'static str {

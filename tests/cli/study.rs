@@ -276,8 +276,50 @@ fn faults_are_told_all_at_once() {
     for wanted in ["unknown intensity measure", "no file matches"] {
         assert!(text.contains(wanted), "{wanted} in {text}");
     }
+    // A name that occurs twice is told with both rows, together with the other faults of the table, which have one summary.
+    write("farm.csv", "tag,liquid.fill_height\nA,1.5 m\nB,-1 m\nA,1.2 kg\n");
+    write("study.json", STUDY);
+    let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
+    for wanted in ["named `A`", "farm.csv:2 and", "column `tag`", "farm.csv:3:"] {
+        assert!(text.contains(wanted), "{wanted} in {text}");
+    }
+    write("farm.csv", "tag,liquid.fill_height\nA,1.5 m\nB,-1 m\nC,1.2 kg\n");
+    let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
+    assert_eq!(text.matches("faults in").count(), 1, "{text}");
+    assert!(text.contains("2 faults in"), "{text}");
     write("study.json", &STUDY.replace("\"0.2 g\"", "\"0.2 m\""));
     assert!(said(&tankcheck(path, &["study", "plan", "study.json"])).contains("study.json:5"));
+}
+
+/// One template for anchored and unanchored tanks: the cell `null` removes the anchors. The same table is one of `check`.
+#[test]
+fn a_cell_removes_an_object_of_the_template() {
+    let folder = folder();
+    let path = folder.path();
+    let write = |name: &str, text: &str| fs::write(path.join(name), text).unwrap();
+    assert!(tankcheck(path, &["init", "--out", "anchored.json"]).status.success());
+    write("study.json", &STUDY.replace("tank.json", "anchored.json"));
+    let table = |cell: &str| format!("tag,tank.support,tank.anchors\nA,,\nB,unanchored,{cell}\n");
+    write("farm.csv", &table(""));
+    let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
+    assert!(text.contains("column `tank.anchors` with the cell null"), "{text}");
+    write("farm.csv", &table("null"));
+    let output = tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
+    assert!(output.status.success(), "{}", said(&output));
+    let output = tankcheck(path, &["check", "anchored.json", "--table", "farm.csv"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let line = |tag: &str| {
+        text.lines()
+            .find(|line| line.starts_with(tag))
+            .unwrap_or_default()
+            .to_owned()
+    };
+    assert!(line("A,").contains("holds"), "{text}");
+    assert!(line("B,").contains("unanchored,null"), "{text}");
+    // An item of a list has no name to be removed by.
+    write("farm.csv", "tag,tank.courses[0]\nA,null\n");
+    let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
+    assert!(text.contains("only keys of objects"), "{text}");
 }
 
 #[test]

@@ -16,6 +16,7 @@ use crate::template::Templates;
 use crate::words::study::{self as words, captions};
 use files::error::Error;
 use results::{Study, VerdictStatus};
+use tank::units::{Preferred, Unit};
 
 /// Most tanks whose curves are drawn; the table has all.
 const DRAWN: usize = 24;
@@ -117,6 +118,8 @@ impl Builder {
 /// Errors: a template or a drawing that fails.
 pub fn report(study: &Study) -> Result<Report, Error> {
     let _style = style::of(study.project.as_ref());
+    let unit = study.unit.as_deref().and_then(|text| Unit::find(text, study.dimension));
+    let _unit = Preferred::of(unit);
     let mut page = Builder::default();
     tanks(study, &mut page);
     states(study, &mut page);
@@ -202,6 +205,8 @@ fn tanks(study: &Study, page: &mut Builder) {
     page.section(words::TANKS);
     page.text(words::tanks(study));
     page.table(captions::TANKS, tables::tanks(study));
+    page.items(words::open(study));
+    page.table(captions::GIVEN, tables::given(study));
 }
 
 fn states(study: &Study, page: &mut Builder) {
@@ -235,7 +240,7 @@ fn losses(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.table(captions::LOSSES, tables::losses(study));
     if !study.system.is_empty() {
         page.heading(words::SYSTEM);
-        page.text(words::ABOUT_SYSTEM);
+        page.text(words::about_system(study));
         page.table(captions::SYSTEM, tables::curves(study, &study.system));
         page.items(words::curves::remarks(&study.system));
     }

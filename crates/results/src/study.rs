@@ -18,6 +18,8 @@ pub struct Study {
     pub im: String,
     /// Dimension of the measure.
     pub dimension: Dimension,
+    /// Unit in which all levels are given, as in the table of units; none of different units.
+    pub unit: Option<String>,
     /// Levels; empty for factors.
     pub levels: Vec<f64>,
     /// Samples of each tank.
@@ -75,6 +77,14 @@ pub struct StudyTank {
     pub periods: [Option<f64>; 2],
     /// Volume of the liquid of the first sample [m³].
     pub volume: Option<f64>,
+    /// Method and limit state of what the deciding codes require and was not checked, of the first sample that is incomplete.
+    pub open: Vec<(String, String)>,
+    /// Radius of a cylinder or length of a box, and fill height, without sampling [m].
+    pub size: Option<[f64; 2]>,
+    /// Whether the first of the size is a radius.
+    pub round: bool,
+    /// Column → cell, of a tank of a table.
+    pub given: Vec<(String, String)>,
 }
 
 /// A damage state.

@@ -2,7 +2,7 @@
 
 use files::code::Code;
 use oscillator::intensity::Intensity;
-use tank::units::{self, Dimension};
+use tank::units::{self, Dimension, Unit};
 
 use super::keys;
 use crate::input::tank::read::Opt;
@@ -49,6 +49,8 @@ pub struct Scales {
     pub name: String,
     /// Levels of the measure in SI; empty for factors.
     pub levels: Vec<f64>,
+    /// Unit in which all levels are given; none of different units and of factors.
+    pub unit: Option<&'static str>,
     /// Factors on the records; empty for levels.
     pub factors: Vec<f64>,
 }
@@ -157,6 +159,7 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
         axis = found;
     }
     let (mut levels, mut factors) = (Vec::new(), Vec::new());
+    let mut written = Vec::new();
     match (&given.levels.given, &given.factors.given) {
         (Some(levels), Some(_)) => {
             r.faults.push(range_fault(
@@ -171,6 +174,8 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
             r.sized(field, "levels");
             let dimension = axis.dimension();
             for item in field.value.iter().flatten() {
+                let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+');
+                written.push(Unit::find(item.text.trim().trim_start_matches(number), dimension).map(|unit| unit.text));
                 match units::parse(&r.text(item)?, dimension) {
                     Ok(level) if level > 0.0 => ascending(r, item, &mut levels, level),
                     Ok(_) => r.faults.push(range_fault(
@@ -201,6 +206,10 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
         axis,
         name,
         levels,
+        unit: match written.as_slice() {
+            [Some(first), rest @ ..] if rest.iter().all(|unit| *unit == Some(*first)) => Some(*first),
+            _ => None,
+        },
         factors,
     })
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::keys::Tanks;
 use super::{Sampling, matching, name_of};
 use crate::input::csv::{self, Cell, Table};
-use crate::input::diagnostic::Source;
+use crate::input::diagnostic::{Faults, Source};
 use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::variant::variant;
@@ -23,6 +23,8 @@ pub struct TankEntry {
     base: Arc<TankFile>,
     /// Table whose head are paths, and the row.
     row: Option<(Arc<Table>, usize)>,
+    /// Where its row begins in the table [bytes].
+    start: usize,
 }
 
 impl TankEntry {
@@ -30,6 +32,52 @@ impl TankEntry {
     ///
     /// Errors: the faults of the tank with these values.
     pub fn tank(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Error> {
+        self.variant(sampling, sample)
+            .map_err(|(faults, source)| faults.into_error(&source))
+    }
+
+    /// As [`TankEntry::tank`] without sampling. The faults are added to those of the tanks before it, so that a table has one list of them; those of
+    /// a column once.
+    pub fn nominal(&self, faults: &mut Vec<(Source, Faults)>) -> Option<TankFile> {
+        match self.variant(None, 0) {
+            Ok(tank) => Some(tank),
+            Err((own, source)) => {
+                let known = faults.iter().position(|(other, _)| *other == source);
+                let place = known.unwrap_or_else(|| {
+                    faults.push((source, Faults::new()));
+                    faults.len() - 1
+                });
+                let all = &mut faults[place].1;
+                for fault in own.list() {
+                    if !all.list().contains(fault) {
+                        all.push(fault.clone());
+                    }
+                }
+                None
+            }
+        }
+    }
+
+    /// Column → cell of its row, without empty cells; none for a file.
+    pub fn given(&self) -> Vec<(String, String)> {
+        let Some((table, row)) = &self.row else {
+            return Vec::new();
+        };
+        let cells = table.head.iter().zip(&table.rows[*row]);
+        let filled = cells.filter(|(_, cell)| !cell.text.is_empty());
+        filled
+            .map(|(head, cell)| (head.text.clone(), cell.text.clone()))
+            .collect()
+    }
+
+    /// Where it is in its table: `farm.csv:3`; none for a file.
+    fn place(&self) -> Option<String> {
+        let (table, row) = self.row.as_ref()?;
+        let (line, _) = table.source.line_column(self.start);
+        (*row < table.rows.len()).then(|| format!("{}:{line}", table.source.name))
+    }
+
+    fn variant(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, (Faults, Source)> {
         let drawn = sampling.map_or_else(Vec::new, |sampling| sampling.draw(sample));
         if self.row.is_none() && drawn.is_empty() {
             return Ok((*self.base).clone());
@@ -59,7 +107,7 @@ impl TankEntry {
             head,
             rows: Vec::new(),
         };
-        variant(&self.base, &table, &row).map_err(|faults| faults.into_error(&table.source))
+        variant(&self.base, &table, &row).map_err(|faults| (faults, table.source))
     }
 }
 
@@ -89,16 +137,20 @@ pub(super) fn tanks(
             }
         };
         for tank in found {
-            if all.iter().any(|other| other.id == tank.id) {
-                let fault = range_fault(
-                    Code::Repeated,
-                    item,
-                    &format!("two tanks are named `{}`", tank.id),
-                    "a different name for each tank",
-                );
-                r.faults
-                    .push(fault.help("name the tanks of a table by a column: \"id\": \"tag\""));
-                break;
+            if let Some(other) = all.iter().find(|other| other.id == tank.id) {
+                let places = match (other.place(), tank.place()) {
+                    (Some(first), Some(second)) => format!(": {first} and {second}"),
+                    (first, second) => first
+                        .or(second)
+                        .map_or_else(String::new, |place| format!(", one at {place}")),
+                };
+                let message = format!("two tanks are named `{}`{places}", tank.id);
+                let fault = range_fault(Code::Repeated, item, &message, "a different name for each tank");
+                r.faults.push(match given.id.value() {
+                    Some(column) => fault.help(format!("give each row a different name in the column `{column}`")),
+                    None => fault.help("name the tanks of a table by a column: \"id\": \"tag\""),
+                });
+                continue;
             }
             all.push(tank);
         }
@@ -114,6 +166,7 @@ fn from_files(r: &mut Resolver<'_>, files: &Field<String>, folder: &Path, broken
                 id: name_of(&path, folder),
                 base: Arc::new(base),
                 row: None,
+                start: 0,
             }),
             Err(error) => broken.push(error),
         }
@@ -191,6 +244,7 @@ fn from_table(
         ),
         base: Arc::clone(&base),
         row: Some((Arc::clone(&table), number)),
+        start: csv::span(row).start,
     };
     raw.rows.iter().enumerate().map(entry).collect()
 }

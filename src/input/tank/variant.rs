@@ -17,7 +17,10 @@ enum Step {
     Index(usize),
 }
 
-/// The tank of a row: the tank file with the values of the row. An empty cell keeps the value of the file.
+/// A cell that removes the key of its column from the tank of its row, with everything below it.
+pub(crate) const REMOVES: &str = "null";
+
+/// The tank of a row: the tank file with the values of the row. An empty cell keeps the value of the file, [`REMOVES`] removes it.
 ///
 /// * `base`: the tank file
 /// * `row`: a row of the table
@@ -34,6 +37,12 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
                 faults.push(unknown(column, "not a path").at(place(&column.span)));
                 continue;
             };
+            if cell.text == REMOVES {
+                if let Err(message) = remove(&mut root, &steps) {
+                    faults.push(unknown(column, message).at(place(&column.span)));
+                }
+                continue;
+            }
             if let Err(message) = set(&mut root, &steps, cell, &place(&column.span), place(&cell.span)) {
                 faults.push(unknown(column, &message).at(place(&column.span)));
             }
@@ -52,11 +61,19 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
         _ => {
             let mut found = Faults::new();
             for fault in faults.list() {
-                let span = match &fault.span {
-                    Some(span) if span.start >= beyond => span.start - beyond..span.end - beyond,
-                    _ => csv::span(row),
+                let (span, own) = match &fault.span {
+                    Some(span) if span.start >= beyond => (span.start - beyond..span.end - beyond, true),
+                    _ => (csv::span(row), false),
                 };
-                found.push(fault.clone().at(span));
+                let mut fault = fault.clone().at(span);
+                if !own && fault.code == Code::DoesNotApply && fault.help.is_none() {
+                    let help = format!(
+                        "`{0}` is in the template; a column `{0}` with the cell {REMOVES} in this row removes it",
+                        fault.path
+                    );
+                    fault = fault.help(help);
+                }
+                found.push(fault);
             }
             Err(found)
         }
@@ -148,6 +165,25 @@ fn set(node: &mut Node, steps: &[Step], cell: &Cell, head: &Range<usize>, place:
         }
         (Some((Step::Key(key), _)), _) => Err(format!("{noun} does not have the key `{key}`")),
         (Some((Step::Index(index), _)), _) => Err(format!("{noun} does not have an item {index}")),
+    }
+}
+
+/// Removes a key from the tree; one that is not there is no fault.
+fn remove(node: &mut Node, steps: &[Step]) -> Result<(), &'static str> {
+    match (steps, &mut node.kind) {
+        ([Step::Key(key)], Kind::Object(members)) => {
+            members.retain(|member| member.key != *key);
+            Ok(())
+        }
+        ([Step::Key(key), rest @ ..], Kind::Object(members)) => match members.iter_mut().find(|m| m.key == *key) {
+            Some(member) => remove(&mut member.value, rest),
+            None => Ok(()),
+        },
+        ([Step::Index(index), rest @ ..], Kind::List(items)) if !rest.is_empty() => match items.get_mut(*index) {
+            Some(item) => remove(item, rest),
+            None => Ok(()),
+        },
+        _ => Err("only keys of objects can be removed"),
     }
 }
 

@@ -16,6 +16,8 @@ const PLOT: f64 = 150.0;
 const STATES: [&str; 6] = ["k-s4", "k-s6", "k-s3", "k-s5", "k-s2", "k-s1"];
 /// Numbers of tanks of which the probability of at least as many is drawn.
 const AT_LEAST: [usize; 4] = [1, 2, 5, 10];
+/// Demand over limit from which on its axis is logarithmic: on a linear one the limit is then in the lowest fifth.
+const FLAT: f64 = 5.0;
 /// Rows of a table of data.
 const ROWS: usize = 24;
 
@@ -267,12 +269,19 @@ pub(super) fn traces(study: &Study) -> Result<Vec<Figure>, Error> {
 fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure, Error> {
     let points = || trace.records.iter().flat_map(|(_, points)| points.iter().copied());
     let end = points().map(|p| p.0).fold(0.0, f64::max);
-    let y = Axis::linear(
-        words::RATIO,
-        Dimension::Dimensionless,
-        points().map(|p| p.1).chain([0.0, 1.0]),
-        5,
-    );
+    let highest = points().map(|p| p.1).fold(1.0, f64::max);
+    let lowest = points().map(|p| p.1).fold(1.0, f64::min);
+    // A few points far above the limit flatten all others on a linear axis.
+    let logarithmic = highest > FLAT && lowest > 0.0;
+    let y = match logarithmic {
+        true => Axis::log(words::RATIO, Dimension::Dimensionless, (0.8 * lowest, 1.25 * highest)),
+        false => Axis::linear(
+            words::RATIO,
+            Dimension::Dimensionless,
+            points().map(|p| p.1).chain([0.0, 1.0]),
+            5,
+        ),
+    };
     let mut chart = Chart::new((HALF, 0.0), intensity(study, points().map(|p| p.0)), y);
     chart.lines.push(Line {
         points: vec![(0.0, 1.0), (end, 1.0)],
@@ -314,7 +323,7 @@ fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure,
     Ok(Figure {
         id: format!("study_records_{}", number + 1),
         title: words::trace(trace),
-        caption: words::trace_caption(trace),
+        caption: words::trace_caption(trace, logarithmic),
         titled: false,
         description: words::trace_description(trace),
         size: chart.size,

@@ -10,6 +10,11 @@ use results::{Study, StudyCurve, StudyRule};
 /// Most rows of faults.
 const FAULTS: usize = 40;
 
+/// Columns of the table of a study that have a column of their own.
+const SHOWN: [&str; 3] = ["tank.radius", "tank.length", "liquid.fill_height"];
+/// Most other columns of it that fit on a page of paper.
+const GIVEN: usize = 6;
+
 const NONE: &str = "–";
 
 /// The farm with the governing checks.
@@ -17,6 +22,11 @@ pub(super) fn tanks(study: &Study) -> Table {
     let volume = |v: Option<f64>| v.map_or_else(|| NONE.into(), |v| fixed(v, 0));
     let period = |p: Option<f64>| p.map_or_else(|| NONE.into(), |p| significant(p, 3));
     let sampled = study.samples > 1;
+    let length = Scale::of(
+        Dimension::Length,
+        study.tanks.iter().flat_map(|tank| tank.size).flatten(),
+    );
+    let size = |size: Option<f64>| size.map_or_else(|| NONE.into(), |v| length.given(v));
     let mut columns = vec![Column::words(heads::TANK), Column::words(heads::VERDICT)];
     if sampled {
         columns.push(Column::words(heads::SAMPLES));
@@ -25,6 +35,8 @@ pub(super) fn tanks(study: &Study) -> Table {
         Column::words(heads::GOVERNING),
         Column::words(heads::METHOD),
         Column::numbers(heads::UTILISATION, ""),
+        Column::numbers(heads::size(study), length.symbol()),
+        Column::numbers(heads::FILL, length.symbol()),
         Column::numbers(heads::IMPULSIVE, "s"),
         Column::numbers(heads::SLOSHING, "s"),
         Column::numbers(heads::VOLUME, "m³"),
@@ -39,7 +51,35 @@ pub(super) fn tanks(study: &Study) -> Table {
             Some((method, check, value)) => row.extend([words::id(check), method.clone(), utilisation(*value)]),
             None => row.extend([NONE.into(), NONE.into(), NONE.into()]),
         }
+        row.extend([size(tank.size.map(|s| s[0])), size(tank.size.map(|s| s[1]))]);
         row.extend([period(tank.periods[0]), period(tank.periods[1]), volume(tank.volume)]);
+        table.row(row);
+    }
+    table
+}
+
+/// What the table of the study gives of each tank, besides radius and fill height; empty where it gives nothing else.
+pub(super) fn given(study: &Study) -> Table {
+    let mut paths: Vec<&str> = Vec::new();
+    for (path, _) in study.tanks.iter().flat_map(|tank| &tank.given) {
+        if !paths.contains(&path.as_str()) && !SHOWN.contains(&path.as_str()) {
+            paths.push(path);
+        }
+    }
+    paths.truncate(GIVEN);
+    let mut columns = vec![Column::words(heads::TANK)];
+    columns.extend(paths.iter().map(|path| Column::words(path)));
+    let mut table = Table::new(columns);
+    if paths.is_empty() {
+        return table;
+    }
+    for tank in &study.tanks {
+        let cell = |path: &&str| {
+            let found = tank.given.iter().find(|(column, _)| column == path);
+            found.map_or_else(|| NONE.into(), |(_, text)| text.clone())
+        };
+        let mut row = vec![tank.id.clone()];
+        row.extend(paths.iter().map(cell));
         table.row(row);
     }
     table
@@ -87,7 +127,7 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
         Column::numbers(heads::BAND, unit),
         Column::numbers(heads::DISPERSION, ""),
         Column::numbers(heads::BAND, ""),
-        Column::numbers(heads::RUNS, ""),
+        Column::numbers(heads::behind(curves), ""),
     ]);
     if crossed {
         columns.push(Column::numbers(heads::COMMON, unit));

@@ -13,6 +13,10 @@ fn tank(id: &str, verdict: Option<VerdictStatus>) -> StudyTank {
         governing: Some(("code".into(), "uplift_tension".into(), 1.25)),
         periods: [Some(0.12), None],
         volume: Some(500.0),
+        open: Vec::new(),
+        size: Some([7.5, 6.5]),
+        round: true,
+        given: Vec::new(),
     }
 }
 
@@ -52,6 +56,7 @@ fn study() -> Study {
         engine: Some(EngineId::Harmonic),
         im: "PGA".into(),
         dimension: Dimension::Acceleration,
+        unit: None,
         levels: vec![2.0, 4.0],
         samples: 1,
         tasks: 3,

@@ -23,7 +23,9 @@ pub const TURN_HEAD: [&str; 4] = [
 
 /// What the heads of the table of the strip mean.
 pub const STRIP_HEADS: &str = "uplift of the rim from the unloaded ground; hold-down: pull of the plate on the wall; θ rim, M rim and N: rotation, bending \
-     moment and membrane force of the plate at the rim; lifted width: from the rim to the ground; θ plastic: rotation of the plastic joint";
+     moment and membrane force of the plate at the rim; lifted width: from the rim to the ground; θ plastic: rotation of the plastic joint\n\
+     θ rim is that of the foot of the wall, positive where the plate rises outwards: M rim turns it outwards, N and the pressure on the wall turn it inwards, \
+     so that it rises with the first uplift and falls once the joint has yielded";
 
 /// What the heads of the table of the base mean.
 pub const TURN_HEADS: &str = "ψ: rotation of the base in 1e-3 rad; moment: overturning moment that turns it so far, on ground of k/3, k and 3k, as in \

@@ -42,7 +42,7 @@ pub const VOLUME: &str = "Volume of the liquid of lost tanks";
 pub const VOLUME_DESCRIPTION: &str =
     "Mean and largest volume of the liquid of tanks in the worst state over the intensity.";
 /// Title of a figure.
-pub const AT_LEAST: &str = "Probability that at least so many tanks lose their contents";
+pub const AT_LEAST: &str = "Probability that a number of tanks or more lose their contents";
 /// Its caption.
 pub const AT_LEAST_CAPTION: &str =
     "Counted over the earthquakes, which shake all tanks at once; dotted: independent tanks with the same shares.";
@@ -61,8 +61,54 @@ pub const RATIO: &str = "Demand over limit";
 pub const SYSTEM: &str = "At least one tank";
 /// Heading.
 pub const SINGLE: &str = "Single records";
-/// Text.
-pub const ABOUT_SYSTEM: &str = "The farm as a system: at least one tank is in the state in the same earthquake.";
+/// The farm as a system.
+pub fn about_system(study: &Study) -> String {
+    let counted = match study.method.as_str() {
+        "stripes" => "",
+        _ => {
+            " These curves are fitted to the number of earthquakes at each level (stripes), whatever the method of the tanks is: a farm has no demand of its own."
+        }
+    };
+    format!("The farm as a system: at least one tank is in the state in the same earthquake.{counted}")
+}
+
+/// What the codes require and was not checked, the tanks with the same gaps together.
+pub fn open(study: &Study) -> Vec<String> {
+    let mut groups: Vec<(Vec<&str>, &Vec<(String, String)>)> = Vec::new();
+    for tank in study.tanks.iter().filter(|tank| !tank.open.is_empty()) {
+        match groups.iter_mut().find(|(_, open)| **open == tank.open) {
+            Some((tanks, _)) => tanks.push(&tank.id),
+            None => groups.push((vec![&tank.id], &tank.open)),
+        }
+    }
+    let of = |(tanks, open): &(Vec<&str>, &Vec<(String, String)>)| {
+        let mut methods: Vec<(&str, Vec<String>)> = Vec::new();
+        for (method, state) in *open {
+            match methods.iter_mut().find(|(known, _)| known == method) {
+                Some((_, states)) => states.push(id(state)),
+                None => methods.push((method, vec![id(state)])),
+            }
+        }
+        let lists = methods
+            .iter()
+            .map(|(method, states)| format!("{} ({method})", states.join(", ")));
+        let more = tanks.len().saturating_sub(NAMED);
+        let named = tanks.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        format!(
+            "Not checked of {named}{more}: {}.",
+            lists.collect::<Vec<_>>().join("; ")
+        )
+    };
+    groups.iter().map(of).collect()
+}
+
+/// Most tanks that a list names.
+const NAMED: usize = 12;
 /// Text.
 pub const ABOUT_LOSSES: &str = "Tanks in the worst state lose their contents. All tanks are shaken by the same earthquakes, so that losses are counted \
      earthquake by earthquake; earthquakes in which a tank could not be judged are left out.";
@@ -285,14 +331,23 @@ pub fn trace(trace: &StudyTrace) -> String {
 }
 
 /// Its caption.
-pub fn trace_caption(trace: &StudyTrace) -> String {
-    match trace.deviation {
-        Some(deviation) => format!(
+///
+/// * `logarithmic`: whether the demands are on a logarithmic axis
+pub fn trace_caption(trace: &StudyTrace, logarithmic: bool) -> String {
+    let mut parts = Vec::new();
+    if let Some(deviation) = trace.deviation {
+        parts.push(format!(
             "From record to record ln of the demand has the standard deviation {} at a level.",
             fixed(deviation, 2)
-        ),
-        None => String::new(),
+        ));
     }
+    if logarithmic {
+        parts.push(
+            "Logarithmic axis: a capacity that goes to zero under the demand of its own instant makes the ratio large."
+                .to_owned(),
+        );
+    }
+    parts.join(" ")
 }
 
 /// Its description.

@@ -2,6 +2,8 @@
 
 /// Tanks.
 pub const TANKS: &str = "Tanks under their own design spectra";
+/// Columns of the table of the study.
+pub const GIVEN: &str = "Further values of the table of tanks, as given";
 /// Damage states.
 pub const STATES: &str = "Damage states, the demands that lead into them, and their sources";
 /// Curves of the tanks.

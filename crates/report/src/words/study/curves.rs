@@ -79,10 +79,19 @@ pub fn caption(curves: &[&StudyCurve]) -> String {
         .filter(|c| c.fit.is_none())
         .map(|c| c.state.as_str())
         .collect();
-    match open.is_empty() {
-        true => String::new(),
-        false => format!("No curve is identified of {}.", open.join(", ")),
+    let mut parts = Vec::new();
+    if !open.is_empty() {
+        parts.push(format!("No curve is identified of {}.", open.join(", ")));
     }
+    for pair in curves.windows(2) {
+        if pair[0].fit.is_some() && pair[0].fit == pair[1].fit {
+            parts.push(format!(
+                "The curves of {} and {} coincide.",
+                pair[0].state, pair[1].state
+            ));
+        }
+    }
+    parts.join(" ")
 }
 
 /// Description of the curves of a tank.

@@ -1,5 +1,25 @@
 //! Heads of the columns of a study.
 
+use results::{Study, StudyCurve};
+
+/// The dimension in plan.
+pub fn size(study: &Study) -> &'static str {
+    let round = |wanted: bool| study.tanks.iter().any(|tank| tank.round == wanted);
+    match (round(true), round(false)) {
+        (true, true) => "Radius or length",
+        (false, true) => "Length",
+        _ => "Radius",
+    }
+}
+
+/// What curves are fitted to.
+pub fn behind(curves: &[StudyCurve]) -> &'static str {
+    match curves.iter().all(|curve| curve.method.ends_with("capacities")) {
+        true => "Capacities",
+        false => RUNS,
+    }
+}
+
 /// Tank.
 pub const TANK: &str = "Tank";
 /// Verdict.
@@ -12,6 +32,8 @@ pub const GOVERNING: &str = "Governing check";
 pub const METHOD: &str = "Method";
 /// Utilisation.
 pub const UTILISATION: &str = "Utilised";
+/// Fill height.
+pub const FILL: &str = "Fill height";
 /// Impulsive period.
 pub const IMPULSIVE: &str = "Impulsive period";
 /// Sloshing period.
