@@ -221,7 +221,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Some(target) => Some(OutputFolder::prepare(target, vtu::FOLDER)?),
         None => None,
     };
-    let announced = announce_loss(&args.out, &folder, &job);
+    announce_loss(&args.out, &folder, &job);
     let watch = Watch::new(global, "codes and finite elements");
     let Outcome {
         mut results,
@@ -256,9 +256,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let out = (!args.no_report).then_some(args.out.as_path());
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
-    if !announced {
-        replaced(&args.out, &stale);
-    }
+    replaced(&args.out, &stale);
     for line in words::record_set::beyond(&results) {
         stream::warn("", &Warning::new(Code::UnusualRecord, line));
     }
@@ -418,9 +416,9 @@ pub(crate) fn print(
     Ok(())
 }
 
-/// Before a run: what of the earlier results in its folder the new ones will not have, so that Ctrl-C keeps it. Returns whether there is anything.
-fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) -> bool {
-    let Ok(earlier) = results::read(out) else { return false };
+/// Before a run: what of the earlier results in its folder the new ones will not have, so that Ctrl-C keeps it.
+fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) {
+    let Ok(earlier) = results::read(out) else { return };
     let runs = earlier.runs.iter().filter(|run| !job.engines.contains(&run.engine));
     let mut lost: Vec<String> = runs.map(|run| format!("a {} run", run.engine.name())).collect();
     let horizontal = earlier.records.first().filter(|_| job.case.ground_motion.is_none());
@@ -433,7 +431,7 @@ fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) -> bool {
             .filter(|name| results::FORMS.contains(&name.as_str())),
     );
     if lost.is_empty() {
-        return false;
+        return;
     }
     let text = format!(
         "{}: this run replaces earlier results with {}; to keep them, stop it (Ctrl-C) and name another folder with --out",
@@ -441,7 +439,6 @@ fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) -> bool {
         lost.join(", ")
     );
     stream::warn("", &Warning::new(Code::Replaced, text));
-    true
 }
 
 /// Names what of an earlier run is gone.

@@ -172,21 +172,25 @@ impl Synth {
     /// do not follow the target at all: where a period fails, the duration that holds [`CYCLES`] of it.
     fn way_out(&self, answer: &Answer) -> String {
         let fewest = CODE.fewest();
+        let mut ways = Vec::new();
         if usize::from(self.n) < fewest {
-            return format!("use --n {fewest} or more");
+            ways.push(format!("use --n {fewest} or more"));
         }
         let failing = |(_, ratios): &&(_, Ratios)| ratios.smallest.0 < CODE.share();
         let longest = answer.periods.iter().filter(failing).map(|(wanted, _)| wanted.period);
         let needed = 5.0 * (CYCLES * longest.fold(0.0, f64::max) / 5.0).ceil();
-        match needed > self.duration {
-            true => format!(
+        if needed > self.duration {
+            ways.push(format!(
                 "use --duration {needed}; in {} s the longest period does not build up",
                 self.duration
-            ),
-            false => format!(
+            ));
+        }
+        match ways.is_empty() {
+            true => format!(
                 "scale the set by {:.3} (--fit of `tankcheck compare`), or use another --seed or a larger --n",
                 answer.factor
             ),
+            false => ways.join("; "),
         }
     }
 }
