@@ -6,6 +6,7 @@
 //!
 //! Print chooses units of SI, or those of the [`System`] of the [`Scope`] it runs in.
 
+mod fraction;
 mod parse;
 mod print;
 mod system;

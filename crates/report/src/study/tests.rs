@@ -175,3 +175,71 @@ fn in_german() {
     left.retain(|text| !names.contains(&text.as_str()));
     assert_eq!(left, Vec::<String>::new());
 }
+
+/// The study of a table of tanks, by capacities at levels in g: the page has the columns of the table, what was not checked, the levels as they are given,
+/// curves that coincide and demands far above their limit; in German as well.
+#[test]
+fn a_table_of_tanks_and_capacities() {
+    let of_table = || {
+        let twin = |state: &str| StudyCurve {
+            state: state.into(),
+            method: "capacities".into(),
+            ..curve(Some("A & B"), Some([2.5, 0.4]))
+        };
+        Study {
+            unit: Some("g".into()),
+            method: "capacities".into(),
+            tanks: vec![StudyTank {
+                open: vec![("ec8-2006".into(), "damage_limitation".into())],
+                given: vec![
+                    ("tank.radius".into(), "7.5 m".into()),
+                    ("liquid.density".into(), "850 kg/m3".into()),
+                ],
+                ..tank("A & B", Some(VerdictStatus::Incomplete))
+            }],
+            curves: vec![twin("DS1"), twin("DS2")],
+            traces: vec![StudyTrace {
+                tank: "A & B".into(),
+                state: "DS1".into(),
+                records: vec![("set/one".into(), vec![(2.0, 0.7), (4.0, 40.0)])],
+                deviation: None,
+            }],
+            ..study()
+        }
+    };
+    let page = report(&of_table()).unwrap().html;
+    for wanted in [
+        "Not checked of A &amp; B: damage limitation (ec8-2006).",
+        "850 kg/m3",
+        "Radius",
+        "Capacities",
+        "The curves of DS1 and DS2 coincide.",
+        "Logarithmic axis",
+        // 2.5 m/s² of the median.
+        "0.2549",
+    ] {
+        assert!(page.contains(wanted), "{wanted}");
+    }
+    // A column of its own has the radius.
+    assert!(!page.contains("tank.radius"));
+    // The unit is that of this page alone.
+    assert_eq!(tank::units::display(9.80665, Dimension::Acceleration), "9.81 m/s²");
+    let _wish = crate::style::wish(crate::style::Wish {
+        language: Some(tank::Language::German),
+        units: None,
+    });
+    report(&of_table()).unwrap();
+    let names = [
+        "C, set/one",
+        "a NaN & more",
+        "a source",
+        "code",
+        "error",
+        "set/one",
+        "850 kg/m3",
+        "liquid.density",
+    ];
+    let mut left = crate::language::untranslated();
+    left.retain(|text| !names.contains(&text.as_str()));
+    assert_eq!(left, Vec::<String>::new());
+}

@@ -2,6 +2,7 @@
 //!
 //! Decimal factors shift the exponent of the text, so `"2.03 mm"` is exactly `0.00203`, correctly rounded.
 
+use super::fraction::fraction;
 use super::table::canonical;
 use super::{Dimension, Unit};
 
@@ -116,7 +117,10 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         });
     }
     let spelling = rest.trim();
-    if let Some(instead) = fraction(trimmed) {
+    // A double prime is a unit that is read.
+    if Unit::find(spelling, dimension).is_none()
+        && let Some(instead) = fraction(trimmed)
+    {
         return Err(UnitError::Fraction {
             found: trimmed.into(),
             instead,
@@ -185,47 +189,6 @@ fn misread_number(number: &str, rest: &str) -> Option<Option<String>> {
         _ => None,
     };
     Some(guess)
-}
-
-/// A number with a fraction, or feet and inches with their marks, as a decimal number with its unit; none for any other text.
-fn fraction(text: &str) -> Option<String> {
-    // Prime and double prime stand for the units alone as well; these are read.
-    let text = text.replace('″', "\"").replace('′', "'").replace("''", "\"");
-    let (value, unit) = if let Some((feet, rest)) = text.split_once('\'') {
-        match rest.trim().trim_start_matches('-') {
-            "" => (mixed(feet)?, "ft"),
-            inches => (12.0 * mixed(feet)? + mixed(inches.strip_suffix('"')?)?, "in"),
-        }
-    } else if let Some(inches) = text.strip_suffix('"') {
-        (mixed(inches)?, "in")
-    } else {
-        let unit =
-            text.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || matches!(c, '/' | '-' | '.'));
-        let number = &text[..text.len() - unit.len()];
-        if !number.contains('/') || !unit.chars().all(|c| c.is_alphabetic()) || unit.is_empty() {
-            return None;
-        }
-        (mixed(number)?, unit)
-    };
-    // Six decimals are a hundredth of a micrometre of an inch.
-    let decimal = format!("{value:.6}");
-    let decimal = decimal.trim_end_matches('0').trim_end_matches('.');
-    value.is_finite().then(|| format!("{decimal} {unit}"))
-}
-
-/// `3`, `3.5`, `5/16`, `1 1/4` or `1-1/4`.
-fn mixed(text: &str) -> Option<f64> {
-    let text = text.trim();
-    let Some((head, denominator)) = text.split_once('/') else {
-        let plain = !text.is_empty() && text.chars().all(|c| c.is_ascii_digit() || c == '.');
-        return text.parse().ok().filter(|_| plain);
-    };
-    let whole = |text: &str| -> Option<f64> { text.trim().parse::<u32>().ok().map(f64::from) };
-    let denominator = whole(denominator).filter(|d| *d > 0.0)?;
-    match head.trim().rsplit_once([' ', '-']) {
-        Some((units, numerator)) => Some(whole(units.trim_end_matches('-'))? + whole(numerator)? / denominator),
-        None => Some(whole(head)? / denominator),
-    }
 }
 
 fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit, UnitError> {
@@ -338,6 +301,7 @@ mod tests {
             (" +1.83e0\u{a0}m ", Length, 1.83),
             (".5 m", Length, 0.5),
             ("5. m", Length, 5.0),
+            ("3″", Length, 0.0762),
             ("7 kg / m^3", Density, 7.0),
         ];
         for (text, dimension, expected) in cases {
