@@ -126,7 +126,10 @@ impl Newton<'_> {
     /// Exchanges the factor for the spare one if these weights are not its own; whether it is theirs now.
     fn exchange(&mut self, weights: Weights) -> bool {
         let Some(zoned) = &mut self.zoned else { return false };
-        if zoned.always != Renew::Nothing || weights.mass == 0.0 || self.factor.as_ref().is_some_and(|(_, w)| *w == weights) {
+        if zoned.always != Renew::Nothing
+            || weights.mass == 0.0
+            || self.factor.as_ref().is_some_and(|(_, w)| *w == weights)
+        {
             return false;
         }
         let before = zoned.spare.take();

@@ -1,9 +1,9 @@
 //! A zone against the factor of the whole, and its Newton's method against the full one.
 
 use super::*;
+use crate::analysis::checkpoint::{Reader, Writer};
 use crate::analysis::march::{Instant, Outcome, Problem, Settings, march};
 use crate::analysis::motion::{Grid, Motion};
-use crate::analysis::checkpoint::{Reader, Writer};
 use crate::analysis::newton::{Cost, Inertia, Newton, Options};
 use crate::analysis::scheme::TimeScheme;
 use crate::analysis::system::System;
@@ -198,6 +198,9 @@ fn a_spare_factor_serves_another_length_of_step() {
     }
     assert_eq!(cost.wholes, 2, "{cost:?}");
     for k in [3, 4, 5, 30] {
-        assert!(run(Some(zone.clone()), Some(k)) == (found.clone(), cost), "stored after step {k}");
+        assert!(
+            run(Some(zone.clone()), Some(k)) == (found.clone(), cost),
+            "stored after step {k}"
+        );
     }
 }
