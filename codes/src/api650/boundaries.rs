@@ -453,7 +453,8 @@ fn anchor_attachment_of_2020() {
     assert_eq!(find(&out, "anchor_attachment").status, CheckStatus::NotApplicable);
 }
 
-/// π·30 m/n ≤ 3 m: 31.4 anchors; 32 stand 2.945 m apart, 31 stand 3.040 m apart. D = 3 m·n/π is at the limit.
+/// 5.12.3 prints 3 m (10 ft) and 10 ft = 3.048 m is the larger: π·30 m/n needs 30.9 anchors; 31 stand 3.040 m apart. D = 10 ft·n/π is at
+/// the limit.
 #[test]
 fn anchor_spacing_of_2020() {
     let at = |count: u32, radius: f64| {
@@ -463,13 +464,13 @@ fn anchor_spacing_of_2020() {
         let out = Api6502020.assess(&c, Excitation::Site).unwrap();
         find(&out, "anchor_spacing").clone()
     };
-    for (count, spacing, holds) in [(32, 2.945, true), (31, 3.040, false), (1, 94.248, false)] {
+    for (count, spacing, holds) in [(31, 3.040, true), (30, 3.142, false), (1, 94.248, false)] {
         let check = at(count, 15.0);
         assert_eq!(check.holds(), holds, "{check:?}");
         assert!((check.demand.unwrap() - spacing).abs() < 5e-4, "{check:?}");
     }
     for (u, holds) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
-        assert_eq!(at(60, u * 1.5 * 60.0 / PI).holds(), holds, "{u}");
+        assert_eq!(at(60, u * 0.5 * 3.048 * 60.0 / PI).holds(), holds, "{u}");
     }
     // Without anchors both limit states ask for them.
     let mut c = anchored(1e9);

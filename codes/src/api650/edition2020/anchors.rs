@@ -2,7 +2,7 @@
 //!
 //! The attachment to the shell and the embedment are designed for the lesser of 3 P_AB and the anchor's yield force as built.
 //! The yield force as built is not known here; 3 P_AB is on the safe side. The spacing is measured along the inside of the shell.
-//! Clause numbers and the 3 m are recalled.
+//! Clause numbers and the 3 m (10 ft) are recalled; the larger of both printed values counts, as who follows either follows the clause.
 
 use tank::Anchors;
 use tank::assessment::CheckStatus;
@@ -12,8 +12,8 @@ use super::{Run, limit_states};
 
 const E6_2_1_2: &str = "API 650:2020 E.6.2.1.2";
 const SPACING: &str = "API 650:2020 5.12.3";
-/// Largest spacing of anchors [m] (10 ft).
-const LARGEST_SPACING: f64 = 3.0;
+/// Largest spacing of anchors [m]: printed as 3 m (10 ft), and 10 ft is the larger.
+pub(super) const LARGEST_SPACING: f64 = 10.0 * 0.3048;
 
 impl Run<'_> {
     /// Three times the tension of an anchor against the capacity of its attachment.
@@ -55,8 +55,12 @@ impl Run<'_> {
         ];
         let name = "spacing of the anchors";
         let spacing = self.sheet.calc("a_A", name, "π·D/n_A", &terms, Length, SPACING);
+        let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
+        let largest = self
+            .sheet
+            .look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
         let name = "Spacing of the anchors";
-        self.check(id, name, spacing, LARGEST_SPACING, Length, SPACING, "");
+        self.check(id, name, spacing, largest, Length, SPACING, "");
     }
 
     fn counted_anchors(&self) -> Option<Anchors> {

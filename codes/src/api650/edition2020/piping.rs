@@ -2,10 +2,11 @@
 //!
 //! | displacement | mechanically anchored | self-anchored |
 //! |---|---|---|
-//! | upwards | 25 mm | 25 mm for J ≤ 0.785, 100 mm above |
-//! | downwards | 13 mm | 13 mm on a ring wall or mat, 25 mm on a berm |
-//! | horizontal, radial and tangential | 13 mm | 50 mm |
+//! | upwards | 25 mm (1 in.) | 25 mm (1 in.) for J ≤ 0.785, 100 mm (4 in.) above |
+//! | downwards | 13 mm (1/2 in.) | 13 mm (1/2 in.) on a ring wall or mat, 25 mm (1 in.) on a berm |
+//! | horizontal, radial and tangential | 13 mm (1/2 in.) | 50 mm (2 in.) |
 //!
+//! Both units are printed, rounded each for itself; who follows either follows the table, so the lesser value counts (13 mm: 12.7 mm).
 //! The same values stand in ASCE 7, table 15.7-1. They are minima: where the uplift y_u of E.7.3.1 is larger, it counts. A self-anchored tank
 //! without `tank.foundation`, or on soil, takes the value of a berm. Recalled, not compared with the printed standard.
 
@@ -16,6 +17,12 @@ use tank::units::Dimension::Length;
 use super::{Run, limit_states};
 
 const TABLE_E8: &str = "API 650:2020 E.7.3, table E.8";
+
+/// The less demanding of both printed values of a least displacement [m].
+fn least(millimetres: f64, inches: f64) -> f64 {
+    const INCH: f64 = 0.0254;
+    f64::min(millimetres / 1e3, inches * INCH)
+}
 
 /// Whether the shell lifts.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,21 +48,22 @@ pub(super) struct Displacements {
 
 /// The displacements that the pipes must allow; `stiff`: on a ring wall or mat.
 pub(super) fn required(anchored: bool, stiff: bool, lift: &Lift) -> Displacements {
+    let (half, one) = (least(13.0, 0.5), least(25.0, 1.0));
     let up = match lift {
-        Lift::Held => Some(0.025),
-        Lift::Lifts(uplift) => Some(uplift.max(0.1)),
+        Lift::Held => Some(one),
+        Lift::Lifts(uplift) => Some(uplift.max(least(100.0, 4.0))),
         Lift::Unknown(_) => None,
     };
     match anchored {
         true => Displacements {
-            up: Some(0.025),
-            down: 0.013,
-            horizontal: 0.013,
+            up: Some(one),
+            down: half,
+            horizontal: half,
         },
         false => Displacements {
             up,
-            down: if stiff { 0.013 } else { 0.025 },
-            horizontal: 0.05,
+            down: if stiff { half } else { one },
+            horizontal: least(50.0, 2.0),
         },
     }
 }
@@ -72,14 +80,14 @@ impl Run<'_> {
         let required = required(anchored, stiff, &self.lift);
         self.sheet.section("Displacements of the pipes");
         let up = match &self.lift {
-            Lift::Lifts(uplift) if *uplift > 0.1 => "y_u, which is more than the 100 mm of table E.8",
+            Lift::Lifts(uplift) if *uplift > least(100.0, 4.0) => "y_u, which is more than the 100 mm of table E.8",
             Lift::Lifts(_) => "J above 0.785",
             _ => "no uplift",
         };
         let down = match (anchored, stiff) {
             (true, _) => "mechanically anchored",
             (false, true) => "on a ring wall or mat",
-            (false, false) => "on a berm; 13 mm on a ring wall or mat",
+            (false, false) => "on a berm; half of it on a ring wall or mat",
         };
         let pipes = self.basis.case.tank.pipes.unwrap_or_default();
         let parts = [
@@ -105,7 +113,10 @@ impl Run<'_> {
         for (symbol, key, name, demand, capacity, note) in parts {
             let path = format!("tank.pipes.{key}");
             if let Some(demand) = demand {
-                let source = "table E.8";
+                let source = match (&self.lift, key) {
+                    (Lift::Lifts(uplift), "uplift") if *uplift >= demand => "y_u of the shell",
+                    _ => "table E.8, the lesser of its values in mm and in inches",
+                };
                 let line = format!("{name} that the pipes must allow");
                 self.sheet.look_up(symbol, &line, source, demand, Length, TABLE_E8);
             }

@@ -64,6 +64,8 @@ fn design_pressure_stresses_the_dry_wall() {
     assert!(hoop.note.contains("Course 6"), "{}", hoop.note);
 }
 
+/// The table prints 13 mm (1/2 in.), 25 mm (1 in.), 50 mm (2 in.), 100 mm (4 in.): a pipe that allows either printed value satisfies it,
+/// so 1/2 in. = 12.7 mm does, and of the others, whose inches are the longer, the millimetres.
 #[test]
 fn table_e8() {
     let on = |stiff: bool, anchored, lift| {
@@ -71,10 +73,10 @@ fn table_e8() {
         (d.up, d.down, d.horizontal)
     };
     let of = |anchored, lift| on(false, anchored, lift);
-    // On a ring wall or mat 13 mm downwards, anchored or not.
-    assert_eq!(on(true, false, Lift::Held), (Some(0.025), 0.013, 0.05));
+    // On a ring wall or mat 13 mm (1/2 in.) downwards, anchored or not.
+    assert_eq!(on(true, false, Lift::Held), (Some(0.025), 0.0127, 0.05));
     assert_eq!(on(true, true, Lift::Held), of(true, Lift::Held));
-    assert_eq!(of(true, Lift::Held), (Some(0.025), 0.013, 0.013));
+    assert_eq!(of(true, Lift::Held), (Some(0.025), 0.0127, 0.0127));
     assert_eq!(of(false, Lift::Held), (Some(0.025), 0.025, 0.05));
     assert_eq!(of(false, Lift::Lifts(0.03)), (Some(0.1), 0.025, 0.05));
     assert_eq!(of(false, Lift::Lifts(0.3)), (Some(0.3), 0.025, 0.05));
@@ -103,7 +105,7 @@ fn pipes_follow_the_uplift() {
     close(up.demand.unwrap(), 0.2108, 5e-5, "uplift");
     assert_eq!((up.status, up.limit_state.as_str()), (CheckStatus::Fails, "piping"));
     assert!(check(&out, "piping_settlement").holds() && check(&out, "piping_horizontal").holds());
-    // On a ring wall 13 mm do downwards.
+    // On a ring wall 13 mm (1/2 in.) do downwards.
     let mut ring = case.clone();
     ring.tank.foundation = Some(Foundation {
         kind: FoundationKind::RingWall,
@@ -115,7 +117,23 @@ fn pipes_follow_the_uplift() {
         friction: None,
     });
     let down = check(&assess(&ring), "piping_settlement").demand.unwrap();
-    close(down, 0.013, 1e-12, "on a ring wall");
+    close(down, 0.0127, 1e-12, "on a ring wall");
+    // The values in inches, as a user of US customary units has them, hold; a tenth of a millimetre less does not.
+    let mut held = ring.clone();
+    held.tank.support = tank::Support::Anchored;
+    for (value, holds) in [(0.0127, true), (0.0126, false)] {
+        held.tank.pipes = Some(Pipes {
+            uplift: Some(0.0254),
+            settlement: Some(value),
+            horizontal: Some(value),
+            ..pipes
+        });
+        let out = assess(&held);
+        assert!(check(&out, "piping_uplift").holds());
+        for id in ["piping_settlement", "piping_horizontal"] {
+            assert_eq!(check(&out, id).holds(), holds, "{id} {value}");
+        }
+    }
     // One value missing leaves the limit state open beside the others.
     case.tank.pipes = Some(Pipes {
         horizontal: None,
