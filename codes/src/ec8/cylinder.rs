@@ -63,9 +63,11 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
         let terms = [("d_max", wave, Length), ("d", simplified, Length)];
         let name = "wave height that the freeboard has to hold, the larger of both clauses";
         let larger = work.sheet.calc("d_f", name, "max(d_max, d)", &terms, Length, &clause);
-        work.freeboard(larger, "3.2.2");
+        let other =
+            "the larger of A.2.1.4 and A.3.2.2; the sloshing height compared with other methods is that of A.2.1.4";
+        work.freeboard(larger, "3.2.2", if larger > wave { other } else { "" });
     } else {
-        work.freeboard(wave, "2.1.4");
+        work.freeboard(wave, "2.1.4", "");
     }
 
     let masses = match row {

@@ -67,8 +67,33 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     }
 }
 
-/// Factor by which uplift raises the compression at the base, estimated by equilibrium; none if the tank overturns.
-pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
+/// Compression at the base of an unanchored wall over that of an anchored one.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Amplification {
+    /// The factor.
+    Factor(f64),
+    /// None: the tank overturns.
+    Overturns,
+    /// Not known: this input is missing.
+    Missing(String),
+}
+
+/// The input without which the pull of the bottom plate is not known. A wall of concrete has no plate that lifts with it.
+fn missing(state: &State) -> Option<String> {
+    if !state.tank.is_metal() {
+        return None;
+    }
+    match &state.tank.bottom {
+        None => Some("tank.bottom".into()),
+        Some(bottom) if bottom.material.yield_strength.is_none() => {
+            Some(format!("materials.{}.yield_strength", bottom.material.name))
+        }
+        Some(_) => None,
+    }
+}
+
+/// Factor by which uplift raises the compression at the base, estimated by equilibrium.
+pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let clause = work.edition.clause("9");
     work.out.notes.push(format!(
         "{clause}: the axial amplification of an unanchored wall needs the code's diagrams, which are not reproduced. The value \
@@ -98,6 +123,12 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
         "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, &clause),
         formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, &clause),
     };
+    if let Some(input) = missing(state) {
+        let reason = format!("`{input}` is missing");
+        work.without_comparison(OVERTURNING, CheckStatus::NotChecked, &reason, Some(&input));
+        plate_uplift::assess(work, state, weight);
+        return Amplification::Missing(input);
+    }
     let hold_down = hold_down(work, state, diameter, &clause);
     let mut terms = vec![
         ("M", state.base_moment, Moment),
@@ -109,13 +140,12 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let x = work
         .sheet
         .calc("x", name, formula, &terms, Dimensionless, "equilibrium");
-    let limit = 0.5 * PI * diameter * diameter * (weight + hold_down);
-    let note = match state.tank.bottom {
-        Some(_) => "equilibrium without the code's diagrams; beyond it the tank overturns",
-        None => {
-            "equilibrium without the code's diagrams and without the pull of the bottom plate, which `tank.bottom` gives; beyond it \
-             the tank overturns"
-        }
+    let name = "moment that weight and bottom plate hold, all of the wall lifted but its toe";
+    let formula = "π/2·D²·(w_t + w_L)";
+    let limit = work.sheet.calc("M_Rd", name, formula, &terms, Moment, "equilibrium");
+    let note = match state.tank.is_metal() {
+        true => "equilibrium without the code's diagrams; beyond it the tank overturns",
+        false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it the tank overturns",
     };
     work.check(
         OVERTURNING,
@@ -130,7 +160,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let Some(how) = uplift::compression(x) else {
         // Beyond the overturning limit the plate has no equilibrium either.
         plate_uplift::assess(work, state, weight);
-        return None;
+        return Amplification::Overturns;
     };
     let compression = match how {
         Compression::Linear => {
@@ -167,10 +197,10 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let factor = work
         .sheet
         .calc("N_u/N_a", name, formula, &terms, Dimensionless, &clause);
-    Some(factor)
+    Amplification::Factor(factor)
 }
 
-/// Hold-down of the bottom plate per length [N/m]; zero without its data.
+/// Hold-down of the bottom plate per length [N/m]; zero under a wall of concrete whose bottom is not of metal.
 fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64 {
     let bottom = state
         .tank
@@ -180,11 +210,11 @@ fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64
     let name = "hold-down of the bottom plate";
     let Some((thickness, f_y)) = bottom else {
         work.out.notes.push(format!(
-            "{clause}: thickness or yield strength of the bottom plate is not given; only the weight of wall and roof holds down."
+            "{clause}: no bottom plate of metal is given; only the weight of wall and roof holds down."
         ));
         return work
             .sheet
-            .input("w_L", name, 0.0, LineForce, "no data of the bottom plate");
+            .input("w_L", name, 0.0, LineForce, "no bottom plate of metal");
     };
     let terms = [
         ("t_b", thickness, Length),

@@ -5,7 +5,7 @@
 //! underpressure above the liquid enters the interior pressure and, over the roof, the axial force with p R/2.
 
 use super::buckling::{elastic, elastic_plastic, exponent};
-use super::cylinder_base;
+use super::cylinder_base::{self, Amplification};
 use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
@@ -99,7 +99,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     let amplification = match state.tank.support {
         Support::Anchored => {
             cylinder_base::anchorage(work, state, vertical);
-            Some(1.0)
+            Amplification::Factor(1.0)
         }
         Support::Unanchored => cylinder_base::unanchored(work, state),
     };
@@ -116,21 +116,33 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
         }
         return;
     }
-    let amplification = amplification.unwrap_or_else(|| {
-        work.out.notes.push(format!(
-            "{clause}, stability of the wall: checked with the compression of an anchored wall, a lower bound, because the \
-             unanchored tank overturns."
-        ));
-        1.0
-    });
+    let factor = match &amplification {
+        Amplification::Factor(factor) => *factor,
+        Amplification::Overturns => {
+            work.out.notes.push(format!(
+                "{clause}, stability of the wall: checked with the compression of an anchored wall, a lower bound, because the \
+                 unanchored tank overturns."
+            ));
+            1.0
+        }
+        Amplification::Missing(_) => 1.0,
+    };
     if state.tank.pressure.vacuum > 0.0 {
         work.out.notes.push(format!(
             "{clause}: the vacuum enters the axial compression and the supporting pressure; buckling of the wall under outer pressure \
              (EN 1993-1-6) is not covered."
         ));
     }
-    let places = places(state, vertical, amplification);
+    let places = places(state, vertical, factor);
     hoop_yield(work, state, &places, vertical);
+    if let Amplification::Missing(input) = amplification {
+        // What uplift does to the compression at the base is not known.
+        let reason = format!("`{input}` is missing");
+        for id in [ELASTIC_BUCKLING, ELEPHANT_FOOT] {
+            work.without_comparison(id, CheckStatus::NotChecked, &reason, Some(&input));
+        }
+        return;
+    }
     elastic_check(work, state, &places, vertical);
     collapse_check(work, state, &places, vertical);
 }

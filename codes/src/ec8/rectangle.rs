@@ -38,7 +38,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     let s_2 = work.convective("S_e(T_c2)", t_c2);
     // 2/λ_n² of the first two modes.
     let wave = work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
-    work.freeboard(wave, "4.1");
+    work.freeboard(wave, "4.1", "");
     let clause = work.edition.clause("4");
     work.resultants(&masses, a_i, a_c, &clause);
     sliding::assess(work);

@@ -190,10 +190,16 @@ impl Work<'_> {
     /// Freeboard check.
     ///
     /// * `height`: of the wave that it has to hold [m]
-    pub(super) fn freeboard(&mut self, height: f64, clause: &str) {
+    /// * `why`: why it is not the sloshing height, or nothing
+    pub(super) fn freeboard(&mut self, height: f64, clause: &str, why: &str) {
         self.wave = Some(height);
         let clause = self.edition.clause(clause);
-        let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
+        let mut note =
+            String::from("the wave needs this freeboard if the liquid must neither spill nor strike the roof");
+        if !why.is_empty() {
+            note += "; ";
+            note += why;
+        }
         let freeboard = self.case.freeboard();
         self.check(
             limit_states::FREEBOARD,
@@ -202,7 +208,7 @@ impl Work<'_> {
             freeboard,
             Length,
             &clause,
-            note,
+            &note,
         );
     }
 
