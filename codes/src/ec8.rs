@@ -304,7 +304,7 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
     });
     if case.damping.impulsive < 0.05 && excitation == Excitation::Site {
         out.push(format!(
-            "Damping of the impulsive part {} % in every limit state; 2.3.3.1 (not compared with the printed text) has 5 % for the ultimate limit state, with smaller \
+            "Damping of the impulsive part {} % in every limit state; 2.3.3.1 has 5 % for the ultimate limit state, with smaller \
              actions, and less for damage limitation only.",
             crate::sheet::number(100.0 * case.damping.impulsive)
         ));
@@ -320,7 +320,7 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
         }
         if case.tank.is_metal() {
             out.push(
-                "Elastic-plastic collapse (A.10.3): of the exponents 1.15 (as the clause, not compared with the printed text) and 1.5 (Rotter 1990, EN 1993-1-6) of R/(400 s) \
+                "Elastic-plastic collapse (A.10.3): of the exponents 1.15 (as the clause) and 1.5 (Rotter 1990, EN 1993-1-6) of R/(400 s) \
                  the one with the smaller capacity: 1.15 from R/s = 400 on."
                     .into(),
             );

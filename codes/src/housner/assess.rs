@@ -23,7 +23,7 @@ use tank::units::Dimension::{Length, Moment, Stress};
 pub struct Housner;
 
 /// Clause of the stresses.
-const STRESS: &str = "dissertation Anhang D, σ = M/W";
+const STRESS: &str = "Brüggemann 2002 annex D, σ = M/W";
 
 impl Procedure for Housner {
     fn id(&self) -> &'static str {
@@ -153,7 +153,7 @@ impl Run<'_> {
             Shape::Rectangle { breadth, .. } => {
                 let terms = [("M", moment, Moment), ("b", breadth, Length), ("s", thickness, Length)];
                 sheet.input("b", "breadth across the motion", breadth, Length, "input");
-                let clause = "dissertation 8.4.2: each wall carries half the moment as a cantilever";
+                let clause = "Brüggemann 2002 8.4.2: each wall carries half the moment as a cantilever";
                 let name = "bending stress at the base";
                 let sigma = sheet.calc("σ_b", name, "M/2/(b·s²/6)", &terms, Stress, clause);
                 out.values.insert(Quantity::BendingStress, sigma);

@@ -10,7 +10,7 @@ use tank::units::Dimension::{
 };
 
 /// Clause of the slender branch.
-pub(super) const SLENDER: &str = "TID-7024 (1963) ch. 6, H/a > 1.5; dissertation 8.3";
+pub(super) const SLENDER: &str = "TID-7024 (1963) ch. 6, H/a > 1.5; Brüggemann 2002 8.3";
 /// Source of the printed constants.
 const PRINTED: &str = "TID-7024 (1963) ch. 6";
 
@@ -139,16 +139,16 @@ impl<'a> Lines<'a> {
     /// Where the formulas stand.
     fn source(&self) -> &'static str {
         match self.plan {
-            Plan::Circle => "Housner 1957; dissertation table D.1",
-            Plan::Rectangle => "Housner 1957; dissertation 8.4.2",
+            Plan::Circle => "Housner 1957; Brüggemann 2002 D.1",
+            Plan::Rectangle => "Housner 1957; Brüggemann 2002 8.4.2",
         }
     }
 
     /// Source of the convective constants.
     fn constants(&self) -> &'static str {
         match (self.exact, self.plan) {
-            (true, Plan::Circle) => "potential flow: λ₁ of J₁′ and 2/(λ₁ (λ₁² − 1)); printed 1.84 and 0.318",
-            (true, Plan::Rectangle) => "potential flow: π/2 and 16/π³; printed 1.58 and 0.527",
+            (true, Plan::Circle) => "potential flow: λ₁ of J₁′ and 2/(λ₁ (λ₁² − 1))",
+            (true, Plan::Rectangle) => "potential flow: π/2 and 16/π³",
             (false, _) => PRINTED,
         }
     }
@@ -260,13 +260,10 @@ impl<'a> Lines<'a> {
         let formula = format!("c_t·A_1/{a}·tanh(x)");
         let angle = self.line("θ_h", "angle of the surface", &formula, Angle, source);
         let force = self.line("P_k", "convective force", "c_p·m_k·g·θ_h", Force, source);
-        let lever_source = match self.plan {
-            Plan::Circle => "Housner 1957; dissertation table D.1 (printed 1.47 m there, 0.884 m by its own formula)",
-            Plan::Rectangle => source,
-        };
+        // Table D.1 of [B02] prints 1.47 m for its tank; its own formula gives 0.884 m.
         let name = "its lever, wall pressure only";
         let formula = format!("{h}·(1 − (cosh(x) − 1)/(x·sinh(x)))");
-        let lever = self.line("h_k", name, &formula, Length, lever_source);
+        let lever = self.line("h_k", name, &formula, Length, source);
         let name = "its lever with base pressure";
         let formula = format!("{h}·(1 − (cosh(x) − 2)/(x·sinh(x)))");
         let lever_with_base = self.line("h_k′", name, &formula, Length, "Housner 1957; constant 2 exact");

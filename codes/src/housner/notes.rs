@@ -28,7 +28,7 @@ pub(super) fn assumptions(run: &Run) -> Vec<String> {
             "Convective constants as published (1957/1963).".into()
         },
         "Wall and roof inertia is not counted: Housner's procedure gives the liquid's forces.".into(),
-        "\"Dissertation\" stands for M. Brüggemann, Zur nichtlinearen Zeitbereichssimulation flüssigkeitsgefüllter \
+        "Brüggemann 2002: M. Brüggemann, Zur nichtlinearen Zeitbereichssimulation flüssigkeitsgefüllter \
          Tankbauwerke unter Erdbebenanregung, Wuppertal 2002."
             .into(),
     ];

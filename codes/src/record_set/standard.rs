@@ -49,7 +49,7 @@ impl Standard {
     pub fn clause(self) -> &'static str {
         match self {
             Standard::En1998 => "EN 1998-1:2004 3.2.3.1.2(4)",
-            Standard::Asce716 => "ASCE/SEI 7-16 16.2 (not compared with the printed text)",
+            Standard::Asce716 => "ASCE/SEI 7-16 16.2",
         }
     }
 
@@ -57,7 +57,7 @@ impl Standard {
     pub fn design_clause(self) -> &'static str {
         match self {
             Standard::En1998 => "EN 1998-1:2004 4.3.3.4.3(3)",
-            Standard::Asce716 => "ASCE/SEI 7-16 16.2.2 and 16.4 (not compared with the printed text)",
+            Standard::Asce716 => "ASCE/SEI 7-16 16.2.2 and 16.4",
         }
     }
 

@@ -171,7 +171,10 @@ fn profiles_meet_the_quantities() {
 /// Each line names its source: the table of the plan, and whose constants.
 #[test]
 fn clauses_name_plan_and_constants() {
-    for (mut case, plan) in [(cylinder(1.525), "table D.1"), (strip(), "8.4.2")] {
+    for (mut case, plan) in [
+        (cylinder(1.525), "Brüggemann 2002 D.1"),
+        (strip(), "Brüggemann 2002 8.4.2"),
+    ] {
         for (choice, constants) in [
             (ConvectiveCoefficient::Exact, "potential flow"),
             (ConvectiveCoefficient::Housner1957, "TID-7024"),

@@ -52,7 +52,7 @@ object! {
         /// Whether the vertical design spectrum is applied.
         vertical (false): Opt<bool> = default(true).because("EN 1998-4:2006 A.2.2 and A.3.3, on the safe side"),
         /// Horizontal components that act together on a cylinder.
-        components: Opt<Components> = default(Components::One).because("EN 1998-4:2006 3.2 (not compared with the printed text): enough for an axisymmetric tank"),
+        components: Opt<Components> = default(Components::One).because("EN 1998-4:2006 3.2: enough for an axisymmetric tank"),
         /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
         /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
