@@ -36,6 +36,37 @@ const fn part(
     }
 }
 
+/// Names of the checks in which limit states end.
+const NAMES: [(&str, &str); 14] = [
+    (
+        "wall_tension_and_bending_horizontal",
+        "Tension and bending of the wall, horizontal section",
+    ),
+    (
+        "wall_tension_and_bending_vertical",
+        "Tension and bending of the wall, vertical section",
+    ),
+    ("uplift_membrane", "Membrane stress of the lifted bottom plate"),
+    ("uplift_rotation", "Rotation of the joint of wall and bottom plate"),
+    ("uplift_width", "Lifted length of the bottom plate"),
+    ("uplift_equilibrium", "Moment that weight and bottom plate hold"),
+    ("sliding_api", "Sliding on the foundation, API 650"),
+    ("piping_uplift", "Pipes, upward displacement"),
+    ("piping_settlement", "Pipes, downward displacement"),
+    ("piping_horizontal", "Pipes, horizontal displacement"),
+    ("damage_freeboard", "Freeboard, damage limitation"),
+    ("damage_hoop", "Hoop stress below yield, damage limitation"),
+    ("damage_wall", "Stress of the wall, damage limitation"),
+    ("damage_crack_width", "Crack width, damage limitation"),
+];
+
+impl Meaning {
+    /// Name of a check that is part of a limit state; that of a limit state is declared by its procedure.
+    pub fn name(&self) -> Option<&'static str> {
+        NAMES.iter().find(|(id, _)| *id == self.id).map(|(_, name)| *name)
+    }
+}
+
 /// All, in the order of a report: surface, wall, base, surroundings.
 pub const ALL: &[Meaning] = &[
     state(
@@ -185,7 +216,7 @@ pub const ALL: &[Meaning] = &[
     state(
         "anchor_spacing",
         "distance of the anchors along the shell",
-        "largest spacing of the standard, 3 m",
+        "largest spacing of the standard, 10 ft (printed as 3 m (10 ft); the larger counts)",
         Length,
     ),
     state(
@@ -208,8 +239,8 @@ pub const ALL: &[Meaning] = &[
     ),
     state(
         "overturning",
-        "moment at the edge of the tank under earthquake",
-        "moment of the weights about that edge",
+        "overturning moment of the earthquake just above the bottom; of a box that is one with a concrete bottom, below it",
+        "cylinder: π/2·D²·(w_t + w_L), with the weight of wall and roof and the pull of the bottom plate, per length of wall; box: its weight times half its length",
         Moment,
     ),
     state(
@@ -280,7 +311,7 @@ pub const ALL: &[Meaning] = &[
     ),
     state(
         "piping",
-        "displacements for which pipes must be flexible (table E.8)",
+        "displacements for which pipes must be flexible (table E.8; of its values in mm and inches the lesser counts)",
         "displacements that the pipes allow, given; ends in piping_uplift, piping_settlement and piping_horizontal",
         Length,
     ),
