@@ -63,11 +63,19 @@ pub enum Dimension {
     Curvature,
     /// N/m³
     Subgrade,
+    /// N·m/rad (spring against rotation)
+    RotationalStiffness,
+    /// N·s/m (viscous force per velocity)
+    Dashpot,
+    /// N·m·s/rad (viscous moment per angular velocity)
+    RotationalDashpot,
+    /// kg·m² (moment of inertia of a mass)
+    RotationalInertia,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Dimension; 19] = [
+    pub const ALL: [Dimension; 23] = [
         Dimension::Dimensionless,
         Dimension::Length,
         Dimension::Time,
@@ -87,6 +95,10 @@ impl Dimension {
         Dimension::LineArea,
         Dimension::Curvature,
         Dimension::Subgrade,
+        Dimension::RotationalStiffness,
+        Dimension::Dashpot,
+        Dimension::RotationalDashpot,
+        Dimension::RotationalInertia,
     ];
 
     /// The dimension with this SI symbol.
@@ -116,6 +128,10 @@ impl Dimension {
             Dimension::LineArea => "m2/m",
             Dimension::Curvature => "rad/m",
             Dimension::Subgrade => "N/m3",
+            Dimension::RotationalStiffness => "N*m/rad",
+            Dimension::Dashpot => "N*s/m",
+            Dimension::RotationalDashpot => "N*m*s/rad",
+            Dimension::RotationalInertia => "kg*m2",
         }
     }
 
@@ -141,6 +157,10 @@ impl Dimension {
             Dimension::LineArea => "an area per length",
             Dimension::Curvature => "a curvature",
             Dimension::Subgrade => "a subgrade modulus",
+            Dimension::RotationalStiffness => "a rotational stiffness",
+            Dimension::Dashpot => "a dashpot coefficient",
+            Dimension::RotationalDashpot => "a rotational dashpot coefficient",
+            Dimension::RotationalInertia => "a moment of inertia",
         }
     }
 
@@ -166,6 +186,10 @@ impl Dimension {
             Dimension::LineArea => "7.0 cm2/m",
             Dimension::Curvature => "0.01 rad/m",
             Dimension::Subgrade => "100 MN/m3",
+            Dimension::RotationalStiffness => "200 kNm/rad",
+            Dimension::Dashpot => "5 kNs/m",
+            Dimension::RotationalDashpot => "5 kNms/rad",
+            Dimension::RotationalInertia => "500 kgm2",
         }
     }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::print::si_unit_for;
 use super::{Dimension as D, Unit};
 
-/// Units that a report prints in. Input, `results.json` and the terminal do not depend on it.
+/// Units that a report prints in. Input and `results.json` do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum System {
@@ -41,6 +41,10 @@ const US: &[(D, &[(&str, f64)])] = &[
     (D::LineArea, &[("in2/ft", 0.0)]),
     (D::Curvature, &[("rad/ft", 0.0)]),
     (D::Subgrade, &[("lb/in3", 0.0)]),
+    (D::RotationalStiffness, &[("lbf*ft/rad", 0.0), ("kip*ft/rad", 1.0)]),
+    (D::Dashpot, &[("lbf*s/ft", 0.0), ("kip*s/ft", 1.0)]),
+    (D::RotationalDashpot, &[("lbf*ft*s/rad", 0.0), ("kip*ft*s/rad", 1.0)]),
+    (D::RotationalInertia, &[("lb*ft2", 0.0), ("klb*ft2", 10.0)]),
 ];
 
 /// The US customary units of a dimension; empty where it keeps SI.
@@ -211,6 +215,14 @@ mod tests {
             ("in2/ft", D::LineArea, inch * inch / foot),
             ("rad/ft", D::Curvature, 1.0 / foot),
             ("lb/in3", D::Subgrade, lbf / inch.powi(3)),
+            ("lbf*ft/rad", D::RotationalStiffness, 1.355_817_948_331_400_4),
+            ("kip*ft/rad", D::RotationalStiffness, 1_355.817_948_331_400_4),
+            ("lbf*s/ft", D::Dashpot, lbf / foot),
+            ("kip*s/ft", D::Dashpot, 1e3 * lbf / foot),
+            ("lbf*ft*s/rad", D::RotationalDashpot, 1.355_817_948_331_400_4),
+            ("kip*ft*s/rad", D::RotationalDashpot, 1_355.817_948_331_400_4),
+            ("lb*ft2", D::RotationalInertia, pound * foot * foot),
+            ("klb*ft2", D::RotationalInertia, 1e3 * pound * foot * foot),
         ] {
             let unit = Unit::find(text, dimension).unwrap();
             // Products of a few factors: a few units in the last place.

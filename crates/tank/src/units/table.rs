@@ -184,6 +184,39 @@ pub const UNITS: &[Unit] = &[
         by("lb/in³", "lb/in3", D::Subgrade, POUND_FORCE / (INCH * INCH * INCH)),
         &["pci", "lbf/in3"],
     ),
+    // rotational stiffness
+    ten("N·m/rad", "Nm/rad", D::RotationalStiffness, 0),
+    ten("kN·m/rad", "kNm/rad", D::RotationalStiffness, 3),
+    ten("MN·m/rad", "MNm/rad", D::RotationalStiffness, 6),
+    ten("GN·m/rad", "GNm/rad", D::RotationalStiffness, 9),
+    by("lbf·ft/rad", "lbf*ft/rad", D::RotationalStiffness, POUND_FORCE * FOOT),
+    by(
+        "kip·ft/rad",
+        "kip*ft/rad",
+        D::RotationalStiffness,
+        1000.0 * POUND_FORCE * FOOT,
+    ),
+    // dashpots
+    ten("N·s/m", "Ns/m", D::Dashpot, 0),
+    ten("kN·s/m", "kNs/m", D::Dashpot, 3),
+    ten("MN·s/m", "MNs/m", D::Dashpot, 6),
+    by("lbf·s/ft", "lbf*s/ft", D::Dashpot, POUND_FORCE / FOOT),
+    by("kip·s/ft", "kip*s/ft", D::Dashpot, 1000.0 * POUND_FORCE / FOOT),
+    ten("N·m·s/rad", "Nms/rad", D::RotationalDashpot, 0),
+    ten("kN·m·s/rad", "kNms/rad", D::RotationalDashpot, 3),
+    ten("MN·m·s/rad", "MNms/rad", D::RotationalDashpot, 6),
+    by("lbf·ft·s/rad", "lbf*ft*s/rad", D::RotationalDashpot, POUND_FORCE * FOOT),
+    by(
+        "kip·ft·s/rad",
+        "kip*ft*s/rad",
+        D::RotationalDashpot,
+        1000.0 * POUND_FORCE * FOOT,
+    ),
+    // moment of inertia of a mass
+    ten("kg·m²", "kgm2", D::RotationalInertia, 0),
+    ten("t·m²", "tm2", D::RotationalInertia, 3),
+    by("lb·ft²", "lb*ft2", D::RotationalInertia, POUND * FOOT * FOOT),
+    by("klb·ft²", "klb*ft2", D::RotationalInertia, 1000.0 * POUND * FOOT * FOOT),
 ];
 
 impl Unit {

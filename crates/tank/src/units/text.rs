@@ -243,6 +243,9 @@ mod tests {
             ("4.903 m/s²·7600.6 kg", "16.086 ft/s²·16756 klb"),
             ("83 GPa·t_s/(2.5·60 m)", "12038 ksi·t_s/(2.5·196.85 ft)"),
             ("k = 100\u{a0}MN/m³", "k = 368.4\u{a0}lb/in³"),
+            // Units of several factors are converted as a whole: N·m/rad to lbf·ft/rad, not the newton alone.
+            ("2 MN·s/m, 1 kN·m·s/rad", "137.04 kip·s/ft, 737.56 lbf·ft·s/rad"),
+            ("1 GN·m/rad, 1 t·m²", "737562 kip·ft/rad, 23.73 klb·ft²"),
             ("(2 mm)²", "(0.07874 in)²"),
             ("m = 3 modes, EN 1998-4 m", "m = 3 modes, EN 1998-4 m"),
             ("16\u{202f}312 kN", "3667.1 kip"),
