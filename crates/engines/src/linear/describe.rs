@@ -43,7 +43,7 @@ pub(crate) fn integration(
     labels.push(label(
         "time step",
         format!(
-            "{} s, {} of the record's step of {} s; histories are kept at the record's step, maxima are those between",
+            "{} s, {} of the record's step of {} s; histories are stored at the record's step; maxima include the values between the samples",
             significant(grid.h(), 3),
             match grid.sub_steps {
                 1 => "the whole".to_owned(),

@@ -142,8 +142,13 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Arou
         note: if holds {
             String::new()
         } else {
+            let place = match (case.tank.shape, side.as_str()) {
+                (Shape::Rectangle { .. }, "0°") => "wall at +x".to_owned(),
+                (Shape::Rectangle { .. }, _) => "wall at −x".to_owned(),
+                _ => format!("θ = {side}"),
+            };
             format!(
-                "Suction at z = {}, θ = {side}, t = {time:.2} s: the liquid separates from the wall, which the linear \
+                "Suction at z = {}, {place}, t = {time:.2} s: the liquid separates from the wall, which the linear \
                  engine does not model.",
                 display(z, Dimension::Length)
             )

@@ -88,7 +88,7 @@ impl Report<'_> {
             label(
                 "time step",
                 format!(
-                    "{} s, halved up to {} times where Newton's method does not converge; histories are kept at the record's step \
+                    "{} s, halved up to {} times where Newton's method does not converge; histories are stored at the record's step \
                      of {} s",
                     significant(grid.h(), 3),
                     quake.halvings,
