@@ -12,6 +12,7 @@ pub mod cracks;
 pub mod decimate;
 pub mod fourway;
 pub mod map;
+pub mod perimeter;
 pub mod plain;
 pub mod rocking;
 pub mod scene;
@@ -56,8 +57,6 @@ pub struct Figure {
     pub title: String,
     /// The rest of the caption, may be empty.
     pub caption: String,
-    /// Whether the drawing has its title, so that the caption omits it.
-    pub titled: bool,
     /// Text alternative of the drawing.
     pub description: String,
     /// Size in user units.

@@ -124,7 +124,6 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
         id: id.into(),
         title: title.into(),
         caption: words::caption(ida),
-        titled: false,
         description: words::description(title, runs.len()),
         size: chart.size,
         markup: chart.draw()?,

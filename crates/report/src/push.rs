@@ -256,7 +256,6 @@ fn path_figure(
         id: id.into(),
         title: capital(title),
         caption: words::PATH.into(),
-        titled: false,
         description: words::path(title),
         size: chart.size,
         markup: chart.draw()?,
@@ -323,7 +322,6 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
         id: format!("push_meridian_{number}"),
         title: words::meridian(shell),
         caption: words::MERIDIAN.into(),
-        titled: false,
         description: words::MERIDIAN_DESCRIPTION.into(),
         size: chart.size,
         markup: chart.draw()?,
@@ -345,7 +343,7 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     for (number, shell) in push.shells.iter().enumerate() {
         let deviation = shell.imperfection.as_ref().and_then(|i| i.map.as_ref());
         for (id, map) in [("push_imperfection", deviation), ("push_plastic", Some(&shell.plastic))] {
-            if let Some(mut figure) = map.and_then(|m| map::figure(&format!("{id}_{number}"), m)) {
+            if let Some(mut figure) = map.and_then(|m| map::figure(&format!("{id}_{number}"), m, None)) {
                 figure.title = format!("{}, {}", figure.title, shell_name(shell));
                 figure.caption = words::MAP.into();
                 out.push(figure);

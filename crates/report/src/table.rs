@@ -179,9 +179,37 @@ pub fn spread(len: usize, count: usize) -> Vec<usize> {
     (0..count).map(|i| i * (len - 1) / (count - 1).max(1)).collect()
 }
 
+/// As [`spread`] for the rows of `columns`, with the rows of the smallest and the largest value of each besides.
+pub fn spread_with_extremes(len: usize, count: usize, columns: &[&[f64]]) -> Vec<usize> {
+    let mut rows = spread(len, count);
+    for column in columns {
+        let column = &column[..len.min(column.len())];
+        let finite = || (0..column.len()).filter(|&i| column[i].is_finite());
+        let order = |a: &usize, b: &usize| column[*a].total_cmp(&column[*b]);
+        rows.extend(finite().min_by(order));
+        rows.extend(finite().max_by(order));
+    }
+    rows.sort_unstable();
+    rows.dedup();
+    rows
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A single peak among 3509 samples stays in the table of its figure, whatever the rows beside it.
+    #[test]
+    fn extremes_stay_in_thinned_rows() {
+        let mut values = vec![0.0; 3509];
+        (values[1234], values[2345], values[7]) = (4.38, -1.5, f64::NAN);
+        let rows = spread_with_extremes(values.len(), 24, &[&values, &[1.0, 2.0, 0.5]]);
+        for row in [0, 1, 2, 1234, 2345, 3508] {
+            assert!(rows.contains(&row), "{row}");
+        }
+        assert!(rows.len() <= 24 + 4 && rows.windows(2).all(|w| w[0] < w[1]));
+        assert!(spread_with_extremes(0, 24, &[&[]]).is_empty());
+    }
 
     /// 1 ft = 0.3048 m, 1 in = 25.4 mm.
     #[test]

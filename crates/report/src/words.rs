@@ -80,3 +80,19 @@ pub fn capital(text: &str) -> String {
         .next()
         .map_or(String::new(), |c| c.to_uppercase().collect::<String>() + chars.as_str())
 }
+
+/// A limit state or check by its id, in words.
+pub fn limit_state(id: &str) -> String {
+    match id {
+        "buckling_elastic" => "elastic buckling",
+        "buckling_elastic_plastic" => "elastic-plastic collapse",
+        "hoop_yield" => "hoop stress",
+        "sliding_api" => "sliding, API 650",
+        "uplift_tension" => "rotation of the bottom plate",
+        "piping_uplift" => "pipes, upwards",
+        "piping_settlement" => "pipes, downwards",
+        "piping_horizontal" => "pipes, horizontally",
+        other => return other.replace('_', " "),
+    }
+    .into()
+}

@@ -122,7 +122,7 @@ fn us_units_reach_every_number() {
         let shown = plain(&page.html);
         let mut left = BTreeSet::new();
         for unit in [
-            "mm", "m", "kN", "MN", "kN·m", "MN·m", "kPa", "MPa", "GPa", "kg", "t", "kg/m³", "m/s²", "kJ", "MJ",
+            "mm", "m", "kN", "MN", "kN·m", "MN·m", "kPa", "MPa", "GPa", "kg", "t", "kg/m³", "m/s²", "kJ", "MJ", "MN/m³",
         ] {
             for (at, _) in shown.match_indices(&format!(" {unit}")) {
                 let before = shown[..at].chars().next_back();
@@ -138,6 +138,12 @@ fn us_units_reach_every_number() {
                 let from = shown[..at].char_indices().rev().nth(40).map_or(0, |(i, _)| i);
                 left.insert(shown[from..at + 2 + unit.len()].to_owned());
             }
+        }
+        // Units of several factors of which one was converted.
+        for half in [
+            "kip m", "lbf m", "klb m", "lb m", "kip s/m", "lbf s/m", "kip·m", "lbf·m",
+        ] {
+            left.extend(shown.contains(half).then(|| half.to_owned()));
         }
         all.extend(left.into_iter().map(|text| format!("{name}: {text:?}")));
     }

@@ -70,7 +70,6 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
         id: id.into(),
         title: format!("{title}: convergence"),
         caption: left_out.trim().into(),
-        titled: false,
         description: format!(
             "Relative error over the mesh of {} studies: {}.{left_out}",
             studies.len(),

@@ -100,8 +100,7 @@ pub fn bars(
     Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption: String::new(),
-        titled: true,
+        caption: figures::by_methods(bars.iter().any(|b| b.look.site)).into(),
         description,
         size: (WIDTH, height),
         markup: svg.into_markup(),

@@ -112,7 +112,6 @@ pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
         id: id.into(),
         title: capital(&map.title),
         caption,
-        titled: false,
         description: describe(grid, map, &shown),
         size: layout.size,
         markup: svg.into_markup(),

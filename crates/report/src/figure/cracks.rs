@@ -104,7 +104,6 @@ pub fn figure(id: &str, grid: &WallGrid, picture: &CrackPicture) -> Option<Figur
         id: id.into(),
         title: format!("{}, {}", face(picture), when(picture)),
         caption: words::cracks(open, picture.cracks.len() - open, &millimetres(widest), mirrored),
-        titled: false,
         description: words::cracks_description(
             picture,
             &when(picture),

@@ -6,6 +6,7 @@
 use tank::units::Dimension;
 
 use super::chart::FONT;
+use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg, n, path_data};
 use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
 use super::width::text_width;
@@ -23,6 +24,7 @@ const ROWS: usize = 48;
 
 /// A map with its angles closed to a full circle, on a regular grid.
 struct Field {
+    /// Angles [rad], or positions along the walls of a box [m].
     theta: Vec<f64>,
     z: Vec<f64>,
     values: Vec<f64>,
@@ -68,8 +70,16 @@ fn cell(stations: &[f64], at: f64) -> (usize, f64) {
 }
 
 /// Draws a map; `None` for a map without values.
-pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
-    let field = Field::of(map)?;
+///
+/// * `walls`: of a box, whose plot runs along its walls; a cylinder's runs over the angle
+pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figure> {
+    let mut field = Field::of(map)?;
+    if let Some(walls) = walls {
+        field.theta.iter_mut().for_each(|theta| *theta = walls.along(*theta));
+        if field.theta.windows(2).any(|pair| pair[1] <= pair[0]) {
+            return None;
+        }
+    }
     let scale = Scale::single(map.dimension, map.values.iter().copied());
     let shown = |v: f64| scale.convert(v);
     let low = map.values.iter().copied().map(shown).fold(f64::INFINITY, f64::min);
@@ -135,7 +145,7 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
             }
         }
     }
-    frame(&mut svg, &field, (x(theta.0), x(theta.1)));
+    frame(&mut svg, &field, (x(theta.0), x(theta.1)), walls);
     wall::bar(
         &mut svg,
         WIDE,
@@ -148,12 +158,11 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
     Some(Figure {
         id: id.into(),
         title: map.title.clone(),
-        caption: words::map(map.time),
-        titled: false,
-        description: describe(map),
+        caption: words::map(map.time, walls.is_some()),
+        description: describe(map, walls),
         size: (WIDE, bottom + BELOW),
         markup: svg.into_markup(),
-        table: table(map, &scale),
+        table: table(map, &scale, walls),
         room: Room::Wide,
     })
 }
@@ -254,41 +263,57 @@ fn contour(
     lines
 }
 
-/// Frame, ticks and titles of the plot.
-fn frame(svg: &mut Svg, field: &Field, across: (f64, f64)) {
+/// Frame, ticks and titles of the plot; of a box with its corners and the names of its walls.
+fn frame(svg: &mut Svg, field: &Field, across: (f64, f64), walls: Option<Perimeter>) {
     let bottom = TOP + PLOT;
     svg.path(
         &[(across.0, TOP), (across.1, TOP), (across.1, bottom), (across.0, bottom)],
         true,
         "ax",
     );
-    wall::angles(svg, ends(&field.theta), across, bottom);
+    match walls {
+        None => wall::angles(svg, ends(&field.theta), across, bottom),
+        Some(walls) => wall::positions(svg, ends(&field.theta), across, (TOP, bottom), walls),
+    }
     wall::heights(svg, ends(&field.z), across.0, (TOP, bottom));
 }
 
+/// A direction of a map in words: its angle, or the position along the walls of a box.
+fn direction(theta: f64, walls: Option<Perimeter>, decimals: usize) -> String {
+    match walls {
+        None => format!("θ = {}°", fixed(theta.to_degrees(), decimals)),
+        Some(walls) => format!("s = {}", with_unit(walls.along(theta), Dimension::Length)),
+    }
+}
+
 /// Largest and smallest value and where they are.
-fn describe(map: &WallMap) -> String {
+fn describe(map: &WallMap, walls: Option<Perimeter>) -> String {
     let place = |better: fn(f64, f64) -> bool| {
         let best = (0..map.values.len()).fold(0, |b, i| if better(map.values[i], map.values[b]) { i } else { b });
         let (i, j) = (best / map.z.len(), best % map.z.len());
         format!(
-            "{} at θ = {}°, z = {}",
+            "{} at {}, z = {}",
             with_unit(map.values[best], map.dimension),
-            fixed(map.theta[i].to_degrees(), 0),
+            direction(map.theta[i], walls, 0),
             with_unit(map.z[j], Dimension::Length)
         )
     };
-    words::map_description(&map.title, map.time, &place(|a, b| a > b), &place(|a, b| a < b))
+    words::map_description(
+        (&map.title, walls.is_some()),
+        map.time,
+        &place(|a, b| a > b),
+        &place(|a, b| a < b),
+    )
 }
 
-/// Values at some angles (columns) and heights (rows).
-fn table(map: &WallMap, scale: &Scale) -> Table {
+/// Values at some angles or positions (columns) and heights (rows).
+fn table(map: &WallMap, scale: &Scale, walls: Option<Perimeter>) -> Table {
     let angles = spread(map.theta.len(), 9);
     let mut columns = vec![Column::numbers("z", "m")];
     columns.extend(
         angles
             .iter()
-            .map(|&i| Column::numbers(&format!("θ = {}°", fixed(map.theta[i].to_degrees(), 1)), scale.symbol())),
+            .map(|&i| Column::numbers(&direction(map.theta[i], walls, 1), scale.symbol())),
     );
     let mut table = Table::new(columns);
     for j in spread(map.z.len(), 21).into_iter().rev() {
@@ -358,10 +383,31 @@ mod tests {
         assert!(lines[0].iter().all(|p| value(p.0, p.1).abs() < 1.0 / (8.0 * radius)));
     }
 
+    /// A box has no angles: positions along its walls, corners between them and the names of the walls.
+    #[test]
+    fn a_box_has_positions_along_its_walls() {
+        let walls = Perimeter {
+            length: 12.0,
+            breadth: 6.0,
+        };
+        let drawn = figure("a", &map(|t, z| t.cos() * z), Some(walls)).expect("a map");
+        assert!(
+            !drawn.markup.contains('θ') && !drawn.description.contains('θ'),
+            "{}",
+            drawn.description
+        );
+        for wall in Perimeter::WALLS {
+            assert!(drawn.markup.contains(&format!(">{wall}<")), "{wall}");
+        }
+        assert!(drawn.table.columns.iter().skip(1).all(|c| c.title.starts_with("s = ")));
+        let round = figure("a", &map(|t, z| t.cos() * z), None).expect("a map");
+        assert!(round.markup.contains('θ'));
+    }
+
     #[test]
     fn nothing_to_draw_gives_no_figure() {
-        assert!(figure("a", &map(|_, _| 3.0)).is_none());
-        assert!(figure("a", &map(|_, _| f64::NAN)).is_none());
-        assert!(figure("a", &map(|t, _| t.cos())).is_some());
+        assert!(figure("a", &map(|_, _| 3.0), None).is_none());
+        assert!(figure("a", &map(|_, _| f64::NAN), None).is_none());
+        assert!(figure("a", &map(|t, _| t.cos()), None).is_some());
     }
 }

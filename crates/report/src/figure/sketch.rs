@@ -11,6 +11,8 @@ use results::TankSummary;
 
 const WIDTH: f64 = super::WIDE;
 const FONT: f64 = 11.0;
+/// Least distance of the labels of courses.
+const LABEL: f64 = 14.0;
 
 /// Draws the sketch; returns its size, its markup and the factor by which wall thickness is exaggerated.
 pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
@@ -34,7 +36,9 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let exaggeration = nice_factor(7.0 / (thickest * scale)).max(1.0);
 
     let roof = if tank.roof.mass > 0.0 { 34.0 } else { 8.0 };
-    let top = 10.0 + roof;
+    // A flat tank of many courses: their labels are higher than its wall.
+    let tall = LABEL * tank.courses.len().saturating_sub(1) as f64 + 14.0;
+    let top = f64::max(10.0 + roof, tall - wall * scale);
     let ground = top + wall * scale;
     let height = (ground + 70.0).max(top + plan_depth * scale + 22.0);
     let x = |r: f64| left + (r + half) * scale;
@@ -148,18 +152,18 @@ fn courses(
         labels.push(((lower + upper) / 2.0, label(course)));
         base += course.height;
     }
-    // Labels keep 14 units apart: pushed down from the top, then up from the bottom.
+    // Labels keep apart: pushed down from the top, then up from the bottom.
     labels.reverse();
     let mut at: Vec<f64> = labels.iter().map(|l| l.0).collect();
     for i in 1..at.len() {
-        at[i] = at[i].max(at[i - 1] + 14.0);
+        at[i] = at[i].max(at[i - 1] + LABEL);
     }
     let overflow = at.last().map_or(0.0, |l| (l - (y(0.0) - 2.0)).max(0.0));
     if overflow > 0.0 {
         let last = at.len() - 1;
         at[last] -= overflow;
         for i in (0..last).rev() {
-            at[i] = at[i].min(at[i + 1] - 14.0);
+            at[i] = at[i].min(at[i + 1] - LABEL);
         }
     }
     for ((middle, text), label) in labels.iter().zip(&at) {

@@ -3,6 +3,7 @@
 use tank::units::Dimension;
 
 use super::chart::{FONT, titled};
+use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg};
 use super::width::text_width;
 use super::{HALF, Room, WIDE, ticks};
@@ -258,6 +259,30 @@ pub fn angles(svg: &mut Svg, theta: (f64, f64), x: (f64, f64), bottom: f64) {
         Anchor::End,
         "at",
         crate::words::labels::ANGLE_AXIS,
+    );
+}
+
+/// Ticks of the positions along the walls of a box below a plot from `y.0` to `y.1`, their title, corners and names of the walls.
+pub fn positions(svg: &mut Svg, along: (f64, f64), x: (f64, f64), y: (f64, f64), walls: Perimeter) {
+    let at = |s: f64| x.0 + (s - along.0) / (along.1 - along.0) * (x.1 - x.0);
+    let scale = Scale::single(Dimension::Length, [along.0, along.1]);
+    let (levels, decimals) = ticks(scale.convert(along.0), scale.convert(along.1), 8);
+    for position in levels {
+        let place = at(position / scale.convert(1.0));
+        svg.line((place, y.1), (place, y.1 + 3.0), "ax");
+        svg.text((place, y.1 + 14.0), Anchor::Middle, "tk", &plain(position, decimals));
+    }
+    let corners = walls.corners();
+    for (i, (corner, name)) in corners.into_iter().zip(Perimeter::WALLS).enumerate() {
+        svg.line((at(corner), y.0), (at(corner), y.1), "rl");
+        let end = corners.get(i + 1).copied().unwrap_or(along.1);
+        svg.text((at(0.5 * (corner + end)), y.0 - 5.0), Anchor::Middle, "at", name);
+    }
+    svg.text(
+        (x.1, y.1 + 30.0),
+        Anchor::End,
+        "at",
+        &titled(crate::words::labels::WALLS_AXIS, scale.symbol()),
     );
 }
 

@@ -82,8 +82,7 @@ pub fn waterfall(id: &str, title: &str, falls: &[Fall]) -> Option<Figure> {
     Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption: String::new(),
-        titled: true,
+        caption: factors::CAPTION.into(),
         description: factors::description(title, &ends.join("; ")),
         size: (HALF, height),
         markup: svg.into_markup(),

@@ -10,7 +10,7 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Band, Chart, Line};
 use crate::figure::{Figure, HALF, Room, WIDE, map};
 use crate::number::{Scale, fixed, ratio};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, spread_with_extremes};
 use crate::words::figures::around as words;
 use crate::words::labels;
 use files::error::Error;
@@ -102,7 +102,7 @@ fn table(around: &Around) -> Table {
 fn figures(engine: &str, with_map: bool, around: &Around) -> Result<Vec<Figure>, Error> {
     let mut out = Vec::new();
     if with_map {
-        out.extend(map::figure("deviation", &around.map));
+        out.extend(map::figure("deviation", &around.map, None));
     }
     let displacements: Vec<(u32, f64)> = around.waves.iter().map(|w| (w.n, w.displacement)).collect();
     out.push(bars(
@@ -156,7 +156,6 @@ fn bars(id: &str, title: &str, dimension: Dimension, values: &[(u32, f64)]) -> R
         id: id.into(),
         title: title.into(),
         caption: String::new(),
-        titled: false,
         description: words::bars(title),
         size: chart.size,
         markup: chart.draw()?,
@@ -215,7 +214,7 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
         Column::numbers("Smallest", scale.symbol()),
         Column::numbers("Largest", scale.symbol()),
     ]);
-    for i in spread(ring.theta.len(), 36) {
+    for i in spread_with_extremes(ring.theta.len(), 36, &[&ring.min, &ring.max]) {
         table.row(vec![
             fixed(ring.theta[i].to_degrees(), 1),
             scale.text(ring.min[i]),
@@ -226,7 +225,6 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
         id: id.into(),
         title: words::BASE.into(),
         caption: String::new(),
-        titled: false,
         description: words::base(ring),
         size: chart.size,
         markup: chart.draw()?,

@@ -10,7 +10,7 @@ use crate::figure::chart::{Axis, Chart, Line};
 use crate::figure::rocking::{self, Elevation, Position};
 use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, share, with_unit};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, spread, spread_with_extremes};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::channel::Side;
@@ -95,7 +95,6 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
         id: "base_plan".into(),
         title: words::FIGURES[4].into(),
         caption: sentence.clone(),
-        titled: false,
         description: sentence,
         size,
         markup,
@@ -206,7 +205,6 @@ fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
         id: "base_positions".into(),
         title: words::FIGURES[5].into(),
         caption,
-        titled: false,
         description,
         size,
         markup,
@@ -250,6 +248,7 @@ fn values(run: &BaseRun) -> Table {
             fixed_base.map_or_else(none, |v| fixed(quantity.value.value / v, 3)),
         ]);
     }
+    table.caption = words::TABLES[0].into();
     table
 }
 
@@ -283,6 +282,7 @@ fn band(run: &BaseRun) -> Table {
             row.spread.map_or(words::NONE.into(), |spread| words::spread(&spread)),
         ]);
     }
+    table.caption = words::TABLES[1].into();
     table
 }
 
@@ -315,6 +315,7 @@ fn energy(run: &BaseRun) -> Table {
         };
         table.row(vec![label.into(), scale.text(value), share]);
     }
+    table.caption = words::TABLES[2].into();
     table
 }
 
@@ -331,7 +332,6 @@ fn figure(
         id: id.into(),
         title: words::FIGURES[number].into(),
         caption: String::new(),
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,
@@ -415,7 +415,8 @@ fn around(run: &BaseRun) -> Result<Figure, Error> {
         Column::numbers("θ", "°"),
         Column::numbers(words::AXES[0], scale.symbol()),
     ]);
-    for i in spread(run.around.len(), 25) {
+    let uplifts: Vec<f64> = points.iter().map(|p| p.1).collect();
+    for i in spread_with_extremes(run.around.len(), 25, &[&uplifts]) {
         table.row(vec![fixed(run.around[i][0], 0), scale.text(run.around[i][1])]);
     }
     let description = words::description(words::FIGURES[3], Dimension::Length, points.iter().map(|p| p.1));
@@ -455,7 +456,8 @@ fn bolts(run: &BaseRun) -> Result<Option<Figure>, Error> {
         Column::numbers("θ", "°"),
         Column::numbers(words::AXES[4], scale.symbol()),
     ]);
-    for i in spread(anchors.forces.len(), 25) {
+    let values: Vec<f64> = anchors.forces.iter().map(|p| p[1]).collect();
+    for i in spread_with_extremes(anchors.forces.len(), 25, &[&values]) {
         let [angle, force] = anchors.forces[i];
         table.row(vec![fixed(angle, 0), scale.text(force)]);
     }

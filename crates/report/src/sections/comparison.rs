@@ -1,6 +1,7 @@
 //! The matrix quantities × methods with the ratios to the finite elements.
 
 use serde::Serialize;
+use tank::Quantity;
 use tank::assessment::Excitation;
 
 use super::{Section, Source};
@@ -10,6 +11,9 @@ use crate::words::labels::OUTSIDE;
 use crate::words::terminal;
 use files::error::Error;
 use results::{FE, Method, Status};
+
+/// Masses that are modal with finite elements.
+const MODAL: [Quantity; 3] = [Quantity::ImpulsiveMass, Quantity::WallMass, Quantity::RoofMass];
 
 #[derive(Serialize)]
 struct Head {
@@ -110,6 +114,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("components", &terminal::components(directions));
     section.set("dense", &(head.len() > 7));
     section.set("has_fe", &source.fe().is_some());
+    let modal = |row: &results::ComparisonRow| MODAL.iter().any(|quantity| quantity.id() == row.quantity);
+    let masses = source.fe().is_some() && results.comparison.rows.iter().any(modal);
+    section.set("masses", &masses);
     section.set("head", &head);
     section.set("rows", &rows);
     section.set("absent", &absent);

@@ -56,6 +56,8 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
             row.note.clone(),
         ]);
     }
+    let [damped, refined, balanced, conserved] = labels::engine_tables(fe.engine.name());
+    damping.caption = damped;
     section.set("damping", &damping);
 
     let mut mesh_error = Table::new(vec![Column::words("Quantity"), Column::numbers(labels::MESH_ERROR, "")]);
@@ -64,12 +66,14 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
         let mark = if *error > MESH_ERROR_LIMIT { ", unusable" } else { "" };
         mesh_error.row(vec![title.into(), percent(*error) + mark]);
     }
+    mesh_error.caption = refined;
     section.set("mesh_error", &mesh_error);
 
     let mut balance = Table::new(vec![Column::words("Balance"), Column::numbers("Relative error", "")]);
     for row in &fe.mass_balance {
         balance.row(vec![capital(&row.label), percent(row.error)]);
     }
+    balance.caption = balanced;
     section.set("balance", &balance);
 
     let mut energy = Table::default();
@@ -83,6 +87,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
         for (label, value) in labels::ENERGIES.into_iter().zip(values) {
             energy.row(vec![label.into(), scale.text(value)]);
         }
+        energy.caption = conserved;
         section.set("residual", &sections::residual(&percent(e.error)));
     }
     section.set("energy", &energy);

@@ -221,7 +221,6 @@ pub(super) fn history(
         id: id.into(),
         title: title.into(),
         caption: figures::history(static_value, dimension, between),
-        titled: true,
         description: figures::history_description(
             title,
             dimension,

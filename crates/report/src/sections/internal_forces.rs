@@ -155,7 +155,6 @@ fn figure(source: &Source, prefix: &str, station: &Station, part: &[OnWall]) -> 
         description: words::description(&title, dimension, peak, end),
         title,
         caption: String::new(),
-        titled: false,
         size: chart.size,
         markup: chart.draw()?,
         table,

@@ -59,6 +59,7 @@ fn values(run: &IsolationRun) -> Table {
             still.map_or_else(none, |v| fixed(quantity.value.value / v, 3)),
         ]);
     }
+    table.caption = words::TABLES[0].into();
     table
 }
 
@@ -78,6 +79,7 @@ fn band(run: &IsolationRun) -> Table {
             with_unit(row.sloshing_height, Dimension::Length),
         ]);
     }
+    table.caption = words::TABLES[1].into();
     table
 }
 
@@ -98,6 +100,7 @@ fn energy(run: &IsolationRun) -> Table {
         };
         table.row(vec![label.into(), scale.text(value), share]);
     }
+    table.caption = words::TABLES[2].into();
     table
 }
 
@@ -141,7 +144,6 @@ fn cycles(run: &IsolationRun) -> Result<Figure, Error> {
         id: "isolator_loop".into(),
         title: words::FIGURES[1].into(),
         caption: String::new(),
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,

@@ -148,7 +148,6 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
     Figure {
         id: format!("mode_{}_{}_{}", mode.harmonic, mode.kind, mode.number),
         title,
-        titled: false,
         caption: format!(
             "T = {}\u{a0}s, {}\u{a0}Hz",
             significant(mode.period, 4),

@@ -8,7 +8,7 @@ use crate::figure::chart::{Axis, Chart, Line};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
 use crate::number::{Scale, fixed};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, spread_with_extremes};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::Channel;
@@ -56,7 +56,7 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
         table.columns.push(Column::numbers(&channel.title(), scale.symbol()));
     }
     chart.rules = record_end(source, end).into_iter().collect();
-    for k in spread(first.len(), 24) {
+    for k in spread_with_extremes(first.len(), 24, &columns) {
         let values = columns
             .iter()
             .map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v)));
@@ -67,7 +67,6 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
         id: motion.id.into(),
         title: motion.title.into(),
         caption: String::new(),
-        titled: false,
         description: words::description(motion.title, dimension, all()),
         size: chart.size,
         markup: chart.draw()?,

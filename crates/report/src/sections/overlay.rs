@@ -119,7 +119,6 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
         id: format!("{}_{}", second.id, info.id),
         title: format!("{}, {}", info.title, second.title),
         caption: words::overlay(apart / largest.max(f64::MIN_POSITIVE), b, stopped),
-        titled: false,
         description: words::overlay_description(info, second.names, [largest, peak(&other[..run])]),
         size: chart.size,
         markup: chart.draw()?,

@@ -11,7 +11,7 @@ use crate::figure::{Figure, HALF, Room};
 use crate::level::Level;
 use crate::methods::{Look, figure_order, look};
 use crate::number::{Scale, fixed};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, spread, spread_with_extremes};
 use crate::words::{figures as words, labels};
 use files::error::Error;
 use results::Envelope;
@@ -165,7 +165,6 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
         id: format!("profile_{id}"),
         title: words::seismic_part(&title),
         caption: String::new(),
-        titled: false,
         description: words::profiles(&title, envelope.is_some(), profiles.len()),
         size: chart.size,
         markup: chart.draw()?,
@@ -221,7 +220,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         Column::numbers("Seismic min", scale.symbol()),
         Column::numbers("Seismic max", scale.symbol()),
     ]);
-    for i in spread(e.z.len(), 24) {
+    for i in spread_with_extremes(e.z.len(), 24, &[&e.static_, &e.min, &e.max]) {
         let value = |v: &[f64]| v.get(i).map_or("–".into(), |v| scale.text(*v));
         table.row(vec![fixed(e.z[i], 3), value(&e.static_), value(&e.min), value(&e.max)]);
     }
@@ -230,7 +229,6 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         id: format!("envelope_{}", e.id),
         title,
         caption: String::new(),
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,

@@ -121,7 +121,6 @@ fn quantity(set: &RecordSet, row: &SetQuantity) -> Result<Figure, Error> {
     Ok(Figure {
         id: format!("set_{}", row.quantity),
         caption: words::quantity_caption(scatter.cov),
-        titled: false,
         description: title.clone(),
         title,
         size: chart.size,
@@ -193,7 +192,6 @@ fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity:
         id: format!("set_spectrum_{}", period.which),
         title: words::spectrum_title(period),
         caption: words::spectrum_caption(period, found.share),
-        titled: false,
         description: words::spectrum_description(period),
         size: chart.size,
         markup: chart.draw()?,
@@ -356,10 +354,15 @@ fn records(source: &Source, set: &RecordSet) -> Table {
                 (None, None) => ("–".to_owned(), "–"),
             };
             row.push(value);
-            row.push(check.replace('_', " "));
+            row.push(crate::words::limit_state(check));
         }
         if limits {
-            row.push(run.limits_exceeded.join(", ").replace('_', " "));
+            let exceeded: Vec<String> = run
+                .limits_exceeded
+                .iter()
+                .map(|id| crate::words::limit_state(id))
+                .collect();
+            row.push(exceeded.join(", "));
         }
         table.row(row);
     }

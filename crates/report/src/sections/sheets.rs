@@ -19,7 +19,7 @@ use results::compare::MEASURED;
 use results::nonlinear::End;
 use results::{EngineId, Method, Run, Status};
 use tank::assessment::Step;
-use tank::units::System;
+use tank::units::{System, converted};
 
 #[derive(Serialize)]
 struct Sheet {
@@ -54,7 +54,7 @@ struct Part {
 
 #[derive(Serialize)]
 struct LineView {
-    /// Number within the sheet.
+    /// Number within the whole sheet, whatever of it is shown: the same at every level.
     number: usize,
     name: String,
     /// MathML, made by [`math`].
@@ -100,6 +100,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut section = Section::new("sheets");
     section.set("sheets", &sheets);
     section.set("full", &full);
+    section.set("clauses", &words::CLAUSES);
     // The constants of the codes' formulas hold in SI.
     let substituted = if System::current() == System::Si {
         ""
@@ -164,10 +165,9 @@ fn is_base(base: &Method, method: &Method) -> bool {
 fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> Sheet {
     let known = base.map_or(&[][..], |b| &b.steps);
     let document = document(&method.steps);
-    let mut number = 0;
     let mut shared = 0;
     let mut found: Vec<Part> = Vec::new();
-    for step in method.steps.iter().filter(|_| lines) {
+    for (number, step) in (1..).zip(&method.steps).filter(|_| lines) {
         if known.contains(step) {
             shared += 1;
             continue;
@@ -198,17 +198,16 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
             step.substitution.as_str()
         };
         if let Some(part) = found.last_mut() {
-            number += 1;
             part.lines.push(LineView {
                 number,
-                name: step.name.clone(),
+                name: in_units(&step.name),
                 symbol: math::symbol(&step.symbol),
                 formula: set(formula),
                 substitution: set(substitution),
                 look_up: if step.look_up.is_empty() {
                     String::new()
                 } else {
-                    math::words(&step.look_up)
+                    math::words(&in_units(&step.look_up))
                 },
                 value,
                 unit,
@@ -249,6 +248,11 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
             document => sections::clauses_of(document),
         },
     }
+}
+
+/// A text with its values in the units of the report; beside a formula the finished page is not converted.
+fn in_units(text: &str) -> String {
+    converted(text, System::current(), 3).into_owned()
 }
 
 /// Lines of a part, those that repeat set as one: three or more with the same symbol, formula and unit, whose names or sources differ in one word.

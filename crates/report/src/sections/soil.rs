@@ -43,6 +43,7 @@ fn cones(run: &SoilRun) -> Table {
     for row in words::cones(run) {
         table.row(row.into());
     }
+    table.caption = words::TABLES[0].into();
     table
 }
 
@@ -68,6 +69,7 @@ fn effective(run: &SoilRun) -> Table {
             mode.damping.map_or(words::NONE.into(), percent),
         ]);
     }
+    table.caption = words::TABLES[1].into();
     table
 }
 
@@ -86,6 +88,7 @@ fn values(run: &SoilRun) -> Table {
         let time = quantity.time.map_or(words::NONE.into(), |t| fixed(t, 3));
         table.row(vec![words::quantity(&quantity.id).into(), text, time]);
     }
+    table.caption = words::TABLES[2].into();
     table
 }
 
@@ -106,6 +109,7 @@ fn beside(run: &SoilRun) -> Table {
             fixed(row.soil.value / row.fixed.value, 3),
         ]);
     }
+    table.caption = words::TABLES[3].into();
     table
 }
 

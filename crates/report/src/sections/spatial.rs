@@ -5,6 +5,7 @@ use tank::Shape;
 use tank::units::Dimension;
 
 use super::{Section, Source, engine, overlay};
+use crate::figure::perimeter::Perimeter;
 use crate::figure::scene::{self, Face, Part};
 use crate::figure::{Figure, Room, map};
 use crate::number::{Scale, count, fixed, percent, ratio, significant};
@@ -48,10 +49,19 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         "moment_figures",
         drawn(|f| numbered(&f.moments, |i, m| Some(moment(f, i, m)))),
     );
-    section.set_figures(
-        "map_figures",
-        drawn(|f| numbered(&f.maps, |i, m| map::figure(&format!("map_{}_{}", i + 1, m.id), m))),
-    );
+    let walls = match results.tank.tank.shape {
+        Shape::Cylinder { .. } => None,
+        Shape::Rectangle { length, breadth, .. } => Some(Perimeter {
+            length: 0.5 * length,
+            breadth: 0.5 * breadth,
+        }),
+    };
+    let maps = |f: &Fields| {
+        numbered(&f.maps, |i, m| {
+            map::figure(&format!("map_{}_{}", i + 1, m.id), m, walls)
+        })
+    };
+    section.set_figures("map_figures", fields.map_or(Vec::new(), maps));
     Ok(Some(section))
 }
 
@@ -178,7 +188,6 @@ fn mesh(fields: &Fields) -> Figure {
         id: "mesh_spatial".into(),
         title: words::MESH.into(),
         caption: String::new(),
-        titled: false,
         description: words::mesh(&scene::eye(), [fields.wall.len(), fields.surface.len()]),
         size,
         markup,
@@ -200,7 +209,6 @@ fn mode(fields: &Fields, index: usize, (mode, round): (&Picture, bool)) -> Figur
         id: format!("mode_spatial_{}", index + 1),
         title: capital(&mode.title),
         caption: format!("{} Hz.", significant(frequency, 4)),
-        titled: false,
         description: words::mode(
             frequency,
             round.then_some(mode.circumferential),
@@ -231,7 +239,6 @@ fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
         id: format!("moment_{}", index + 1),
         title: format!("{}, t = {} s", capital(&moment.title), fixed(moment.time, 3)),
         caption: words::moment(&factors),
-        titled: false,
         description: words::moment_description(
             &scene::eye(),
             &factors,

@@ -150,7 +150,6 @@ fn figure(
         id: id.into(),
         title: words::FIGURES[number].into(),
         caption: caption.into(),
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,

@@ -29,7 +29,6 @@ pub(crate) fn sketch(summary: &TankSummary) -> Figure {
         id: "sketch".into(),
         title: "Tank".into(),
         caption: figures::sketch(exaggeration),
-        titled: false,
         description: figures::sketch_description(plan, support, &summary.tank, &summary.liquid),
         size,
         markup,

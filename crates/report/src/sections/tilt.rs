@@ -87,7 +87,6 @@ fn side_by_side(line: &TiltLine, height: f64) -> Result<Figure, Error> {
         id: format!("tilt_{}", line.id),
         title,
         caption: String::new(),
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,

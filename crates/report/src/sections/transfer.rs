@@ -150,7 +150,6 @@ fn figure(found: &[Found], function: &TransferFunction) -> Result<Option<Figure>
         id: format!("transfer_{}", function.id),
         title: function.title.clone(),
         caption: words::caption(function.static_value, unit, words::damping(first.damping)),
-        titled: false,
         description: words::description(&function.title, (highest, at), range),
         size: chart.size,
         markup: chart.draw()?,

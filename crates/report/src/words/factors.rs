@@ -41,6 +41,9 @@ pub fn name(factor: Factor) -> &'static str {
     }
 }
 
+/// Caption of a waterfall.
+pub const CAPTION: &str = "From the finite elements to each procedure.";
+
 /// Title of a waterfall.
 pub fn title(quantity: &str, site: bool) -> String {
     match site {

@@ -15,6 +15,14 @@ pub fn by_method(title: &str, values: &str, unit: &str) -> String {
     format!("{title} by method: {values} {unit}.")
 }
 
+/// Caption of bars under the spectrum of the `site`, or under the record.
+pub fn by_methods(site: bool) -> &'static str {
+    match site {
+        true => "Largest value by method, spectrum of the site.",
+        false => "Largest value by method, under the record.",
+    }
+}
+
 /// Mark at the peak of a history.
 pub fn peak(value: f64, dimension: Dimension, time: f64) -> String {
     format!("{} at {} s", with_unit(value, dimension), fixed(time, 2))
@@ -22,15 +30,15 @@ pub fn peak(value: f64, dimension: Dimension, time: f64) -> String {
 
 /// Caption of a history without its static value; `between` is whether the peak lies between the samples.
 pub fn history(static_value: f64, dimension: Dimension, between: bool) -> String {
-    let mut caption = String::new();
+    let mut caption = String::from("Over time, the largest value marked.");
     if static_value != 0.0 {
-        caption = format!(
-            "Seismic part, without the static value {}. ",
+        caption.push_str(&format!(
+            " Seismic part, without the static value {}.",
             with_unit(static_value, dimension)
-        );
+        ));
     }
     if between {
-        caption.push_str("The largest value lies between the samples drawn.");
+        caption.push_str(" The largest value lies between the samples drawn.");
     }
     caption
 }
@@ -152,7 +160,7 @@ pub fn combined(envelope: &Envelope) -> [String; 2] {
 pub fn sketch(exaggeration: f64) -> String {
     if exaggeration > 1.0 {
         format!(
-            "Section and plan to one scale; wall thickness drawn {} times.",
+            "Section and plan to one scale; wall thickness exaggerated {}×.",
             plain(exaggeration, 0)
         )
     } else {
@@ -302,14 +310,21 @@ pub mod wall {
     }
 
     /// Caption of a map, at a time [s].
-    pub fn map(time: Option<f64>) -> String {
-        format!("Developed wall{}.", at(time))
+    pub fn map(time: Option<f64>, walls: bool) -> String {
+        match walls {
+            false => format!("Developed wall{}.", at(time)),
+            true => format!(
+                "Developed walls{}; s runs from the middle of the wall at +x towards +y, vertical lines are corners.",
+                at(time)
+            ),
+        }
     }
 
     /// Description of a map, at a time [s], with its extremes and their places.
-    pub fn map_description(title: &str, time: Option<f64>, largest: &str, smallest: &str) -> String {
+    pub fn map_description((title, walls): (&str, bool), time: Option<f64>, largest: &str, smallest: &str) -> String {
+        let around = if walls { "position" } else { "angle" };
         format!(
-            "{title} over angle and height of the wall{}: largest {largest}; smallest {smallest}.",
+            "{title} over {around} and height of the wall{}: largest {largest}; smallest {smallest}.",
             at(time)
         )
     }

@@ -5,6 +5,12 @@ use tank::units::{Dimension, display};
 use crate::number::percent;
 use results::IsolationRun;
 
+/// Titles of the tables: values, band of the properties, energies.
+pub const TABLES: [&str; 3] = [
+    "Largest values on isolators",
+    "Values with upper and lower properties",
+    "Energies of the isolated tank",
+];
 /// Heads of the table of values.
 pub const VALUES: [&str; 5] = ["Quantity", "On isolators", "Time", "Fixed base", "Ratio"];
 /// Heads of the table of bounds.

@@ -78,6 +78,13 @@ pub const SAMPLE_DIFFERENCE: &str = "largest difference of two samples";
 pub const CRACK_DIRECTION: &str = "Direction from the hoop";
 /// Largest width of a crack.
 pub const LARGEST_SO_FAR: &str = "Largest so far";
+/// Titles of the tables of an engine: damping, discretisation error, masses, energies.
+pub fn engine_tables(engine: &str) -> [String; 4] {
+    ["Damping", "Discretisation error", "Balance of masses", "Energy balance"]
+        .map(|title| format!("{title}, {engine} engine"))
+}
+/// Axis along the developed walls of a box.
+pub const WALLS_AXIS: &str = "Position s along the walls";
 /// Axis around the developed wall.
 pub const ANGLE_AXIS: &str = "Angle θ from the direction of shaking [°]";
 

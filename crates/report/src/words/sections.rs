@@ -53,6 +53,11 @@ const ALL: &[Words] = &[
                  spectrum also differs by its spectrum. Without such a column the ratios refer to the run under the record: they show \
                  the size of the design action, not the accuracy of the method.",
             ),
+            (
+                "masses",
+                "Masses of the finite elements are modal: the impulsive mass is that of the leading mode alone, and a roof that the modes move \
+                 more than the wall counts with more than its own mass.",
+            ),
         ],
     },
     title("partings", "Differences between methods"),

@@ -4,6 +4,9 @@
 pub const SUBSTITUTED: &str = "Numbers substituted into formulas are in SI, in which the constants of the formulas hold; the values beside them are in the \
      units of this report.";
 
+/// What a checker does with clauses.
+pub const CLAUSES: &str = "Clauses are those of the edition named; some are cited from secondary sources. Compare a clause that decides with the standard.";
+
 /// Lines of an engine that does not decide; empty without any.
 pub fn left(count: usize) -> String {
     match count {

@@ -1,10 +1,17 @@
 //! A tank on a slab on soil, in the section of that name.
 
-use tank::units::{Dimension, System, display};
+use tank::units::{Dimension, display};
 
-use crate::number::{fixed, percent};
+use crate::number::{fixed, percent, with_unit};
 use results::{EffectiveMode, SoilRun};
 
+/// Titles of the tables: cones, periods, motion of the slab, values beside those on a fixed base.
+pub const TABLES: [&str; 4] = [
+    "Springs and dashpots of the soil",
+    "Period and damping of the impulsive mode",
+    "Largest motion of the slab",
+    "Values on soil and on a fixed base",
+];
 /// Heads of the table of the cones.
 pub const CONES: [&str; 4] = ["Impedance", "Spring k", "Dashpot c", "Inertia"];
 /// Heads of the table of periods.
@@ -35,28 +42,28 @@ pub fn definition(mode: &EffectiveMode) -> &str {
 
 /// Springs, dashpots and inertia of the cones.
 pub fn cones(run: &SoilRun) -> Vec<[String; 4]> {
-    let number = |value: f64, unit: &str| match value > 0.0 {
-        true => format!("{value:.3e} {unit}"),
+    let number = |value: f64, dimension: Dimension| match value > 0.0 {
+        true => with_unit(value, dimension),
         false => NONE.into(),
     };
     vec![
         [
             "translation".into(),
-            number(run.horizontal, "N/m"),
-            number(run.horizontal_dashpot, "N s/m"),
+            number(run.horizontal, Dimension::LineForce),
+            number(run.horizontal_dashpot, Dimension::Dashpot),
             NONE.into(),
         ],
         [
             "rocking".into(),
-            number(run.rocking, "N m"),
+            number(run.rocking, Dimension::RotationalStiffness),
             NONE.into(),
-            number(run.trapped_inertia, "kg m²"),
+            number(run.trapped_inertia, Dimension::RotationalInertia),
         ],
         [
             "internal rotation, joined to the rocking slab by its dashpot".into(),
             NONE.into(),
-            number(run.rocking_dashpot, "N m s"),
-            number(run.internal_inertia, "kg m²"),
+            number(run.rocking_dashpot, Dimension::RotationalDashpot),
+            number(run.internal_inertia, Dimension::RotationalInertia),
         ],
     ]
 }
@@ -85,16 +92,10 @@ pub fn ground(run: &SoilRun) -> String {
             display(run.radius, Dimension::Length)
         )
     };
-    let stiffness = match System::current() {
-        System::Us => [
-            display(run.horizontal, Dimension::LineForce),
-            format!("{}/rad", display(run.rocking, Dimension::Moment)),
-        ],
-        System::Si | System::Both => [
-            format!("{:.3} GN/m", 1e-9 * run.horizontal),
-            format!("{:.3} GNm", 1e-9 * run.rocking),
-        ],
-    };
+    let stiffness = [
+        with_unit(run.horizontal, Dimension::LineForce),
+        with_unit(run.rocking, Dimension::RotationalStiffness),
+    ];
     format!(
         "{slab}. Soil with V_s = {}, {}, Poisson's ratio {}: static stiffness {} and {}. Impulsive mode {} at {} above the \
          underside of the slab, damping {} on a fixed base.",

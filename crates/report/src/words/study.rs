@@ -121,10 +121,8 @@ pub const NO_RULE: &str = "Whether the set stands for a spectrum was not asked: 
 pub const ABOUT_RECORDS: &str = "Peaks along x, of the record as the tank file processes it, before the scale of the study. Severity: demands over the \
      geometric mean of all records at the same level, mean of all tanks.";
 
-/// `sliding`, `uplift tension`.
-pub fn id(id: &str) -> String {
-    id.replace('_', " ")
-}
+/// A limit state or check by its id, in words.
+pub use super::limit_state as id;
 
 /// Title of an axis of intensities.
 pub fn axis(im: &str) -> String {

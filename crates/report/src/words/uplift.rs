@@ -28,6 +28,12 @@ pub fn quantity(id: &str) -> &str {
     }
 }
 
+/// Titles of the tables: values, band of the ground, energies.
+pub const TABLES: [&str; 3] = [
+    "Largest values of the base",
+    "Values on softer and on stiffer ground",
+    "Energies of the lifting base",
+];
 /// Heads of the table of values.
 pub const VALUES: [&str; 7] = [
     "Quantity",

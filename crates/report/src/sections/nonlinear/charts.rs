@@ -78,7 +78,6 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
         id: format!("loop_{}_{}", index + 1, curve.id),
         title: curve.title.clone(),
         caption: words::extents(curve, x, y),
-        titled: false,
         description: words::extents_description(curve, x, y),
         size: chart.size,
         markup: chart.draw()?,
@@ -162,7 +161,6 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         id: "energies".into(),
         title: words::ENERGIES.into(),
         caption: words::energies(energies.error),
-        titled: false,
         description: words::energies_description(
             time[end],
             input,
@@ -245,7 +243,6 @@ fn one_envelope(linear: Option<&Envelope>, nonlinear: &Envelope) -> Result<Optio
         id: format!("envelope_nonlinear_{}", nonlinear.id),
         title: nonlinear.title.clone(),
         caption,
-        titled: false,
         description,
         size: chart.size,
         markup: chart.draw()?,
