@@ -8,7 +8,7 @@ use fem::progress::Silent;
 use crate::cli::inputs::{self, Inputs};
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
-use crate::cli::style::StyleArg;
+use crate::cli::style::{self, StyleArg};
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
@@ -178,6 +178,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         compare::replaced(args.out.as_deref().unwrap_or(Path::new("")), &stale);
     }
     if args.format == CheckFormat::Human {
+        let _units = style::terminal(results.project.as_ref());
         for line in wall::lines(&job.case.tank) {
             print(&format!("{line}\n"))?;
         }

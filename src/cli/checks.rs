@@ -65,7 +65,7 @@ pub(crate) fn tables(results: &Results) -> String {
         }
         for (states, reason, status) in gaps(&method.checks) {
             let state = words::verdict::status(status);
-            let _ = writeln!(text, "  {} {state}: {reason}", states.join(", "));
+            let _ = writeln!(text, "  {} {state}: {}", states.join(", "), style::sentence(reason));
         }
         text.push('\n');
     }

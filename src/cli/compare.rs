@@ -16,7 +16,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::record_set::SetArgs;
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
-use crate::cli::style::StyleArg;
+use crate::cli::style::{self, StyleArg};
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, nonlinear, now, set_table, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
@@ -401,6 +401,7 @@ pub(crate) fn print(
         }
         Format::Csv => stream::print(&text::csv(results))?,
         Format::Human => {
+            let _units = style::terminal(results.project.as_ref());
             let mut out = String::new();
             for excitation in [Excitation::Record, Excitation::Site] {
                 out.push_str(&text::table(results, excitation));

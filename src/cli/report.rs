@@ -155,6 +155,15 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for form in &forms {
         print(&format!("{}\n", args.folder.join(form.file()).display()))?;
     }
+    let stale: Vec<&str> = (FORMS.iter().copied())
+        .filter(|name| forms.iter().all(|form| form.file() != *name) && args.folder.join(name).is_file())
+        .collect();
+    if !stale.is_empty() {
+        say!(
+            "note: still of the earlier report: {}; --pdf and --format write them again",
+            stale.join(", ")
+        );
+    }
     if let Some(file) = aside {
         results::put(&file, &pdf)?;
         print(&format!("{}\n", file.display()))?;

@@ -7,7 +7,7 @@ use tank::STANDARD_GRAVITY;
 use tank::units::{self, Dimension};
 
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, compare, json, print};
+use crate::cli::{Format, Global, compare, json, print, style};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_NOT_CHECKED, Error};
 use crate::job::Job;
 use crate::solve::{self, Answer, Found, Solution, Variable, rounded};
@@ -50,14 +50,18 @@ impl Governs {
 pub(crate) fn run(job: &Job, variable: &str, format: Format, global: &Global) -> Result<u8, Error> {
     let variable = Variable::parse(variable)?;
     let solution = solve::run(job, variable)?;
+    let sentence = || {
+        let _units = style::terminal(job.project.as_ref());
+        style::sentence(&paragraph(&solution))
+    };
     let text = match format {
-        Format::Human => format!("{}\n", paragraph(&solution)),
+        Format::Human => format!("{}\n", sentence()),
         Format::Json => json(&answered(&solution))?,
         Format::Csv => csv(&answered(&solution)),
     };
     print(&text)?;
     if format != Format::Human && !global.quiet && !matches!(solution.found, Found::Edge { .. }) {
-        say!("note: {}", paragraph(&solution));
+        say!("note: {}", sentence());
     }
     Ok(exit_code(&solution))
 }

@@ -2,8 +2,8 @@
 
 use report::style::{self, Wish, Wished};
 use results::Results;
-use tank::Language;
-use tank::units::{Dimension, System, Unit, in_unit};
+use tank::units::{Dimension, Scope, System, Unit, converted, in_unit};
+use tank::{Language, Project};
 
 /// Options of all commands that write a report.
 #[derive(clap::Args, Clone, Copy, Debug)]
@@ -11,7 +11,7 @@ pub(crate) struct StyleArg {
     /// Language of the report, instead of `project.language`; terminal and JSON stay English.
     #[arg(long, value_enum, value_name = "LANGUAGE")]
     lang: Option<LanguageArg>,
-    /// Units of the report and of CSV, instead of `project.units`; JSON stays in SI.
+    /// Units of the report, the terminal and CSV, instead of `project.units`; JSON stays in SI.
     #[arg(long, value_enum, value_name = "SYSTEM")]
     report_units: Option<UnitsArg>,
 }
@@ -32,6 +32,17 @@ impl StyleArg {
             }),
         })
     }
+}
+
+/// While it lives, the terminal is in the units that are asked for.
+#[must_use]
+pub(crate) fn terminal(project: Option<&Project>) -> Scope {
+    Scope::of(style::units(project))
+}
+
+/// A sentence of the terminal, whose values may be in SI, in the units of [`terminal`].
+pub(crate) fn sentence(text: &str) -> String {
+    converted(text, System::current(), 3).into_owned()
 }
 
 /// The unit of a row of CSV whose largest value this is: of SI, but for results that are asked for in US customary units.

@@ -368,3 +368,35 @@ fn bad_tables_name_line_and_column() {
         &["cannot be used with"],
     );
 }
+
+/// 8 m = 26.247 ft. The terminal follows `--report-units` and `project.units`; JSON stays in SI.
+#[test]
+fn the_terminal_is_in_the_units_that_are_asked_for() {
+    let home = tempfile::tempdir().expect("temporary folder");
+    let file = written(home.path(), "tank.json", &basin());
+    let us = basin().replacen('{', r#"{ "project": { "units": "us" },"#, 1);
+    let us = written(home.path(), "us.json", &us);
+    for arguments in [vec![text(&file), "--report-units", "us"], vec![text(&us)]] {
+        let run = |more: &[&str]| {
+            let all: Vec<&str> = ["check"].iter().chain(&arguments).chain(more).copied().collect();
+            String::from_utf8(tankcheck(&all).stdout).expect("text")
+        };
+        let solved = run(&["--solve", "fill_height"]);
+        assert!(
+            solved.contains("(given: 26.247 ft)") && !solved.contains(" m "),
+            "{solved}"
+        );
+        let checked = run(&[]);
+        assert!(
+            checked.contains("[ksi]") && !checked.contains("[MPa]") && !checked.contains("[m]"),
+            "{checked}"
+        );
+        let json = run(&["--solve", "fill_height", "--format", "json"]);
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(
+            (json["unit"].as_str(), json["value"].as_f64() < Some(10.0)),
+            (Some("m"), true),
+            "{json}"
+        );
+    }
+}

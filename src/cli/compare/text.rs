@@ -161,9 +161,13 @@ pub(super) fn csv(results: &Results) -> String {
 
 /// Checks, verdict and exceeded limits.
 pub(super) fn verdict(results: &Results) -> String {
+    checks::tables(results) + &style::sentence(&sentences(results))
+}
+
+/// Verdict and exceeded limits.
+fn sentences(results: &Results) -> String {
     let mut text = String::new();
     let verdict = &results.verdict;
-    text.push_str(&checks::tables(results));
     let _ = writeln!(text, "{}", words::verdict::headline(verdict));
     let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
     if let Some(governing) = &verdict.governing {

@@ -28,7 +28,7 @@ object! {
         approver ("M. Jones"): Opt<String>,
         /// Language of the report; English if absent. Terminal and JSON are English. `--lang` overrides it.
         language ("de"): Opt<Language>,
-        /// Units of the report and of its tables; SI if absent. JSON is in SI. `--report-units` overrides it.
+        /// Units of the report, of its tables and of the terminal; SI if absent. JSON is in SI. `--report-units` overrides it.
         units ("us"): Opt<System>,
     }
 }
