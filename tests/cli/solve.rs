@@ -369,7 +369,7 @@ fn bad_tables_name_line_and_column() {
     );
 }
 
-/// 8 m = 26.247 ft. The terminal follows `--report-units` and `project.units`; JSON stays in SI.
+/// 8 m = 26.2467 ft, whose five digits are rounded down, to the side that holds. The terminal follows `--report-units` and `project.units`; JSON stays in SI.
 #[test]
 fn the_terminal_is_in_the_units_that_are_asked_for() {
     let home = tempfile::tempdir().expect("temporary folder");
@@ -383,7 +383,7 @@ fn the_terminal_is_in_the_units_that_are_asked_for() {
         };
         let solved = run(&["--solve", "fill_height"]);
         assert!(
-            solved.contains("(given: 26.247 ft)") && !solved.contains(" m "),
+            solved.contains("(given: 26.246 ft)") && !solved.contains(" m "),
             "{solved}"
         );
         let checked = run(&[]);

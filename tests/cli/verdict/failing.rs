@@ -294,9 +294,9 @@ fn ec8_base() -> Vec<Tank> {
             overturning,
             vec![ec8(0.2), slim(), unanchored()],
         ),
-        fails(
+        incomplete(
             "overturning-without-bottom-plate",
-            "12 MN of liquid x 0.25 g at 3.2 m = 10 MNm; π/2 D² = 628 m² times 9 kN/m of weight holds 5.7 MNm",
+            "more than 628 m² times 9 kN/m of the weight alone holds; what the plate adds is not known",
             overturning,
             vec![only_ec8(), unanchored(), json!({ "tank": { "bottom": null } })],
         ),
