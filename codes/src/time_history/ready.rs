@@ -10,13 +10,16 @@ use super::base;
 use super::field::{Direction, rows};
 use super::search::{Searched, Shelf, directions};
 
+/// Numbers of a place and of an instant.
+type PlaceAndInstant = (usize, usize);
+
 /// What the checks of a run need of its demands, computed once: a linear model under the same record times a factor needs nothing else.
 pub struct Ready<'a> {
     pub(super) demands: &'a Demands,
     pub(super) directions: Vec<Direction>,
     /// For each limit state of the wall and each course the number of the place and of the instant that governed last, where a search
     /// begins.
-    pub(super) governing: RefCell<BTreeMap<(&'static str, usize), (usize, usize)>>,
+    pub(super) governing: RefCell<BTreeMap<(&'static str, usize), PlaceAndInstant>>,
     /// Lower bounds of capacities, which the motion does not change.
     pub(super) shelf: Shelf,
     /// Places on the wall of a metal cylinder as corrosion leaves it, by course and height.
