@@ -275,7 +275,7 @@ impl Answer {
             reasons.push(format!("{count} records of at least {}", code.fewest()));
         }
         let failing = |(wanted, ratios): &(Wanted, Ratios)| {
-            (ratios.smallest.0 < code.share() * (1.0 - 1e-9)).then(|| (*wanted, ratios.smallest.0))
+            (ratios.smallest.0 < code.share() * (1.0 - 1e-9)).then_some((*wanted, ratios.smallest.0))
         };
         for (wanted, ratio) in self.periods.iter().filter_map(failing) {
             reasons.push(format!(

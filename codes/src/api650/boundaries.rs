@@ -464,7 +464,7 @@ fn anchor_spacing_of_2020() {
         let out = Api6502020.assess(&c, Excitation::Site).unwrap();
         find(&out, "anchor_spacing").clone()
     };
-    for (count, spacing, holds) in [(31, 3.040, true), (30, 3.142, false), (1, 94.248, false)] {
+    for (count, spacing, holds) in [(31, 3.040, true), (30, PI, false), (1, 30.0 * PI, false)] {
         let check = at(count, 15.0);
         assert_eq!(check.holds(), holds, "{check:?}");
         assert!((check.demand.unwrap() - spacing).abs() < 5e-4, "{check:?}");

@@ -74,14 +74,16 @@ pub fn about_system(study: &Study) -> String {
 
 /// What the codes require and was not checked, the tanks with the same gaps together.
 pub fn open(study: &Study) -> Vec<String> {
-    let mut groups: Vec<(Vec<&str>, &Vec<(String, String)>)> = Vec::new();
+    /// Tanks, and the methods with the limit states that are open of each of them.
+    type Group<'a> = (Vec<&'a str>, &'a [(String, String)]);
+    let mut groups: Vec<Group<'_>> = Vec::new();
     for tank in study.tanks.iter().filter(|tank| !tank.open.is_empty()) {
-        match groups.iter_mut().find(|(_, open)| **open == tank.open) {
+        match groups.iter_mut().find(|(_, open)| *open == tank.open) {
             Some((tanks, _)) => tanks.push(&tank.id),
             None => groups.push((vec![&tank.id], &tank.open)),
         }
     }
-    let of = |(tanks, open): &(Vec<&str>, &Vec<(String, String)>)| {
+    let of = |(tanks, open): &Group<'_>| {
         let mut methods: Vec<(&str, Vec<String>)> = Vec::new();
         for (method, state) in *open {
             match methods.iter_mut().find(|(known, _)| known == method) {

@@ -1,31 +1,10 @@
 //! Newton's part of a checkpoint: the data that the next steps need besides the state.
 
 use super::Newton;
+use super::zoned::{NO_PIVOT, restore_weights, save_weights};
 use crate::analysis::AnalysisError;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::scheme::Weights;
 use crate::state::State;
-
-/// A run keeps no tangent that it could not factor.
-pub(super) const NO_PIVOT: CheckpointError = CheckpointError::Value {
-    what: "a pivot of the effective tangent",
-    found: 0.0,
-    allowed: "a matrix that can be factored",
-};
-
-pub(super) fn save_weights(to: &mut Writer, w: Weights) {
-    to.numbers(&[w.mass, w.damping, w.stiffness]);
-}
-
-pub(super) fn restore_weights(from: &mut Reader) -> Result<Weights, CheckpointError> {
-    let mut w = [0.0; 3];
-    from.numbers_into("weights", &mut w)?;
-    Ok(Weights {
-        mass: w[0],
-        damping: w[1],
-        stiffness: w[2],
-    })
-}
 
 impl Newton<'_> {
     /// Writes the largest first energy, the costs, C_T, the matrices of the kept factors with their weights, and the forces at the

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::memory::{NO_PIVOT, restore_weights, save_weights};
 use super::solver::{Solver, WHAT};
 use super::{Newton, StepFailure};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
@@ -93,6 +92,27 @@ impl Zoned {
             to.numbers(&spare.effective.values);
         }
     }
+}
+
+/// A run keeps no tangent that it could not factor.
+pub(super) const NO_PIVOT: CheckpointError = CheckpointError::Value {
+    what: "a pivot of the effective tangent",
+    found: 0.0,
+    allowed: "a matrix that can be factored",
+};
+
+pub(super) fn save_weights(to: &mut Writer, w: Weights) {
+    to.numbers(&[w.mass, w.damping, w.stiffness]);
+}
+
+pub(super) fn restore_weights(from: &mut Reader) -> Result<Weights, CheckpointError> {
+    let mut w = [0.0; 3];
+    from.numbers_into("weights", &mut w)?;
+    Ok(Weights {
+        mass: w[0],
+        damping: w[1],
+        stiffness: w[2],
+    })
 }
 
 impl Newton<'_> {
