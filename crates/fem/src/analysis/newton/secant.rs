@@ -68,7 +68,8 @@ impl Secants {
             pair.s.clear();
             pair.s.extend_from_slice(s);
             pair.y.clear();
-            pair.y.extend(self.before.iter().zip(r).map(|(before, after)| before - after));
+            pair.y
+                .extend(self.before.iter().zip(r).map(|(before, after)| before - after));
             pair.product = product;
             self.pairs.push_back(pair);
         }
