@@ -5,15 +5,15 @@ use crate::time_history::field::{Direction, Extremes, Span};
 
 /// A capacity that depends on the interior pressure [Pa], monotonously: at no pressure of a range is it below both ends.
 #[derive(Clone, Copy)]
-pub(in crate::time_history) struct Capacity<'a> {
-    pub(in crate::time_history) of: &'a dyn Fn(f64) -> f64,
+pub(crate) struct Capacity<'a> {
+    pub(crate) of: &'a dyn Fn(f64) -> f64,
     /// Its lower bounds.
-    pub(in crate::time_history) floors: &'a Floors,
+    pub(crate) floors: &'a Floors,
 }
 
 impl Search<'_> {
     /// Bounds of the interior pressure at the place under this motion [Pa].
-    pub(in crate::time_history) fn pressures(&self) -> (f64, f64) {
+    pub(crate) fn pressures(&self) -> (f64, f64) {
         self.compression_bounds(Span::All).0
     }
 
@@ -47,7 +47,7 @@ impl Search<'_> {
     }
 
     /// Axial compression against its capacity.
-    pub(in crate::time_history) fn compression(&self, capacity: Capacity<'_>, above: f64) -> Option<Found> {
+    pub(crate) fn compression(&self, capacity: Capacity<'_>, above: f64) -> Option<Found> {
         if self.count() == 0 {
             return None;
         }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 /// Lower bounds of a capacity that depends monotonously on the pressure: the smaller value at the ends of each of some parts of a range.
 #[derive(Clone, Debug)]
-pub(in crate::time_history) struct Floors {
+pub(crate) struct Floors {
     /// Least and largest pressure [Pa].
     range: (f64, f64),
     /// Parts for each pascal; 0 for a single pressure.
@@ -60,11 +60,11 @@ impl Floors {
 
 /// The lower bounds of capacities that depend on the pressure alone, by limit state and course.
 #[derive(Default)]
-pub(in crate::time_history) struct Shelf(RefCell<BTreeMap<(&'static str, usize), Rc<Floors>>>);
+pub(crate) struct Shelf(RefCell<BTreeMap<(&'static str, usize), Rc<Floors>>>);
 
 impl Shelf {
     /// Those of a limit state and the number of a course, over a range of pressures [Pa] at least.
-    pub(in crate::time_history) fn floors(
+    pub(crate) fn floors(
         &self,
         (id, course): (&'static str, usize),
         range: (f64, f64),

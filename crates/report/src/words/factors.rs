@@ -42,7 +42,7 @@ pub fn name(factor: Factor) -> &'static str {
 }
 
 /// Caption of a waterfall.
-pub const CAPTION: &str = "From the finite elements to each procedure.";
+pub const CAPTION: &str = "Factor by factor.";
 
 /// Title of a waterfall.
 pub fn title(quantity: &str, site: bool) -> String {

@@ -18,8 +18,8 @@ pub fn by_method(title: &str, values: &str, unit: &str) -> String {
 /// Caption of bars under the spectrum of the `site`, or under the record.
 pub fn by_methods(site: bool) -> &'static str {
     match site {
-        true => "Largest value by method, spectrum of the site.",
-        false => "Largest value by method, under the record.",
+        true => "By method, site.",
+        false => "By method, record.",
     }
 }
 
