@@ -205,7 +205,9 @@ impl Page {
         let asked = args.pdf.is_some() || forms.contains(&Form::Pdf);
         let help = match (args.folder.join(REPORT_FILE).is_file(), asked) {
             (true, true) if forms.iter().all(|form| *form == Form::Pdf) => None,
-            (true, _) => Some(format!("open {REPORT_FILE} in a browser; --pdf prints it")),
+            (true, _) => Some(format!(
+                "`tankcheck {command}` has written its page: open {REPORT_FILE} in a browser; --pdf prints it"
+            )),
             (false, _) => Some(format!("`tankcheck {command}` writes the page {REPORT_FILE}")),
         };
         if let Some(help) = help {
