@@ -20,7 +20,7 @@ enum Step {
 /// A cell that removes the key of its column from the tank of its row, with everything below it.
 pub(crate) const REMOVES: &str = "null";
 
-/// The tank of a row: the tank file with the values of the row. An empty cell keeps the value of the file, [`REMOVES`] removes it.
+/// The tank of a row: the tank file with the values of the row. An empty cell keeps the value of the file, `null` removes it.
 ///
 /// * `base`: the tank file
 /// * `row`: a row of the table
