@@ -198,7 +198,7 @@ pub fn spread_with_extremes(len: usize, count: usize, columns: &[&[f64]]) -> Vec
 mod tests {
     use super::*;
 
-    /// A single peak among 3509 samples stays in the table of its figure, whatever the rows beside it.
+    /// Thinning 3509 samples keeps a single peak in the table of the figure.
     #[test]
     fn extremes_stay_in_thinned_rows() {
         let mut values = vec![0.0; 3509];

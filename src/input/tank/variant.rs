@@ -168,7 +168,7 @@ fn set(node: &mut Node, steps: &[Step], cell: &Cell, head: &Range<usize>, place:
     }
 }
 
-/// Removes a key from the tree; one that is not there is no fault.
+/// Removes a key from the tree. A missing key is not a fault.
 fn remove(node: &mut Node, steps: &[Step]) -> Result<(), &'static str> {
     match (steps, &mut node.kind) {
         ([Step::Key(key)], Kind::Object(members)) => {

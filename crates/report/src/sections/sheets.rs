@@ -54,7 +54,7 @@ struct Part {
 
 #[derive(Serialize)]
 struct LineView {
-    /// Number within the whole sheet, whatever of it is shown: the same at every level.
+    /// Number of the line in the whole sheet, which does not depend on the level of the report.
     number: usize,
     name: String,
     /// MathML, made by [`math`].

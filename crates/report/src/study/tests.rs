@@ -220,7 +220,7 @@ fn a_table_of_tanks_and_capacities() {
     ] {
         assert!(page.contains(wanted), "{wanted}");
     }
-    // A column of its own has the radius.
+    // The radius stands in its own column.
     assert!(!page.contains("tank.radius"));
     // The unit is that of this page alone.
     assert_eq!(tank::units::display(9.80665, Dimension::Acceleration), "9.81 m/s²");

@@ -30,7 +30,7 @@ struct Pair {
 #[derive(Default)]
 pub(super) struct Secants {
     pairs: VecDeque<Pair>,
-    /// r before the last increment; empty if there is none to learn from.
+    /// Residual before the last increment; empty where that increment teaches nothing.
     before: Vec<f64>,
 }
 

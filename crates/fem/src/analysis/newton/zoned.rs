@@ -161,7 +161,7 @@ impl Newton<'_> {
         found
     }
 
-    /// Makes the factor the spare one; without inertia the next step starts from tangents of its own.
+    /// Sets the factor aside as the spare one. A static step drops it and starts from its own tangents.
     pub(super) fn set_aside(&mut self) {
         let Some(zoned) = &mut self.zoned else { return };
         if let Some((Solver::Zone(solver), weights)) = self.factor.take()
