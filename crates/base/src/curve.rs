@@ -91,11 +91,17 @@ impl Curve {
         after.clamp(1, self.points.len() - 1)
     }
 
-    /// Hold-down force F at an uplift within the range [N/m]; monotone cubics between the points.
+    /// Hold-down force F at an uplift [N/m]; monotone cubics between the points, straight on beyond them.
     pub fn hold_down(&self, uplift: f64) -> f64 {
         let i = self.place(uplift);
         let (a, b) = (&self.points[i - 1], &self.points[i]);
         let h = b.uplift - a.uplift;
+        if uplift < a.uplift {
+            return a.hold_down + self.slopes[i - 1] * (uplift - a.uplift);
+        }
+        if uplift > b.uplift {
+            return b.hold_down + self.slopes[i] * (uplift - b.uplift);
+        }
         let t = ((uplift - a.uplift) / h).clamp(0.0, 1.0);
         let (m, n) = (self.slopes[i - 1] * h, self.slopes[i] * h);
         let (t2, t3) = (t * t, t * t * t);

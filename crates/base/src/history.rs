@@ -33,6 +33,7 @@ use energy::Rates;
 
 use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
+use crate::heave::{Heave, Lift, Step};
 use crate::law::{Law, Response};
 
 /// A body in its modes.
@@ -72,6 +73,8 @@ pub struct Run<'a> {
     pub law: Option<&'a Law>,
     /// Anchors on it.
     pub ring: Option<&'a Ring>,
+    /// The mass that the foot lifts; none lifts it without inertia.
+    pub heave: Option<&'a Heave>,
     /// Share η of the base's moment that is hysteretic.
     pub hysteretic: f64,
     /// Dashpot c_ψ of the closed base [N m s]; it opens with the contact.
@@ -105,6 +108,8 @@ pub struct History {
     pub resistance: Vec<f64>,
     /// Inertia force I [N].
     pub shear: Vec<f64>,
+    /// Displacement w₀ of the centre of the foot [m]; empty of a foot without mass.
+    pub centre: Vec<f64>,
     /// Pull of all anchors [N]; empty without them.
     pub pull: Vec<f64>,
     /// The same of the anchor that pulls most [N].
@@ -155,6 +160,11 @@ struct State {
     springs: Vec<f64>,
     /// Loss of the springs in the last step [J].
     lost: f64,
+    /// Displacement, velocity and acceleration of the centre of the foot, and what presses on it.
+    heave: [f64; 3],
+    lift: Lift,
+    /// What the damping of the foot loses in the last step [J].
+    damped: f64,
     /// Anchors, and their loss in the last step [J].
     bolts: Bolts,
     cost: f64,
@@ -200,6 +210,9 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         sliding: 0.0,
         springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],
         lost: 0.0,
+        heave: [run.heave.map_or(0.0, Heave::rest), 0.0, 0.0],
+        lift: Lift::default(),
+        damped: 0.0,
         bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
         cost: 0.0,
         pressure: 0.0,
@@ -230,7 +243,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         if i > 0 {
             let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(&before) + f(&rates));
             sums.input += mean(|r| r.input);
-            sums.viscous += mean(|r| r.viscous);
+            sums.viscous += mean(|r| r.viscous) + state.damped;
             sums.friction += match state.along.is_empty() {
                 true => mean(|r| r.friction),
                 false => 0.5 * (before.drag + rates.drag) * (state.slip[0] - before.slip),
@@ -239,6 +252,8 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
             sums.base_hysteretic += run.hysteretic * state.lost;
             sums.anchors += state.cost;
             sums.base_elastic += 0.5 * (before.moment + rates.moment) * (state.psi[0] - before.psi)
+                - 0.5 * (before.press + rates.press) * (state.heave[0] - before.heave)
+                - state.damped
                 - run.hysteretic * state.lost
                 - state.cost;
         }
@@ -254,6 +269,9 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         history.moment.push(rates.moment);
         history.resistance.push(state.moment);
         history.shear.push(rates.shear);
+        if run.heave.is_some() {
+            history.centre.push(state.heave[0]);
+        }
         if let Some(ring) = run.ring {
             let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
             let peaks = &mut history.anchor_peaks;
@@ -450,7 +468,12 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     for iteration in 0..ITERATIONS {
         let [a, follows] = translation(b);
         let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
-        let response = resist(run, law, state, (psi(b), pressure));
+        let mut response = resist(run, law, state, (psi(b), pressure));
+        if let Some(heave) = run.heave {
+            let lifted = lift(run, (heave, law), state, (psi(b), pressure)).response;
+            response.moment += lifted.moment;
+            response.tangent += lifted.tangent;
+        }
         let dashpot = run.dashpot * law.contact(psi(b));
         let terms = [
             sums.turn[0],
@@ -497,6 +520,19 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     })
 }
 
+/// The foot at the end of a step at a rotation [rad] and a bottom pressure [Pa].
+fn lift(run: &Run<'_>, (heave, law): (&Heave, &Law), state: &State, (psi, pressure): (f64, f64)) -> Lift {
+    let h = run.step;
+    let give = BETA * h * h / heave.mass();
+    let step = Step {
+        place: predicted(&state.heave, h)[0] + give * BEGIN * state.lift.press,
+        give: give * (1.0 - BEGIN),
+        before: state.lift.load,
+        length: h,
+    };
+    heave.lift(law, psi, pressure, step)
+}
+
 /// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].
 fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) -> Response {
     let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
@@ -516,11 +552,22 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
         let (inertia, force) = modal(mode, q, h);
         *q = moved(q, (-mode.translation * a - mode.rotation * b - force) / inertia, h);
     }
+    let turned = state.psi[0];
     state.psi = moved(&state.psi, b, h);
+    let turned = state.psi[0] - turned;
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
     if let Some(law) = run.law {
-        let response = resist(run, law, state, (state.psi[0], state.pressure));
-        state.moment = response.moment + run.dashpot * law.contact(state.psi[0]) * state.psi[1];
+        let mut moment = resist(run, law, state, (state.psi[0], state.pressure)).moment;
+        if let Some(heave) = run.heave {
+            let lift = lift(run, (heave, law), state, (state.psi[0], state.pressure));
+            moment += lift.response.moment;
+            let force = (1.0 - BEGIN) * lift.press + BEGIN * state.lift.press;
+            let before = state.heave[0];
+            state.heave = moved(&state.heave, force / heave.mass(), h);
+            state.lift = lift;
+            state.damped = (lift.load - lift.press) * (state.heave[0] - before - lift.sinks * turned);
+        }
+        state.moment = moment + run.dashpot * law.contact(state.psi[0]) * state.psi[1];
         state.lost = law.commit(state.psi[0], &mut state.springs);
         if let Some(ring) = run.ring {
             state.cost = 0.0;

@@ -93,6 +93,21 @@ impl Law {
         &self.springs
     }
 
+    /// Rotations of its table [rad].
+    pub(crate) fn rotations(&self) -> &[f64] {
+        &self.rotations
+    }
+
+    /// Bottom pressures of its table [Pa].
+    pub(crate) fn suctions(&self) -> &[f64] {
+        &self.suctions
+    }
+
+    /// The base at a bottom pressure and a rotation of its table, by their places.
+    pub(crate) fn tabled(&self, suction: usize, rotation: usize) -> &Turn {
+        &self.turns[suction][rotation]
+    }
+
     /// Largest rotation of the table [rad].
     pub fn largest(&self) -> f64 {
         self.rotations[ROTATIONS]
@@ -118,7 +133,7 @@ impl Law {
         last.rotation + share * (next.rotation - last.rotation)
     }
 
-    fn places(&self, psi: f64, suction: f64) -> (usize, usize, f64) {
+    pub(crate) fn places(&self, psi: f64, suction: f64) -> (usize, usize, f64) {
         let j = self.rotations.partition_point(|r| *r < psi).clamp(1, ROTATIONS);
         let s = suction.clamp(self.suctions[0], self.suctions[self.suctions.len() - 1]);
         let k = self

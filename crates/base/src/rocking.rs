@@ -141,6 +141,32 @@ impl Rocking {
         plane_section(self.radius, self.weight, self.range(), rotation, &hold)
     }
 
+    /// Force [N] and moment [N m] of the strips at a rotation ψ [rad] ≥ 0 with the centre of the foot at w₀ [m], and a bottom pressure that is
+    /// lower by `suction` cos φ [Pa]; straight on beyond the curve.
+    pub(crate) fn sums(&self, panels: usize, (rotation, centre): (f64, f64), suction: f64) -> (f64, f64) {
+        let p = self.pressure();
+        let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
+        sums(panels, self.radius, centre, rotation * self.radius, &hold)
+    }
+
+    /// The foot at a rotation ψ [rad] with its centre at w₀ [m], under a moment that is known [N m] and with a bottom pressure that is lower by
+    /// `suction` cos φ [Pa]: sides belong to those that ψ lifts and presses.
+    pub fn foot(&self, (rotation, centre): (f64, f64), moment: f64, suction: f64) -> Turn {
+        let side = if rotation < 0.0 { -1.0 } else { 1.0 };
+        let (rotation, suction) = (side * rotation, side * suction);
+        let reach = rotation * self.radius;
+        let p = self.pressure();
+        Turn {
+            rotation,
+            moment: side * moment,
+            centre,
+            uplift: centre + reach,
+            toe_force: -self.hold_down(centre - reach, p + suction),
+            pull: self.hold_down(centre + reach, p - suction),
+            lifted_angle: open(centre, reach),
+        }
+    }
+
     /// The base under a moment [N m], with a bottom pressure that is lower by `suction` cos φ [Pa]; none where it does not hold the moment
     /// up to a rotation of 0.1 rad, or not within the curve.
     pub fn under(&self, moment: f64, suction: f64) -> Option<Turn> {

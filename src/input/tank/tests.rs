@@ -4,6 +4,7 @@ mod anchors;
 mod dashpots;
 mod force_stations;
 mod frequency;
+mod heave;
 mod imperfections;
 mod isolators;
 mod schema;

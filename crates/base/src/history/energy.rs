@@ -25,6 +25,8 @@ pub(super) struct Rates {
     pub(super) moment: f64,
     pub(super) shear: f64,
     pub(super) psi: f64,
+    pub(super) press: f64,
+    pub(super) heave: f64,
     pub(super) drag: f64,
     pub(super) slip: f64,
 }
@@ -35,6 +37,8 @@ impl Rates {
         let (psi, s) = (state.psi, state.slip);
         let mut rates = Rates {
             psi: psi[0],
+            press: state.lift.press,
+            heave: state.heave[0],
             drag: state.drag,
             slip: s[0],
             ..Rates::default()
@@ -57,6 +61,10 @@ impl Rates {
         rates.friction = -rates.shear * s[1];
         if let Some(law) = run.law {
             rates.moment = resist(run, law, state, (psi[0], state.pressure)).moment;
+            if let Some(heave) = run.heave {
+                rates.moment += state.lift.response.moment;
+                rates.body += 0.5 * heave.mass() * state.heave[1] * state.heave[1];
+            }
             rates.radiated = run.dashpot * law.contact(psi[0]) * psi[1] * psi[1];
         }
         rates

@@ -25,6 +25,7 @@ fn drag(ground: &[f64], step: f64, coefficient: f64, springs: Vec<Spring>) -> Hi
         body: &block(mass),
         law: None,
         ring: None,
+        heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: Some(Friction {
@@ -196,6 +197,7 @@ fn rock(body: &Body, law: Option<&Law>, ground: &[f64], step: f64) -> History {
         body,
         law,
         ring: None,
+        heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,
@@ -267,6 +269,7 @@ fn sliding_of_a_flexible_body_converges() {
             body: &body,
             law: None,
             ring: None,
+            heave: None,
             hysteretic: 0.0,
             dashpot: 0.0,
             friction: Some(Friction {
@@ -315,6 +318,7 @@ fn a_dashpot_on_hard_ground_finds_every_step() {
             body: &body,
             law: Some(&law),
             ring: None,
+            heave: None,
             hysteretic: 0.0,
             dashpot,
             friction: None,

@@ -289,8 +289,13 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         let all: Vec<f64> = (0..FORM).map(at).collect();
         all.iter().map(|p| p / all[FORM - 1]).collect()
     };
+    // That of the wall at its impulsive mode, which the plate and the ground are a part of.
+    let impulsive = model.horizontal.impulsive();
+    let delay = impulsive.map_or(0.0, |i| 2.0 * case.damping.impulsive / i.dominant.omega);
     Some(Setup {
         thorough: true,
+        delay,
+        heave: options.heave,
         known: None,
         anchors: None,
         states: None,
@@ -300,11 +305,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
             weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
             vertical: vertical.iter().map(|a| a / STANDARD_GRAVITY).collect(),
             springs: Vec::new(),
-            // That of the wall at its impulsive mode, which the plate and the ground are a part of.
-            delay: model
-                .horizontal
-                .impulsive()
-                .map_or(0.0, |i| 2.0 * case.damping.impulsive / i.dominant.omega),
+            delay,
         }),
         soil: foundation.and_then(|f| {
             let velocity = f.shear_wave_velocity?;

@@ -202,6 +202,13 @@ impl Peak {
     }
 }
 
+/// Inertia of wall and roof that the foot of an unanchored cylinder lifts and drops.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Heave {
+    /// Damping ratio of the foot that bounces on the closed ground; none damps it in proportion to its stiffness, as the wall at its impulsive mode.
+    pub damping: Option<f64>,
+}
+
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearOptions {
@@ -231,6 +238,9 @@ pub struct LinearOptions {
     /// Angle of the static tilt test [rad]; none without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt: Option<f64>,
+    /// Inertia of wall and roof that the foot of an unanchored cylinder lifts; none without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heave: Option<Heave>,
     /// Response-spectrum method.
     pub spectrum: SpectrumOptions,
     /// Transfer functions; none without them.
@@ -252,6 +262,7 @@ impl LinearOptions {
         force_stations: Vec::new(),
         snapshots: Vec::new(),
         tilt: None,
+        heave: None,
         spectrum: SpectrumOptions::DEFAULT,
         frequency: None,
     };

@@ -130,6 +130,7 @@ fn shaken() -> Answer {
         body: &body,
         law: Some(&law),
         ring: Some(&ring),
+        heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,

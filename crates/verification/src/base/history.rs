@@ -85,6 +85,7 @@ impl Impulsive {
             body: &self.body(),
             law: Some(law),
             ring: None,
+            heave: None,
             hysteretic: 0.0,
             dashpot: 0.0,
             friction: None,

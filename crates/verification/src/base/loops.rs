@@ -195,6 +195,7 @@ fn shaken() -> Answer {
                 body: &body,
                 law: Some(&law),
                 ring: None,
+                heave: None,
                 hysteretic: share,
                 dashpot: 0.0,
                 friction: None,

@@ -41,6 +41,7 @@ fn slide(ground: &[f64], step: f64, coefficient: f64, vertical: Vec<f64>) -> Res
         body: &body,
         law: None,
         ring: None,
+        heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: Some(Friction {

@@ -2,8 +2,8 @@
 
 use files::code::Code;
 use tank::options::LinearOptions;
-use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Integrator, WallDirection, WallPlace};
-use tank::{Shape, Tank, case};
+use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Heave, Integrator, WallDirection, WallPlace};
+use tank::{Shape, Support, Tank, case};
 
 use super::frequency::{Frequency, frequency};
 use super::imperfections::Imperfection;
@@ -35,6 +35,8 @@ const RINGS: Limits = Limits::above(0.0).to(1000.0);
 const MOST_RINGS: usize = 20;
 /// Most stations of internal forces, six histories each.
 const MOST_STATIONS: usize = 50;
+/// Damping of the foot that bounces.
+const BOUNCE: Limits = Limits::from(0.0).to(2.0);
 /// Pairs of Caughey's series.
 const PAIRS: Limits = Limits::from(0.0).items(2, CaugheyPairs::MOST);
 
@@ -61,6 +63,8 @@ object! {
         snapshots: Opt<Vec<Field<Moment>>> [SNAPSHOTS],
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
+        /// Inertia of wall and roof that the foot of an unanchored cylinder lifts and drops as it rocks, by the harmonic engine.
+        heave: Opt<FootHeave> = Absent::Without("the foot lifts wall and roof without inertia"),
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
         /// Deviations of a cylinder's wall from the perfect shape, which are added, in the three-dimensional and the nonlinear
@@ -78,6 +82,13 @@ object! {
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.
         nonlinear: Opt<Nonlinear>,
+    }
+
+    /// Wall and roof on the foot, which bounce on the ground where it lands.
+    FootHeave {
+        /// Ratio of critical damping of that bounce with all of the rim on the ground.
+        damping (0.2): Opt<Number> [BOUNCE]
+            = Absent::Follows("damping.impulsive, in proportion to the frequency of the bounce over that of the impulsive mode"),
     }
 
     /// A place of a cylinder's wall: height above the base and angle from the direction of shaking.
@@ -176,6 +187,7 @@ pub(super) fn analysis(
             Some(_) => r.optional(&given.tilt),
             None => None,
         },
+        heave: heave(r, &given.heave, tank),
         dashpots: given
             .damping
             .value()
@@ -190,6 +202,28 @@ pub(super) fn analysis(
         spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
         frequency: frequency(r, &given.frequency),
     }
+}
+
+/// Inertia on the foot, of an unanchored cylinder alone.
+fn heave(r: &mut Resolver<'_>, option: &Opt<FootHeave>, tank: Option<&Tank>) -> Option<Heave> {
+    let field = option.given.as_ref()?;
+    let given = field.value.as_ref()?;
+    let lifts = |tank: &Tank| matches!(tank.shape, Shape::Cylinder { .. }) && tank.support == Support::Unanchored;
+    if tank.is_some_and(|tank| !lifts(tank)) {
+        let fault = range_fault(
+            Code::DoesNotApply,
+            field,
+            "only the foot of an unanchored cylinder lifts",
+            "a cylinder with \"support\": \"unanchored\"",
+        );
+        r.faults.push(fault.help("remove analysis.heave"));
+    }
+    Some(Heave {
+        damping: match given.damping.given {
+            Some(_) => r.optional(&given.damping),
+            None => None,
+        },
+    })
 }
 
 /// Stations of internal forces, of a cylinder alone.

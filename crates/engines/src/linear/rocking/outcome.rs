@@ -84,7 +84,10 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
     let places = history.rotation.iter().zip(&history.pressure).enumerate();
     let turn = |(i, (psi, suction)): (usize, (&f64, &f64))| match (&found.laws.ring, history.pull.get(i)) {
         (Some(ring), Some(pull)) => ring.turn(*psi, *suction, *pull),
-        _ => found.laws.law.turn(*psi, *suction),
+        _ => match history.centre.get(i) {
+            Some(centre) => found.laws.rocking.foot((*psi, *centre), history.moment[i], *suction),
+            None => found.laws.law.turn(*psi, *suction),
+        },
     };
     let turns: Vec<Turn> = places.map(turn).collect();
     // Of the anchor that pulls most, per length of the rim: it stands where the wall is lifted.

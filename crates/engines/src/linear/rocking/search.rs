@@ -3,8 +3,10 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use ::base::history::{Body, Friction, History, Run, march};
-use ::base::{Anchors, Base, BaseError, Drag, Law, Losses, Ring, Rocking, Soil};
+use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil};
 use results::BaseSpread;
+use tank::STANDARD_GRAVITY;
+use tank::options::linear::Heave as AskedHeave;
 
 /// Largest rotation of the first law [rad].
 pub(super) const FIRST: f64 = 2e-3;
@@ -35,6 +37,10 @@ pub(super) struct Setup {
     pub states: Option<f64>,
     /// Anchors, of a tank that stands on them.
     pub anchors: Option<Anchors>,
+    /// Inertia on the foot, where it is asked for.
+    pub heave: Option<AskedHeave>,
+    /// Damping over stiffness of plate and ground, as that of the wall at its impulsive mode [s].
+    pub delay: f64,
     /// Friction.
     pub friction: Option<Friction>,
     /// Soil with the velocity of its shear waves [m/s] and its density [kg/m³].
@@ -68,6 +74,8 @@ pub(super) struct Laws {
     pub rocking: Rocking,
     pub law: Law,
     pub ring: Option<Ring>,
+    /// Wall and roof that the foot lifts.
+    pub heave: Option<Heave>,
     /// Loss of its strips, once it is asked for.
     losses: OnceLock<Losses>,
 }
@@ -113,12 +121,12 @@ impl Known {
 /// Errors: no equilibrium.
 pub(super) fn laws(setup: &Setup, base: &Base, largest: f64) -> Result<Arc<Laws>, BaseError> {
     let Some(known) = &setup.known else {
-        return law(base, setup.anchors, largest).map(Arc::new);
+        return law(setup, base, largest).map(Arc::new);
     };
     if let Some(found) = known.reaching(base.modulus, largest) {
         return Ok(found);
     }
-    let made = Arc::new(law(base, setup.anchors, largest)?);
+    let made = Arc::new(law(setup, base, largest)?);
     known.add(base.modulus, &made);
     Ok(made)
 }
@@ -150,10 +158,25 @@ impl From<BaseError> for Missed {
     }
 }
 
+/// Wall and roof on the foot, with its damping and what the ground under its ring radiates; none where it is not asked for.
+fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Option<Heave> {
+    let asked = setup.heave?;
+    let mass = std::f64::consts::TAU * base.radius * base.weight / STANDARD_GRAVITY;
+    let heave = Heave::new(mass, rocking, law);
+    let stiffness = heave.stiffness();
+    // 2 π R of what a metre of the ring resists with, of which c_ψ is π R³.
+    let ground = 2.0 * dashpot(setup, base) / base.radius.powi(2);
+    let own = match asked.damping {
+        Some(ratio) => 2.0 * ratio * (mass / stiffness).sqrt(),
+        None => setup.delay,
+    };
+    Some(heave.damped(own + ground / stiffness))
+}
+
 /// The law up to a rotation [rad].
 ///
 /// Errors: no equilibrium.
-pub(super) fn law(base: &Base, anchors: Option<Anchors>, largest: f64) -> Result<Laws, BaseError> {
+pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, BaseError> {
     let reach = largest * base.radius;
     // The rim loads a strip of this width.
     let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
@@ -164,8 +187,16 @@ pub(super) fn law(base: &Base, anchors: Option<Anchors>, largest: f64) -> Result
     loop {
         let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
         let made = Law::new(&rocking, largest).and_then(|law| {
-            let ring = anchors.map(|anchors| Ring::new(anchors, &rocking, &law));
-            Ok((law, ring.transpose()?))
+            let ring = setup
+                .anchors
+                .map(|anchors| Ring::new(anchors, &rocking, &law))
+                .transpose()?;
+            let heave = if ring.is_none() {
+                heave(setup, base, &rocking, &law)
+            } else {
+                None
+            };
+            Ok((law, ring, heave))
         });
         match made {
             Err(BaseError::BeyondCurve { .. }) if tries < 2 => {
@@ -173,11 +204,12 @@ pub(super) fn law(base: &Base, anchors: Option<Anchors>, largest: f64) -> Result
                 pressed *= 3.0;
             }
             other => {
-                let (law, ring) = other?;
+                let (law, ring, heave) = other?;
                 return Ok(Laws {
                     rocking,
                     law,
                     ring,
+                    heave,
                     losses: OnceLock::new(),
                 });
             }
@@ -228,6 +260,7 @@ pub(super) fn one(
         body: &setup.body,
         law: Some(&laws.law),
         ring: laws.ring.as_ref(),
+        heave: laws.heave.as_ref(),
         hysteretic,
         dashpot,
         friction: setup.friction.clone(),
@@ -255,6 +288,7 @@ fn twins(
             body: &setup.body,
             law: Some(&laws.law),
             ring: laws.ring.as_ref(),
+            heave: laws.heave.as_ref(),
             hysteretic,
             dashpot,
             friction: friction.clone(),

@@ -106,6 +106,7 @@ fn fixed(setup: &Setup) -> ::base::history::History {
         body: &setup.body,
         law: None,
         ring: None,
+        heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,
@@ -143,7 +144,7 @@ fn the_body_is_that_of_the_engine() {
 
 fn ready_law(ready: &Ready, modulus: f64) -> search::Laws {
     let base = Base::of(&ready.case).unwrap().on(modulus);
-    search::law(&base, None, search::FIRST).unwrap()
+    search::law(&ready.setup(1), &base, search::FIRST).unwrap()
 }
 
 /// A wall under 2000 t of roof on ground of 1e13 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and

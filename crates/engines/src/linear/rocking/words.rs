@@ -138,6 +138,14 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
+    if let Some(heave) = &found.laws.heave {
+        list.push(format!(
+            "The foot lifts and drops the mass of wall and roof, {}; its bounce has {} % of critical damping while all of the rim is on the \
+             ground. Strips come down with the pull of their way up, so that moment and stress at the toe just after a landing are too large.",
+            display(heave.mass(), Dimension::Mass),
+            significant(100.0 * heave.damping_ratio(), 2)
+        ));
+    }
     if base.yields() && found.hysteretic < ROUNDING {
         list.push(
             "The bottom plate does not yield beyond its first uplift: no share of the base's moment is hysteretic."
