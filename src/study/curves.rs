@@ -192,7 +192,7 @@ fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
     };
     let states: Vec<(String, Vec<Seen>)> = plan.damage.iter().enumerate().map(of).collect();
     let planned = planned(plan);
-    // Whether a state is reached has no demand: counts, whatever the method of the tanks is.
+    // Whether a state is reached has no demand: counts, whichever method the tanks use.
     let mut curves = asked.of_runs(Method::Stripes, &states);
     for curve in &mut curves {
         curve.bound(&planned);

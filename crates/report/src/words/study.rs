@@ -66,7 +66,7 @@ pub fn about_system(study: &Study) -> String {
     let counted = match study.method.as_str() {
         "stripes" => "",
         _ => {
-            " These curves are fitted to the number of earthquakes at each level (stripes), whatever the method of the tanks is: a farm has no demand of its own."
+            " These curves are fitted to the number of earthquakes at each level (stripes), whichever method the tanks use: a farm has no demand of its own."
         }
     };
     format!("The farm as a system: at least one tank is in the state in the same earthquake.{counted}")
@@ -343,7 +343,7 @@ pub fn trace_caption(trace: &StudyTrace, logarithmic: bool) -> String {
     }
     if logarithmic {
         parts.push(
-            "Logarithmic axis: a capacity that goes to zero under the demand of its own instant makes the ratio large."
+            "Logarithmic axis: where the capacity falls towards zero at some instant, the ratio becomes large."
                 .to_owned(),
         );
     }
