@@ -15,7 +15,7 @@ use engines::Task;
 use engines::nonlinear::push::PushOptions;
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
-use results::{Deformability, EngineId, InputValue, SourceFile, TankSummary};
+use results::{Deformability, EngineId, InputValue, Part, SourceFile, TankSummary};
 
 /// Refusals of an analysis for a tank file, each with its place in the file.
 ///
@@ -27,6 +27,7 @@ pub fn refused(tank: &TankFile, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> 
         solid: &tank.solid,
         nonlinear: &tank.nonlinear,
         checkpoint: None,
+        without: &[],
     };
     tank.faults(&refuses(&task))
 }
@@ -52,6 +53,8 @@ pub struct Job {
     pub nonlinear: NonlinearOptions,
     /// Checkpoint file of the nonlinear run.
     pub checkpoint: Option<CheckpointFile>,
+    /// Parts of the results that nobody needs, and that are not computed.
+    pub without: Vec<Part>,
     /// Echo of the input, defaults marked.
     pub echo: Vec<InputValue>,
     /// Input files of the job, with their hashes.
@@ -74,6 +77,7 @@ impl Job {
             solid: &self.solid,
             nonlinear: &self.nonlinear,
             checkpoint: self.checkpoint.as_ref(),
+            without: &self.without,
         }
     }
 

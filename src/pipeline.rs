@@ -169,6 +169,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
     let verdict = results::verdict(&methods, decision::deciding(job, &methods), unfinished, cause);
     let warnings = [job.warnings.clone(), decision::unused(job, &methods)].concat();
+    let not_computed = runs::left_out(job, &runs);
     let results = Results {
         format: FORMAT.into(),
         volatile: Volatile {
@@ -189,6 +190,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         comparison,
         verdict,
         warnings,
+        not_computed,
     };
     finite::check_results(&results)?;
     Ok(Outcome {

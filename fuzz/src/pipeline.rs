@@ -123,6 +123,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
         solid: file.solid,
         nonlinear: file.nonlinear,
         checkpoint: None,
+        without: Vec::new(),
         echo: file.echo,
         files: Vec::new(),
         warnings: file.warnings,

@@ -159,6 +159,7 @@ impl Inputs {
             solid: tank.solid,
             nonlinear,
             checkpoint: None,
+            without: Vec::new(),
             echo,
             files,
             warnings,

@@ -14,7 +14,7 @@ use engines::damping::Damper;
 use engines::{FeError, Simulation, engine, nonlinear};
 use results::compare::{Damping, Happened, Incomplete};
 use results::nonlinear::End;
-use results::{Method, Run};
+use results::{LeftOut, Method, Part, Run};
 
 /// Rejects a job with input that one of its engines does not support.
 ///
@@ -103,6 +103,13 @@ fn ended(run: &Run) -> Option<Incomplete> {
             .first()
             .map(|first| Incomplete::BeyondModel { time: first.time }),
     }
+}
+
+/// What the results have not, because nobody needs it: softer and harder ground is that of a base that moves.
+pub(super) fn left_out(job: &Job, runs: &[Run]) -> Vec<LeftOut> {
+    let moves = runs.iter().any(|run| run.base.is_some());
+    let parts = job.without.iter().filter(|part| moves || **part != Part::Grounds);
+    parts.map(|part| LeftOut::of(*part)).collect()
 }
 
 /// Facts of the nonlinear run for the comparison.

@@ -191,6 +191,7 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
         solid: SolidOptions::default(),
         nonlinear: NonlinearOptions::new(case.damping),
         checkpoint: None,
+        without: Vec::new(),
         echo: Vec::new(),
         files: Vec::new(),
         warnings: Vec::new(),

@@ -282,6 +282,7 @@ impl Unit<'_> {
             solid: tank.solid.clone(),
             nonlinear: tank.nonlinear.clone(),
             checkpoint: None,
+            without: Vec::new(),
             echo: Vec::new(),
             files: Vec::new(),
             warnings: Vec::new(),

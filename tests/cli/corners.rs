@@ -137,6 +137,7 @@ fn job(text: &str) -> Option<Job> {
         solid: tank.solid,
         nonlinear: tank.nonlinear,
         checkpoint: None,
+        without: Vec::new(),
         echo: tank.echo,
         files: Vec::new(),
         warnings: tank.warnings,

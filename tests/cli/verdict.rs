@@ -124,6 +124,7 @@ impl Tank {
             solid: tank.solid,
             nonlinear: tank.nonlinear,
             checkpoint: None,
+            without: Vec::new(),
             echo: tank.echo,
             files: Vec::new(),
             warnings: tank.warnings,

@@ -42,6 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         solid: &solid,
         nonlinear: &nonlinear,
         checkpoint: None,
+        without: &[],
     };
     let engine = engine(EngineId::Harmonic);
     if let Some(refusal) = engine.refuses(&task).first() {

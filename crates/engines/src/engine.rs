@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fem::progress::Progress;
-use results::{EngineId, Run, Series, Snapshots};
+use results::{EngineId, Part, Run, Series, Snapshots};
 use tank::demand::Demands;
 use tank::refusal::Refusal;
 use tank::{Case, Quantity};
@@ -29,6 +29,8 @@ pub struct Task<'a> {
     pub nonlinear: &'a NonlinearOptions,
     /// Checkpoint of a long run.
     pub checkpoint: Option<&'a CheckpointFile>,
+    /// Parts of the results that nobody needs; an engine may compute them all the same.
+    pub without: &'a [Part],
 }
 
 /// Output of an engine.

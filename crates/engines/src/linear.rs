@@ -32,7 +32,8 @@ use tank::{Shape, Support};
 pub(crate) use around::Across;
 use around::Around;
 
-use analysis::{Analysis, Extent, LineExtremes, analyse, analyse_on};
+pub(crate) use analysis::Extent;
+use analysis::{Analysis, LineExtremes, analyse_on};
 use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
@@ -61,16 +62,16 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
 ///
 /// Errors: as [`simulate`].
 pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
-    simulate_with_states(case, options, None, progress)
+    simulate_to(case, options, (Extent::Whole, None), progress)
 }
 
-/// [`simulate_watched`] that keeps states of a bottom plate that lifts every `states` [s] for pictures.
+/// [`simulate_watched`] that keeps states of a bottom plate that lifts every `states` [s] for pictures, to an extent.
 ///
 /// Errors: as [`simulate`].
-pub(crate) fn simulate_with_states(
+pub(crate) fn simulate_to(
     case: &Case,
     options: &Options,
-    states: Option<f64>,
+    (extent, states): (Extent, Option<f64>),
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = match case.ground_motion {
@@ -91,7 +92,7 @@ pub(crate) fn simulate_with_states(
             scope.spawn(move || -> Result<Second, FeError> {
                 let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
                 let values = match motion {
-                    Some(motion) => analyse(&model, motion, &mesh.options, &Silent)?.values(&model, round),
+                    Some(motion) => analyse_on(&model, motion, (&mesh.options, extent), &Silent)?.values(&model, round),
                     None => units::properties(&model),
                 };
                 let units = match case.site.is_given() {
@@ -116,8 +117,7 @@ pub(crate) fn simulate_with_states(
                 direct: None,
                 across: None,
                 states,
-                thorough: true,
-                reported: true,
+                extent,
                 known: None,
             };
             complete(case, options, &linear, progress)
@@ -223,23 +223,10 @@ pub(crate) struct Linear<'a> {
     pub across: Option<Across<'a>>,
     /// Time between states of a bottom that lifts, for pictures [s]; none keeps none.
     pub states: Option<f64>,
-    /// Whether all that is reported is computed: a quick run has no envelopes, and a base that lifts is not run on softer and harder ground and
-    /// under motions slightly apart.
-    pub thorough: bool,
-    /// Whether anything but values and demands is used: histories, envelopes, modes, limits, notes.
-    pub reported: bool,
+    /// How much of the run is computed.
+    pub extent: Extent,
     /// Laws of such a base from runs under other records.
     pub known: Option<&'a Arc<rocking::Known>>,
-}
-
-impl Linear<'_> {
-    fn extent(&self) -> Extent {
-        match (self.thorough, self.reported) {
-            (_, false) => Extent::Values,
-            (true, true) => Extent::Whole,
-            (false, true) => Extent::Quick,
-        }
-    }
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -255,14 +242,14 @@ pub(crate) fn complete(
     let alone = motion.vertical.is_none() && motion.transverse.is_none();
     let newmark = options.integrator == Integrator::Newmark && alone;
     let Some(direct) = linear.direct.filter(|_| newmark) else {
-        let analysis = analyse_on(linear.model, motion, (options, linear.extent()), progress)?;
+        let analysis = analyse_on(linear.model, motion, (options, linear.extent), progress)?;
         return report(case, options, linear, analysis, motion, notes);
     };
     let modal = Options {
         integrator: Integrator::Modal,
         ..options.clone()
     };
-    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.extent()), progress)?;
+    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.extent), progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
     let mut simulation = report(case, options, linear, analysis, motion, notes)?;
     if let Some(time) = interrupted {
@@ -318,7 +305,7 @@ fn report(
         (linear.engine, model),
         &analysis,
         motion,
-        (options, linear.thorough, linear.known, linear.states),
+        (options, linear.extent, linear.known, linear.states),
     );
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
@@ -332,7 +319,7 @@ fn report(
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
     let mut analysis = match &moving {
-        Some(moving) => analyse_on(moving, &driven, (options, linear.extent()), &Silent)?,
+        Some(moving) => analyse_on(moving, &driven, (options, linear.extent), &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -357,7 +344,7 @@ fn report(
         demands::across(&mut demands, (model, second.model), motion, options)?;
     }
     demands.wave = around.as_ref().map_or(demands.wave, |around| around.wave);
-    if !linear.reported && moving.is_none() {
+    if linear.extent == Extent::Values && moving.is_none() {
         return Ok(Simulation::unreported(linear.engine, values, demands));
     }
     let mut histories = histories(motion, &analysis);
@@ -379,8 +366,8 @@ fn report(
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
-    // A quick run has not the extremes of all lines.
-    let mut envelopes = match linear.extent() {
+    // Other runs have not the extremes of all lines.
+    let mut envelopes = match linear.extent {
         Extent::Whole => envelopes(seen, &analysis),
         _ => Vec::new(),
     };
@@ -388,6 +375,9 @@ fn report(
         moved.correct(&mut envelopes);
     }
     let snapshots = free.take_states();
+    if linear.extent == Extent::Selected {
+        histories = Histories::at(Vec::new());
+    }
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),

@@ -7,7 +7,7 @@ use tank::{PLANE_WALLS, Shape};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
-use crate::linear::simulate_with_states;
+use crate::linear::{Extent, simulate_to};
 use crate::nonlinear::scope::{self, Purpose};
 use crate::{FeError, harmonic, nonlinear, solid};
 
@@ -87,7 +87,9 @@ impl Engine for Harmonic {
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        let mut simulation = simulate_with_states(task.case, task.linear, task.solid.snapshot_interval, progress)?;
+        let extent = Extent::without(task.without);
+        let asked = (extent, task.solid.snapshot_interval);
+        let mut simulation = simulate_to(task.case, task.linear, asked, progress)?;
         if !task.solid.imperfections.is_empty() {
             simulation.notes.push(PERFECT.into());
         }
@@ -196,6 +198,7 @@ mod tests {
                 solid: &solid,
                 nonlinear: &nonlinear,
                 checkpoint: None,
+                without: &[],
             };
             EngineId::ALL.map(|id| {
                 engine(id)
@@ -250,6 +253,7 @@ mod tests {
                 solid: &solid,
                 nonlinear: &nonlinear,
                 checkpoint: None,
+                without: &[],
             };
             [EngineId::Solid, EngineId::Nonlinear].map(|id| engine(id).refuses(&task).len())
         };

@@ -18,6 +18,7 @@ mod isolation_run;
 pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;
+mod part;
 mod previous;
 mod push;
 mod record_set;
@@ -55,6 +56,7 @@ pub use ida::{
     write_ida,
 };
 pub use isolation_run::{IsolationBand, IsolationEnergy, IsolationRun};
+pub use part::{LeftOut, Part};
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
     PushShell, PushStrip, read_push, write_push,
@@ -123,6 +125,9 @@ pub struct Results {
     /// Unusual input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
+    /// What a run of which parts were selected has not computed; empty in whole results.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_computed: Vec<LeftOut>,
 }
 
 impl Results {

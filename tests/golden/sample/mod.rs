@@ -160,6 +160,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
         project: Some(project()),
         standing: None,
         record_set: None,
+        not_computed: Vec::new(),
         files: vec![
             SourceFile {
                 role: "tank".into(),

@@ -16,7 +16,7 @@ use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History};
 use crate::response::superpose::{self, ModalSystem, Observable};
 use results::channel::{OnWall, Side};
-use results::{Channel, EnergyBalance};
+use results::{Channel, EnergyBalance, Part};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
@@ -153,21 +153,55 @@ pub(crate) fn analyse<'a>(
     analyse_on(model, motion, (options, Extent::Whole), progress)
 }
 
-/// How much of a run is observed.
+/// How much of a run is computed. Values, demands and all that checks depend on are those of the whole run, whatever the extent; a quick run alone
+/// does not know whether a base that lifts repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All lines, which is most of the work, and the waves of further modes.
+    /// All that is reported: extremes along all lines, histories, a base that lifts on softer and harder ground.
     Whole,
-    /// The lines that values and limits are made of.
+    /// Without [`Extent::LEAVES_OUT`].
+    Selected,
+    /// The lines that values and limits are made of, and a base that lifts in one run alone.
     Quick,
-    /// Those, without the history at the place of the largest hoop stress, which is known after a first pass alone.
+    /// Values and demands alone.
     Values,
 }
 
 impl Extent {
+    /// Parts of the results that a selected run has not.
+    pub(crate) const LEAVES_OUT: [Part; 3] = [Part::Envelopes, Part::Histories, Part::Grounds];
+
+    /// The extent of a run of which nobody needs these parts.
+    pub(crate) fn without(parts: &[Part]) -> Extent {
+        match Extent::LEAVES_OUT.iter().all(|part| parts.contains(part)) {
+            true => Extent::Selected,
+            false => Extent::Whole,
+        }
+    }
+
     /// Whether extremes along a line are observed.
     fn has(self, what: OnWall) -> bool {
         self == Extent::Whole || matches!(what, OnWall::Hoop | OnWall::Pressure)
+    }
+
+    /// Whether there is a history at the place of the largest hoop stress, which is known after a first pass alone.
+    fn follows_hoop(self) -> bool {
+        matches!(self, Extent::Whole | Extent::Quick)
+    }
+
+    /// Whether the waves of further modes are computed, for a note.
+    fn has_further_waves(self) -> bool {
+        matches!(self, Extent::Whole | Extent::Selected)
+    }
+
+    /// Whether a base that lifts is run under motions slightly apart: checks ask whether it repeats.
+    pub(super) fn repeats(self) -> bool {
+        self != Extent::Quick
+    }
+
+    /// Whether a base that lifts is run on softer and on harder ground, which no value and no check depends on.
+    pub(super) fn has_grounds(self) -> bool {
+        self == Extent::Whole
     }
 }
 
@@ -201,9 +235,9 @@ pub(crate) fn analyse_on<'a>(
     let ground = model.motions(records, &grid);
     let ground: Vec<&Motion> = ground.iter().collect();
     progress.stage("linear response", 2 * grid.steps() as u64);
-    let mut extremes = match extent {
-        Extent::Values => Vec::new(),
-        _ => {
+    let mut extremes = match extent.follows_hoop() {
+        false => Vec::new(),
+        true => {
             let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
             collect(model, &found.extremes, both_sides, extent)
         }
@@ -221,11 +255,12 @@ pub(crate) fn analyse_on<'a>(
         Vec::new()
     };
     let sloshing = kept[0].iter().filter(|m| m.kind == Kind::Sloshing).count();
-    let further = match extent {
-        Extent::Whole => waves::further(&scalars, options.wave_modes, sloshing),
-        _ => Vec::new(),
+    let further = match extent.has_further_waves() {
+        true => waves::further(&scalars, options.wave_modes, sloshing),
+        false => Vec::new(),
     };
-    let beside: &[Observable] = if extent == Extent::Values { &on_lines } else { &[] };
+    let number: usize = further.iter().map(|wave| wave.observables().count()).sum();
+    let beside: &[Observable] = if extent.follows_hoop() { &[] } else { &on_lines };
     let others: Vec<Observable> = opposite
         .iter()
         .cloned()
@@ -233,10 +268,11 @@ pub(crate) fn analyse_on<'a>(
         .chain(beside.iter().cloned())
         .collect();
     let mut observed = superpose::respond(&systems, &ground, grid, &observables, &others, progress)?;
-    let others_found = observed.extremes.split_off(opposite.len());
+    let mut others_found = observed.extremes.split_off(opposite.len());
+    let lines_found = others_found.split_off(number);
     let waves = waves::rises(&further, &others_found);
-    if extent == Extent::Values {
-        extremes = collect(model, &others_found, both_sides, extent);
+    if !extent.follows_hoop() {
+        extremes = collect(model, &lines_found, both_sides, extent);
     }
     let (mut used, mut energy, mut difference) = (grid, None, None);
     if options.integrator == Integrator::Newmark {

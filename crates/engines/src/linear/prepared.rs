@@ -11,6 +11,7 @@ use tank::case::{GroundMotion, Site, ZoneSite};
 use tank::demand::Demands;
 use tank::{Case, Quantity, Shape};
 
+use super::analysis::Extent;
 use super::model::Model;
 use super::{Linear, complete};
 use crate::harmonic::Places;
@@ -101,8 +102,7 @@ impl Prepared {
             direct: None,
             across: None,
             states: None,
-            thorough: true,
-            reported: false,
+            extent: Extent::Values,
             known: None,
         };
         let simulation = complete(&case, &self.options, &linear, &Silent)?;

@@ -26,7 +26,7 @@ use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
 use tank::{Case, STANDARD_GRAVITY, Shape, Support};
 
-use super::analysis::Analysis;
+use super::analysis::{Analysis, Extent};
 use super::model::Model;
 use crate::FeError;
 use crate::floor_pressure::impulsive_pressure;
@@ -113,9 +113,9 @@ impl Free {
     }
 }
 
-/// What is asked of a run of a base: options; whether it also runs on softer and harder ground and under motions slightly apart; laws of the base
-/// from runs under other records; time between states of the bottom for pictures [s], none keeps none.
-pub(super) type Asked<'a> = (&'a Options, bool, Option<&'a Arc<Known>>, Option<f64>);
+/// What is asked of a run of a base: options; its extent, whether it also runs on softer and harder ground and under motions slightly apart; laws
+/// of the base from runs under other records; time between states of the bottom for pictures [s], none keeps none.
+pub(super) type Asked<'a> = (&'a Options, Extent, Option<&'a Arc<Known>>, Option<f64>);
 
 /// The run of a tank that is not held down.
 pub(super) fn free(
@@ -123,14 +123,14 @@ pub(super) fn free(
     (engine, model): (EngineId, &Model),
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, thorough, known, states): Asked<'_>,
+    (options, extent, known, states): Asked<'_>,
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if !round || engine != EngineId::Harmonic {
         return Free::Held;
     }
     if case.tank.support == Support::Anchored {
-        return on_anchors(case, model, analysis, motion, (options, thorough, known, states));
+        return on_anchors(case, model, analysis, motion, (options, extent, known, states));
     }
     let Ok(base) = Base::of(case) else {
         return Free::Held;
@@ -142,7 +142,8 @@ pub(super) fn free(
         return Free::NotComputed(words::NO_ROWS.into());
     };
     let setup = Setup {
-        thorough,
+        thorough: extent.repeats(),
+        grounds: extent.has_grounds(),
         known: known.cloned(),
         states,
         ..setup
@@ -159,7 +160,7 @@ fn on_anchors(
     model: &Model,
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, thorough, known, states): Asked<'_>,
+    (options, extent, known, states): Asked<'_>,
 ) -> Free {
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
@@ -188,7 +189,8 @@ fn on_anchors(
         return held("the model has no rows of base moment or pressure");
     };
     let setup = Setup {
-        thorough,
+        thorough: extent.repeats(),
+        grounds: extent.has_grounds(),
         known: known.cloned(),
         friction: None,
         anchors: Some(Anchors {
@@ -224,7 +226,7 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     }
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
-    let band: &[f64] = if setup.thorough { &BAND } else { &[] };
+    let band: &[f64] = if setup.grounds { &BAND } else { &[] };
     let (main, others) = std::thread::scope(|scope| {
         let others: Vec<_> = band
             .iter()
@@ -296,6 +298,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         thorough: true,
         delay,
         heave: options.heave,
+        grounds: true,
         known: None,
         anchors: None,
         states: None,

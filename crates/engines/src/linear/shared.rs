@@ -81,8 +81,7 @@ impl Shared {
             model: &self.model,
             direct: None,
             across: None,
-            thorough,
-            reported: true,
+            extent: if thorough { Extent::Whole } else { Extent::Quick },
             known: Some(&self.laws),
             states: None,
         };

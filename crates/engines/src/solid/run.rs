@@ -27,7 +27,7 @@ use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model, shaken_upwards};
 use crate::linear::units;
-use crate::linear::{Across, Linear, checked_motion, complete, tilt};
+use crate::linear::{Across, Extent, Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::{EngineId, Tilt};
@@ -399,8 +399,7 @@ fn integrated(
         direct: Some(&direct),
         across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
         states: None,
-        thorough: true,
-        reported: true,
+        extent: Extent::Whole,
         known: None,
     };
     let mut simulation = complete(case, options, &linear, progress)?;

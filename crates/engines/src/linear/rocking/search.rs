@@ -23,8 +23,10 @@ const CRUSHED: f64 = 500e6;
 /// What a run is given besides laws of the base. Of the ground only the drag of the plate depends on it.
 #[derive(Clone)]
 pub(super) struct Setup {
-    /// Whether the run is repeated on other grounds and slightly apart.
+    /// Whether the run is repeated slightly apart.
     pub thorough: bool,
+    /// Whether it is repeated on other grounds.
+    pub grounds: bool,
     /// Laws of the base from runs under other records.
     pub known: Option<Arc<Known>>,
     /// Wall and liquid.

@@ -299,7 +299,7 @@ fn friction_caps_the_shear() {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&Options::default(), true, None, None),
+        (&Options::default(), Extent::Whole, None, None),
     ) else {
         panic!("it does not slide")
     };
@@ -340,7 +340,7 @@ fn the_superposed_wall_agrees_with_the_march() {
         engine,
         &held,
         ready.motion(),
-        (&Options::default(), true, None, None),
+        (&Options::default(), Extent::Whole, None, None),
     ) else {
         panic!("it does not lift")
     };
@@ -491,7 +491,7 @@ fn run_of(case: Case) -> Free {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&options, true, None, None),
+        (&options, Extent::Whole, None, None),
     )
 }
 
