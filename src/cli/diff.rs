@@ -16,7 +16,9 @@ use files::text as visible;
 use files::{Kind, OutputFolder, write_whole};
 use report::words;
 use results::numdiff::{self, Options, Report};
-use results::{self, COMPARE, Changes, Deciding, Ending, MovedCheck, MovedQuantity, OUTPUT, Results, Side, describe};
+use results::{
+    self, COMPARE, Changes, Deciding, Ending, LeftOut, MovedCheck, MovedQuantity, OUTPUT, Results, Side, describe,
+};
 use tank::Quantity;
 use tank::assessment::CheckStatus;
 use tank::units;
@@ -139,6 +141,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         return Ok(EXIT_OK);
     }
     let report = numdiff::folders(&args.old, &args.new, &options)?;
+    if args.bless {
+        keeps_parts(&args)?;
+    }
     let changes = changes(&args, &options)?;
     let only = || changes.as_ref().map(|told| &told.changes);
     let findings = || findings(only());
@@ -150,6 +155,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         DiffFormat::Junit => print(&findings::junit("tankcheck diff", &findings()))?,
         DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
         DiffFormat::Github => print(&findings::github(&place(), &findings()))?,
+    }
+    // The other forms say it in their text.
+    if !(matches!(args.format, DiffFormat::Json | DiffFormat::Human) || report.not_compared.is_empty()) {
+        say!("{}", not_compared(&report));
     }
     if args.bless {
         bless(&args, &report)?;
@@ -163,6 +172,35 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     } else {
         EXIT_CHECK_FAILED
     })
+}
+
+/// Errors: NEW has not computed what OLD has.
+fn keeps_parts(args: &Args) -> Result<(), Error> {
+    if !args.old.join(results::RESULTS_FILE).is_file() {
+        return Ok(());
+    }
+    let (old, new) = (results::read(&args.old)?, results::read(&args.new)?);
+    let lost: Vec<&str> = (new.not_computed.iter())
+        .filter(|left| old.has(left.part))
+        .map(|left| left.part.name())
+        .collect();
+    if lost.is_empty() {
+        return Ok(());
+    }
+    Err(Error::input(
+        Code::OptionConflict,
+        format!(
+            "--bless: NEW holds selected parts alone; it would replace {} of OLD\n  help: run `tankcheck compare` without --select",
+            lost.join(", ")
+        ),
+    ))
+}
+
+fn not_compared(report: &Report) -> String {
+    format!(
+        "not compared, because results of selected parts do not have it: {}",
+        LeftOut::names(&report.not_compared)
+    )
 }
 
 /// Verdict, quantities and checks of both folders; none of `ida` and `push`, which have others.
@@ -419,6 +457,9 @@ fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) ->
         (moved, _) => format!("{moved} moved"),
     };
     let mut text = format!("{outcome} ({} values compared)\n", report.compared);
+    if !report.not_compared.is_empty() {
+        let _ = writeln!(text, "{}", not_compared(report));
+    }
     let told = changes.filter(|told| !told.changes.none());
     if let Some(told) = told {
         text.push('\n');
@@ -470,7 +511,8 @@ fn json(report: &Report, changes: Option<&Changes>) -> String {
         .collect();
     let text = format!(
         "{:#}\n",
-        json!({"compared": report.compared, "drifted": report.drifted, "largest_drift": report.largest_drift, "moved": moved, "changes": changes})
+        json!({"compared": report.compared, "not_compared": report.not_compared, "drifted": report.drifted,
+            "largest_drift": report.largest_drift, "moved": moved, "changes": changes})
     );
     visible::json(&text).into_owned()
 }

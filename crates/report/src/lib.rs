@@ -54,6 +54,7 @@ pub use level::Level;
 pub use numbering::number as numbered;
 
 use figure::Figure;
+use files::code::Code;
 use files::error::Error;
 use files::text::visible;
 use number::{fixed, percent, with_unit};
@@ -77,8 +78,20 @@ pub struct Report {
 /// The report of the `results.json` and `series.csv` in `folder`.
 ///
 /// `templates`: a folder whose files replace the embedded templates of the same name.
+///
+/// Errors: results that cannot be read, or of which parts were not computed; a template that cannot be rendered.
 pub fn of_folder(folder: &Path, templates: Option<&Path>, level: Level) -> Result<Report, Error> {
     let results = results::read(folder)?;
+    if !results.not_computed.is_empty() {
+        return Err(Error::File {
+            code: Code::NotResults,
+            path: folder.join(results::RESULTS_FILE),
+            what: format!(
+                "holds selected parts alone, a report needs all of them; not computed: {}; run `tankcheck compare` without --select",
+                results::LeftOut::names(&results.not_computed)
+            ),
+        });
+    }
     let series = results::read_series(folder)?;
     build(&results, &series, &Templates::new(templates)?, level)
 }

@@ -9,7 +9,7 @@
 //!
 //! Times of maxima have an absolute tolerance of their own: two equal peaks may change places. Numbers inside text (the
 //! substituted formulas of calculation sheets) are compared as numbers, at the precision they are printed with.
-//! The `volatile` object is skipped.
+//! The `volatile` object is skipped. What one of both has not computed because it was not selected is left out of both, and named.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,6 +17,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate as results;
+use crate::{LeftOut, Part, Results};
 use files::error::Error;
 
 /// Tolerances.
@@ -66,11 +67,20 @@ pub struct Report {
     pub largest_drift: f64,
     /// Differences beyond the tolerance, largest first.
     pub moved: Vec<Difference>,
+    /// Parts that one of both has not computed.
+    pub not_compared: Vec<LeftOut>,
 }
 
 /// Compares two results folders: those of `compare` and `check`, of `ida`, or of `push`.
 pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Error> {
     let as_value = |value: Result<Value, serde_json::Error>| value.map_err(|e| Error::Report(e.to_string()));
+    // Either has them, or both lack them.
+    let mut left_out: Vec<LeftOut> = Vec::new();
+    for results in [compared(old)?, compared(new)?].iter().flatten() {
+        let more = results.not_computed.iter().filter(|part| !left_out.contains(part));
+        let more: Vec<LeftOut> = more.cloned().collect();
+        left_out.extend(more);
+    }
     let load = |folder: &Path| -> Result<Value, Error> {
         let file = |name: &str| Some(folder.join(name)).filter(|path| path.is_file());
         if let Some(path) = file(results::IDA_FILE) {
@@ -84,17 +94,29 @@ pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Erro
         if let Some(path) = file(results::PUSH_FILE) {
             return as_value(serde_json::to_value(results::read_push(&path)?));
         }
-        as_value(serde_json::to_value(results::read(folder)?))
+        as_value(serde_json::to_value(results::read(folder)?.without(&left_out)))
     };
     let mut report = values(&load(old)?, &load(new)?, options);
-    series(
-        &results::read_series(old)?,
-        &results::read_series(new)?,
-        options,
-        &mut report,
-    );
+    if left_out.iter().all(|left| left.part != Part::Histories) {
+        series(
+            &results::read_series(old)?,
+            &results::read_series(new)?,
+            options,
+            &mut report,
+        );
+    }
     sort(&mut report);
+    report.not_compared = left_out;
     Ok(report)
+}
+
+/// The results of `compare` and `check` in a folder; none of one with others.
+fn compared(folder: &Path) -> Result<Option<Results>, Error> {
+    let others = [results::IDA_FILE, results::PUSH_FILE];
+    match others.iter().any(|name| folder.join(name).is_file()) {
+        true => Ok(None),
+        false => results::read(folder).map(Some),
+    }
 }
 
 /// Compares two JSON documents in the form of `results.json`.
