@@ -1,7 +1,7 @@
 //! `--select`: which parts of the results are printed as JSON.
 //!
 //! `verdict`, `quantities` and `checks` are short forms, one line an item, for scripts that read a handful of numbers; the others are parts of
-//! `results.json` as they stand there.
+//! `results.json` as they stand there. What no selected part needs is not computed where nothing else is written of it ([`SelectArg::needless`]).
 
 use std::collections::BTreeMap;
 
@@ -13,14 +13,14 @@ use crate::error::Error;
 use files::code::Code;
 use files::text;
 use report::words::terminal;
-use results::{Method, Results, finite};
+use results::{Method, Part, Results, finite};
 
 /// Everything, as in `results.json`.
 const ALL: &str = "all";
 /// The short forms.
 const SHORT: [&str; 3] = ["verdict", "quantities", "checks"];
 /// Parts of `results.json`.
-const PARTS: [&str; 13] = [
+const PARTS: [&str; 14] = [
     "files",
     "input",
     "project",
@@ -34,7 +34,24 @@ const PARTS: [&str; 13] = [
     "comparison",
     "warnings",
     "volatile",
+    "not_computed",
 ];
+/// Parts that are the same in a run without envelopes, histories and further grounds.
+const LIGHT: [&str; 11] = [
+    "verdict",
+    "quantities",
+    "checks",
+    "files",
+    "input",
+    "project",
+    "tank",
+    "records",
+    "warnings",
+    "volatile",
+    "not_computed",
+];
+/// Of these the one that counts what holds within the mesh error.
+const WITH_ERROR: &str = "verdict";
 /// Format of what is printed.
 const FORMAT: &str = "tankcheck-summary/1";
 
@@ -74,6 +91,19 @@ impl SelectArg {
                 ),
             )),
         }
+    }
+
+    /// What of a run none of the named parts needs; nothing where no part is named. All short forms are the same without it.
+    pub(crate) fn needless(&self) -> Vec<Part> {
+        let mut wanted = self.select.iter().map(|part| part.trim());
+        if !self.is_given() || wanted.clone().any(|part| !LIGHT.contains(&part)) {
+            return Vec::new();
+        }
+        let mut parts = vec![Part::Envelopes, Part::Histories, Part::Grounds];
+        if wanted.all(|part| part != WITH_ERROR) {
+            parts.push(Part::MeshError);
+        }
+        parts
     }
 
     /// The JSON of the named parts, or of `usual`.

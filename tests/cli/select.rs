@@ -1,8 +1,19 @@
 //! `--select`, `--no-report`, and the forms of test reports.
 
+use std::path::Path;
 use std::process::{Command, Output};
 
+use engines::Integrator;
+use fem::progress::Silent;
+use oscillator::record::Record;
+use results::{EngineId, Part};
+use tank::case::GroundMotion;
+use tankcheck::input::read_tank;
+use tankcheck::job::Job;
+use tankcheck::pipeline::{self, Outcome};
+
 const TANK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/05_oil_tank/tank.json");
+const ANCHORED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/01_broad_tank/tank.json");
 const QUAKE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/records/elcentro.csv");
 
 fn tankcheck(arguments: &[&str]) -> Output {
@@ -10,6 +21,10 @@ fn tankcheck(arguments: &[&str]) -> Output {
         .args(arguments)
         .output()
         .unwrap()
+}
+
+fn compare(tank: &str, out: &str, more: &[&str]) -> Output {
+    tankcheck(&[&["compare", tank, "--quake", QUAKE, "--quiet", "--out", out], more].concat())
 }
 
 fn json(output: &Output) -> serde_json::Value {
@@ -83,31 +98,178 @@ fn parts_by_name() {
 fn no_report_writes_the_same_numbers_alone() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
-    let run = |out: &str, more: &[&str]| {
-        let mut arguments = vec![
-            "compare",
-            TANK,
-            "--quake",
-            QUAKE,
-            "--no-mesh-error",
-            "--quiet",
-            "--out",
-            out,
-        ];
-        arguments.extend(more);
-        tankcheck(&arguments)
-    };
-    run(&path("whole"), &[]);
-    let output = run(
+    let exists = |name: &str| folder.path().join(name).exists();
+    compare(ANCHORED, &path("whole"), &["--no-mesh-error"]);
+    let bare = compare(
+        ANCHORED,
         &path("bare"),
-        &["--no-report", "--format", "json", "--select", "quantities,checks"],
+        &["--no-mesh-error", "--no-report", "--format", "json"],
     );
-    assert!(json(&output)["quantities"].is_array());
-    assert!(!folder.path().join("bare/report.html").exists() && !folder.path().join("bare/figures").exists());
-    assert!(folder.path().join("bare/results.json").exists() && folder.path().join("bare/series.csv").exists());
+    assert_eq!(json(&bare).get("not_computed"), None);
+    assert!(!exists("bare/report.html") && !exists("bare/figures"));
+    assert!(exists("bare/results.json") && exists("bare/series.csv"));
     let diff = json(&tankcheck(&["diff", &path("whole"), &path("bare"), "--format", "json"]));
-    assert!(diff["changes"]["quantities"].as_array().unwrap().is_empty(), "{diff}");
+    assert!(diff["moved"].as_array().unwrap().is_empty(), "{diff}");
     assert!(diff["changes"]["compared"].as_u64().unwrap() > 50);
+}
+
+/// Parts that need no envelopes, histories and second mesh come from a run without them. The folder says what it has not, and no command takes it
+/// for whole results.
+#[test]
+fn a_folder_of_selected_parts_says_what_it_has_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let said = |output: &Output| String::from_utf8_lossy(&output.stderr).into_owned();
+    let select = |parts| ["--no-report", "--format", "json", "--select", parts];
+    compare(ANCHORED, &path("whole"), &[]);
+    // Whole results are not replaced without a word.
+    std::fs::create_dir(folder.path().join("kept")).unwrap();
+    for name in ["results.json", "series.csv"] {
+        std::fs::copy(
+            folder.path().join("whole").join(name),
+            folder.path().join("kept").join(name),
+        )
+        .unwrap();
+    }
+    compare(ANCHORED, &path("bare"), &["--no-report"]);
+    let output = compare(ANCHORED, &path("bare"), &select("quantities,checks"));
+    let warnings = said(&output);
+    let first = warnings
+        .lines()
+        .find(|line| line.starts_with("warning[T0913]: "))
+        .expect("a warning");
+    for part in ["envelopes", "histories", "mesh error"] {
+        assert!(first.contains(part), "{first}");
+    }
+    let short = json(&output);
+    assert!(short["quantities"].is_array() && short["checks"].is_object());
+    let text = std::fs::read_to_string(folder.path().join("bare/results.json")).unwrap();
+    let bare: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let left = bare["not_computed"].as_array().unwrap();
+    let parts: Vec<&str> = left.iter().map(|left| left["part"].as_str().unwrap()).collect();
+    assert_eq!(parts, ["envelopes", "histories", "mesh_error"]);
+    assert!(left.iter().all(|left| left["text"].as_str().unwrap().ends_with('.')));
+    assert!(!folder.path().join("bare/series.csv").exists());
+    // What is printed is what the whole run prints.
+    let whole = compare(ANCHORED, &path("other"), &select("quantities,checks,verdict,methods"));
+    let whole = json(&whole);
+    assert!(short["quantities"] == whole["quantities"] && short["checks"] == whole["checks"]);
+    let verdict = json(&compare(ANCHORED, &path("other"), &select("verdict,not_computed")));
+    assert_eq!(verdict["verdict"], whole["verdict"]);
+    assert_eq!(verdict["not_computed"].as_array().map(Vec::len), Some(2));
+    // No report of it, and no golden folder; a comparison says what it leaves out.
+    let report = tankcheck(&["report", &path("bare")]);
+    assert_eq!(report.status.code(), Some(2));
+    assert!(
+        said(&report).contains("envelopes") && said(&report).contains("without --select"),
+        "{}",
+        said(&report)
+    );
+    let diff = tankcheck(&["diff", &path("kept"), &path("bare")]);
+    let told = String::from_utf8_lossy(&diff.stdout).into_owned();
+    assert!(told.contains("same") && told.contains("not compared"), "{told}");
+    assert_eq!(diff.status.code(), Some(0));
+    let bless = tankcheck(&["diff", &path("kept"), &path("bare"), "--bless", "--reason", "faster"]);
+    assert_eq!(bless.status.code(), Some(2));
+    assert!(said(&bless).contains("envelopes"), "{}", said(&bless));
+    assert!(folder.path().join("kept/series.csv").exists());
+}
+
+/// Every number of a run of selected parts has the bits of the whole run: anchored, with a vertical record, lifted on its bottom, by direct
+/// integration, on isolators and on soil.
+#[test]
+fn selected_parts_have_the_bits_of_the_whole_run() {
+    let all = [Part::Envelopes, Part::Histories, Part::Grounds, Part::MeshError];
+    let examples: [(&str, bool, bool); 6] = [
+        ("01_broad_tank", false, false),
+        ("01_broad_tank", true, false),
+        ("01_broad_tank", false, true),
+        ("05_oil_tank", false, false),
+        ("11_slab_tank/tank_soil.json", false, false),
+        ("11_slab_tank/tank_isolated.json", false, false),
+    ];
+    for (example, vertical, newmark) in examples {
+        let mut job = job(example, vertical);
+        job.linear.mesh_error = false;
+        if newmark {
+            job.linear.integrator = Integrator::Newmark;
+        }
+        let whole = alone(&job);
+        job.without = all.to_vec();
+        let selected = alone(&job);
+        assert!(selected.series.time.is_empty() && !whole.series.time.is_empty());
+        let left = selected.results.not_computed.clone();
+        let moves = whole.results.runs[0].base.is_some();
+        assert_eq!(left.len(), if moves { 4 } else { 3 }, "{example}");
+        assert!(left.iter().all(|left| !selected.results.has(left.part)), "{example}");
+        let [whole, selected] =
+            [whole, selected].map(|found| serde_json::to_value(found.results.without(&left)).unwrap());
+        same(&whole, &selected, example);
+    }
+}
+
+/// A run in a thread of its own: procedures keep curves of strips in their thread, and the next run on it differs by rounding.
+fn alone(job: &Job) -> Outcome {
+    std::thread::scope(|scope| scope.spawn(|| pipeline::run(job, &Silent).unwrap()).join().unwrap())
+}
+
+/// Panics at the first place where two documents differ; numbers are compared bit by bit.
+fn same(a: &serde_json::Value, b: &serde_json::Value, path: &str) {
+    use serde_json::Value::{Array, Object};
+    match (a, b) {
+        (Array(x), Array(y)) if x.len() == y.len() => {
+            for (i, (x, y)) in x.iter().zip(y).enumerate() {
+                same(x, y, &format!("{path}[{i}]"));
+            }
+        }
+        (Object(x), Object(y)) if x.keys().eq(y.keys()) => {
+            for (key, x) in x {
+                same(x, &y[key], &format!("{path}.{key}"));
+            }
+        }
+        _ => assert_eq!(a, b, "{path}"),
+    }
+}
+
+/// The job of an example under the record, with it upwards too.
+fn job(example: &str, vertical: bool) -> Job {
+    let name = if example.ends_with(".json") {
+        example.into()
+    } else {
+        format!("{example}/tank.json")
+    };
+    let tank = read_tank(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap();
+    let mut case = tank.case;
+    let record = Record {
+        name: "two tones".into(),
+        dt: 0.02,
+        acceleration: (0..400)
+            .map(|k| 3.5 * (0.11 * f64::from(k)).sin() + 2.0 * (0.43 * f64::from(k)).cos())
+            .collect(),
+        processing: Vec::new(),
+    };
+    case.ground_motion = Some(GroundMotion {
+        horizontal: record.clone(),
+        transverse: None,
+        vertical: vertical.then(|| record.clone()),
+    });
+    Job {
+        case,
+        project: None,
+        procedures: pipeline::select_procedures(&[]).unwrap(),
+        decision: tank.decision,
+        engines: vec![EngineId::Harmonic],
+        linear: tank.fe,
+        solid: tank.solid,
+        nonlinear: tank.nonlinear,
+        checkpoint: None,
+        without: Vec::new(),
+        echo: tank.echo,
+        files: Vec::new(),
+        warnings: tank.warnings,
+        raw_records: vec![record; 2],
+        usable_periods: Vec::new(),
+    }
 }
 
 /// A change of one course: verdict, quantities and checks come first, calculation lines on request.
