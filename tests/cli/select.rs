@@ -179,7 +179,13 @@ fn a_folder_of_selected_parts_says_what_it_has_not() {
 /// integration, on isolators and on soil.
 #[test]
 fn selected_parts_have_the_bits_of_the_whole_run() {
-    let all = [Part::Envelopes, Part::Histories, Part::Grounds, Part::MeshError];
+    let all = [
+        Part::Envelopes,
+        Part::Histories,
+        Part::Grounds,
+        Part::Isolators,
+        Part::MeshError,
+    ];
     let examples: [(&str, bool, bool); 6] = [
         ("01_broad_tank", false, false),
         ("01_broad_tank", true, false),
@@ -199,7 +205,7 @@ fn selected_parts_have_the_bits_of_the_whole_run() {
         let selected = alone(&job);
         assert!(selected.series.time.is_empty() && !whole.series.time.is_empty());
         let left = selected.results.not_computed.clone();
-        let moves = whole.results.runs[0].base.is_some();
+        let moves = whole.results.runs[0].base.is_some() || whole.results.runs[0].isolation.is_some();
         assert_eq!(left.len(), if moves { 4 } else { 3 }, "{example}");
         assert!(left.iter().all(|left| !selected.results.has(left.part)), "{example}");
         let [whole, selected] =

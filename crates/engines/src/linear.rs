@@ -299,7 +299,13 @@ fn report(
                 .into(),
         );
     }
-    let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
+    let mut isolated = isolation::isolated(
+        case,
+        (linear.engine, model),
+        &analysis,
+        motion,
+        (options, linear.extent),
+    )?;
     let mut free = rocking::free(
         case,
         (linear.engine, model),

@@ -16,6 +16,8 @@ pub enum Part {
     Histories,
     /// A base that lifts on softer and on harder ground.
     Grounds,
+    /// Isolators with lower and upper properties.
+    Isolators,
 }
 
 impl Part {
@@ -26,6 +28,7 @@ impl Part {
             Part::Envelopes => "envelopes over the height",
             Part::Histories => "time histories",
             Part::Grounds => "softer and harder ground",
+            Part::Isolators => "bounds of the isolators",
         }
     }
 
@@ -39,6 +42,9 @@ impl Part {
             Part::Histories => "There are no time histories: no series.csv.",
             Part::Grounds => {
                 "The base was not run on softer and on harder ground. It was run under motions slightly apart: checks know whether it repeats."
+            }
+            Part::Isolators => {
+                "The isolators have their nominal properties; there is no run with lower and upper ones."
             }
         }
     }
@@ -79,6 +85,8 @@ impl Results {
                 .base
                 .as_ref()
                 .is_some_and(|base| !base.band.is_empty() || !base.missed.is_empty()),
+            // One is the run itself.
+            Part::Isolators => run.isolation.as_ref().is_some_and(|isolation| isolation.band.len() > 1),
         })
     }
 
@@ -94,6 +102,13 @@ impl Results {
                         if let Some(base) = &mut run.base {
                             base.band.clear();
                             base.missed.clear();
+                        }
+                    }
+                    Part::Isolators => {
+                        // Lower, nominal, upper.
+                        if let Some(band) = run.isolation.as_mut().map(|isolation| &mut isolation.band) {
+                            band.truncate(2);
+                            band.drain(..band.len().saturating_sub(1));
                         }
                     }
                 }

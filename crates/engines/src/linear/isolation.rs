@@ -21,7 +21,7 @@ use tank::case::GroundMotion;
 use tank::options::LinearOptions as Options;
 use tank::{Bearing, Case, Isolators, Quantity, Shape};
 
-use super::analysis::{Analysis, analyse};
+use super::analysis::{Analysis, Extent, analyse};
 use super::model::Model;
 use crate::FeError;
 use crate::harmonic::Places;
@@ -36,13 +36,15 @@ const LONGEST: f64 = 1e-3;
 
 /// The run on isolators; `None` of a tank without them, and of the other engines.
 ///
+/// * `extent`: whether it also runs with lower and upper properties
+///
 /// Errors: dashpots, which couple the modes; a march without convergence; a response that is not finite.
 pub(super) fn isolated(
     case: &Case,
     (engine, model): (EngineId, &Model),
     still: &Analysis<'_>,
     motion: &GroundMotion,
-    options: &Options,
+    (options, extent): (&Options, Extent),
 ) -> Result<Option<Isolated>, FeError> {
     let Some(given) = case.tank.isolators.filter(|_| engine == EngineId::Harmonic) else {
         return Ok(None);
@@ -53,15 +55,18 @@ pub(super) fn isolated(
     let setup = Setup::new(case, model, &given, still.grid, motion, options);
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let (main, bounds) = std::thread::scope(|scope| {
-        let bounds = given.bounds.map(|factor| {
-            let (setup, given) = (&setup, &given);
-            scope.spawn(move || setup.bound(given, factor, model, motion, options, round))
-        });
+        let wanted = given.bounds.into_iter().filter(|_| extent.has_band());
+        let bounds: Vec<_> = wanted
+            .map(|factor| {
+                let (setup, given) = (&setup, &given);
+                scope.spawn(move || setup.bound(given, factor, model, motion, options, round))
+            })
+            .collect();
         let main = setup.march(&setup.isolators(&given, 1.0));
         let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
             handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
         };
-        (main, bounds.map(join))
+        (main, bounds.into_iter().map(join).collect::<Vec<_>>())
     });
     let history = main.map_err(failure)?;
     let bounds = bounds.into_iter().collect::<Result<Vec<IsolationBand>, FeError>>()?;

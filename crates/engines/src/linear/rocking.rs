@@ -143,7 +143,7 @@ pub(super) fn free(
     };
     let setup = Setup {
         thorough: extent.repeats(),
-        grounds: extent.has_grounds(),
+        grounds: extent.has_band(),
         known: known.cloned(),
         states,
         ..setup
@@ -190,7 +190,7 @@ fn on_anchors(
     };
     let setup = Setup {
         thorough: extent.repeats(),
-        grounds: extent.has_grounds(),
+        grounds: extent.has_band(),
         known: known.cloned(),
         friction: None,
         anchors: Some(Anchors {
