@@ -189,16 +189,26 @@ pub(super) fn sliding(work: &mut Work<'_>) {
     let upwards = |k: usize| factor * ready.upwards(k);
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     for (id, friction, clause) in frictions {
-        let capacity = |k: usize| friction * mass * (case.gravity + upwards(k));
-        let ratio = |k: usize| match capacity(k) {
-            c if c > 0.0 => size(k) / c,
+        // It grows with the size and falls with the acceleration, rounding included: extremes of a row bound its instants.
+        let ratio = |size: f64, upwards: f64| match friction * mass * (case.gravity + factor * upwards) {
+            c if c > 0.0 => factor * size / c,
             _ => f64::INFINITY,
         };
-        let larger = |best: (usize, f64), next: (usize, f64)| match next.1.total_cmp(&best.1).is_gt() {
-            true => next,
-            false => best,
-        };
-        let Some((k, utilisation)) = (0..shear.len()).map(|k| (k, ratio(k))).reduce(larger) else {
+        let mut worst: Option<(usize, f64)> = None;
+        let more =
+            |ratio: f64, worst: Option<(usize, f64)>| worst.is_none_or(|(_, most)| ratio.total_cmp(&most).is_gt());
+        for (number, (row, largest)) in shear.rows().enumerate() {
+            if !more(ratio(largest, ready.least_upwards(number)), worst) {
+                continue;
+            }
+            for k in row {
+                let ratio = ratio(shear.size(k), ready.upwards(k));
+                if more(ratio, worst) {
+                    worst = Some((k, ratio));
+                }
+            }
+        }
+        let Some((k, utilisation)) = worst else {
             continue;
         };
         let (time, upwards) = (work.demands.times[k], upwards(k));

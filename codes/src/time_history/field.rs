@@ -6,8 +6,12 @@
 //!
 //! The extremes of the bracket around the circumference hold for every factor.
 
+mod pair;
+
 use std::f64::consts::TAU;
 use std::ops::Range;
+
+pub(super) use pair::Pair;
 
 use tank::demand::{Demands, OnWall, Terms};
 
@@ -224,6 +228,12 @@ impl Moved {
         }
     }
 
+    /// What the absolute values of both parts add up to at most.
+    fn size(&self) -> f64 {
+        let Moved { even, odd, .. } = self;
+        even.0.abs().max(even.1.abs()) + odd.0.abs().max(odd.1.abs())
+    }
+
     /// Of both.
     fn and(self, other: Moved) -> Moved {
         Moved {
@@ -354,14 +364,19 @@ impl Extremes {
 
     /// The field by directions, without a motion along y.
     pub(super) fn fan(&self, span: Span, factor: f64) -> Fan {
-        let Moved { even, odd, .. } = self.moved(span);
-        let size = even.0.abs().max(even.1.abs()) + odd.0.abs().max(odd.1.abs());
-        let (low, high) = self.at_rest_and(even, size, factor);
+        let moved = self.moved(span);
+        let Moved { even, odd, .. } = moved;
+        let (low, high) = self.at_rest_and(even, moved.size(), factor);
         Fan {
             low,
             high,
             odd: (factor * odd.0, factor * odd.1),
         }
+    }
+
+    /// What the absolute values of all terms add up to at most.
+    fn size(&self, factor: f64) -> f64 {
+        self.rest.abs() + factor * self.all.size()
     }
 
     /// * `size`: that of the terms of the range

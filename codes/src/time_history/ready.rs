@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use tank::case::Case;
 use tank::demand::{Demands, Place, Terms};
@@ -32,6 +33,8 @@ pub struct Ready<'a> {
     pub(super) moment: Option<History>,
     /// Vertical acceleration of the ground, upwards [m/s²].
     pub(super) vertical: Option<Vec<f64>>,
+    /// The least of it in each of [`rows`]; none without one.
+    least_upwards: Vec<f64>,
 }
 
 impl Ready<'_> {
@@ -39,20 +42,36 @@ impl Ready<'_> {
     pub(super) fn upwards(&self, k: usize) -> f64 {
         self.vertical.as_ref().map_or(0.0, |a| a[k])
     }
+
+    /// The least of it in a row of instants.
+    pub(super) fn least_upwards(&self, row: usize) -> f64 {
+        self.least_upwards.get(row).copied().unwrap_or(0.0)
+    }
 }
 
 /// A history under the motion along x, and along y where there is one.
 pub(super) struct History {
     along: Vec<f64>,
     transverse: Option<Vec<f64>>,
+    /// Largest size in each of [`rows`].
+    largest: Vec<f64>,
 }
 
 impl History {
     fn of(demands: &Demands, terms: &Terms) -> History {
-        History {
+        let mut history = History {
             along: demands.history(terms),
             transverse: demands.transverse(terms),
-        }
+            largest: Vec::new(),
+        };
+        let largest = |row: Range<usize>| row.map(|k| history.size(k)).fold(0.0, f64::max);
+        history.largest = rows(history.len()).map(largest).collect();
+        history
+    }
+
+    /// Rows of instants with the largest size in each.
+    pub(super) fn rows(&self) -> impl Iterator<Item = (Range<usize>, f64)> {
+        rows(self.len()).zip(self.largest.iter().copied())
     }
 
     pub(super) fn len(&self) -> usize {
@@ -79,14 +98,18 @@ impl<'a> Ready<'a> {
         let directions = directions(demands);
         let (mut wall, mut at_base) = (Vec::new(), Vec::new());
         if base::radius(case).is_some() {
+            let size = |most: f64, value: &f64| most.max(value.abs());
+            let peaks: Vec<f64> = (demands.states.iter())
+                .map(|state| state.iter().fold(0.0, size))
+                .collect();
             let bottom = demands.places.iter().filter(|place| place.z == 0.0);
-            at_base = bottom.map(|place| Searched::new(demands, place, 1.0)).collect();
+            at_base = bottom.map(|place| Searched::new(demands, place, 1.0, &peaks)).collect();
             if case.tank.is_metal() {
                 let searched = |place: &'a Place| {
                     let course = case.tank.courses.get(place.course)?;
                     let lost = course.thickness / course.net_thickness();
                     let poisson = course.material.poisson_ratio;
-                    Some(Searched::new(demands, place, lost).bent(poisson, &directions))
+                    Some(Searched::new(demands, place, lost, &peaks).bent(poisson, &directions))
                 };
                 wall = demands.places.iter().filter_map(searched).collect();
             }
@@ -94,10 +117,16 @@ impl<'a> Ready<'a> {
         side_by_side([&mut wall, &mut at_base], demands.times.len());
         let held = demands.base.as_ref().and_then(|base| base.held_shear.as_ref());
         let history = |terms: &Terms| History::of(demands, terms);
+        let vertical = demands.vertical.as_ref().map(|terms| demands.history(terms));
+        let least = |a: &Vec<f64>| {
+            let of = |row: Range<usize>| a[row].iter().copied().fold(f64::INFINITY, f64::min);
+            rows(a.len()).map(of).collect()
+        };
         Ready {
+            least_upwards: vertical.as_ref().map(least).unwrap_or_default(),
             shear: held.or(demands.base_shear.as_ref()).map(history),
             moment: demands.overturning_moment.as_ref().map(history),
-            vertical: demands.vertical.as_ref().map(|terms| demands.history(terms)),
+            vertical,
             base: at_base,
             governing: RefCell::default(),
             shelf: Shelf::default(),

@@ -14,9 +14,11 @@ mod membrane;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use tank::demand::{Angles, Demands, OnWall, Place};
+use tank::demand::{Angles, Demands, OnWall, Place, Terms};
 
-use super::field::{Direction, Extremes, Factors, Field, SIDES, Span, block_of, blocks_of, factored, instants, rows};
+use super::field::{
+    Direction, Extremes, Factors, Field, Pair, SIDES, Span, block_of, blocks_of, factored, instants, rows,
+};
 use at_base::AtBase;
 use membrane::Membrane;
 
@@ -115,23 +117,45 @@ pub(super) struct Searched<'a> {
     lost: f64,
     hoop: Extremes,
     axial: Extremes,
-    pressure: Option<Extremes>,
+    pressure: Option<Pressed>,
     shear: Option<Extremes>,
     base: Option<AtBase>,
+}
+
+/// The pressure at a place.
+struct Pressed {
+    extremes: Extremes,
+    /// The axial stress by the pressure.
+    axial: Pair,
+}
+
+/// About how large a combination becomes.
+///
+/// * `peaks`: largest absolute value of each state
+fn size(terms: &Terms, peaks: &[f64]) -> f64 {
+    let of = |&(state, factor): &(usize, f64)| factor.abs() * peaks.get(state).copied().unwrap_or(0.0);
+    terms.iter().map(of).sum()
 }
 
 impl<'a> Searched<'a> {
     /// Places without any instant of the wall as corrosion leaves it, or as the engine has it without.
     ///
     /// * `lost`: thickness as built over that left
-    pub(super) fn new(demands: &'a Demands, place: &'a Place, lost: f64) -> Searched<'a> {
+    /// * `peaks`: largest absolute value of each state
+    pub(super) fn new(demands: &'a Demands, place: &'a Place, lost: f64, peaks: &[f64]) -> Searched<'a> {
         let of = |field: &OnWall, stress: f64| {
             Extremes::new(field.rest * stress, !field.even.is_empty(), demands.times.len())
         };
         Searched {
             hoop: of(&place.hoop, lost),
             axial: of(&place.axial, lost),
-            pressure: place.pressure.as_ref().map(|pressure| of(pressure, 1.0)),
+            pressure: place.pressure.as_ref().map(|pressure| Pressed {
+                extremes: of(pressure, 1.0),
+                axial: Pair::new(
+                    lost * size(&place.axial.odd, peaks) / size(&pressure.odd, peaks),
+                    demands.times.len(),
+                ),
+            }),
             shear: { place.shear.as_ref() }.map(|_| Extremes::new(0.0, false, demands.times.len())),
             base: None,
             demands,
@@ -146,9 +170,12 @@ impl<'a> Searched<'a> {
         let factors = |stress: f64| Factors { stress, motion: 1.0 };
         let part = |of: &OnWall, stress: f64| Field::part(demands, of, instants.clone(), factors(stress));
         self.hoop.take(&part(&place.hoop, self.lost));
-        self.axial.take(&part(&place.axial, self.lost));
-        if let (Some(pressure), Some(of)) = (&mut self.pressure, &place.pressure) {
-            pressure.take(&part(of, 1.0));
+        let axial = part(&place.axial, self.lost);
+        self.axial.take(&axial);
+        if let (Some(pressed), Some(of)) = (&mut self.pressure, &place.pressure) {
+            let pressure = part(of, 1.0);
+            pressed.extremes.take(&pressure);
+            pressed.axial.take(&axial, &pressure);
         }
         if let (Some(shear), Some(terms)) = (&mut self.shear, &place.shear) {
             let of = |values: Vec<f64>| factored(values, factors(self.lost));

@@ -65,20 +65,26 @@ pub fn check_series(method: &str, series: &Series) -> Result<(), Error> {
 }
 
 fn named(value: &(impl Serialize + ?Sized), name: impl Fn(&str) -> String) -> Result<(), Error> {
-    let mut walk = Walk { path: String::new() };
+    let mut walk = Walk { place: Vec::new() };
     match value.serialize(&mut walk) {
         Ok(()) => Ok(()),
         Err(Stop::NotFinite(value)) => Err(Error::NotFinite {
-            quantity: name(&walk.path),
+            quantity: name(&walk.path()),
             value,
         }),
         Err(Stop::Other(reason)) => Err(Error::Report(reason)),
     }
 }
 
-/// A serialiser without output that stops at a number that is not finite; `path` is then its place.
+/// A serialiser without output that stops at a number that is not finite; `place` then leads from it to the whole.
 struct Walk {
-    path: String,
+    place: Vec<Step>,
+}
+
+/// A step into a value.
+enum Step {
+    Member(String),
+    Index(usize),
 }
 
 #[derive(Debug)]
@@ -105,22 +111,26 @@ impl ser::Error for Stop {
 }
 
 impl Walk {
-    /// Walks into a member; the path grows only while it is there, and stays at a stop.
-    fn inside(&mut self, value: &(impl Serialize + ?Sized), step: impl FnOnce(&mut String)) -> Result<(), Stop> {
-        let length = self.path.len();
-        step(&mut self.path);
-        value.serialize(&mut *self)?;
-        self.path.truncate(length);
-        Ok(())
+    /// The place of the number, from the whole.
+    fn path(&self) -> String {
+        self.place.iter().rev().fold(String::new(), |path, step| match step {
+            Step::Member(key) if path.is_empty() => key.clone(),
+            Step::Member(key) => format!("{path}.{key}"),
+            Step::Index(index) => format!("{path}[{index}]"),
+        })
+    }
+
+    /// Walks into a member. Most numbers are finite: a step is written down only on the way back from one that is not.
+    fn inside(&mut self, value: &(impl Serialize + ?Sized), step: impl FnOnce() -> Step) -> Result<(), Stop> {
+        let found = value.serialize(&mut *self);
+        if found.is_err() {
+            self.place.push(step());
+        }
+        found
     }
 
     fn member(&mut self, key: &str, value: &(impl Serialize + ?Sized)) -> Result<(), Stop> {
-        self.inside(value, |path| {
-            if !path.is_empty() {
-                path.push('.');
-            }
-            path.push_str(key);
-        })
+        self.inside(value, || Step::Member(key.to_owned()))
     }
 }
 
@@ -225,7 +235,7 @@ impl<'w> Members<'w> {
     fn next(&mut self, value: &(impl Serialize + ?Sized)) -> Result<(), Stop> {
         let index = self.index;
         self.index += 1;
-        self.walk.inside(value, |path| path.push_str(&format!("[{index}]")))
+        self.walk.inside(value, || Step::Index(index))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Axial compression against a capacity that depends on the interior pressure of the same instant and place.
 
-use super::{Floors, Found, ROUNDING, Search, ratio};
+use super::{Floors, Found, Pressed, ROUNDING, Search, ratio};
 use crate::time_history::field::{Direction, Extremes, Span};
 
 /// A capacity that depends on the interior pressure [Pa], monotonously: at no pressure of a range is it below both ends.
@@ -11,6 +11,24 @@ pub(crate) struct Capacity<'a> {
     pub(crate) floors: &'a Floors,
 }
 
+/// What some instants are asked: whether compression over capacity can exceed a utilisation.
+struct Exceeds<'a> {
+    floors: &'a Floors,
+    /// The row of the instants; none for all of them.
+    row: Option<usize>,
+    above: f64,
+}
+
+impl Exceeds<'_> {
+    /// Whether it can with a compression and a lower bound of the capacity [Pa].
+    fn by(&self, most: f64, least: f64) -> bool {
+        ratio(most, least) * (1.0 + ROUNDING) > self.above
+    }
+}
+
+/// How often a range of pressures is halved for closer bounds: to about the parts of the lower bounds of the capacity.
+const HALVINGS: usize = 6;
+
 impl Search<'_> {
     /// Bounds of the interior pressure at the place under this motion [Pa].
     pub(crate) fn pressures(&self) -> (f64, f64) {
@@ -19,30 +37,64 @@ impl Search<'_> {
 
     /// Bounds of the pressure, and of the compression the upper one [Pa].
     fn compression_bounds(&self, span: Span) -> ((f64, f64), f64) {
-        let pressure = self.at.pressure.as_ref();
-        let pressure = pressure.map_or((0.0, 0.0), |p| p.bounds(span, self.factor));
+        let pressed = self.at.pressure.as_ref();
+        let pressure = pressed.map_or((0.0, 0.0), |pressed| pressed.extremes.bounds(span, self.factor));
         (pressure, -self.at.axial.bounds(span, self.factor).0)
     }
 
     /// Whether compression over capacity can exceed a utilisation in some instants.
     fn compressed_above(&self, floors: &Floors, span: Span, above: f64) -> bool {
-        let floor = |(low, high): (f64, f64)| floors.at(low).min(floors.at(high));
-        let exceeds = |most: f64, floor: f64| ratio(most, floor) * (1.0 + ROUNDING) > above;
+        let row = match span {
+            Span::All => None,
+            Span::Row(row) => Some(row),
+            Span::Block(_) => return self.block_above(floors, span, above),
+        };
         let (range, most) = self.compression_bounds(span);
-        let least = floor(range);
-        if !exceeds(most, least) {
+        let exceeds = Exceeds { floors, row, above };
+        self.pressed_above(&exceeds, range, most, HALVINGS)
+    }
+
+    /// The same with a pressure of a range.
+    ///
+    /// * `most`: bound of the compression [Pa]
+    /// * `halvings`: how often the range may be halved for closer bounds
+    fn pressed_above(&self, exceeds: &Exceeds<'_>, (low, high): (f64, f64), most: f64, halvings: usize) -> bool {
+        let beside = |pressed: &Pressed| {
+            let of = [&self.at.axial, &pressed.extremes];
+            -pressed.axial.least(of, exceeds.row, self.factor, high)
+        };
+        let most = (self.at.pressure.as_ref()).map_or(most, |pressed| most.min(beside(pressed)));
+        if !exceeds.by(most, exceeds.floors.between((low, high))) {
+            return false;
+        }
+        let middle = 0.5 * (low + high);
+        let half = |range: (f64, f64)| self.pressed_above(exceeds, range, most, halvings - 1);
+        halvings == 0 || half((middle, high)) || half((low, middle))
+    }
+
+    /// The same of a block.
+    fn block_above(&self, floors: &Floors, block: Span, above: f64) -> bool {
+        let exceeds = Exceeds {
+            floors,
+            row: None,
+            above,
+        };
+        let (range, most) = self.compression_bounds(block);
+        let least = floors.between(range);
+        if !exceeds.by(most, least) {
             return false;
         }
         if !self.at.demands.transverse.is_empty() {
             return true;
         }
         // Direction by direction, with the pressure of those alone that are compressed enough.
-        let fan = |of: &Extremes| of.fan(span, self.factor);
-        let (axial, pressure) = (fan(&self.at.axial), self.at.pressure.as_ref().map(fan));
+        let fan = |of: &Extremes| of.fan(block, self.factor);
+        let pressed = self.at.pressure.as_ref();
+        let (axial, pressure) = (fan(&self.at.axial), pressed.map(|pressed| fan(&pressed.extremes)));
         self.directions.iter().any(|&(cosine, _)| {
             let most = -axial.at(cosine).0;
             let own = || pressure.as_ref().map_or((0.0, 0.0), |pressure| pressure.at(cosine));
-            exceeds(most, least) && exceeds(most, floor(own()))
+            exceeds.by(most, least) && exceeds.by(most, floors.between(own()))
         })
     }
 

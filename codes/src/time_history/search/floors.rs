@@ -50,6 +50,11 @@ impl Floors {
         self.range.0 <= low && high <= self.range.1
     }
 
+    /// Between two pressures of the range.
+    pub(super) fn between(&self, (low, high): (f64, f64)) -> f64 {
+        self.at(low).min(self.at(high))
+    }
+
     /// At a pressure of the range; next to an edge, where rounding decides, the smaller of both parts.
     pub(super) fn at(&self, pressure: f64) -> f64 {
         let place = (pressure - self.range.0) * self.per_pascal;
