@@ -366,7 +366,7 @@ fn report(
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
-    rocking::say(&free, &mut notes, &mut assumptions);
+    rocking::say(&free, options.heave.is_some(), &mut notes, &mut assumptions);
     let modelled = free.is_modelled();
     let of_base = rocking::limits(&free);
     if let rocking::Free::Moves(found) = &free {

@@ -329,7 +329,12 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
 }
 
 /// Replaces the note and the assumptions of a wall that is held down.
-pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<String>) {
+///
+/// * `heave`: whether inertia on the foot is asked for
+pub(super) fn say(free: &Free, heave: bool, notes: &mut Vec<String>, assumptions: &mut Vec<String>) {
+    if heave && free.moved().is_none() {
+        notes.push(words::NO_HEAVE.into());
+    }
     if free.is_modelled() {
         assumptions.retain(|text| text != IN_CONTACT);
     }

@@ -208,14 +208,18 @@ pub(super) fn analysis(
 fn heave(r: &mut Resolver<'_>, option: &Opt<FootHeave>, tank: Option<&Tank>) -> Option<Heave> {
     let field = option.given.as_ref()?;
     let given = field.value.as_ref()?;
-    let lifts = |tank: &Tank| matches!(tank.shape, Shape::Cylinder { .. }) && tank.support == Support::Unanchored;
-    if tank.is_some_and(|tank| !lifts(tank)) {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            field,
+    let refused = tank.and_then(|tank| match (tank.shape, tank.support, &tank.bottom) {
+        (Shape::Cylinder { .. }, Support::Unanchored, Some(_)) => None,
+        (Shape::Cylinder { .. }, Support::Unanchored, None) => {
+            Some(("no foot lifts without a bottom plate", "a tank with `tank.bottom`"))
+        }
+        _ => Some((
             "only the foot of an unanchored cylinder lifts",
             "a cylinder with \"support\": \"unanchored\"",
-        );
+        )),
+    });
+    if let Some((message, allowed)) = refused {
+        let fault = range_fault(Code::DoesNotApply, field, message, allowed);
         r.faults.push(fault.help("remove analysis.heave"));
     }
     Some(Heave {
@@ -226,25 +230,39 @@ fn heave(r: &mut Resolver<'_>, option: &Opt<FootHeave>, tank: Option<&Tank>) -> 
     })
 }
 
-/// Stations of internal forces, of a cylinder alone.
-fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, tank: Option<&Tank>) -> Vec<WallPlace> {
+/// A list that only a cylinder may have, with faults where the tank is another, or the list too long.
+///
+/// * `what`: its items in a sentence, and counted
+fn of_cylinder<'a, T>(
+    r: &mut Resolver<'_>,
+    option: &'a Opt<Vec<Field<T>>>,
+    tank: Option<&Tank>,
+    (what, items): (&str, &str),
+) -> &'a [Field<T>] {
     let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
-        return Vec::new();
+        return &[];
     };
     if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            field,
-            "stations of internal forces are for cylinders",
-            "a cylinder",
-        );
-        r.faults.push(fault.help("remove analysis.force_stations"));
+        let message = format!("{what} are for cylinders");
+        let fault = range_fault(Code::DoesNotApply, field, &message, "a cylinder");
+        r.faults.push(fault.help(format!("remove {}", field.path)));
     }
     let (_, most) = field.limits.items;
     if list.len() > most {
-        let fault = range_fault(Code::ItemCount, field, "too many stations", &format!("at most {most}"));
-        r.faults.push(fault.found(format!("{} stations", list.len())));
+        let fault = range_fault(
+            Code::ItemCount,
+            field,
+            &format!("too many {items}"),
+            &format!("at most {most}"),
+        );
+        r.faults.push(fault.found(format!("{} {items}", list.len())));
     }
+    list
+}
+
+/// Stations of internal forces, of a cylinder alone.
+fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, tank: Option<&Tank>) -> Vec<WallPlace> {
+    let list = of_cylinder(r, option, tank, ("stations of internal forces", "stations"));
     let height = tank.map_or(f64::NAN, Tank::wall_height);
     let mut all: Vec<WallPlace> = Vec::new();
     for one in list {
@@ -342,28 +360,7 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
 
 /// Rings of dashpots, of a cylinder alone.
 fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank: Option<&Tank>) -> Vec<Dashpots> {
-    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
-        return Vec::new();
-    };
-    if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            field,
-            "dashpots around the wall are for cylinders",
-            "a cylinder",
-        );
-        r.faults.push(fault.help("remove analysis.damping.dashpots"));
-    }
-    let (_, most) = field.limits.items;
-    if list.len() > most {
-        let fault = range_fault(
-            Code::ItemCount,
-            field,
-            "too many rings of dashpots",
-            &format!("at most {most}"),
-        );
-        r.faults.push(fault.found(format!("{} rings", list.len())));
-    }
+    let list = of_cylinder(r, option, tank, ("dashpots around the wall", "rings of dashpots"));
     let height = tank.map_or(f64::NAN, Tank::wall_height);
     let mut all = Vec::new();
     for given in list.iter().filter_map(|one| one.value.as_ref()) {

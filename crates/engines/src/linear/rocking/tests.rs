@@ -460,11 +460,29 @@ fn a_missed_ground_is_named() {
     };
     assert_eq!(missed.modulus, 3e8);
     let mut notes = vec![HELD_DOWN.to_owned()];
-    say(&Free::Moves(Box::new(moved)), &mut notes, &mut Vec::new());
+    say(&Free::Moves(Box::new(moved)), true, &mut notes, &mut Vec::new());
     let [moves, note] = &notes[..] else { panic!("{notes:?}") };
     assert_eq!(*moves, words::moves(false));
     for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
         assert!(note.contains(part), "`{part}` is missing in {note}");
+    }
+}
+
+/// Inertia on the foot that is asked for has no effect where the foot does not lift, and that is said.
+#[test]
+fn heave_without_effect_is_said() {
+    let case = oil(25e3, 1e8, 0.02);
+    for heave in [None, Some(tank::options::linear::Heave { damping: None })] {
+        let options = Options {
+            heave,
+            ..Options::default()
+        };
+        let run = crate::linear::simulate(&case, &options).unwrap();
+        let said = run
+            .notes
+            .iter()
+            .any(|note| note.contains("`analysis.heave` has no effect"));
+        assert_eq!(said, heave.is_some(), "{:?}", run.notes);
     }
 }
 

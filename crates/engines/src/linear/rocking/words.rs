@@ -27,6 +27,8 @@ pub(super) const WALL: &str =
 /// What a wall that yields means.
 pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, which the strips leave out: wall and plate share the plastic \
      rotation, of which the value here is the sum. `tankcheck push` and the nonlinear engine model both.";
+/// Inertia on the foot is asked for, and no foot lifts.
+pub(super) const NO_HEAVE: &str = "`analysis.heave` has no effect: in this engine's run the foot does not lift.";
 /// The model lacks rows.
 pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
 
