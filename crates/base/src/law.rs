@@ -13,6 +13,7 @@
 use std::f64::consts::TAU;
 
 use crate::error::BaseError;
+use crate::halves::side_by_side;
 use crate::march::Lifted;
 use crate::model::Base;
 use crate::rocking::{Rocking, Turn};
@@ -47,9 +48,45 @@ pub struct Law {
     suctions: Vec<f64>,
     /// Turns by bottom pressure, then rotation.
     turns: Vec<Vec<Turn>>,
-    slopes: Vec<Vec<f64>>,
+    /// Cubics by bottom pressure, then interval of rotations.
+    cubics: Vec<Vec<Cubic>>,
+    /// First place that is not below each of [`BINS`] even shares of the largest rotation.
+    bins: Vec<usize>,
+    initial: f64,
     springs: Vec<Spring>,
     linear: f64,
+}
+
+/// Even parts of the range of rotations in which the search of a place begins.
+const BINS: usize = 256;
+
+/// A moment between two rotations: its values and slopes there.
+#[derive(Clone, Copy, Debug)]
+struct Cubic {
+    values: [f64; 2],
+    slopes: [f64; 2],
+}
+
+impl Cubic {
+    /// At a share t of the interval of width h, straight on beyond its end.
+    fn at(&self, t: f64, h: f64) -> Response {
+        let ([a, b], [first, last]) = (self.values, self.slopes);
+        if t > 1.0 {
+            return Response {
+                moment: b + last * (t - 1.0) * h,
+                tangent: last,
+            };
+        }
+        let (m, n) = (first * h, last * h);
+        let (t2, t3) = (t * t, t * t * t);
+        Response {
+            moment: a * (1.0 - 3.0 * t2 + 2.0 * t3)
+                + b * (3.0 * t2 - 2.0 * t3)
+                + m * (t - 2.0 * t2 + t3)
+                + n * (t3 - t2),
+            tangent: ((b - a) * 6.0 * (t - t2) + m * (1.0 - 4.0 * t + 3.0 * t2) + n * (3.0 * t2 - 2.0 * t)) / h,
+        }
+    }
 }
 
 /// Moment or force and its derivative.
@@ -70,19 +107,28 @@ impl Law {
             .map(|j| largest * (j as f64 / ROTATIONS as f64).powi(3))
             .collect();
         let suctions = SUCTIONS.map(|share| share * rocking.pressure()).to_vec();
-        let mut turns = Vec::with_capacity(suctions.len());
-        for &suction in &suctions {
+        let turns = side_by_side(&suctions, |&suction| {
             let row = rotations.iter().map(|&psi| rocking.at(psi, suction));
-            turns.push(row.collect::<Result<Vec<Turn>, BaseError>>()?);
-        }
-        let slopes = turns.iter().map(|row| slopes(&rotations, row)).collect();
+            row.collect::<Result<Vec<Turn>, BaseError>>()
+        })?;
+        let slopes: Vec<Vec<f64>> = turns.iter().map(|row| slopes(&rotations, row)).collect();
+        let cubics = turns.iter().zip(&slopes).map(|(row, slopes)| {
+            let between = |j: usize| Cubic {
+                values: [row[j].moment, row[j + 1].moment],
+                slopes: [slopes[j], slopes[j + 1]],
+            };
+            (0..ROTATIONS).map(between).collect()
+        });
+        let bin = |i: usize| rotations.partition_point(|r| *r < largest * (i as f64 / BINS as f64));
         let rest = &turns[SUCTIONS.len() / 2];
         let (springs, linear) = springs(&rotations, rest);
         Ok(Law {
+            cubics: cubics.collect(),
+            bins: (0..=BINS).map(bin).collect(),
+            initial: slopes[SUCTIONS.len() / 2][0],
             rotations,
             suctions,
             turns,
-            slopes,
             springs,
             linear,
         })
@@ -115,7 +161,7 @@ impl Law {
 
     /// dM/dψ before any uplift [N m].
     pub fn initial(&self) -> f64 {
-        self.slopes[SUCTIONS.len() / 2][0]
+        self.initial
     }
 
     /// Largest rotation at rest pressure without uplift [rad]: up to it the rim stays on the ground.
@@ -134,12 +180,14 @@ impl Law {
     }
 
     pub(crate) fn places(&self, psi: f64, suction: f64) -> (usize, usize, f64) {
-        let j = self.rotations.partition_point(|r| *r < psi).clamp(1, ROTATIONS);
-        let s = suction.clamp(self.suctions[0], self.suctions[self.suctions.len() - 1]);
-        let k = self
-            .suctions
-            .partition_point(|v| *v < s)
-            .clamp(1, self.suctions.len() - 1);
+        let bin = (psi / self.largest() * BINS as f64).clamp(0.0, BINS as f64) as usize;
+        // Rounding may put the bin beyond ψ.
+        let from = self.bins[bin.saturating_sub(1)];
+        let after = |r: &&f64| **r < psi;
+        let j = (from + self.rotations[from..].iter().take_while(after).count()).clamp(1, ROTATIONS);
+        let s = suction.clamp(self.suctions[0], self.suctions[SUCTIONS.len() - 1]);
+        let below = self.suctions.iter().filter(|v| **v < s).count();
+        let k = below.clamp(1, SUCTIONS.len() - 1);
         let share = (s - self.suctions[k - 1]) / (self.suctions[k] - self.suctions[k - 1]);
         (j, k, share)
     }
@@ -154,27 +202,9 @@ impl Law {
             };
         }
         let (j, k, share) = self.places(psi, suction);
-        let at = |level: usize| -> Response {
-            let (row, slopes) = (&self.turns[level], &self.slopes[level]);
-            let h = self.rotations[j] - self.rotations[j - 1];
-            let t = (psi - self.rotations[j - 1]) / h;
-            if t > 1.0 {
-                return Response {
-                    moment: row[j].moment + slopes[j] * (t - 1.0) * h,
-                    tangent: slopes[j],
-                };
-            }
-            let (a, b) = (row[j - 1].moment, row[j].moment);
-            let (m, n) = (slopes[j - 1] * h, slopes[j] * h);
-            let (t2, t3) = (t * t, t * t * t);
-            Response {
-                moment: a * (1.0 - 3.0 * t2 + 2.0 * t3)
-                    + b * (3.0 * t2 - 2.0 * t3)
-                    + m * (t - 2.0 * t2 + t3)
-                    + n * (t3 - t2),
-                tangent: ((b - a) * 6.0 * (t - t2) + m * (1.0 - 4.0 * t + 3.0 * t2) + n * (3.0 * t2 - 2.0 * t)) / h,
-            }
-        };
+        let h = self.rotations[j] - self.rotations[j - 1];
+        let t = (psi - self.rotations[j - 1]) / h;
+        let at = |level: usize| self.cubics[level][j - 1].at(t, h);
         let (low, high) = (at(k - 1), at(k));
         Response {
             moment: low.moment + share * (high.moment - low.moment),
@@ -328,11 +358,10 @@ fn losses(base: &Base, largest: f64, shares: &[f64]) -> Result<Vec<(f64, f64)>, 
     let strip = base.strip(base.pressure)?;
     let rest = Lifted::at_rest(&strip, base.weight)?;
     let low = rest.uplift();
-    let mut found = vec![(0.0, 0.0)];
-    for share in shares {
-        let high = share * largest;
+    let lifted: Vec<f64> = shares.iter().map(|share| share * largest).collect();
+    let cycles = side_by_side(&lifted, |&high| {
         if high <= low.max(0.0) {
-            continue;
+            return Ok(None);
         }
         let mut state = rest.clone();
         let mut loss = 0.0;
@@ -349,9 +378,10 @@ fn losses(base: &Base, largest: f64, shares: &[f64]) -> Result<Vec<(f64, f64)>, 
                 }
             }
         }
-        found.push((high, loss.max(0.0)));
-    }
-    Ok(found)
+        Ok(Some((high, loss.max(0.0))))
+    })?;
+    let cycles = cycles.into_iter().flatten();
+    Ok([(0.0, 0.0)].into_iter().chain(cycles).collect())
 }
 
 fn loss_at(losses: &[(f64, f64)], uplift: f64) -> f64 {

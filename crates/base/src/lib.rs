@@ -22,6 +22,7 @@ mod edge;
 mod element;
 mod error;
 mod ground;
+mod halves;
 mod heave;
 pub mod history;
 mod law;

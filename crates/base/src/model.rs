@@ -9,6 +9,7 @@ use crate::curve::{Curve, Point};
 use crate::edge::Edge;
 use crate::error::BaseError;
 use crate::ground::{Soil, subgrade_modulus};
+use crate::halves::side_by_side;
 use crate::mesh;
 use crate::plate::{Bands, Plate};
 use crate::rocking::Rocking;
@@ -211,15 +212,15 @@ impl Base {
     /// Errors: no equilibrium.
     pub fn rocking(&self, from: f64, to: f64, suction: bool) -> Result<Rocking, BaseError> {
         let levels = if suction { &LEVELS[..] } else { &LEVELS[..1] };
-        let curves = levels.iter().map(|level| {
+        let curves = side_by_side(levels, |level| {
             let pressure = level * self.pressure;
             let strip = match self.long {
                 true => self.coarse_strip(pressure)?,
                 false => self.strip(pressure)?,
             };
             Ok((pressure, Curve::of(&strip, self.weight, from, to)?))
-        });
-        Rocking::new(self.radius, self.weight, curves.collect::<Result<_, BaseError>>()?)
+        })?;
+        Rocking::new(self.radius, self.weight, curves)
     }
 }
 

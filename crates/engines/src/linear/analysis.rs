@@ -153,8 +153,8 @@ pub(crate) fn analyse<'a>(
     analyse_on(model, motion, (options, Extent::Whole), progress)
 }
 
-/// How much of a run is computed. Values, demands and all that checks depend on are those of the whole run, whatever the extent; a quick run alone
-/// does not know whether a base that lifts repeats.
+/// How much of a run is computed. Each extent has the values, demands and checks of the whole run, but for a quick run, which cannot tell whether a
+/// base that lifts repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
     /// All that is reported: extremes along all lines, histories, a base that lifts on softer and harder ground, isolators with their bounds.

@@ -378,16 +378,32 @@ fn consistent(setup: &Setup, base: &Base, laws: &Laws, dashpot: f64) -> Result<R
     }
 }
 
-/// How far a law has to reach [rad], as far as one that is at hand tells: loops of full width take the most from the motion, and a base that
-/// turns beyond the law with them does so with any. The loss of its strips need not be known for that.
+/// How far a law has to reach [rad], as far as one that is at hand tells. Loops of full width take the most from the motion: a base that turns beyond
+/// the law with them does so with any. One that does so only without loops is given the next law at once: most do with their own share, whose
+/// search needs the loss of the strips.
 ///
 /// Errors: no equilibrium of a step.
 pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, BaseError> {
     let law = &laws.law;
-    let widest = one(setup, laws, 1.0, dashpot(setup, base), false)?;
-    Ok(match turned(&widest) {
-        peak if peak > law.largest() => beyond(peak, law),
-        _ => law.largest(),
+    let dashpot = dashpot(setup, base);
+    let run = |share: f64| one(setup, laws, share, dashpot, false).map(|history| turned(&history));
+    let (widest, elastic) = std::thread::scope(|scope| {
+        let elastic = scope.spawn(|| match base.yields() {
+            true => run(0.0),
+            false => Ok(0.0),
+        });
+        let widest = run(1.0)?;
+        let elastic = elastic
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+        Ok::<_, BaseError>((widest, elastic))
+    })?;
+    Ok(if widest > law.largest() {
+        beyond(widest, law)
+    } else if elastic > law.largest() {
+        beyond(law.largest(), law)
+    } else {
+        law.largest()
     })
 }
 
