@@ -69,6 +69,29 @@ pub struct Job {
 }
 
 impl Job {
+    /// That of a tank file alone: no engine, no record.
+    ///
+    /// * `procedures`: ids of those that run, in report order
+    pub fn of(tank: TankFile, procedures: Vec<String>) -> Job {
+        Job {
+            case: tank.case,
+            project: tank.project,
+            procedures,
+            decision: tank.decision,
+            engines: Vec::new(),
+            linear: tank.fe,
+            solid: tank.solid,
+            nonlinear: tank.nonlinear,
+            checkpoint: None,
+            without: Vec::new(),
+            echo: tank.echo,
+            files: Vec::new(),
+            warnings: tank.warnings,
+            raw_records: Vec::new(),
+            usable_periods: Vec::new(),
+        }
+    }
+
     /// The request to the engines.
     pub fn task(&self) -> Task<'_> {
         Task {

@@ -97,75 +97,60 @@ impl Inputs {
                 ),
             ));
         }
-        let mut warnings = tank.warnings.clone();
-        let (mut case, mut nonlinear, mut echo) = (tank.case, tank.nonlinear, tank.echo);
-        let mut files = vec![source("tank", &self.tank, &tank.sha256)];
-        let (mut raw_records, mut usable_periods) = (Vec::new(), Vec::new());
+        let selected = crate::pipeline::select_procedures(self.procedures.as_ref().unwrap_or(&tank.procedures))?;
+        let decision = self.decision(tank.decision.clone(), &selected)?;
+        let given = tank.record;
+        let file = source("tank", &self.tank, &tank.sha256);
+        let mut job = Job {
+            decision,
+            files: vec![file],
+            ..Job::of(tank, selected)
+        };
         if let Some(path) = self.quake.first() {
             let options = self.reading.options();
             let horizontal = records::read(path, &options)?;
-            files.push(source("record", path, &horizontal.sha256));
-            let processed = records::process(&horizontal.record, &tank.record)?;
+            job.files.push(source("record", path, &horizontal.sha256));
+            let processed = records::process(&horizontal.record, &given)?;
             let allow = self.reading.allow_implausible;
-            let factor = format!("record.{}", tank.record.scaled_by());
+            let factor = format!("record.{}", given.scaled_by());
             records::plausible::check(&processed, &factor, allow)?;
-            warnings.extend(records::plausible::doubts(&processed, &tank.record));
+            job.warnings.extend(records::plausible::doubts(&processed, &given));
             // One earthquake has one scale: its other components follow the factor of the first.
             let factor = processed.pga() / horizontal.record.pga().max(f64::MIN_POSITIVE);
             let processing = records::Processing {
                 scale_to: None,
                 scale_by: Some(factor),
-                ..tank.record
+                ..given
             };
-            usable_periods.push(horizontal.usable_after(&tank.record));
-            raw_records.push(horizontal.record);
+            job.usable_periods.push(horizontal.usable_after(&given));
+            job.raw_records.push(horizontal.record);
             let mut component = |path: Option<&PathBuf>, role: &str| -> Result<Option<Record>, Error> {
                 let Some(path) = path else { return Ok(None) };
                 let read = records::read(path, &options)?;
-                files.push(source(role, path, &read.sha256));
+                job.files.push(source(role, path, &read.sha256));
                 let processed = records::process(&read.record, &processing)?;
                 records::plausible::check(&processed, role, allow)?;
-                warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
-                usable_periods.push(read.usable_after(&processing));
-                raw_records.push(read.record);
+                job.warnings
+                    .extend(records::plausible::doubts(&processed, &records::Processing::default()));
+                job.usable_periods.push(read.usable_after(&processing));
+                job.raw_records.push(read.record);
                 Ok(Some(processed))
             };
             let transverse = component(self.quake_y.first(), "record along y")?;
             let vertical = component(self.vertical.first(), "vertical record")?;
             if transverse.is_some() {
-                whole_tank(&mut nonlinear, &mut echo);
+                whole_tank(&mut job.nonlinear, &mut job.echo);
             }
-            case.ground_motion = Some(GroundMotion {
+            job.case.ground_motion = Some(GroundMotion {
                 horizontal: processed,
                 transverse,
                 vertical,
             });
         }
-        for warning in &warnings {
+        for warning in &job.warnings {
             warn(origin, warning);
         }
-        let procedures = match &self.procedures {
-            Some(ids) => ids.clone(),
-            None => tank.procedures.clone(),
-        };
-        let selected = crate::pipeline::select_procedures(&procedures)?;
-        Ok(Job {
-            case,
-            project: tank.project,
-            decision: self.decision(tank.decision, &selected)?,
-            procedures: selected,
-            engines: Vec::new(),
-            linear: tank.fe,
-            solid: tank.solid,
-            nonlinear,
-            checkpoint: None,
-            without: Vec::new(),
-            echo,
-            files,
-            warnings,
-            raw_records,
-            usable_periods,
-        })
+        Ok(job)
     }
 
     /// Who decides and which gaps are accepted: those of the tank file, as far as `--accept` names them.

@@ -115,35 +115,23 @@ fn job(text: &str) -> Option<Job> {
     let path = home.path().join("tank.json");
     std::fs::write(&path, text).expect("writable");
     let tank = read_tank(&path).ok()?;
-    let mut case = tank.case;
     let record = Record {
         name: "pulse".into(),
         dt: 0.05,
         acceleration: (0..20).map(|k| (0.7 * f64::from(k)).sin()).collect(),
         processing: Vec::new(),
     };
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
+    let mut job = Job {
+        engines: vec![EngineId::Harmonic],
+        raw_records: vec![record.clone()],
+        ..Job::of(tank, tankcheck::pipeline::select_procedures(&[]).expect("all"))
+    };
+    job.case.ground_motion = Some(GroundMotion {
+        horizontal: record,
         transverse: None,
         vertical: None,
     });
-    Some(Job {
-        case,
-        project: None,
-        procedures: tankcheck::pipeline::select_procedures(&[]).expect("all"),
-        decision: tank.decision,
-        engines: vec![EngineId::Harmonic],
-        linear: tank.fe,
-        solid: tank.solid,
-        nonlinear: tank.nonlinear,
-        checkpoint: None,
-        without: Vec::new(),
-        echo: tank.echo,
-        files: Vec::new(),
-        warnings: tank.warnings,
-        raw_records: vec![record],
-        usable_periods: Vec::new(),
-    })
+    Some(job)
 }
 
 /// Runs a job as `compare` does; an error is one with words.

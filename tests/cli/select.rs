@@ -214,7 +214,7 @@ fn selected_parts_have_the_bits_of_the_whole_run() {
     }
 }
 
-/// A run in a thread of its own: procedures keep curves of strips in their thread, and the next run on it differs by rounding.
+/// A run on a thread of its own. Procedures keep the strips' curves of their thread, and a second run that finds them differs by rounding.
 fn alone(job: &Job) -> Outcome {
     std::thread::scope(|scope| scope.spawn(|| pipeline::run(job, &Silent).unwrap()).join().unwrap())
 }
@@ -245,7 +245,6 @@ fn job(example: &str, vertical: bool) -> Job {
         format!("{example}/tank.json")
     };
     let tank = read_tank(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap();
-    let mut case = tank.case;
     let record = Record {
         name: "two tones".into(),
         dt: 0.02,
@@ -254,28 +253,17 @@ fn job(example: &str, vertical: bool) -> Job {
             .collect(),
         processing: Vec::new(),
     };
-    case.ground_motion = Some(GroundMotion {
+    let mut job = Job {
+        engines: vec![EngineId::Harmonic],
+        raw_records: vec![record.clone(); 2],
+        ..Job::of(tank, pipeline::select_procedures(&[]).unwrap())
+    };
+    job.case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),
         transverse: None,
-        vertical: vertical.then(|| record.clone()),
+        vertical: vertical.then_some(record),
     });
-    Job {
-        case,
-        project: None,
-        procedures: pipeline::select_procedures(&[]).unwrap(),
-        decision: tank.decision,
-        engines: vec![EngineId::Harmonic],
-        linear: tank.fe,
-        solid: tank.solid,
-        nonlinear: tank.nonlinear,
-        checkpoint: None,
-        without: Vec::new(),
-        echo: tank.echo,
-        files: Vec::new(),
-        warnings: tank.warnings,
-        raw_records: vec![record; 2],
-        usable_periods: Vec::new(),
-    }
+    job
 }
 
 /// A change of one course: verdict, quantities and checks come first, calculation lines on request.

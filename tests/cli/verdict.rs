@@ -114,22 +114,10 @@ impl Tank {
         let path = home.join("tank.json");
         std::fs::write(&path, self.json()).expect("writable");
         let tank = read_tank(&path).map_err(|error| error.to_string())?;
+        let procedures = tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?;
         let mut job = Job {
-            project: None,
-            case: tank.case,
-            procedures: tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?,
-            decision: tank.decision,
             engines: self.engines.to_vec(),
-            linear: tank.fe,
-            solid: tank.solid,
-            nonlinear: tank.nonlinear,
-            checkpoint: None,
-            without: Vec::new(),
-            echo: tank.echo,
-            files: Vec::new(),
-            warnings: tank.warnings,
-            raw_records: Vec::new(),
-            usable_periods: Vec::new(),
+            ..Job::of(tank, procedures)
         };
         if self.record {
             let (samples, shape) = self.motion;
