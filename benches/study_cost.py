@@ -1,10 +1,11 @@
 """Measures what a study costs: the farm of example 10 under 50 synthetic records of 31 s.
 
-    python3 benches/study_cost.py target/release/tankcheck [--singles 100] [--codes] [--merge]
+    python3 benches/study_cost.py target/release/tankcheck [--singles 100] [--codes] [--merge] [--hq PYTHON]
 
 CPU seconds are user and system time of the program. Wall times mean something on idle cores alone. `--singles N` also runs N single
 `compare -q --no-mesh-error --no-report` of the same tanks and records; `--codes` 10,000 rows of the codes alone; `--merge` a merge of
-100,000 rows. Folders stand in a temporary folder.
+100,000 rows; `--hq PYTHON` the rows of one scale as 100 tasks on two local threads and on a HyperQueue worker of two cores, three times each in turn, where
+PYTHON has the package `hyperqueue`. Its server listens in a network namespace of its own. Folders stand in a temporary folder.
 """
 
 import argparse
@@ -49,6 +50,46 @@ def study(home, name, scales, records="records/*.csv", **more):
     (home / f"{name}.json").write_text(json.dumps(value, indent=1))
 
 
+CLUSTER = """
+import os, sys, time
+from hyperqueue import Job, LocalCluster
+from hyperqueue.cluster import WorkerConfig
+program, folder = sys.argv[1:]
+with LocalCluster() as cluster:
+    cluster.start_worker(WorkerConfig(cores=2))
+    client = cluster.client()
+    start = time.monotonic()
+    job = Job()
+    for k in range(1, 101):
+        job.program([program, "study", "run", folder, "--task", str(k), "--quiet"], cwd=os.getcwd())
+    client.wait_for_jobs([client.submit(job)])
+    print(time.monotonic() - start)
+"""
+
+
+def hyperqueue(python, program, home):
+    """Wall times of 100 tasks on local threads and by HyperQueue [s]."""
+    (home / "cluster.py").write_text(CLUSTER)
+    study(home, "tasks", [0.4], block=10)
+    times = {"local": [], "hq": []}
+    for k in range(3):
+        for how in times:
+            folder = f"{how}{k}"
+            subprocess.run([program, "study", "plan", "tasks.json", "--out", folder, "-q"], cwd=home, check=True, capture_output=True)
+            if how == "local":
+                start = time.monotonic()
+                subprocess.run([program, "study", "run", folder, "--jobs", "2", "-q"], cwd=home, check=True, capture_output=True)
+                times[how].append(time.monotonic() - start)
+            else:
+                command = f"ip link set lo up 2>/dev/null; exec {python} cluster.py {program} {folder}"
+                done = subprocess.run(["unshare", "--net", "--map-root-user", "sh", "-c", command], cwd=home, check=True, capture_output=True, text=True)
+                times[how].append(float(done.stdout.split()[-1]))
+            subprocess.run([program, "study", "merge", folder, "-q"], cwd=home, check=True, capture_output=True)
+    hashes = {(home / f"{how}{k}/rows.sha256").read_text().split()[0] for how in times for k in range(3)}
+    print(f"100 tasks, local threads {times['local']} s, HyperQueue {times['hq']} s; rows {'the same' if len(hashes) == 1 else 'DIFFER'}")
+    print(f"HyperQueue over local threads: {sorted(times['hq'])[1] / sorted(times['local'])[1]:.3f}")
+
+
 def single_tanks(home):
     """The tanks of the list as files of their own."""
     template = (EXAMPLE / "template.json").read_text().replace('"scale_to": "0.3 g"', '"scale_to": "0.4 g"')
@@ -69,6 +110,7 @@ def main():
     parser.add_argument("--singles", type=int, default=0)
     parser.add_argument("--codes", action="store_true")
     parser.add_argument("--merge", action="store_true")
+    parser.add_argument("--hq", metavar="PYTHON", type=Path)
     parser.add_argument("--records", type=int, default=50)
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -93,6 +135,8 @@ def main():
                 run("singles", "compare", tanks[k % len(tanks)], "--quake", records[k % len(records)], "-q", "--no-mesh-error", "--no-report", "--out", f"single{k}", count=0)
             each = run.cpu["singles"] / args.singles
             print(f"single compare: {each:.4f} CPU s; {rows * each / run.cpu['run, one']:.2f} times the study's")
+        if args.hq:
+            hyperqueue(args.hq.absolute(), run.program, home)
         if args.codes:
             study(home, "codes", [0.1 * k for k in range(1, 11)], engine="none")
             run("plan, codes", "study", "plan", "codes.json", "--out", "codes")
