@@ -31,6 +31,7 @@ mod inputs;
 mod modes;
 mod nonlinear;
 mod outfile;
+mod pdf;
 mod progress;
 mod push;
 mod quake;

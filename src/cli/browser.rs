@@ -1,12 +1,16 @@
 //! Printing a page through an installed browser, without a trace: profile and page are in a temporary folder.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
+use super::pdf;
+use crate::cli::terminal::say;
 use crate::error::Error;
 use files::code::Code;
 use files::text::line;
+use report::contents;
 
 /// Variable that names the browser.
 pub(crate) const VARIABLE: &str = "CHROME";
@@ -28,6 +32,11 @@ const PLACES: [&str; 3] = [
 ];
 /// Longest time of one printing.
 const PATIENCE: Duration = Duration::from_secs(300);
+
+/// A number as wide as most are, in the first printing.
+const USUAL: usize = 88;
+/// Most printings with numbers: a wider one may move a page, once.
+const PRINTINGS: usize = 4;
 
 /// How long a browser may take to end after it has printed.
 const FAREWELL: Duration = Duration::from_secs(5);
@@ -73,10 +82,35 @@ fn starts(program: &Path) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Prints a page; returns the PDF.
+/// Prints a page with page numbers in its contents; returns the PDF.
+///
+/// A first printing shows the pages, the next ones have their numbers, until these are those of their own pages.
+///
+/// Errors: as [`print_once`].
+pub(crate) fn print(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
+    let Some(mut page) = contents::numbered(html, |_| Some(USUAL)) else {
+        return print_once(program, html);
+    };
+    let mut numbers: Option<BTreeMap<String, usize>> = None;
+    for _ in 0..PRINTINGS {
+        let printed = print_once(program, &page)?;
+        let Some(found) = pdf::pages(&printed) else {
+            break;
+        };
+        if numbers.as_ref() == Some(&found) {
+            return Ok(printed);
+        }
+        page = contents::numbered(html, |id| found.get(id).copied()).unwrap_or_default();
+        numbers = Some(found);
+    }
+    say!("note: the contents have no page numbers: where this browser put its pages was not found");
+    print_once(program, html)
+}
+
+/// Prints a page as it is; returns the PDF.
 ///
 /// Errors: a temporary folder that cannot be made; a browser that fails, ends without a PDF or takes more than five minutes.
-pub(crate) fn print(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
+fn print_once(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
     let folder = tempfile::Builder::new()
         .prefix("tankcheck-")
         .tempdir()

@@ -83,6 +83,44 @@ pub(crate) fn pages_are_few(_chromium: &Path) {
     }
 }
 
+/// Contents of a printed report have the page of each section, as another program (poppler) reads them and finds the headings.
+pub(crate) fn contents_have_the_pages_of_their_sections(pdftotext: &Path) {
+    let folder = compared("01_broad_tank", &["--fe", "none"]);
+    let home = folder.path();
+    let run = tankcheck(home, &["report", "out", "--report", "full", "--pdf"], &[]);
+    assert!(run.status.success(), "{}", said(&run));
+    let read = Command::new(pdftotext)
+        .args(["-raw", "out/report.pdf", "-"])
+        .current_dir(home)
+        .output()
+        .expect("pdftotext starts");
+    let text = String::from_utf8_lossy(&read.stdout);
+    let pages: Vec<&str> = text.split('\u{c}').collect();
+    let (_, contents) = text.split_once("Contents\n").expect("contents");
+    // An entry goes on to the next line where its title is long, and ends with a number.
+    let (mut entries, mut entry) = (Vec::new(), String::new());
+    for line in contents.lines() {
+        entry = format!("{entry} {line}").trim().to_owned();
+        let Some((title, page)) = entry
+            .rsplit_once(' ')
+            .and_then(|(t, p)| Some((t, p.parse::<usize>().ok()?)))
+        else {
+            continue;
+        };
+        if !title.starts_with(&format!("{} ", entries.len() + 1)) {
+            break;
+        }
+        entries.push((title.to_owned(), page));
+        entry.clear();
+    }
+    assert!(entries.len() > 5, "{entries:?}");
+    for (title, page) in entries {
+        let heading = |text: &str| text.replace('\n', " ").contains(&title);
+        let found = pages.get(page - 1).is_some_and(|text| heading(text));
+        assert!(found, "{title} is not on page {page}");
+    }
+}
+
 /// `--pdf` prints into the folder, which then owns it, leaves nothing behind, and says what is missing or failed.
 pub(crate) fn the_program_prints(_chromium: &Path) {
     let folder = compared("01_broad_tank", &["--fe", "none"]);

@@ -3,7 +3,8 @@
 //! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files; `unshare` makes file
 //! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter), snakemake (`SNAKEMAKE`) and Slurm
 //! of Debian run studies, python3 with pandas and pyarrow (`PANDAS_PYTHON`) reads their rows; python3 runs the package of `python/`, collects the
-//! licences of an archive and reads the workbook, which LibreOffice opens too; pandoc makes a text document; xmllint and python3 with jsonschema
+//! licences of an archive and reads the workbook, which LibreOffice opens too; pandoc makes a text document; pdftotext
+//! of poppler finds the pages of a printed report; xmllint and python3 with jsonschema
 //! hold test reports against their schemas.
 
 mod forms;
@@ -36,6 +37,11 @@ fn main() -> ExitCode {
         ),
         trial("forms::pages_are_few", chromium, forms::pages_are_few),
         trial("forms::the_program_prints", chromium, forms::the_program_prints),
+        trial(
+            "forms::contents_have_the_pages_of_their_sections",
+            pdftotext,
+            forms::contents_have_the_pages_of_their_sections,
+        ),
         trial(
             "forms::pandoc_makes_a_clean_document",
             pandoc,
@@ -205,6 +211,15 @@ fn installed(program: &str, arguments: &[&str], reason: &'static str) -> Result<
         true => Ok(program),
         false => Err(reason),
     }
+}
+
+fn pdftotext() -> Result<PathBuf, &'static str> {
+    chromium()?;
+    installed(
+        "pdftotext",
+        &["-v"],
+        "skipped: pdftotext (poppler-utils) is not installed",
+    )
 }
 
 fn pandoc() -> Result<PathBuf, &'static str> {

@@ -15,6 +15,7 @@
 //! | [`sections`] | selects the content, one file a section |
 //! | [`level`] | how much of it |
 //! | [`document`] | the page for text processors |
+//! | [`contents`] | page numbers where a page is printed |
 //! | [`figure`] | draws |
 //! | `frame` | cover, contents and running head of every page |
 //! | [`ida`] | the page of an incremental dynamic analysis |
@@ -28,6 +29,7 @@
 //! | [`workbook`] | writes the results as a workbook |
 //! | [`verification`] | the page and the figures of the verification manual |
 
+pub mod contents;
 pub mod document;
 mod extremes;
 pub mod figure;
