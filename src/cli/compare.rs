@@ -261,6 +261,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             "not computed, because no selected part needs it: {}",
             LeftOut::names(&results.not_computed)
         );
+        // What it means for checks, which are printed beside it.
+        for left in results.not_computed.iter().filter(|left| left.part == Part::MeshError) {
+            say!("note: {}", left.text);
+        }
     }
     let out = (!args.no_report).then_some(args.out.as_path());
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;

@@ -38,13 +38,13 @@ impl Part {
             Part::MeshError => {
                 "The discretisation error is not estimated: checks have no `error`, none is marked as within it, and no value as unusable."
             }
-            Part::Envelopes => "There are no envelopes of stresses, forces and pressure over the height.",
-            Part::Histories => "There are no time histories: no series.csv.",
+            Part::Envelopes => "Envelopes of stresses, forces and pressure over the height are not kept.",
+            Part::Histories => "Time histories are not kept: there is no series.csv.",
             Part::Grounds => {
-                "The base was not run on softer and on harder ground. It was run under motions slightly apart: checks know whether it repeats."
+                "The base was not run on softer and harder ground. It was run under slightly weaker and stronger motions, so that checks know whether it repeats."
             }
             Part::Isolators => {
-                "The isolators have their nominal properties; there is no run with lower and upper ones."
+                "The isolators were run with their nominal properties alone, not with lower and upper ones."
             }
         }
     }

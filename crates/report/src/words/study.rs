@@ -66,7 +66,7 @@ pub fn about_system(study: &Study) -> String {
     let counted = match study.method.as_str() {
         "stripes" => "",
         _ => {
-            " These curves are fitted to the number of earthquakes at each level (stripes), whichever method the tanks use: a farm has no demand of its own."
+            " The curves of the farm are fitted to the number of earthquakes at each level (stripes), whichever method its tanks use: other methods need a demand, which only a tank has."
         }
     };
     format!("The farm as a system: at least one tank is in the state in the same earthquake.{counted}")
