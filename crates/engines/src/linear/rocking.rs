@@ -241,18 +241,18 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
                 })
             })
             .collect();
-        let main = search::settle(setup, base, (reach, known), true);
+        let main = search::closed(setup, base, (reach, known));
         let joined = others
             .into_iter()
             .map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
         (main, joined.collect::<Vec<_>>())
     });
-    let found: Found = main?;
+    let (setup, found): (Setup, Found) = main?;
     let grid = Grid {
         sub_steps: setup.sub_steps,
         ..analysis.grid
     };
-    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, others, grid))))
+    Ok(Free::Moves(Box::new(outcome::moved(&setup, base, found, others, grid))))
 }
 
 /// Whether the shear of the wall held down overcomes friction.
@@ -322,6 +322,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         searched,
         step: fine.h(),
         sub_steps,
+        shortened: false,
         vertical: motion.vertical.is_some(),
         body,
         rigid_pressure,

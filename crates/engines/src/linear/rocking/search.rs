@@ -17,6 +17,9 @@ const ROUNDS: usize = 12;
 /// Difference of the share from that of the largest rotation that is settled: a loop that is 1 % of the full one wider changes the damping of a
 /// cycle by 2/π of that, 0.3 % of critical at most.
 pub(super) const SETTLED: f64 = 0.005;
+/// Deviation of the energy balance over the input with which a run is left, and how often its step is halved for that.
+const CLOSED: f64 = 1e-3;
+const HALVINGS: usize = 2;
 /// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
 const CRUSHED: f64 = 500e6;
 
@@ -55,6 +58,8 @@ pub(super) struct Setup {
     pub step: f64,
     /// Steps in one of the record.
     pub sub_steps: usize,
+    /// Whether they are halved so that the energy closes.
+    pub shortened: bool,
     /// Whether there is a vertical record.
     pub vertical: bool,
 }
@@ -67,6 +72,20 @@ impl Setup {
             friction.springs = Drag::of(base, friction.coefficient)?.springs();
         }
         Ok(own)
+    }
+
+    /// The same with steps of half the length.
+    fn halved(&self) -> Setup {
+        let mut own = self.clone();
+        own.ground = between(&self.ground);
+        if let Some(friction) = &mut own.friction {
+            friction.vertical = between(&friction.vertical);
+        }
+        own.searched *= 2;
+        own.step *= 0.5;
+        own.sub_steps *= 2;
+        own.shortened = true;
+        own
     }
 }
 
@@ -143,6 +162,22 @@ pub(super) struct Found {
     pub history: History,
     /// The same with a motion that is weaker, one that is stronger, and half the step; none of a run that is not thorough.
     pub twins: Vec<History>,
+}
+
+impl Found {
+    fn with_twins(self, setup: &Setup) -> Result<Found, Missed> {
+        let twins = match setup.thorough {
+            true => twins(
+                setup,
+                &self.laws,
+                (self.hysteretic, self.dashpot),
+                self.history.rotation.len(),
+            )?
+            .into(),
+            false => Vec::new(),
+        };
+        Ok(Found { twins, ..self })
+    }
 }
 
 /// Why there is no run.
@@ -412,7 +447,7 @@ fn beyond(peak: f64, law: &Law) -> f64 {
     (1.3 * peak).max(2.0 * law.largest()).min(MOST)
 }
 
-/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation.
+/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation, and its twins where the setup asks for them.
 ///
 /// * `reach`: of the first law [rad], `known` that law where it is at hand
 ///
@@ -420,9 +455,32 @@ fn beyond(peak: f64, law: &Law) -> f64 {
 pub(super) fn settle(
     setup: &Setup,
     base: &Base,
-    (reach, known): (f64, Option<Arc<Laws>>),
+    known: (f64, Option<Arc<Laws>>),
     whole: bool,
 ) -> Result<Found, Missed> {
+    covered(setup, base, known, whole)?.with_twins(setup)
+}
+
+/// The whole run with steps in which its energy closes within [`CLOSED`], as far as [`HALVINGS`] go: on hard ground a landing is short.
+///
+/// Errors: as [`settle`].
+pub(super) fn closed(setup: &Setup, base: &Base, known: (f64, Option<Arc<Laws>>)) -> Result<(Setup, Found), Missed> {
+    let mut setup = setup.clone();
+    let mut found = covered(&setup, base, known, true)?;
+    for _ in 0..HALVINGS {
+        if found.history.balance <= CLOSED {
+            break;
+        }
+        setup = setup.halved();
+        let laws = Arc::clone(&found.laws);
+        found = covered(&setup, base, (laws.law.largest(), Some(laws)), true)?;
+    }
+    let found = found.with_twins(&setup)?;
+    Ok((setup, found))
+}
+
+/// The run without twins.
+fn covered(setup: &Setup, base: &Base, (reach, known): (f64, Option<Arc<Laws>>), whole: bool) -> Result<Found, Missed> {
     let dashpot = dashpot(setup, base);
     let mut found = match known {
         Some(known) => known,
@@ -442,10 +500,7 @@ pub(super) fn settle(
         }
         if peak <= largest {
             return Ok(Found {
-                twins: match setup.thorough {
-                    true => twins(setup, &found, (hysteretic, dashpot), history.rotation.len())?.into(),
-                    false => Vec::new(),
-                },
+                twins: Vec::new(),
                 laws: found,
                 hysteretic,
                 settled: off.abs(),

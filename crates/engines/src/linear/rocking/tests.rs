@@ -254,6 +254,22 @@ fn energy_closes_and_the_step_does_not_matter() {
     }
 }
 
+/// On concrete a landing is short: where the energy does not close within 1e-3 of the input, the step is halved until it does, and the histories of
+/// the record's steps stay as many.
+#[test]
+fn energy_closes_on_hard_ground() {
+    let ready = ready(oil(25e3, 1e10, 2.0));
+    let base = Base::of(&ready.case).unwrap();
+    let setup = ready.setup(2);
+    let coarse = search::settle(&setup, &base, (search::FIRST, None), true).unwrap();
+    let (fine, found) = search::closed(&setup, &base, (search::FIRST, None)).unwrap();
+    assert!(coarse.history.balance > 1e-3, "{}", coarse.history.balance);
+    assert!(found.history.balance < 1e-3, "{}", found.history.balance);
+    assert!(fine.shortened && fine.sub_steps > setup.sub_steps);
+    let samples = |setup: &Setup, found: &Found| (found.history.rotation.len() - 1) / setup.sub_steps;
+    assert_eq!(samples(&fine, &found), samples(&setup, &coarse));
+}
+
 /// A base that yields repeats within the bound under motions 0.1 % apart and half the step; a spread beyond it is a limit that does not hold.
 #[test]
 fn a_run_that_does_not_repeat_says_so() {

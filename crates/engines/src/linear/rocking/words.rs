@@ -148,6 +148,12 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
             significant(100.0 * heave.damping_ratio(), 2)
         ));
     }
+    if setup.shortened {
+        list.push(format!(
+            "The base has steps of {}: with longer ones its energy does not close within 0.1 % of the input.",
+            display(setup.step, Dimension::Time)
+        ));
+    }
     if base.yields() && found.hysteretic < ROUNDING {
         list.push(
             "The bottom plate does not yield beyond its first uplift: no share of the base's moment is hysteretic."
