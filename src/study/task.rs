@@ -17,7 +17,7 @@ use oscillator::record::Record;
 use tank::assessment::Excitation;
 use tank::case::GroundMotion;
 use tank::check::Decision;
-use tank::demand::Demands;
+use tank::demand::{Demands, Footing};
 
 use super::key;
 use super::plan::{Plan, Task, changed, of_sample};
@@ -349,9 +349,9 @@ impl Unit<'_> {
             true => scales.factors.iter().map(|f| (None, *f)).collect(),
             false => scales.levels.iter().map(|l| (Some(*l), l / measure)).collect(),
         };
-        // One run of a linear model serves every scale.
+        // One run of a linear model serves every scale, that of a base that rests the smaller ones.
         let unit = match prepared {
-            Some(prepared) => Some(prepared.run(&motion(shaking, 1.0))?).filter(|r| r.linear),
+            Some(prepared) => Some(prepared.run(&motion(shaking, 1.0))?).filter(|r| r.scales(0.0)),
             None => None,
         };
         let none = Demands::default();
@@ -374,6 +374,7 @@ impl Unit<'_> {
                 .map_err(Error::Files)
                 .and_then(|()| {
                     job.case.ground_motion = Some(motion(shaking, factor));
+                    let linear = linear.filter(|(unit, _)| unit.scales(factor));
                     self.row(job, prepared, linear, (&spectra, factor), &mut row)
                 });
             job.case.ground_motion = None;
@@ -417,7 +418,14 @@ impl Unit<'_> {
             (Some(id), None) => {
                 let response = self.run(job, prepared, id, row)?;
                 let none = Demands::default();
-                let ready = Ready::new(&job.case, response.demands.as_ref().unwrap_or(&none));
+                let demands = response.demands.as_ref().unwrap_or(&none);
+                // Values of the wall held down are none of this tank.
+                if let Footing::Beyond { time, reason } = &demands.footing {
+                    (row.status, row.time) = (RowStatus::Opened, time.map(kept));
+                    row.message = Some(plain(&format!("there is no run with uplift: {reason}")));
+                    return Ok(());
+                }
+                let ready = Ready::new(&job.case, demands);
                 let checks = without_lines(|| pipeline::checks_of_demands(job, &ready, 1.0));
                 (response.values, checks)
             }

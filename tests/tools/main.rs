@@ -223,7 +223,9 @@ fn pdftotext() -> Result<PathBuf, &'static str> {
 }
 
 fn pandoc() -> Result<PathBuf, &'static str> {
-    installed("pandoc", &["--version"], "skipped: pandoc is not installed")
+    let missing = "skipped: pandoc with rsvg-convert (librsvg2-bin), which it draws figures with, is not installed";
+    installed("rsvg-convert", &["--version"], missing)?;
+    installed("pandoc", &["--version"], missing)
 }
 
 fn libreoffice() -> Result<PathBuf, &'static str> {

@@ -88,6 +88,25 @@ pub struct FreeBase {
     pub held_shear: Option<Terms>,
 }
 
+/// How a tank stands under a motion, for those who would scale its response.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Footing {
+    /// Nothing of its base can move, or the engine holds it down under any motion.
+    #[default]
+    Fixed,
+    /// Its base may lift, slide or pull at its anchors, and does not under this motion.
+    Rests,
+    /// It moves.
+    Moves,
+    /// It moves beyond what the engine models; the demands are those of the wall held down.
+    Beyond {
+        /// When it leaves the model [s], where that is known.
+        time: Option<f64>,
+        /// Why there is no run, a clause.
+        reason: String,
+    },
+}
+
 /// All demands of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Demands {
@@ -113,6 +132,8 @@ pub struct Demands {
     pub plates: bool,
     /// The base, where it is free to lift and slide.
     pub base: Option<FreeBase>,
+    /// How the tank stands.
+    pub footing: Footing,
     /// Largest relative error of a peak that lies between two of the times.
     pub sampling: f64,
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use oscillator::record::Record;
 use tank::case::GroundMotion;
-use tank::demand::{Angles, Demands, OnWall as Stress, Peak, Place, Terms};
+use tank::demand::{Angles, Demands, Footing, OnWall as Stress, Peak, Place, Terms};
 use tank::{Case, Shape};
 
 use super::analysis::Analysis;
@@ -125,6 +125,7 @@ pub(crate) fn demands(
         vertical: vertical.map(take),
         plates: false,
         base: None,
+        footing: Footing::Fixed,
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,
         transverse: transverse.map_or_else(Vec::new, |of_y| of_y.states),

@@ -18,6 +18,7 @@ use crate::harmonic::Places;
 use crate::modes::Kind;
 use crate::{FeError, Simulation};
 use results::EngineId;
+use tank::demand::Footing;
 use tank::options::LinearOptions as Options;
 
 /// The harmonic model of a tank with its modes.
@@ -117,8 +118,8 @@ pub struct Response {
     pub values: BTreeMap<Quantity, f64>,
     /// What limit states compare with capacities; none of an engine or a tank that does not give it.
     pub demands: Option<Demands>,
-    /// Whether the response to a scaled record is the scaled response: not of a base that lifts or slides, nor of isolators.
-    pub linear: bool,
+    /// Whether the wall's own response is linear: not on isolators.
+    linear: bool,
 }
 
 impl Response {
@@ -134,6 +135,17 @@ impl Response {
             values: simulation.values,
             demands: simulation.demands,
         }
+    }
+
+    /// Whether the response to the record times a positive factor is this one times the factor: that of a base that rests only as long as it may not
+    /// lift, that of a base that moves never.
+    pub fn scales(&self, factor: f64) -> bool {
+        let rests = self.demands.as_ref().is_none_or(|demands| match demands.footing {
+            Footing::Fixed => true,
+            Footing::Rests => factor <= 1.0,
+            Footing::Moves | Footing::Beyond { .. } => false,
+        });
+        self.linear && rests
     }
 
     /// The values of a linear response to the record times a positive factor. The static state stays as it is.
@@ -164,6 +176,36 @@ mod tests {
             transverse: None,
             vertical: None,
         }
+    }
+
+    /// An unanchored tank that rests may lift under a stronger motion: its response scales downwards alone. One that overturns has none.
+    #[test]
+    fn a_base_that_rests_does_not_scale_upwards() {
+        let mut case = test_tanks::broad();
+        case.tank.support = tank::Support::Unanchored;
+        case.tank.bottom = Some(tank::Bottom {
+            thickness: 0.001,
+            corrosion: 0.0,
+            width: None,
+            sketch: None,
+            projection: 0.0,
+            subgrade_modulus: Some(1e8),
+            material: case.tank.courses[0].material.clone(),
+        });
+        let options = Options {
+            mesh_error: false,
+            ..Options::default()
+        };
+        let prepared = Prepared::new(&case, &options, false).unwrap();
+        let run = |factor: f64| prepared.run(&motion(factor)).unwrap();
+        let rests = run(0.01);
+        assert_eq!(rests.demands.as_ref().unwrap().footing, Footing::Rests);
+        assert!(rests.scales(0.5) && !rests.scales(1.5));
+        let overturns = run(200.0);
+        let Footing::Beyond { time: Some(_), .. } = overturns.demands.as_ref().unwrap().footing else {
+            panic!("{:?}", overturns.demands.unwrap().footing)
+        };
+        assert!(!overturns.scales(0.5));
     }
 
     /// Against the same model under the scaled record, to the order of the sums; and against a run of the engine, whose mesh follows the

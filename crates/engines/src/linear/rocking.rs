@@ -21,7 +21,7 @@ use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
 use results::{BaseRun, BaseSpread, Channel, EngineId, Limit, Snapshots};
 use tank::case::GroundMotion;
-use tank::demand::{Demands, FreeBase};
+use tank::demand::{Demands, Footing, FreeBase};
 use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
 use tank::{Case, STANDARD_GRAVITY, Shape, Support};
@@ -51,6 +51,10 @@ const FORM: usize = 41;
 pub(super) enum Free {
     /// It is none, or its engine says so elsewhere.
     Held,
+    /// Anchors hold it that may yield under a stronger motion.
+    Anchored,
+    /// It moves further than a run can follow.
+    Beyond(Box<Beyond>),
     /// It is not computed, and why.
     NotComputed(String),
     /// Nothing lifts or slides.
@@ -59,7 +63,25 @@ pub(super) enum Free {
     Moves(Box<Moved>),
 }
 
+/// A tank that moves further than a run can follow.
+pub(super) struct Beyond {
+    /// The note of the run.
+    note: String,
+    /// Why, a clause.
+    reason: String,
+    /// When it leaves the model [s], where that is known.
+    time: Option<f64>,
+}
+
 impl Free {
+    fn beyond(note: String, missed: &search::Missed) -> Free {
+        Free::Beyond(Box::new(Beyond {
+            note,
+            reason: words::reason(missed),
+            time: missed.time(),
+        }))
+    }
+
     /// The run that lifts or slides.
     pub(super) fn moved(&self) -> Option<&Moved> {
         match self {
@@ -94,8 +116,17 @@ impl Free {
         match self {
             Free::Moves(moved) => moved.demands(demands, models, analysis, motion)?,
             Free::Rests(_) => demands.base = Some(FreeBase::default()),
-            Free::Held | Free::NotComputed(_) => {}
+            Free::Held | Free::Anchored | Free::Beyond(_) | Free::NotComputed(_) => {}
         }
+        demands.footing = match self {
+            Free::Held | Free::NotComputed(_) => Footing::Fixed,
+            Free::Anchored | Free::Rests(_) => Footing::Rests,
+            Free::Moves(_) => Footing::Moves,
+            Free::Beyond(beyond) => Footing::Beyond {
+                time: beyond.time,
+                reason: beyond.reason.clone(),
+            },
+        };
         Ok(())
     }
 
@@ -150,7 +181,7 @@ pub(super) fn free(
     };
     match setup.dragging(&base).and_then(|setup| run(&setup, &base, analysis)) {
         Ok(free) => free,
-        Err(missed) => Free::NotComputed(words::missed(&missed)),
+        Err(missed) => Free::beyond(words::missed(&missed), &missed),
     }
 }
 
@@ -170,9 +201,11 @@ fn on_anchors(
     };
     let force = pull * std::f64::consts::TAU * case.tank.shape.half_length() / f64::from(anchors.count.max(1));
     if force <= yields {
-        return Free::Held;
+        let stretches = anchors.stiffness.is_some() && Base::of(case).is_ok();
+        return if stretches { Free::Anchored } else { Free::Held };
     }
-    let held = |reason: &str| Free::NotComputed(words::anchors_not_computed(force, yields, reason));
+    let said = |reason: &str| words::anchors_not_computed(force, yields, reason);
+    let held = |reason: &str| Free::NotComputed(said(reason));
     let Some(stiffness) = anchors.stiffness else {
         return held("`tank.anchors.stiffness` is missing");
     };
@@ -205,7 +238,7 @@ fn on_anchors(
     };
     match run(&setup, &base, analysis) {
         Ok(free) => free,
-        Err(missed) => held(&words::reason(&missed)),
+        Err(missed) => Free::beyond(said(&words::reason(&missed)), &missed),
     }
 }
 
@@ -343,8 +376,9 @@ pub(super) fn say(free: &Free, heave: bool, notes: &mut Vec<String>, assumptions
         *text = words::FOOT.into();
     }
     let text = match free {
-        Free::Held => return,
+        Free::Held | Free::Anchored => return,
         Free::NotComputed(reason) | Free::Rests(reason) => reason.clone(),
+        Free::Beyond(beyond) => beyond.note.clone(),
         Free::Moves(moved) => words::moves(moved.result.anchors.is_some()),
     };
     match notes.iter_mut().find(|note| *note == HELD_DOWN) {

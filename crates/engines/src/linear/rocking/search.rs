@@ -189,6 +189,16 @@ pub(super) enum Missed {
     TooFar(f64, f64),
 }
 
+impl Missed {
+    /// When the base leaves the model [s].
+    pub(super) fn time(&self) -> Option<f64> {
+        match self {
+            Missed::Base(_) => None,
+            Missed::TooFar(_, time) => Some(*time),
+        }
+    }
+}
+
 impl From<BaseError> for Missed {
     fn from(error: BaseError) -> Missed {
         Missed::Base(error)

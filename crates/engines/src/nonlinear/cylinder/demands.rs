@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use oscillator::record::Record;
 use tank::Case;
-use tank::demand::{Angles, Demands, FreeBase, OnWall, Peak, Place, Terms};
+use tank::demand::{Angles, Demands, Footing, FreeBase, OnWall, Peak, Place, Terms};
 
 use super::model::CylinderModel;
 use super::recorded::{BASE_SHEAR, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK, WAVE_FRONT};
@@ -112,6 +112,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         vertical,
         plates: false,
         base: base(case, tank, watch),
+        footing: Footing::Fixed,
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos() + between,
     }
 }
