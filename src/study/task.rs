@@ -422,7 +422,7 @@ impl Unit<'_> {
                 // Values of the wall held down are none of this tank.
                 if let Footing::Beyond { time, reason } = &demands.footing {
                     (row.status, row.time) = (RowStatus::Opened, time.map(kept));
-                    row.message = Some(plain(&format!("there is no run with uplift: {reason}")));
+                    row.message = Some(plain(&format!("uplift cannot be computed: {reason}")));
                     return Ok(());
                 }
                 let ready = Ready::new(&job.case, demands);

@@ -214,7 +214,7 @@ fn selected_parts_have_the_bits_of_the_whole_run() {
     }
 }
 
-/// A run on a thread of its own. Procedures keep the strips' curves of their thread, and a second run that finds them differs by rounding.
+/// Runs the job on a new thread. Each thread caches curves of strips, and results from cached curves differ by rounding.
 fn alone(job: &Job) -> Outcome {
     std::thread::scope(|scope| scope.spawn(|| pipeline::run(job, &Silent).unwrap()).join().unwrap())
 }

@@ -2,9 +2,9 @@
 
 use crate::error::BaseError;
 
-/// What `one` makes of each item, in their order; the second half of the list is on a thread of its own.
+/// Applies `one` to each item and returns the results in order. A second thread takes the second half of the list.
 ///
-/// Errors: the first one of the order.
+/// Errors: the first in order.
 pub(crate) fn side_by_side<T: Sync, R: Send>(
     items: &[T],
     one: impl Fn(&T) -> Result<R, BaseError> + Sync,

@@ -9,7 +9,7 @@ const STYLE: &str = "<style>.contents li { padding-left: 0; text-indent: 0; } .c
 
 /// The page with a number after each line of its contents; `None` of a page without contents.
 ///
-/// * `page` of a place by its id; a line of which it knows none stays as it is
+/// * `page`: the page number of a section by its id; without one a line stays as it is
 pub fn numbered(html: &str, page: impl Fn(&str) -> Option<usize>) -> Option<String> {
     let (before, rest) = html.split_once("<nav class=\"contents\"")?;
     let (list, after) = rest.split_once("</nav>")?;

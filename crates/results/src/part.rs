@@ -38,8 +38,8 @@ impl Part {
             Part::MeshError => {
                 "The discretisation error is not estimated: checks have no `error`, none is marked as within it, and no value as unusable."
             }
-            Part::Envelopes => "Envelopes of stresses, forces and pressure over the height are not kept.",
-            Part::Histories => "Time histories are not kept: there is no series.csv.",
+            Part::Envelopes => "Envelopes of stresses, forces and pressure over the height are left out.",
+            Part::Histories => "Time histories and series.csv are left out.",
             Part::Grounds => {
                 "The base was not run on softer and harder ground. It was run under slightly weaker and stronger motions, so that checks know whether it repeats."
             }

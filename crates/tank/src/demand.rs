@@ -102,7 +102,7 @@ pub enum Footing {
     Beyond {
         /// When it leaves the model [s], where that is known.
         time: Option<f64>,
-        /// Why there is no run, a clause.
+        /// The reason, as a clause.
         reason: String,
     },
 }
