@@ -21,8 +21,9 @@ use oscillator::spectrum::ordinates;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation};
 use tank::case::GroundMotion;
-use tank::demand::Demands;
+use tank::demand::{Demands, Footing};
 use tank::hazard::SpectrumTable;
+use tank::outside::Outside;
 
 use crate::error::Error;
 use crate::job::Job;
@@ -204,6 +205,10 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
                 .map(|l| l.id.clone())
                 .collect();
             values.clone_from(&found.values);
+            // Forces of a wall held down are no part of a mean or maximum of this tank.
+            if matches!(demands.footing, Footing::Beyond { .. }) {
+                values.retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
+            }
             if i == shown {
                 found.demands = Some(demands);
                 simulation = Some(found);

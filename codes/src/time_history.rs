@@ -18,7 +18,8 @@
 //! Uplift is judged where the engine lets the base lift ([`tank::demand::FreeBase`]); the shear of a tank that slides is then that of the tank
 //! held in place. Where runs of such a base that should agree do not, nothing but the wave may hold. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
 //! wall pulls, or such a box is too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
-//! ([`Findings::outside`]).
+//! ([`Findings::outside`]). The same is true of a base that moves further than the engine follows ([`tank::demand::Footing::Beyond`]); only
+//! its anchors then have a demand.
 //!
 //! Formulas of the capacities are those of [`crate::ec8`] and [`crate::api650`]. `docs/theory/limit-states-of-runs.md` has the details.
 
@@ -39,12 +40,12 @@ use std::collections::BTreeMap;
 use tank::Support;
 use tank::assessment::{Check, CheckStatus, Requirement, Step};
 use tank::case::Case;
-use tank::demand::{Angles, Demands};
+use tank::demand::{Angles, Demands, Footing};
 use tank::outside::Outside;
 use tank::units::{Dimension, display};
 
 use crate::sheet::Sheet;
-use limit_states::{API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
+use limit_states::{ANCHORS, API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
 pub use limit_states::{Codes, limit_states};
@@ -129,6 +130,9 @@ fn steps(sheet: Sheet) -> Vec<Step> {
 ///
 /// * `pulls`: where an unanchored wall pulls, in words
 fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, String)> {
+    if let Footing::Beyond { reason, .. } = &work.demands.footing {
+        return Some((Outside::Uplift, beyond(reason)));
+    }
     if let Some(pulls) = pulls {
         let reason = format!(
             "{pulls} and the tank is unanchored: the wall lifts off, which the engine does not model; its forces and stresses are \
@@ -175,8 +179,36 @@ fn open(work: &mut Work<'_>, reason: &str) {
     }
 }
 
+/// Why a wall that moves further than the engine follows has no demands.
+///
+/// * `reason`: a clause
+fn beyond(reason: &str) -> String {
+    format!(
+        "uplift cannot be computed: {reason}; forces and stresses of the engine are those of a wall that is held down, outside the model"
+    )
+}
+
+/// A wall held down has no demands of one that moves further than the engine follows. Its anchors have: they are judged as if elastic.
+fn withdraw(work: &mut Work<'_>, reason: &str) {
+    for check in of_wall(work).filter(|check| check.compared() && check.limit_state != ANCHORS) {
+        *check = Check {
+            status: CheckStatus::NotChecked,
+            reason: reason.to_owned(),
+            demand: None,
+            capacity: None,
+            utilisation: None,
+            within_error: false,
+            note: String::new(),
+            ..check.clone()
+        };
+    }
+}
+
 /// Nothing that depends on what the engine leaves out may hold.
 fn leave(work: &mut Work<'_>, why: Outside, reason: &str) {
+    if matches!(work.demands.footing, Footing::Beyond { .. }) {
+        withdraw(work, reason);
+    }
     open(work, reason);
     for check in of_wall(work).filter(|check| check.status == CheckStatus::Fails) {
         check.note = format!("outside the model: {}", check.note);

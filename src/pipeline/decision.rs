@@ -165,7 +165,7 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<Warning> {
         let why = Outside::ALL.iter().find(|why| gap.check.ends_with(why.limit_state()));
         if let Some(why) = why {
             let run = match why {
-                Outside::Uplift => "a run whose clamped wall pulls",
+                Outside::Uplift => "a run that clamps a wall that lifts",
                 Outside::Plates => "a run whose cantilevers stand for plates",
             };
             return format!(

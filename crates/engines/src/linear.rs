@@ -367,8 +367,6 @@ fn report(
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
     rocking::say(&free, options.heave.is_some(), &mut notes, &mut assumptions);
-    let modelled = free.is_modelled();
-    let of_base = rocking::limits(&free);
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
@@ -384,6 +382,13 @@ fn report(
     if linear.extent == Extent::Selected {
         histories = Histories::at(Vec::new());
     }
+    let of_wall = limits::limits(
+        case,
+        seen,
+        (&analysis, around.as_ref()),
+        (motion.horizontal.dt, linear.engine),
+    );
+    let limits = rocking::limits(&free, of_wall);
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
@@ -402,16 +407,7 @@ fn report(
         record_end: Some(record_end(motion)),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
-        limits: limits::limits(
-            case,
-            seen,
-            (&analysis, around.as_ref()),
-            (motion.horizontal.dt, linear.engine),
-        )
-        .into_iter()
-        .filter(|limit| !(modelled && limit.id == limits::UPLIFT))
-        .chain(of_base)
-        .collect(),
+        limits,
         ..Run::new(linear.engine)
     };
     let mut simulation = Simulation {

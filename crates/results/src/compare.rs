@@ -22,6 +22,7 @@ pub use chain::{CLOSED, Engine, Made, Spectrum};
 pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
 pub use factors::{Attribution, FactorStep};
 pub use mesh_error::{Unusable, unusable};
+pub use outside::depends;
 
 use crate::nonlinear::{End, Event};
 use crate::{Cell, Comparison, ComparisonRow, FE, Method};

@@ -3,7 +3,7 @@
 /// What the model of an engine leaves out where it matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outside {
-    /// An unanchored wall pulls at its base, where the engine clamps it.
+    /// The wall lifts off, where the engine clamps it: an unanchored one that pulls at its base, or one that moves further than is followed.
     Uplift,
     /// The walls of a box bend as plates held at three sides, where the engine has cantilevers.
     Plates,

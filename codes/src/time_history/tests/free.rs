@@ -1,6 +1,7 @@
 //! An unanchored tank whose engine lets it lift and slide.
 
-use tank::demand::FreeBase;
+use tank::demand::{Footing, FreeBase};
+use tank::outside::Outside;
 
 use super::*;
 
@@ -55,6 +56,38 @@ fn the_joint_is_judged_and_nothing_is_outside() {
         (rests.outside, found(&rests, UPLIFT).status),
         (None, CheckStatus::NotApplicable)
     );
+}
+
+/// A tank that moves further than the engine follows: nothing but the wave and anchors has a demand, whether or not the wall held down pulls.
+#[test]
+fn a_base_beyond_the_model_has_no_demands() {
+    for (support, state) in [
+        (Support::Unanchored, 0),
+        (Support::Unanchored, 5),
+        (Support::Anchored, 5),
+    ] {
+        let mut case = steel_tank();
+        case.tank.support = support;
+        case.tank.anchors = (support == Support::Anchored).then_some(Anchors {
+            count: 20,
+            capacity: Some(1.0),
+            ..Anchors::default()
+        });
+        let mut demands = shaken(state).demands(0.0, 0);
+        demands.footing = Footing::Beyond {
+            time: Some(3.25),
+            reason: "the base turns by 0.06 rad".into(),
+        };
+        let findings = assessed(&case, &demands);
+        assert_eq!(findings.outside, Some(Outside::Uplift));
+        for check in &findings.checks {
+            let judged = ["freeboard", "anchorage"].contains(&check.limit_state.as_str());
+            assert!(judged || !check.compared(), "{support:?}, {state}: {check:?}");
+        }
+        let open = found(&findings, UPLIFT);
+        assert_eq!((open.status, open.demand), (CheckStatus::NotChecked, None));
+        assert!(open.reason.contains("the base turns by 0.06 rad"), "{}", open.reason);
+    }
 }
 
 /// Friction caps the shear at what API allows; held in place the tank would have 9 MN: it slides, and the check fails.

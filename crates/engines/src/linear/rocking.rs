@@ -69,8 +69,8 @@ pub(super) struct Beyond {
     note: String,
     /// Why, a clause.
     reason: String,
-    /// When it leaves the model [s], where that is known.
-    time: Option<f64>,
+    /// How far it turns [rad] and when it leaves the model [s], where that is known.
+    turns: Option<[f64; 2]>,
 }
 
 impl Free {
@@ -78,7 +78,7 @@ impl Free {
         Free::Beyond(Box::new(Beyond {
             note,
             reason: words::reason(missed),
-            time: missed.time(),
+            turns: missed.turns(),
         }))
     }
 
@@ -123,7 +123,7 @@ impl Free {
             Free::Anchored | Free::Rests(_) => Footing::Rests,
             Free::Moves(_) => Footing::Moves,
             Free::Beyond(beyond) => Footing::Beyond {
-                time: beyond.time,
+                time: beyond.turns.map(|[_, time]| time),
                 reason: beyond.reason.clone(),
             },
         };
@@ -390,9 +390,37 @@ pub(super) fn say(free: &Free, heave: bool, notes: &mut Vec<String>, assumptions
     }
 }
 
-/// Whether the run repeats, and whether the wall stays elastic at the joint, as limits of validity.
-pub(super) fn limits(free: &Free) -> Vec<Limit> {
-    repeats(free).into_iter().chain(elastic_wall(free)).collect()
+/// The limits of validity of a run, those of its base among them: in place of the tension of a wall held down, where the base was free.
+pub(super) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
+    let mut limits = others;
+    if free.is_modelled() {
+        limits.retain(|limit| limit.id != super::limits::UPLIFT);
+    }
+    if let Free::Beyond(beyond) = free {
+        match beyond.turns {
+            Some([angle, _]) => {
+                limits.retain(|limit| limit.id != super::limits::UPLIFT);
+                limits.push(Limit {
+                    id: "base_rotation".into(),
+                    name: words::TURNS.into(),
+                    value: angle,
+                    limit: search::MOST,
+                    dimension: Dimension::Angle,
+                    holds: false,
+                    note: beyond.note.clone(),
+                });
+            }
+            None => {
+                for limit in limits.iter_mut().filter(|limit| limit.id == super::limits::UPLIFT) {
+                    limit.holds = false;
+                    limit.note.clone_from(&beyond.note);
+                }
+            }
+        }
+    }
+    limits.extend(repeats(free));
+    limits.extend(elastic_wall(free));
+    limits
 }
 
 /// Strips are welded to a wall that does not yield.

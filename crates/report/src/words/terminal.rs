@@ -48,7 +48,7 @@ pub fn unusable() -> String {
 /// Legend of [`OUTSIDE`].
 pub fn outside(why: Outside) -> String {
     let why = match why {
-        Outside::Uplift => "the unanchored wall pulls upwards, but the engine clamps it",
+        Outside::Uplift => "the wall lifts off, but the engine clamps it",
         Outside::Plates => "the walls of the box bend as plates held at three sides, but the engine models cantilevers",
     };
     format!("{OUTSIDE} outside the model: {why}")

@@ -8,7 +8,7 @@ use crate::{Comparison, Method};
 
 /// Whether a quantity depends on what the engine leaves out. An unanchored wall that pulls changes forces and stresses: periods and masses
 /// are those of the tank at rest. Plates have another impulsive period and mass as well. The wave hardly depends on the wall.
-fn depends(quantity: &str, why: Outside) -> bool {
+pub fn depends(quantity: Quantity, why: Outside) -> bool {
     let held = [
         Quantity::BaseShear,
         Quantity::BaseMoment,
@@ -19,7 +19,7 @@ fn depends(quantity: &str, why: Outside) -> bool {
     ];
     let impulsive = [Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass];
     let of_plates = impulsive.iter().filter(|_| why == Outside::Plates);
-    held.iter().chain(of_plates).any(|q| q.id() == quantity)
+    held.iter().chain(of_plates).any(|q| *q == quantity)
 }
 
 impl Comparison {
@@ -33,7 +33,11 @@ impl Comparison {
         else {
             return;
         };
-        for row in self.rows.iter_mut().filter(|row| depends(&row.quantity, why)) {
+        for row in self
+            .rows
+            .iter_mut()
+            .filter(|row| Quantity::from_id(&row.quantity).is_some_and(|q| depends(q, why)))
+        {
             if let Some(Some(cell)) = row.cells.get_mut(column) {
                 cell.outside = true;
             }

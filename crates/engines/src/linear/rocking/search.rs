@@ -190,11 +190,11 @@ pub(super) enum Missed {
 }
 
 impl Missed {
-    /// When the base leaves the model [s].
-    pub(super) fn time(&self) -> Option<f64> {
+    /// How far the base turns [rad], and when it leaves the model [s].
+    pub(super) fn turns(&self) -> Option<[f64; 2]> {
         match self {
             Missed::Base(_) => None,
-            Missed::TooFar(_, time) => Some(*time),
+            Missed::TooFar(angle, time) => Some([*angle, *time]),
         }
     }
 }

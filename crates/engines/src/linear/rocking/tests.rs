@@ -296,7 +296,7 @@ fn a_run_that_does_not_repeat_says_so() {
         "{said:?}"
     );
     // So is a wall that yields at the joint.
-    let found = limits(&free);
+    let found = limits(&free, Vec::new());
     let wall = found.iter().find(|limit| limit.id == "base_wall").unwrap();
     assert!(!wall.holds && wall.note.contains("lowest course yields"), "{wall:?}");
 }
@@ -482,6 +482,40 @@ fn a_missed_ground_is_named() {
     for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
         assert!(note.contains(part), "`{part}` is missing in {note}");
     }
+}
+
+/// A base that turns too far is a limit of validity with its angle; one without an equilibrium stands at the tension of the wall held down.
+#[test]
+fn a_base_beyond_the_model_is_a_limit() {
+    let pulls = || Limit {
+        id: crate::linear::limits::UPLIFT.into(),
+        name: String::new(),
+        value: -1.0,
+        limit: 0.0,
+        dimension: Dimension::LineForce,
+        holds: true,
+        note: String::new(),
+    };
+    let missed = search::Missed::TooFar(0.0612, 3.25);
+    let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
+    let [turns] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(
+        (turns.id.as_str(), turns.value, turns.limit, turns.holds),
+        ("base_rotation", 0.0612, 0.05, false)
+    );
+    assert!(turns.note.contains("overturns"), "{}", turns.note);
+    let error = ::base::BaseError::BeyondCurve {
+        rotation: 0.01,
+        wanted: 0.2,
+        from: -0.1,
+        to: 0.1,
+    };
+    let missed = search::Missed::Base(error);
+    let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
+    assert!(
+        found.len() == 1 && !found[0].holds && found[0].note.contains("no run with uplift"),
+        "{found:?}"
+    );
 }
 
 /// Inertia on the foot that is asked for has no effect where the foot does not lift, and that is said.

@@ -99,6 +99,9 @@ pub(super) fn reason(missed: &Missed) -> String {
     }
 }
 
+/// Name of the limit of a base that turns too far.
+pub(super) const TURNS: &str = "Rotation of the base, of a run that was given up";
+
 /// There is no run.
 pub(super) fn missed(missed: &Missed) -> String {
     format!(
