@@ -13,7 +13,7 @@ use std::ops::Range;
 
 pub(super) use pair::Pair;
 
-use tank::demand::{Demands, OnWall, Terms};
+use tank::demand::{Demands, OnWall, Part, Terms};
 
 /// cos θ and sin θ of a place on the circumference. Without a motion along y the sine has no effect and is 0.
 pub(super) type Direction = (f64, f64);
@@ -97,12 +97,12 @@ pub(super) struct Field {
 impl Field {
     /// At all instants.
     pub(super) fn whole(demands: &Demands, of: &OnWall, factors: Factors) -> Field {
-        Field::part(demands, of, 0..demands.times.len(), factors)
+        Field::part(&demands.part(0..demands.times.len()), of, factors)
     }
 
-    pub(super) fn part(demands: &Demands, of: &OnWall, instants: Range<usize>, factors: Factors) -> Field {
-        let history = |terms: &Terms| factored(demands.part(terms, instants.clone()), factors);
-        let transverse = demands.transverse_part(&of.odd, instants.clone());
+    pub(super) fn part(part: &Part<'_>, of: &OnWall, factors: Factors) -> Field {
+        let history = |terms: &Terms| factored(part.history(terms), factors);
+        let transverse = part.transverse(&of.odd);
         Field {
             rest: of.rest * factors.stress,
             even: match of.even.is_empty() {

@@ -114,7 +114,7 @@ impl<'a> Ready<'a> {
                 wall = demands.places.iter().filter_map(searched).collect();
             }
         }
-        side_by_side([&mut wall, &mut at_base], demands.times.len());
+        side_by_side([&mut wall, &mut at_base], demands);
         let held = demands.base.as_ref().and_then(|base| base.held_shear.as_ref());
         let history = |terms: &Terms| History::of(demands, terms);
         let vertical = demands.vertical.as_ref().map(|terms| demands.history(terms));
@@ -138,10 +138,12 @@ impl<'a> Ready<'a> {
 }
 
 /// Every place takes all instants, on the cores of the machine.
-fn side_by_side(places: [&mut [Searched<'_>]; 2], instants: usize) {
+fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
+    let instants = demands.times.len();
     let take = |part: &mut [Searched<'_>]| {
         for row in rows(instants) {
-            part.iter_mut().for_each(|place| place.take(&row));
+            let states = demands.part(row).gathered();
+            part.iter_mut().for_each(|place| place.take(&states));
         }
     };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);

@@ -14,7 +14,7 @@ mod membrane;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use tank::demand::{Angles, Demands, OnWall, Place, Terms};
+use tank::demand::{Angles, Demands, OnWall, Part, Place, Terms};
 
 use super::field::{
     Direction, Extremes, Factors, Field, Pair, SIDES, Span, block_of, blocks_of, factored, instants, rows,
@@ -165,10 +165,10 @@ impl<'a> Searched<'a> {
     }
 
     /// Adds the next instants, one of [`super::field::rows`].
-    pub(super) fn take(&mut self, instants: &Range<usize>) {
-        let (demands, place) = (self.demands, self.place);
+    pub(super) fn take(&mut self, states: &Part<'_>) {
+        let place = self.place;
         let factors = |stress: f64| Factors { stress, motion: 1.0 };
-        let part = |of: &OnWall, stress: f64| Field::part(demands, of, instants.clone(), factors(stress));
+        let part = |of: &OnWall, stress: f64| Field::part(states, of, factors(stress));
         self.hoop.take(&part(&place.hoop, self.lost));
         let axial = part(&place.axial, self.lost);
         self.axial.take(&axial);
@@ -179,8 +179,8 @@ impl<'a> Searched<'a> {
         }
         if let (Some(shear), Some(terms)) = (&mut self.shear, &place.shear) {
             let of = |values: Vec<f64>| factored(values, factors(self.lost));
-            let along = of(demands.part(terms, instants.clone()));
-            let transverse = demands.transverse_part(terms, instants.clone()).map(of);
+            let along = of(states.history(terms));
+            let transverse = states.transverse(terms).map(of);
             shear.take_amplitude(&along, transverse.as_ref());
         }
     }
@@ -274,7 +274,7 @@ impl Search<'_> {
             stress,
             motion: self.factor,
         };
-        Field::part(self.at.demands, of, self.instants(block), factors)
+        Field::part(&self.at.demands.part(self.instants(block)), of, factors)
     }
 
     fn hoop(&self, block: usize) -> Field {
@@ -296,11 +296,12 @@ impl Search<'_> {
             stress: self.at.lost,
             motion: self.factor,
         };
-        let transverse = shear.and_then(|terms| demands.transverse_part(terms, self.instants(block)));
+        let part = demands.part(self.instants(block));
+        let transverse = shear.and_then(|terms| part.transverse(terms));
         Membrane {
             hoop: self.hoop(block),
             axial: self.axial(block),
-            shear: shear.map(|terms| factored(demands.part(terms, self.instants(block)), factors)),
+            shear: shear.map(|terms| factored(part.history(terms), factors)),
             transverse_shear: transverse.map(|values| factored(values, factors)),
         }
     }

@@ -141,47 +141,131 @@ pub struct Demands {
 impl Demands {
     /// A combination at all times.
     pub fn history(&self, terms: &Terms) -> Vec<f64> {
-        self.part(terms, 0..self.times.len())
+        self.part(0..self.times.len()).history(terms)
     }
 
     /// The same combination under the component along y; none without one.
     pub fn transverse(&self, terms: &Terms) -> Option<Vec<f64>> {
-        self.transverse_part(terms, 0..self.times.len())
+        self.part(0..self.times.len()).transverse(terms)
     }
 
-    /// A combination at some of the times: the values of [`Demands::history`] there, to the last bit.
-    pub fn part(&self, terms: &Terms, instants: Range<usize>) -> Vec<f64> {
-        combined(terms, &self.states, instants)
-    }
-
-    /// The same under the component along y; none without one.
-    pub fn transverse_part(&self, terms: &Terms, instants: Range<usize>) -> Option<Vec<f64>> {
-        (!self.transverse.is_empty()).then(|| combined(terms, &self.transverse, instants))
+    /// Some of the times: combinations there are those of [`Demands::history`], to the last bit.
+    pub fn part(&self, instants: Range<usize>) -> Part<'_> {
+        let along = States::Of(&self.states, instants.start);
+        let transverse = States::Of(&self.transverse, instants.start);
+        Part {
+            count: instants.len(),
+            along,
+            transverse: (!self.transverse.is_empty()).then_some(transverse),
+        }
     }
 }
 
-/// Σ c_k s_k at some instants, summed in the order of the terms: on every machine the same bits. A state ends in rest.
-fn combined(terms: &Terms, states: &[Vec<f64>], instants: Range<usize>) -> Vec<f64> {
-    let mut sums = vec![0.0; instants.len()];
+/// The common histories at some instants in a row.
+pub struct Part<'a> {
+    count: usize,
+    along: States<'a>,
+    transverse: Option<States<'a>>,
+}
+
+impl Part<'_> {
+    /// A combination.
+    pub fn history(&self, terms: &Terms) -> Vec<f64> {
+        combined(terms, &self.along, self.count)
+    }
+
+    /// The same under the component along y; none without one.
+    pub fn transverse(&self, terms: &Terms) -> Option<Vec<f64>> {
+        let states = self.transverse.as_ref()?;
+        Some(combined(terms, states, self.count))
+    }
+
+    /// The same with all states copied next to one another: where many combinations follow, they are found in the nearest cache. Where they come from, at
+    /// equal distances in memory, they would drive each other out of it.
+    pub fn gathered(self) -> Part<'static> {
+        Part {
+            count: self.count,
+            along: self.along.gathered(self.count),
+            transverse: self.transverse.map(|states| states.gathered(self.count)),
+        }
+    }
+}
+
+/// Where the states are.
+enum States<'a> {
+    /// Histories, from an instant on.
+    Of(&'a [Vec<f64>], usize),
+    /// One after the other.
+    Gathered(Gathered),
+}
+
+/// States one after the other.
+struct Gathered {
+    values: Vec<f64>,
+    /// Number of the first value, which begins a line of the cache, so that no register is loaded from two.
+    first: usize,
+    /// Instants of each state, a whole number of [`WHOLE`].
+    count: usize,
+}
+
+impl Gathered {
+    fn get(&self, state: usize) -> &[f64] {
+        &self.values[self.first + state * self.count..][..self.count]
+    }
+}
+
+impl States<'_> {
+    /// A state from the first instant on; it ends in rest.
+    #[inline(always)]
+    fn get(&self, state: usize) -> &[f64] {
+        match self {
+            States::Of(states, start) => states[state].get(*start..).unwrap_or_default(),
+            States::Gathered(states) => states.get(state),
+        }
+    }
+
+    fn gathered(&self, instants: usize) -> States<'static> {
+        let states = match self {
+            States::Of(states, _) => states.len(),
+            States::Gathered(states) => states.values.len() / states.count.max(1),
+        };
+        let count = instants.next_multiple_of(WHOLE);
+        let mut values = vec![0.0; states * count + LINE];
+        let first = values.as_ptr().align_offset(LINE * size_of::<f64>()).min(LINE);
+        for state in 0..states {
+            let from = self.get(state);
+            let most = from.len().min(instants);
+            values[first + state * count..][..most].copy_from_slice(&from[..most]);
+        }
+        States::Gathered(Gathered { values, first, count })
+    }
+}
+
+/// Σ c_k s_k at some instants, summed in the order of the terms: on every machine the same bits.
+fn combined(terms: &Terms, states: &States<'_>, count: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; count];
     pulp::Arch::new().dispatch(Combine {
         terms,
         states,
-        start: instants.start,
         sums: &mut sums,
     });
     sums
 }
 
-/// Instants that are summed together, in the registers of the machine.
-const LANES: usize = 16;
+/// Registers of sums: as many as two fused operations a cycle need to hide a latency of four.
+const REGISTERS: usize = 8;
 
-/// The combination of instants in a row, compiled for the widest registers: each instant has its own lane, and no product is fused with a
-/// sum.
+/// Doubles in a line of the cache.
+const LINE: usize = 8;
+
+/// Instants to which gathered states are filled up: a whole number of [`REGISTERS`] of the widest machine.
+const WHOLE: usize = 8 * REGISTERS;
+
+/// The combination of instants in a row, in the widest registers: each instant has its own lane, and every product is fused with its sum,
+/// where the machine cannot by a function that rounds alike.
 struct Combine<'a> {
     terms: &'a Terms,
-    states: &'a [Vec<f64>],
-    /// First instant.
-    start: usize,
+    states: &'a States<'a>,
     sums: &'a mut [f64],
 }
 
@@ -189,40 +273,60 @@ impl pulp::WithSimd for Combine<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Combine {
-            terms,
-            states,
-            mut start,
-            sums,
-        } = self;
-        let shortest = terms.iter().map(|&(state, _)| states[state].len()).min();
-        for sums in sums.chunks_mut(LANES) {
-            let whole = shortest.is_some_and(|length| start + LANES <= length);
-            if let (true, Some(sums)) = (whole, sums.first_chunk_mut::<LANES>()) {
-                *sums = whole_lanes(terms, states, start);
-            } else {
-                for (k, sum) in sums.iter_mut().enumerate() {
-                    let at = |state: usize| states[state].get(start + k).copied().unwrap_or(0.0);
-                    *sum = terms.iter().fold(0.0, |sum, &(state, factor)| sum + factor * at(state));
-                }
+    fn with_simd<S: pulp::Simd>(self, simd: S) {
+        let Combine { terms, states, sums } = self;
+        let width = REGISTERS * S::F64_LANES;
+        let shortest = match states {
+            States::Gathered(states) => states.count,
+            States::Of(..) => {
+                let lengths = terms.iter().map(|&(state, _)| states.get(state).len());
+                lengths.min().unwrap_or_default()
             }
-            start += LANES;
+        };
+        for (first, sums) in (0..).step_by(width).zip(sums.chunks_mut(width)) {
+            if first + width <= shortest {
+                let found = match states {
+                    States::Gathered(states) => {
+                        let values = &states.values[states.first + first..];
+                        summed(simd, terms, |state| &values[state * states.count..])
+                    }
+                    States::Of(histories, start) => summed(simd, terms, |state| &histories[state][start + first..]),
+                };
+                let (whole, rest) = S::as_mut_simd_f64s(sums);
+                let filled = whole.len();
+                whole.iter_mut().zip(found).for_each(|(sum, found)| *sum = found);
+                if !rest.is_empty() {
+                    let found: &[f64] = pulp::bytemuck::cast_slice(&found);
+                    rest.copy_from_slice(&found[filled * S::F64_LANES..][..rest.len()]);
+                }
+                continue;
+            }
+            for (k, sum) in (first..).zip(sums) {
+                let at = |state: usize| states.get(state).get(k).copied().unwrap_or(0.0);
+                *sum = terms
+                    .iter()
+                    .fold(0.0, |sum, &(state, factor)| factor.mul_add(at(state), sum));
+            }
         }
     }
 }
 
-/// The sums of [`LANES`] instants that every state has.
+/// The sums of [`REGISTERS`] of instants that every state has.
+///
+/// * `from`: a state from the first of them on
 #[inline(always)]
-fn whole_lanes(terms: &Terms, states: &[Vec<f64>], start: usize) -> [f64; LANES] {
-    let mut lanes = [0.0; LANES];
+fn summed<'a, S: pulp::Simd>(simd: S, terms: &Terms, from: impl Fn(usize) -> &'a [f64]) -> [S::f64s; REGISTERS] {
+    let mut sums = [simd.splat_f64s(0.0); REGISTERS];
     for &(state, factor) in terms {
-        let values: &[f64] = &states[state][start..start + LANES];
-        for k in 0..LANES {
-            lanes[k] += factor * values[k];
+        let (values, _) = S::as_simd_f64s(from(state));
+        if let Some(values) = values.first_chunk::<REGISTERS>() {
+            let factor = simd.splat_f64s(factor);
+            for k in 0..REGISTERS {
+                sums[k] = simd.mul_add_f64s(factor, values[k], sums[k]);
+            }
         }
     }
-    lanes
+    sums
 }
 
 #[cfg(test)]
@@ -243,7 +347,7 @@ mod tests {
     /// Six states, three instants beyond the last full lanes: Σ k (i + k) = 15 i + 55 for k = 0 to 5.
     #[test]
     fn lanes_leave_nothing_out() {
-        let count = 64 * LANES + 3;
+        let count = 64 * WHOLE + 3;
         let terms: Terms = (0..6_u32).map(|k| (k as usize, f64::from(k))).collect();
         let demands = Demands {
             times: vec![0.0; count],
@@ -252,6 +356,9 @@ mod tests {
         };
         let found = demands.history(&terms);
         assert!((0..count).all(|i| found[i] == (15 * i + 55) as f64));
-        assert_eq!(demands.part(&terms, 1020..count), found[1020..]);
+        for start in [4080, count - 1, count] {
+            assert_eq!(demands.part(start..count).history(&terms), found[start..]);
+            assert_eq!(demands.part(start..count).gathered().history(&terms), found[start..]);
+        }
     }
 }
