@@ -142,7 +142,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     match args.command {
         Command::Plan(args) => make(&args, global),
         Command::Run(args) => compute(&args, global),
-        Command::Status(args) => status(&args),
+        Command::Status(args) => status(&args, global),
         Command::Merge(args) => merged(&args, global),
     }
 }
@@ -252,6 +252,24 @@ fn size(bytes: f64) -> String {
     }
 }
 
+/// What the input of a study has that its plan has not; none where nothing changed, or the input cannot be read here, which is said.
+fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<String> {
+    let compared = study_of(folder, planned.0).and_then(|study| plan::departure(&study, planned, folder));
+    compared.unwrap_or_else(|error| {
+        if !quiet {
+            let message = error.message();
+            let first = message.lines().next().unwrap_or_default();
+            say!("note: the input of the study is not compared with its plan: {first}");
+        }
+        None
+    })
+}
+
+/// Errors: input that changed since the plan.
+fn unchanged(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Result<(), Error> {
+    departure(folder, planned, quiet).map_or(Ok(()), |what| Err(plan::changed_since(&what)))
+}
+
 /// The study file of a plan.
 fn study_of(folder: &Path, plan: &Plan) -> Result<input::StudyInput, Error> {
     Ok(input::read(&folder.join(&plan.study))?)
@@ -261,6 +279,10 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let (plan, tasks) = plan::read(&args.folder)?;
     let which = which(args, tasks.len())?;
+    // A task compares its own input.
+    if !matches!(which, Which::One(_)) {
+        unchanged(&args.folder, (&plan, &tasks), global.quiet)?;
+    }
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.jobs.map_or(cores, usize::from);
     // Tasks run beside each other: a nonlinear run does not take more cores.
@@ -271,12 +293,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         let study = study_of(&args.folder, &plan)?;
         match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
             true => Ok(study),
-            false => Err(Error::input(
-                Code::StudyChanged,
-                "the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
-                 whose input is unchanged are kept"
-                    .into(),
-            )),
+            false => Err(plan::changed_since("the number of tanks or records of the study file")),
         }
     };
     let done = run::run(
@@ -349,9 +366,11 @@ struct Status {
     rows_done: usize,
     bytes: u64,
     failures: Vec<store::Failure>,
+    /// Input that changed since the plan.
+    changed: Option<String>,
 }
 
-fn status(args: &StatusArgs) -> Result<u8, Error> {
+fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
     let (plan, tasks) = plan::read(&args.folder)?;
     let survey = store::survey(&args.folder);
     let mut found = Status {
@@ -366,6 +385,7 @@ fn status(args: &StatusArgs) -> Result<u8, Error> {
         rows: plan.rows,
         rows_done: 0,
         failures: Vec::new(),
+        changed: departure(&args.folder, (&plan, &tasks), global.quiet),
     };
     for task in &tasks {
         found.running += usize::from(survey.here.contains(&task.key));
@@ -427,6 +447,9 @@ fn human(plan: &Plan, found: &Status) -> String {
         row("failed", found.failed, "`study run --retry` computes them again");
     }
     let _ = writeln!(said, "  disk     {:>9}", size(found.bytes as f64));
+    if let Some(what) = &found.changed {
+        let _ = writeln!(said, "  {}: `study run` and `merge` refuse it", plan::since(what));
+    }
     for failure in found.failures.iter().take(10) {
         let message = text::line(&failure.message);
         let _ = writeln!(
@@ -442,6 +465,7 @@ fn human(plan: &Plan, found: &Status) -> String {
 fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     let _style = args.style.apply();
     let (plan, tasks) = plan::read(&args.folder)?;
+    unchanged(&args.folder, (&plan, &tasks), global.quiet)?;
     let watch = Watch::new(global, "merging");
     let found = merge::merge(&args.folder, &plan, &tasks, args.partial, &watch)?;
     if let Some(study) = &found.study {

@@ -423,13 +423,70 @@ pub(super) fn changed(
 ) -> Option<String> {
     for (&(tank, sample), key) in tanks {
         if plan.tanks[tank].keys.get(sample as usize) != Some(key) {
-            return Some(format!("the tank `{}`", plan.tanks[tank].id));
+            return Some(of_tank(&plan.tanks[tank].id));
         }
     }
     for (&record, key) in records {
         if &plan.records[record].key != key {
-            return Some(format!("the record `{}`", plan.records[record].id));
+            return Some(of_record(&plan.records[record].id));
         }
     }
     None
+}
+
+/// What the input of a study has that its plan has not: another tank, record or study file. None where nothing changed.
+///
+/// Errors: as [`make`].
+pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &Path) -> Result<Option<String>, Error> {
+    let (now, tasks_now) = make(study, &folder.join(&plan.study), folder)?;
+    if tasks
+        .iter()
+        .map(|task| &task.key)
+        .eq(tasks_now.iter().map(|task| &task.key))
+    {
+        return Ok(None);
+    }
+    let tank = |before: &PlannedTank| {
+        now.tanks
+            .iter()
+            .any(|tank| tank.id == before.id && tank.keys != before.keys)
+    };
+    let record = |before: &PlannedRecord| {
+        now.records
+            .iter()
+            .any(|record| record.id == before.id && record.key != before.key)
+    };
+    let tank = plan.tanks.iter().find(|before| tank(before));
+    let record = plan.records.iter().find(|before| record(before));
+    Ok(Some(match (tank, record) {
+        (Some(tank), _) => of_tank(&tank.id),
+        (None, Some(record)) => of_record(&record.id),
+        (None, None) => "the study file".into(),
+    }))
+}
+
+fn of_tank(id: &str) -> String {
+    format!("the tank `{id}`")
+}
+
+fn of_record(id: &str) -> String {
+    format!("the record `{id}`")
+}
+
+/// The error of input that is not as it was when the plan was made.
+///
+/// * `what`: as [`departure`] says it
+pub fn changed_since(what: &str) -> Error {
+    Error::input(
+        Code::StudyChanged,
+        format!(
+            "{}\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept",
+            since(what)
+        ),
+    )
+}
+
+/// The same as a clause.
+pub fn since(what: &str) -> String {
+    format!("{what} changed since the plan")
 }

@@ -20,7 +20,7 @@ use tank::check::Decision;
 use tank::demand::{Demands, Footing};
 
 use super::key;
-use super::plan::{Plan, Task, changed, of_sample};
+use super::plan::{Plan, Task, changed, changed_since, of_sample};
 use super::rows::{Line, Row, RowStatus, TankRow, kept};
 use crate::error::Error;
 use crate::input::TankFile;
@@ -100,12 +100,7 @@ fn unchanged(
 ) -> Result<(), Error> {
     match changed(plan, tanks, records) {
         None => Ok(()),
-        Some(what) => Err(Error::input(
-            Code::StudyChanged,
-            format!(
-                "{what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
-            ),
-        )),
+        Some(what) => Err(changed_since(&what)),
     }
 }
 

@@ -336,6 +336,20 @@ fn a_file_that_changed_since_the_plan_is_not_computed() {
     tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
     let text = said(&tankcheck(path, &["study", "run", "out"]));
     assert!(text.contains("3 tasks computed, 3 kept"), "{text}");
+    // So is a finished study: its rows would not be those of the files.
+    fs::write(path.join("farm.csv"), "tag,liquid.fill_height\nA,1.6 m\nB,1.3 m\n").unwrap();
+    for (command, code) in [("run", 2), ("merge", 2), ("status", 0)] {
+        let output = tankcheck(path, &["study", command, "out"]);
+        let text = said(&output);
+        assert_eq!(output.status.code(), Some(code), "{command}: {text}");
+        assert!(text.contains("the tank `A` changed since the plan"), "{command}: {text}");
+    }
+    // Where the input is not at hand, results are merged, and that is said.
+    fs::remove_file(path.join("farm.csv")).unwrap();
+    let output = tankcheck(path, &["study", "merge", "out"]);
+    let text = said(&output);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.contains("is not compared with its plan"), "{text}");
 }
 
 /// A sample whose tank is not possible is a row, not the end of the study.
