@@ -342,7 +342,10 @@ fn a_file_that_changed_since_the_plan_is_not_computed() {
         let output = tankcheck(path, &["study", command, "out"]);
         let text = said(&output);
         assert_eq!(output.status.code(), Some(code), "{command}: {text}");
-        assert!(text.contains("the tank `A` changed since the plan"), "{command}: {text}");
+        assert!(
+            text.contains("the tank `A` changed since the plan"),
+            "{command}: {text}"
+        );
     }
     // Where the input is not at hand, results are merged, and that is said.
     fs::remove_file(path.join("farm.csv")).unwrap();

@@ -335,6 +335,10 @@ fn report(
         let hoop = Hoop::of(&analysis, seen, fill);
         moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
     }
+    if let Some(found) = &isolated {
+        rocking::of_base(&found.result.quantities, &mut values);
+    }
+    free.rest(&mut values);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));

@@ -70,6 +70,13 @@ pub fn quantity(quantity: Quantity) -> &'static str {
         Quantity::HoopStress => "hoop stress",
         Quantity::AxialMembraneStress => "axial membrane stress at the base",
         Quantity::BendingStress => "bending stress at the base",
+        Quantity::Uplift => "uplift of the rim",
+        Quantity::BaseRotation => "base rotation",
+        Quantity::PlasticRotation => "plastic rotation of the bottom joint",
+        Quantity::ToeAxialStress => "toe axial stress",
+        Quantity::Slip => "slip on the ground",
+        Quantity::AnchorForce => "anchor force",
+        Quantity::IsolatorDisplacement => "isolator displacement",
     }
 }
 

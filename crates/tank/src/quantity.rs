@@ -1,7 +1,8 @@
 //! Comparable quantities of the code procedures and the finite-element engines.
 //!
 //! All quantities are the *seismic* part alone (hydrostatic and self-weight states excluded), absolute maxima over time
-//! and circumference. Values combined with the static state appear in checks and profiles, never here.
+//! and circumference. Values combined with the static state appear in checks and profiles, never here; of a base that is free to move the
+//! stress at the toe alone includes its state at rest, which changes with the motion.
 
 use serde::{Deserialize, Serialize};
 
@@ -37,11 +38,25 @@ pub enum Quantity {
     AxialMembraneStress,
     /// Meridional bending stress at the base of the wall [Pa].
     BendingStress,
+    /// Largest rise of the rim above its place at rest [m].
+    Uplift,
+    /// Rotation of the base [rad].
+    BaseRotation,
+    /// Plastic rotation of the joint of wall and bottom plate [rad].
+    PlasticRotation,
+    /// Compression of the wall at its foot where the base turns down, with that at rest [Pa].
+    ToeAxialStress,
+    /// Displacement of the tank on the ground [m].
+    Slip,
+    /// Force of an anchor [N].
+    AnchorForce,
+    /// Displacement of the isolators [m].
+    IsolatorDisplacement,
 }
 
 impl Quantity {
     /// All quantities in report order.
-    pub const ALL: [Quantity; 13] = [
+    pub const ALL: [Quantity; 20] = [
         Quantity::SloshingPeriod,
         Quantity::SloshingHeight,
         Quantity::ImpulsivePeriod,
@@ -55,6 +70,13 @@ impl Quantity {
         Quantity::HoopStress,
         Quantity::AxialMembraneStress,
         Quantity::BendingStress,
+        Quantity::Uplift,
+        Quantity::BaseRotation,
+        Quantity::PlasticRotation,
+        Quantity::ToeAxialStress,
+        Quantity::Slip,
+        Quantity::AnchorForce,
+        Quantity::IsolatorDisplacement,
     ];
 
     /// Id as in `results.json`, e.g. `sloshing_height`.
@@ -73,6 +95,13 @@ impl Quantity {
             Quantity::HoopStress => "hoop_stress",
             Quantity::AxialMembraneStress => "axial_membrane_stress",
             Quantity::BendingStress => "bending_stress",
+            Quantity::Uplift => "uplift",
+            Quantity::BaseRotation => "base_rotation",
+            Quantity::PlasticRotation => "plastic_rotation",
+            Quantity::ToeAxialStress => "toe_axial_stress",
+            Quantity::Slip => "slip",
+            Quantity::AnchorForce => "anchor_force",
+            Quantity::IsolatorDisplacement => "isolator_displacement",
         }
     }
 
@@ -97,6 +126,13 @@ impl Quantity {
             Quantity::HoopStress => "Hoop stress",
             Quantity::AxialMembraneStress => "Axial membrane stress at the base",
             Quantity::BendingStress => "Bending stress at the base",
+            Quantity::Uplift => "Uplift of the rim",
+            Quantity::BaseRotation => "Base rotation",
+            Quantity::PlasticRotation => "Plastic rotation of the bottom joint",
+            Quantity::ToeAxialStress => "Toe axial stress, with that at rest",
+            Quantity::Slip => "Slip on the ground",
+            Quantity::AnchorForce => "Anchor force",
+            Quantity::IsolatorDisplacement => "Isolator displacement",
         }
     }
 
@@ -116,6 +152,13 @@ impl Quantity {
             Quantity::HoopStress => "σ_θ",
             Quantity::AxialMembraneStress => "σ_z",
             Quantity::BendingStress => "σ_b",
+            Quantity::Uplift => "w",
+            Quantity::BaseRotation => "ψ",
+            Quantity::PlasticRotation => "θ_p",
+            Quantity::ToeAxialStress => "σ_toe",
+            Quantity::Slip => "x_s",
+            Quantity::AnchorForce => "F_a",
+            Quantity::IsolatorDisplacement => "u_b",
         }
     }
 
@@ -153,6 +196,21 @@ impl Quantity {
             Quantity::BendingStress => {
                 "Largest vertical bending stress at the foot of the wall, where the bottom clamps it."
             }
+            Quantity::Uplift => "Largest rise of the rim of a tank that is free to lift, above its place at rest.",
+            Quantity::BaseRotation => {
+                "Largest rotation of the base of a tank that is free to lift, as a plane through its rim."
+            }
+            Quantity::PlasticRotation => {
+                "Plastic rotation of the joint of wall and bottom plate where the rim lifts most."
+            }
+            Quantity::ToeAxialStress => {
+                "Largest vertical compression of the wall at its foot, where a free base turns down. The weight at rest is included."
+            }
+            Quantity::Slip => "Largest displacement on the ground of a tank that is free to slide.",
+            Quantity::AnchorForce => "Largest force of an anchor, where anchors stretch in the run.",
+            Quantity::IsolatorDisplacement => {
+                "Largest horizontal displacement of the slab over the ground, on isolators."
+            }
         }
     }
 
@@ -161,17 +219,34 @@ impl Quantity {
         !matches!(self.dimension(), Dimension::Time | Dimension::Mass)
     }
 
+    /// Those of a base that is free to move.
+    pub const OF_BASE: [Quantity; 7] = [
+        Quantity::Uplift,
+        Quantity::BaseRotation,
+        Quantity::PlasticRotation,
+        Quantity::ToeAxialStress,
+        Quantity::Slip,
+        Quantity::AnchorForce,
+        Quantity::IsolatorDisplacement,
+    ];
+
     /// Dimension of the value, which is always stored in SI.
     pub fn dimension(self) -> Dimension {
         match self {
             Quantity::SloshingPeriod | Quantity::ImpulsivePeriod => Dimension::Time,
-            Quantity::SloshingHeight => Dimension::Length,
+            Quantity::SloshingHeight | Quantity::Uplift | Quantity::Slip | Quantity::IsolatorDisplacement => {
+                Dimension::Length
+            }
+            Quantity::BaseRotation | Quantity::PlasticRotation => Dimension::Angle,
             Quantity::ImpulsiveMass | Quantity::WallMass | Quantity::RoofMass | Quantity::ConvectiveMass => {
                 Dimension::Mass
             }
-            Quantity::BaseShear => Dimension::Force,
+            Quantity::BaseShear | Quantity::AnchorForce => Dimension::Force,
             Quantity::BaseMoment | Quantity::OverturningMoment => Dimension::Moment,
-            Quantity::HoopStress | Quantity::AxialMembraneStress | Quantity::BendingStress => Dimension::Stress,
+            Quantity::HoopStress
+            | Quantity::AxialMembraneStress
+            | Quantity::BendingStress
+            | Quantity::ToeAxialStress => Dimension::Stress,
         }
     }
 }
@@ -200,6 +275,13 @@ mod tests {
                 "hoop_stress",
                 "axial_membrane_stress",
                 "bending_stress",
+                "uplift",
+                "base_rotation",
+                "plastic_rotation",
+                "toe_axial_stress",
+                "slip",
+                "anchor_force",
+                "isolator_displacement",
             ]
         );
         assert_eq!(ids.map(Quantity::from_id), Quantity::ALL.map(Some));
@@ -221,9 +303,10 @@ mod tests {
         for q in Quantity::ALL {
             let dimension = match q.id().rsplit('_').next().unwrap() {
                 "period" => Dimension::Time,
-                "height" => Dimension::Length,
+                "height" | "uplift" | "slip" | "displacement" => Dimension::Length,
+                "rotation" => Dimension::Angle,
                 "mass" => Dimension::Mass,
-                "shear" => Dimension::Force,
+                "shear" | "force" => Dimension::Force,
                 "moment" => Dimension::Moment,
                 "stress" => Dimension::Stress,
                 other => panic!("{other}"),

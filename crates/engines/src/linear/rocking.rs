@@ -14,6 +14,7 @@ mod search;
 mod tests;
 mod words;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use ::base::history::Friction;
@@ -24,7 +25,7 @@ use tank::case::GroundMotion;
 use tank::demand::{Demands, Footing, FreeBase};
 use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
-use tank::{Case, STANDARD_GRAVITY, Shape, Support};
+use tank::{Case, Quantity, STANDARD_GRAVITY, Shape, Support};
 
 use super::analysis::{Analysis, Extent};
 use super::model::Model;
@@ -33,6 +34,7 @@ use crate::floor_pressure::impulsive_pressure;
 use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::response::motion::{Grid, Motion};
 
+pub(super) use lifted::of_base;
 pub(super) use outcome::Moved;
 pub(crate) use search::Known;
 use search::{Found, Setup};
@@ -101,6 +103,14 @@ impl Free {
     /// Whether the base was free to move.
     pub(super) fn is_modelled(&self) -> bool {
         matches!(self, Free::Rests(_) | Free::Moves(_))
+    }
+
+    /// What a base that rests adds to the comparable values.
+    pub(super) fn rest(&self, values: &mut BTreeMap<Quantity, f64>) {
+        if let Free::Rests(_) = self {
+            values
+                .extend([Quantity::Uplift, Quantity::PlasticRotation, Quantity::Slip].map(|quantity| (quantity, 0.0)));
+        }
     }
 
     /// The demands on a free base, where those of the wall are computed.

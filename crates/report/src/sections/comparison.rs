@@ -88,6 +88,11 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut rows = Vec::new();
     for row in &results.comparison.rows {
         let cells: Vec<_> = columns.iter().map(|&i| row.cells.get(i).copied().flatten()).collect();
+        // What one engine alone gives stands on the cover and in the section of the base.
+        let of_base = Quantity::OF_BASE.iter().any(|quantity| quantity.id() == row.quantity);
+        if of_base && cells.iter().flatten().count() == 1 {
+            continue;
+        }
         let scale = Scale::of(row.dimension, cells.iter().flatten().map(|c| c.value));
         rows.push(Row {
             title: row.title.clone(),

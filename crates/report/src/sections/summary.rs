@@ -3,6 +3,7 @@
 use files::code::{Code, Warning as Warned};
 use serde::Serialize;
 use tank::Quantity;
+use tank::assessment::Excitation;
 use tank::units::Dimension;
 
 use super::{Section, Source};
@@ -14,7 +15,7 @@ use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Aside, Deciding, Limit, Results, VerdictStatus};
+use results::{Aside, Deciding, FE, Limit, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -89,6 +90,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set_figures("sketch", vec![super::tank::sketch(&source.results.tank)]);
     section.set_figures("site_figures", headline_figures(results, true));
     section.set_figures("figures", headline_figures(results, false));
+    section.set("base", &base(results));
     Ok(Some(section))
 }
 
@@ -224,6 +226,19 @@ fn facts(source: &Source) -> Vec<Pair> {
         add(words::summary::FIRST_STRUCTURAL, with_unit(t, Dimension::Time));
     }
     facts
+}
+
+/// The base that is free to move, of the first engine under the record.
+fn base(results: &Results) -> Vec<Pair> {
+    let run = |m: &&results::Method| m.id == FE && m.excitation == Excitation::Record;
+    let Some(method) = results.methods.iter().find(run) else {
+        return Vec::new();
+    };
+    let of = |quantity: Quantity| {
+        let value = method.quantities.get(quantity.id())?;
+        Some(Pair::new(quantity.title(), with_unit(value.value, value.dimension)))
+    };
+    Quantity::OF_BASE.into_iter().filter_map(of).collect()
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {

@@ -16,6 +16,11 @@ pub fn depends(quantity: Quantity, why: Outside) -> bool {
         Quantity::HoopStress,
         Quantity::AxialMembraneStress,
         Quantity::BendingStress,
+        Quantity::Uplift,
+        Quantity::BaseRotation,
+        Quantity::PlasticRotation,
+        Quantity::ToeAxialStress,
+        Quantity::Slip,
     ];
     let impulsive = [Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass];
     let of_plates = impulsive.iter().filter(|_| why == Outside::Plates);

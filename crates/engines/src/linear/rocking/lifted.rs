@@ -37,6 +37,15 @@ const MOVING: [Quantity; 7] = [
 /// Id of the largest hoop stress below the surface at rest.
 const WETTED: &str = "wetted_hoop_stress";
 
+/// What a base that moves adds to the comparable values.
+pub(in crate::linear) fn of_base(found: &[BaseQuantity], values: &mut BTreeMap<Quantity, f64>) {
+    for quantity in Quantity::OF_BASE {
+        if let Some(own) = found.iter().find(|own| own.id == quantity.id()) {
+            values.insert(quantity, own.value.value);
+        }
+    }
+}
+
 impl Moved {
     /// The model on the moving base.
     pub(in crate::linear) fn model(&self, model: &Model) -> Model {
@@ -64,6 +73,7 @@ impl Moved {
         values.remove(&Quantity::BendingStress);
         let (axial, at) = self.foot_stress();
         values.insert(Quantity::AxialMembraneStress, axial);
+        of_base(&self.result.quantities, values);
         let moving = |quantity: &Quantity| MOVING.contains(quantity);
         let held = held.iter().filter(|(quantity, _)| moving(quantity));
         self.result.held = held

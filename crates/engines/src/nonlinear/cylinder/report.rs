@@ -42,7 +42,11 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
     worst.envelop(&last);
     let histories = histories(tank, watch);
-    let values = values(tank, watch);
+    let mut values = values(tank, watch);
+    for (quantity, value) in of_base(&histories).filter(|_| tank.standing.is_some()) {
+        let known = values.entry(quantity).or_default();
+        *known = value.max(*known);
+    }
     let mut notes = case.ground_motion.as_ref().map_or_else(Vec::new, both_directions);
     if case.tank.support == Support::Unanchored && tank.standing.is_none() {
         notes.push(HELD_DOWN.into());
@@ -212,6 +216,23 @@ fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
         },
         None => Extremes::default(),
     }
+}
+
+/// Of a base that is free to move: the comparable values whose histories are given.
+fn of_base(histories: &Histories) -> impl Iterator<Item = (Quantity, f64)> {
+    let of = |info: &SeriesInfo| {
+        let quantity = match info.channel()? {
+            Channel::Uplift(_) => Quantity::Uplift,
+            Channel::BaseRotation => Quantity::BaseRotation,
+            Channel::PlasticRotation(_) => Quantity::PlasticRotation,
+            Channel::ToeStress => Quantity::ToeAxialStress,
+            Channel::Slip => Quantity::Slip,
+            Channel::AnchorForce => Quantity::AnchorForce,
+            _ => return None,
+        };
+        Some((quantity, info.peak))
+    };
+    histories.info.iter().filter_map(of)
 }
 
 fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
