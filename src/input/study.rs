@@ -10,7 +10,7 @@ mod sample;
 mod scales;
 mod tanks;
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::curves::runs::Method;
 use crate::input::diagnostic::{Faults, Source};
@@ -296,7 +296,10 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
 
 /// Name of a file for rows: relative to the folder of the study, without extension, with `/` between folders.
 fn name_of(path: &Path, folder: &Path) -> String {
-    let relative = path.strip_prefix(folder).unwrap_or(path).with_extension("");
+    // A pattern that begins with `./` finds files without it.
+    let plain = |path: &Path| -> PathBuf { path.components().filter(|part| *part != Component::CurDir).collect() };
+    let (path, folder) = (plain(path), plain(folder));
+    let relative = path.strip_prefix(folder).unwrap_or(&path).with_extension("");
     relative
         .components()
         .map(|part| part.as_os_str().to_string_lossy().into_owned())

@@ -461,7 +461,7 @@ pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &P
     Ok(Some(match (tank, record) {
         (Some(tank), _) => of_tank(&tank.id),
         (None, Some(record)) => of_record(&record.id),
-        (None, None) => "the study file".into(),
+        (None, None) => "the study file, or the program's methods,".into(),
     }))
 }
 

@@ -460,7 +460,10 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     let base = run.result.base.as_ref().unwrap();
     for quantity in ["uplift", "base_rotation", "plastic_rotation", "toe_axial_stress"] {
         let value = run.values[&Quantity::from_id(quantity).unwrap()];
-        assert!(value > 0.0 && value == base.quantity(quantity).unwrap().value.value, "{quantity}");
+        assert!(
+            value > 0.0 && value == base.quantity(quantity).unwrap().value.value,
+            "{quantity}"
+        );
     }
     let (_, assumptions) = run.of_modes.as_ref().unwrap();
     assert!(assumptions.iter().any(|text| text == CLAMPED));
