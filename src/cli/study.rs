@@ -490,9 +490,12 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
             found.missing
         );
     }
-    let (all, fitted) = curves(&found);
-    if all > 0 {
-        let _ = writeln!(said, "  curves    {fitted:>9}  of {all} identified");
+    let (mut all, mut fitted) = (0, 0);
+    for (title, [own, of]) in CURVES.into_iter().zip(curves(&found)) {
+        if of > 0 {
+            let _ = writeln!(said, "  {title:<10}{own:>9}  of {of} identified");
+        }
+        (all, fitted) = (all + of, fitted + own);
     }
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
@@ -511,10 +514,20 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
 const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records, or \
                         `\"method\": \"capacities\"` in the study file identify more";
 
-/// Curves of the tanks: all, and those that the data identify.
-fn curves(found: &merge::Merged) -> (usize, usize) {
-    let all = found.study.iter().flat_map(|study| &study.curves);
-    (all.clone().count(), all.filter(|curve| curve.fit.is_some()).count())
+/// Titles of [`curves`].
+const CURVES: [&str; 2] = ["curves", "of farm"];
+
+/// Curves of the tanks and of the farm: those that the data identify, and all.
+fn curves(found: &merge::Merged) -> [[usize; 2]; 2] {
+    let count = |curves: &[results::StudyCurve]| {
+        let fitted = curves.iter().filter(|curve| curve.fit.is_some());
+        [fitted.count(), curves.len()]
+    };
+    let study = found.study.as_ref();
+    [
+        study.map_or([0; 2], |study| count(&study.curves)),
+        study.map_or([0; 2], |study| count(&study.system)),
+    ]
 }
 
 /// Runs the worst row of each tank again, with all that `compare` writes.
