@@ -37,6 +37,11 @@ pub(super) fn procedures(methods: &mut [Method], design: &Design) {
 
 /// The same for the column of the engine, whose checks come from the findings.
 pub(super) fn engine(method: &mut Method, design: &Design) {
-    method.quantities = quantities(&design.values);
+    let mut values = quantities(&design.values);
+    // Periods and masses are those of the tank: of the run that is shown, where the mass of the wall is separated from that of the liquid.
+    values.retain(|id, _| Quantity::from_id(id).is_some_and(Quantity::is_response));
+    let own = std::mem::take(&mut method.quantities).into_iter();
+    values.extend(own.filter(|(id, _)| Quantity::from_id(id).is_some_and(|quantity| !quantity.is_response())));
+    method.quantities = values;
     method.notes.insert(0, design.note.clone());
 }

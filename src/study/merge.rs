@@ -319,7 +319,7 @@ fn csv_tank(text: &mut String, tank: &TankRow, values: &BTreeSet<String>) {
     match &tank.governing {
         Some((method, check, utilisation)) => {
             let _ = write!(text, "{method},{check},");
-            number(text, Some(*utilisation));
+            number(text, *utilisation);
         }
         None => text.push_str(",,"),
     }

@@ -54,10 +54,11 @@ impl Tanks {
             Some(known) if severity(known) >= severity(found) => {}
             _ => (tank.verdict, tank.samples[1]) = (Some(found), 1),
         }
-        if let Some(governing) = &row.governing {
-            let worse = tank.governing.as_ref().is_none_or(|known| governing.2 > known.2);
+        if let Some((method, check, utilisation)) = &row.governing {
+            let utilisation = utilisation.unwrap_or(f64::INFINITY);
+            let worse = tank.governing.as_ref().is_none_or(|known| utilisation > known.2);
             if worse {
-                tank.governing = Some(governing.clone());
+                tank.governing = Some((method.clone(), check.clone(), utilisation));
             }
         }
     }

@@ -120,8 +120,8 @@ pub struct TankRow {
     pub volume: Option<f64>,
     /// Verdict of the deciding codes under the design spectra: `holds`, `fails`, `incomplete`, `not_assessed`, or `refused`.
     pub verdict: String,
-    /// Method and check with the largest utilisation, and that.
-    pub governing: Option<(String, String, f64)>,
+    /// Method and check with the largest utilisation, and that; none without any capacity, which exceeds all.
+    pub governing: Option<(String, String, Option<f64>)>,
     /// Method and limit state of what the deciding codes require and was not checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub open: Vec<(String, String)>,

@@ -303,8 +303,8 @@ impl Unit<'_> {
             volume: Some(kept(job.case.liquid_mass() / job.case.liquid.density)),
             verdict: status(verdict.status).into(),
             governing: governing.map(|g| {
-                let utilisation = g.check.utilisation.unwrap_or(f64::MAX);
-                (g.method.clone(), g.check.id.clone(), kept(utilisation))
+                let utilisation = g.check.utilisation.filter(|value| value.is_finite());
+                (g.method.clone(), g.check.id.clone(), utilisation.map(kept))
             }),
             open: open(verdict),
             message: None,

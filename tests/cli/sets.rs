@@ -423,7 +423,7 @@ fn a_record_that_overturns_the_tank() {
     assert_ne!(bare, tank);
     fs::write(path("tank.json"), bare).unwrap();
     let record = fs::read_to_string(record(1)).unwrap();
-    for (name, factor) in [("weak.csv", 0.4), ("violent.csv", 4.0)] {
+    for (name, factor) in [("weak.csv", 0.4), ("violent.csv", 4.0), ("still.csv", 0.01)] {
         let scaled: Vec<String> = (record.lines().enumerate())
             .map(|(i, line)| match line.split_once(',') {
                 Some((time, a)) if i > 0 => format!("{time},{}", factor * a.parse::<f64>().unwrap()),
@@ -433,6 +433,7 @@ fn a_record_that_overturns_the_tank() {
         fs::write(path(name), scaled.join("\n")).unwrap();
     }
     let (tank, weak, violent) = (path("tank.json"), path("weak.csv"), path("violent.csv"));
+    let still = path("still.csv");
     let found = results(
         &[
             "compare",
@@ -441,15 +442,18 @@ fn a_record_that_overturns_the_tank() {
             &weak,
             "--quake",
             &violent,
+            "--quake",
+            &still,
             "--no-report",
             "--format",
             "json",
         ],
         home.path(),
     );
-    let [stands, overturns] = &runs(&found)[..] else {
-        panic!("two records")
+    let [stands, overturns, rests] = &runs(&found)[..] else {
+        panic!("three records")
     };
+    assert_eq!(rests["values"]["fe"]["uplift"], 0.0);
     for quantity in ["base_shear", "uplift", "hoop_stress"] {
         assert!(stands["values"]["fe"][quantity].is_number(), "{quantity}");
         assert!(overturns["values"]["fe"][quantity].is_null(), "{quantity}");

@@ -449,3 +449,36 @@ fn one_tank_of_the_farm_gives_its_accepted_curves() {
         }
     }
 }
+
+/// A tank of which a code leaves no capacity: its largest utilisation is no number, and its study is merged.
+#[test]
+fn a_tank_without_any_capacity_is_merged() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/05_oil_tank/tank.json");
+    let tank = fs::read_to_string(example).unwrap();
+    let shaken = tank.replace(r#""ag": "0.12 g""#, r#""ag": "2.4 g""#);
+    assert_ne!(shaken, tank);
+    fs::write(path.join("tank.json"), shaken).unwrap();
+    let study = r#"{ "name": "none left", "tanks": [{ "files": "tank.json" }], "engine": "none" }"#;
+    fs::write(path.join("study.json"), study).unwrap();
+    for command in [
+        &["study", "plan", "study.json", "--out", "out"][..],
+        &["study", "run", "out"],
+        &["study", "merge", "out"],
+    ] {
+        let output = tankcheck(path, command);
+        assert!(output.status.success(), "{command:?}: {}", said(&output));
+    }
+    let tanks = fs::read_to_string(path.join("out/tanks.csv")).unwrap();
+    assert!(
+        tanks
+            .lines()
+            .nth(1)
+            .unwrap()
+            .starts_with("tank,0,fails,ec8-2006,sliding,,"),
+        "{tanks}"
+    );
+    let page = fs::read_to_string(path.join("out/report.html")).unwrap();
+    assert!(page.contains("no capacity is left"));
+}

@@ -71,7 +71,7 @@ pub struct StudyTank {
     pub samples: [usize; 2],
     /// Verdict of the deciding codes: the worst of the samples; none of a tank without a result or that is not possible.
     pub verdict: Option<VerdictStatus>,
-    /// Method, check, utilisation: the largest of the samples.
+    /// Method, check, utilisation: the largest of the samples; infinite without any capacity.
     pub governing: Option<(String, String, f64)>,
     /// Impulsive and sloshing period of the first sample [s].
     pub periods: [Option<f64>; 2],

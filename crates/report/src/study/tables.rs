@@ -2,7 +2,7 @@
 
 use tank::units::Dimension;
 
-use crate::number::{Scale, count, fixed, percent, significant, utilisation};
+use crate::number::{Scale, count, fixed, percent, significant};
 use crate::table::{Column, Table};
 use crate::words::study::{self as words, heads};
 use results::{Study, StudyCurve, StudyRule};
@@ -48,7 +48,7 @@ pub(super) fn tanks(study: &Study) -> Table {
             row.push(words::samples(tank));
         }
         match &tank.governing {
-            Some((method, check, value)) => row.extend([words::id(check), method.clone(), utilisation(*value)]),
+            Some((method, check, value)) => row.extend([words::id(check), method.clone(), words::utilised(*value)]),
             None => row.extend([NONE.into(), NONE.into(), NONE.into()]),
         }
         row.extend([size(tank.size.map(|s| s[0])), size(tank.size.map(|s| s[1]))]);

@@ -204,6 +204,14 @@ pub fn headline(study: &Study) -> String {
     format!("Tanks: {}", parts.join(", "))
 }
 
+/// A utilisation; infinite without any capacity.
+pub fn utilised(value: f64) -> String {
+    match value.is_finite() {
+        true => utilisation(value),
+        false => "no capacity is left".into(),
+    }
+}
+
 /// The governing tank, and the tank that is lost first.
 pub fn governing(study: &Study) -> Vec<String> {
     let mut lines =
@@ -214,12 +222,20 @@ pub fn governing(study: &Study) -> Vec<String> {
         .filter_map(|tank| Some((tank, tank.governing.as_ref()?)))
         .max_by(|a, b| a.1.2.total_cmp(&b.1.2));
     if let Some((tank, (method, check, value))) = worst {
-        lines.push(format!(
-            "Governing: {}, {} ({method}), {} utilised.",
-            tank.id,
-            id(check),
-            utilisation(*value)
-        ));
+        lines.push(match value.is_finite() {
+            true => format!(
+                "Governing: {}, {} ({method}), {} utilised.",
+                tank.id,
+                id(check),
+                utilised(*value)
+            ),
+            false => format!(
+                "Governing: {}, {} ({method}), {}.",
+                tank.id,
+                id(check),
+                utilised(*value)
+            ),
+        });
     }
     let worst = study.states.last().map(|s| s.name.as_str());
     let first = study
