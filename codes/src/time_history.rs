@@ -191,16 +191,7 @@ fn beyond(reason: &str) -> String {
 /// A wall held down has no demands of one that moves further than the engine follows. Its anchors have: they are judged as if elastic.
 fn withdraw(work: &mut Work<'_>, reason: &str) {
     for check in of_wall(work).filter(|check| check.compared() && check.limit_state != ANCHORS) {
-        *check = Check {
-            status: CheckStatus::NotChecked,
-            reason: reason.to_owned(),
-            demand: None,
-            capacity: None,
-            utilisation: None,
-            within_error: false,
-            note: String::new(),
-            ..check.clone()
-        };
+        *check = check.left_open(reason.to_owned());
     }
 }
 

@@ -10,7 +10,7 @@ use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
 use crate::sheet::{Sheet, Term, number, with_unit};
-use tank::assessment::CheckStatus;
+use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::*;
 use tank::{Course, Support};
 
@@ -145,6 +145,24 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     }
     elastic_check(work, state, &places, vertical);
     collapse_check(work, state, &places, vertical);
+    if matches!(amplification, Amplification::Overturns) {
+        leave_open(work);
+    }
+}
+
+/// Of a tank that overturns the compression of an anchored wall is a lower bound: it can fail a check, and cannot make it hold.
+fn leave_open(work: &mut Work) {
+    let of_wall = |check: &&mut Check| [ELASTIC_BUCKLING, ELEPHANT_FOOT].contains(&check.limit_state.as_str());
+    let holding = work.out.checks.iter_mut().filter(of_wall).filter(|check| check.holds());
+    for check in holding {
+        let share = check.utilisation.unwrap_or_default();
+        let reason = format!(
+            "the unanchored tank overturns: the compression of its wall is not known; that of an anchored wall, a lower bound, is {:.0} % of the \
+             capacity",
+            100.0 * share
+        );
+        *check = check.left_open(reason);
+    }
 }
 
 fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Place<'a>> {

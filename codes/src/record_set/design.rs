@@ -158,16 +158,7 @@ fn one(each: &[Option<&Check>], names: &[&str], combine: Combine) -> Option<Comb
         }
         if let Some(i) = absent {
             let reason = format!("the run under the record {} does not give it", name(i));
-            return Some(without(Check {
-                status: CheckStatus::NotChecked,
-                reason,
-                demand: None,
-                capacity: None,
-                utilisation: None,
-                within_error: false,
-                note: String::new(),
-                ..(*first).clone()
-            }));
+            return Some(without(first.left_open(reason)));
         }
     }
     if compared.is_empty() {

@@ -253,6 +253,23 @@ impl Check {
         self.status == CheckStatus::Holds
     }
 
+    /// The same, not checked and without its numbers.
+    ///
+    /// * `reason`: why, a clause
+    #[must_use]
+    pub fn left_open(&self, reason: String) -> Check {
+        Check {
+            status: CheckStatus::NotChecked,
+            reason,
+            demand: None,
+            capacity: None,
+            utilisation: None,
+            within_error: false,
+            note: String::new(),
+            ..self.clone()
+        }
+    }
+
     /// Whether a demand was compared with a capacity.
     pub fn compared(&self) -> bool {
         matches!(self.status, CheckStatus::Holds | CheckStatus::Fails)
