@@ -205,7 +205,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
                 .map(|l| l.id.clone())
                 .collect();
             values.clone_from(&found.values);
-            // Forces of a wall held down are no part of a mean or maximum of this tank.
+            // A mean or maximum leaves out forces of a wall that is held down: the tank does not have them.
             if matches!(demands.footing, Footing::Beyond { .. }) {
                 values.retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
             }

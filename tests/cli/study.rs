@@ -450,7 +450,7 @@ fn one_tank_of_the_farm_gives_its_accepted_curves() {
     }
 }
 
-/// A tank of which a code leaves no capacity: its largest utilisation is no number, and its study is merged.
+/// Where a code leaves a tank no capacity, its utilisation is infinite; `merge` accepts that.
 #[test]
 fn a_tank_without_any_capacity_is_merged() {
     let folder = tempfile::tempdir().unwrap();

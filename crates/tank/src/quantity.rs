@@ -219,16 +219,8 @@ impl Quantity {
         !matches!(self.dimension(), Dimension::Time | Dimension::Mass)
     }
 
-    /// Those of a base that is free to move.
-    pub const OF_BASE: [Quantity; 7] = [
-        Quantity::Uplift,
-        Quantity::BaseRotation,
-        Quantity::PlasticRotation,
-        Quantity::ToeAxialStress,
-        Quantity::Slip,
-        Quantity::AnchorForce,
-        Quantity::IsolatorDisplacement,
-    ];
+    /// Those of a base that is free to move: the last of [`Quantity::ALL`].
+    pub const OF_BASE: &'static [Quantity] = Quantity::ALL.split_at(13).1;
 
     /// Dimension of the value, which is always stored in SI.
     pub fn dimension(self) -> Dimension {
@@ -285,6 +277,7 @@ mod tests {
             ]
         );
         assert_eq!(ids.map(Quantity::from_id), Quantity::ALL.map(Some));
+        assert_eq!(Quantity::OF_BASE.first(), Some(&Quantity::Uplift));
         assert_eq!(Quantity::from_id("xyzzy"), None);
     }
 

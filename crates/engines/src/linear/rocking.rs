@@ -59,8 +59,8 @@ pub(super) enum Free {
     Beyond(Box<Beyond>),
     /// It is not computed, and why.
     NotComputed(String),
-    /// Nothing lifts or slides.
-    Rests(String),
+    /// Nothing lifts or slides, a note; whether friction alone holds it in place.
+    Rests(String, bool),
     /// It lifts or slides.
     Moves(Box<Moved>),
 }
@@ -102,14 +102,14 @@ impl Free {
 
     /// Whether the base was free to move.
     pub(super) fn is_modelled(&self) -> bool {
-        matches!(self, Free::Rests(_) | Free::Moves(_))
+        matches!(self, Free::Rests(..) | Free::Moves(_))
     }
 
     /// What a base that rests adds to the comparable values.
     pub(super) fn rest(&self, values: &mut BTreeMap<Quantity, f64>) {
-        if let Free::Rests(_) = self {
-            values
-                .extend([Quantity::Uplift, Quantity::PlasticRotation, Quantity::Slip].map(|quantity| (quantity, 0.0)));
+        if let Free::Rests(_, slides) = self {
+            values.extend([Quantity::Uplift, Quantity::PlasticRotation].map(|quantity| (quantity, 0.0)));
+            values.extend(slides.then_some((Quantity::Slip, 0.0)));
         }
     }
 
@@ -125,12 +125,12 @@ impl Free {
     ) -> Result<(), FeError> {
         match self {
             Free::Moves(moved) => moved.demands(demands, models, analysis, motion)?,
-            Free::Rests(_) => demands.base = Some(FreeBase::default()),
+            Free::Rests(..) => demands.base = Some(FreeBase::default()),
             Free::Held | Free::Anchored | Free::Beyond(_) | Free::NotComputed(_) => {}
         }
         demands.footing = match self {
             Free::Held | Free::NotComputed(_) => Footing::Fixed,
-            Free::Anchored | Free::Rests(_) => Footing::Rests,
+            Free::Anchored | Free::Rests(..) => Footing::Rests,
             Free::Moves(_) => Footing::Moves,
             Free::Beyond(beyond) => Footing::Beyond {
                 time: beyond.turns.map(|[_, time]| time),
@@ -265,7 +265,10 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     let pressure = analysis.line(OnWall::Pressure).map_or(0.0, |line| line.peak(0));
     let lifting = search::lifting(law, pressure);
     if setup.anchors.is_none() && moment < lifting && !slides(setup, analysis) {
-        return Ok(Free::Rests(words::rests(moment, lifting, setup.friction.is_some())));
+        return Ok(Free::Rests(
+            words::rests(moment, lifting, setup.friction.is_some()),
+            setup.friction.is_some(),
+        ));
     }
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
@@ -387,7 +390,7 @@ pub(super) fn say(free: &Free, heave: bool, notes: &mut Vec<String>, assumptions
     }
     let text = match free {
         Free::Held | Free::Anchored => return,
-        Free::NotComputed(reason) | Free::Rests(reason) => reason.clone(),
+        Free::NotComputed(reason) | Free::Rests(reason, _) => reason.clone(),
         Free::Beyond(beyond) => beyond.note.clone(),
         Free::Moves(moved) => words::moves(moved.result.anchors.is_some()),
     };

@@ -234,11 +234,11 @@ fn base(results: &Results) -> Vec<Pair> {
     let Some(method) = results.methods.iter().find(run) else {
         return Vec::new();
     };
-    let of = |quantity: Quantity| {
+    let of = |quantity: &Quantity| {
         let value = method.quantities.get(quantity.id())?;
         Some(Pair::new(quantity.title(), with_unit(value.value, value.dimension)))
     };
-    Quantity::OF_BASE.into_iter().filter_map(of).collect()
+    Quantity::OF_BASE.iter().filter_map(of).collect()
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {

@@ -39,7 +39,7 @@ const WETTED: &str = "wetted_hoop_stress";
 
 /// What a base that moves adds to the comparable values.
 pub(in crate::linear) fn of_base(found: &[BaseQuantity], values: &mut BTreeMap<Quantity, f64>) {
-    for quantity in Quantity::OF_BASE {
+    for &quantity in Quantity::OF_BASE {
         if let Some(own) = found.iter().find(|own| own.id == quantity.id()) {
             values.insert(quantity, own.value.value);
         }
@@ -74,6 +74,10 @@ impl Moved {
         let (axial, at) = self.foot_stress();
         values.insert(Quantity::AxialMembraneStress, axial);
         of_base(&self.result.quantities, values);
+        if self.result.friction.is_none() {
+            // It is held in place, which says nothing about slip.
+            values.remove(&Quantity::Slip);
+        }
         let moving = |quantity: &Quantity| MOVING.contains(quantity);
         let held = held.iter().filter(|(quantity, _)| moving(quantity));
         self.result.held = held
