@@ -253,7 +253,7 @@ impl Check {
         self.status == CheckStatus::Holds
     }
 
-    /// The same, not checked and without its numbers.
+    /// The same, not checked and without its numbers, as [`Check::without_comparison`] has it.
     ///
     /// * `reason`: why, a clause
     #[must_use]
@@ -264,8 +264,14 @@ impl Check {
             demand: None,
             capacity: None,
             utilisation: None,
-            within_error: false,
+            dimension: Dimension::Dimensionless,
+            unit: String::new(),
             note: String::new(),
+            time_s: None,
+            z: None,
+            theta: None,
+            error: None,
+            within_error: false,
             ..self.clone()
         }
     }

@@ -146,3 +146,24 @@ fn the_place_of_a_demand_is_kept() {
     }
     assert!(!serde_json::to_string(&plain).unwrap().contains("theta"));
 }
+
+/// A check that is left open is the same after it was written and read: nothing of its demand remains.
+#[test]
+fn a_check_left_open_is_read_back() {
+    let holds = Check::new(
+        "buckling",
+        "Buckling",
+        1e6,
+        2e6,
+        Dimension::Stress,
+        "A.10.2",
+        "course 1",
+    );
+    let open = holds
+        .at(Some(1.0), Some(0.0), Some(2.0))
+        .left_open("it overturns".into());
+    let again: Check = serde_json::from_str(&serde_json::to_string(&open).unwrap()).unwrap();
+    assert_eq!(again, open);
+    assert_eq!((open.status, open.ratio()), (CheckStatus::NotChecked, None));
+    assert_eq!((open.unit.as_str(), open.time_s, open.theta), ("", None, None));
+}
