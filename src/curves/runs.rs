@@ -9,7 +9,7 @@
 //! | [`Method::Cloud`] | Y, the largest demand over its limit (Jalayer et al. 2017), by regression; runs without a finite demand are collapses |
 //! | [`Method::Capacities`] | the intensity at which Y of a record first is 1, between two levels linear in logarithms |
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use ::fragility::bootstrap;
 use ::fragility::cloud::{self, Cloud, Run};
@@ -208,6 +208,7 @@ impl Data {
 /// Capacities of every record and sample.
 fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
     let (mut below, mut stepped) = (Vec::new(), 0);
+    let mut between: BTreeSet<[u64; 2]> = BTreeSet::new();
     let mut all: Vec<Vec<Capacity>> = Vec::new();
     for runs in records {
         let mut samples: BTreeMap<u32, Vec<Seen>> = BTreeMap::new();
@@ -223,6 +224,7 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
                 Some(first) => {
                     let (before, after) = (&runs[first - 1], &runs[first]);
                     let at = crossing(before, after);
+                    between.insert([before.im, after.im].map(f64::to_bits));
                     stepped += usize::from(at.is_none());
                     // Without a demand on both sides the capacity is that below, which errs on the side of damage.
                     found.push(Capacity::At(at.unwrap_or(before.im)));
@@ -247,6 +249,16 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
             _ => format!("{stepped} capacities are the last intensities before runs without a finite demand"),
         });
     }
+    let crossed = all
+        .iter()
+        .flatten()
+        .filter(|capacity| matches!(capacity, Capacity::At(_)));
+    if between.len() == 1 && crossed.count() > 1 {
+        notes.push(
+            "all capacities lie between the same two levels, where demands are interpolated; levels between them would confirm the scatter"
+                .into(),
+        );
+    }
     let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
         Capacity::Beyond(im) => Some(*im),
         Capacity::At(_) => None,
@@ -259,6 +271,21 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
         ));
     }
     Ok(Data::Capacities { records: all, end })
+}
+
+/// Records, each with each sample, that are in the state at one intensity and not at a higher one.
+fn left_again(runs: &[Seen]) -> usize {
+    let mut lowest: BTreeMap<(u32, u32), f64> = BTreeMap::new();
+    for run in runs.iter().filter(|run| run.reached) {
+        let im = lowest.entry((run.record, run.sample)).or_insert(run.im);
+        *im = im.min(run.im);
+    }
+    let left = |run: &&Seen| {
+        let reached = lowest.get(&(run.record, run.sample));
+        !run.reached && reached.is_some_and(|im| *im < run.im)
+    };
+    let found: BTreeSet<(u32, u32)> = runs.iter().filter(left).map(|run| (run.record, run.sample)).collect();
+    found.len()
 }
 
 /// Where the ratio is 1 between two runs, linear in logarithms; none without two ratios greater than 0.
@@ -276,6 +303,22 @@ impl Asked {
         let counts: Vec<Vec<Stripe>> = states.iter().map(|(_, runs)| counted(runs)).collect();
         let of = |((state, runs), counts): (&(String, Vec<Seen>), &Vec<Stripe>)| {
             let mut notes = Vec::new();
+            let left = left_again(runs);
+            if left > 0 {
+                let records = if left == 1 {
+                    "1 record is"
+                } else {
+                    &format!("{left} records are")
+                };
+                let counts = if method == Method::Capacities {
+                    "; the first level counts"
+                } else {
+                    ""
+                };
+                notes.push(format!(
+                    "{records} in the state at one level and not at a higher one{counts}"
+                ));
+            }
             let curve = match Data::of(method, runs, &mut notes) {
                 Ok(data) => self.of_data(state, data.points(runs.len()), &data),
                 Err(refusal) => self.curve(state, "capacities", runs.len(), Err(refusal)),
@@ -411,6 +454,29 @@ mod tests {
         assert!((found.median.unwrap() - 0.569_468).abs() < 1e-6);
         assert!((found.dispersion.unwrap() - 0.394_104).abs() < 1e-6);
         assert!(found.scatter.is_some());
+    }
+
+    /// Capacities between 0.4 and 0.45 alone, and one record that is out of the state again at 0.6: both are said.
+    #[test]
+    fn what_weakens_capacities_is_said() {
+        let mut all = runs(&[0.41, 0.42, 0.44], &[0.2, 0.4, 0.6]);
+        let found = curve(Method::Capacities, all.clone());
+        assert!(found.median.is_some());
+        assert_eq!(found.notes.len(), 1, "{:?}", found.notes);
+        assert!(found.notes[0].contains("between the same two levels"));
+        let last = Seen {
+            im: 0.8,
+            ratio: Some(0.9),
+            reached: false,
+            ..all[0]
+        };
+        all.push(last);
+        let found = curve(Method::Capacities, all);
+        assert!(
+            found.notes[0].contains("1 record is in the state at one level and not at a higher one"),
+            "{:?}",
+            found.notes
+        );
     }
 
     /// Scaling that ends at 0.7 is the truncated likelihood of the seven capacities below.

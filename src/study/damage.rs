@@ -119,10 +119,14 @@ struct Standing {
     ratio: f64,
     /// Whether it has a demand without a number that reaches the state.
     fell: bool,
-    /// Whether the state was reached.
-    reached: bool,
-    /// The demand with the largest ratio.
-    way: Option<String>,
+    /// The demands that reach their limits.
+    ways: Vec<String>,
+}
+
+impl Standing {
+    fn reached(&self) -> bool {
+        self.fell || !self.ways.is_empty()
+    }
 }
 
 /// How a row stands to a state by its own limits, none where no demand of the state was judged; and what was not checked.
@@ -133,16 +137,15 @@ fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Opti
         match demand(row, &limit.demand) {
             Demand::Utilisation(value) => {
                 judged |= limit.demand != COLLAPSE;
-                found.reached |= value >= limit.limit;
-                let ratio = value / limit.limit;
-                if !found.fell && (found.way.is_none() || ratio > found.ratio) {
-                    (found.ratio, found.way) = (ratio, Some(limit.demand.clone()));
+                found.ratio = found.ratio.max(value / limit.limit);
+                if value >= limit.limit {
+                    found.ways.push(limit.demand.clone());
                 }
             }
             Demand::Fails => {
                 judged = true;
-                (found.reached, found.fell) = (true, true);
-                found.way = Some(limit.demand.clone());
+                found.fell = true;
+                found.ways.push(limit.demand.clone());
             }
             Demand::NotChecked => {
                 unchecked.insert(limit.demand.clone());
@@ -151,6 +154,17 @@ fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Opti
         }
     }
     judged.then_some(found)
+}
+
+/// The ways of a run without equilibrium into a state: collapse, where the state has it.
+fn collapse(state: &DamageState) -> Vec<String> {
+    let named = |limit: &&Limit| limit.demand == COLLAPSE;
+    state
+        .limits
+        .iter()
+        .filter(named)
+        .map(|limit| limit.demand.clone())
+        .collect()
 }
 
 /// Data of the curve of a tank and state.
@@ -162,8 +176,10 @@ pub struct Data {
     pub unjudged: usize,
     /// Demands that were not checked.
     pub unchecked: BTreeSet<String>,
-    /// Demand with the largest ratio of its own limits → runs in which the state was reached by it.
+    /// Demand of the state → runs in which it reached its limit; a run may have several.
     pub ways: BTreeMap<String, usize>,
+    /// Runs in the state by a worse one, or without equilibrium, and by none of its own limits.
+    pub by_worse: usize,
 }
 
 /// An earthquake of a study: record, sample, intensity (its bits, positive).
@@ -229,8 +245,7 @@ impl Gathered {
                 found[number] = match collapsed {
                     true => Some(Standing {
                         fell: true,
-                        reached: true,
-                        way: Some(COLLAPSE.into()),
+                        ways: collapse(state),
                         ..Standing::default()
                     }),
                     false => own(row, state, &mut data.unchecked),
@@ -238,8 +253,9 @@ impl Gathered {
             }
         }
         for number in 0..states.len() {
-            let worse = found[number..].iter().flatten().filter(|s| s.reached);
-            let judged = found[number].is_some() || worse.clone().next().is_some();
+            let worse = found[number..].iter().flatten().filter(|s| s.reached());
+            let reached = worse.clone().next().is_some();
+            let judged = found[number].is_some() || reached;
             let Some(data) = self.curves.get_mut(&(row.tank.clone(), number)) else {
                 continue;
             };
@@ -247,7 +263,6 @@ impl Gathered {
                 data.unjudged += 1;
                 continue;
             }
-            let reached = worse.clone().next().is_some();
             let fell = worse.clone().any(|s| s.fell);
             // Those of worse states below their limits count too: between two levels the tank may come into a worse state first.
             let largest = found[number..].iter().flatten().map(|s| s.ratio).fold(0.0, f64::max);
@@ -258,8 +273,10 @@ impl Gathered {
                 ratio: (!fell).then_some(largest),
                 reached,
             });
-            if let Some(way) = worse.clone().next().and_then(|s| s.way.clone()) {
-                *data.ways.entry(way).or_default() += 1;
+            let own = found[number].as_ref().map_or(&[] as &[String], |s| &s.ways);
+            data.by_worse += usize::from(reached && own.is_empty());
+            for way in own {
+                *data.ways.entry(way.clone()).or_default() += 1;
             }
             let counts = self
                 .counts
@@ -350,8 +367,27 @@ mod tests {
             .map(|r| r.ratio)
             .collect();
         assert_eq!(ratios, [Some(1.3), Some(1.2), None]);
-        assert_eq!(gathered.curves[&("a".to_owned(), 2)].ways["buckling_elastic"], 1);
+        let of = |state: usize| &gathered.curves[&("a".to_owned(), state)];
+        assert_eq!(
+            of(2).ways,
+            [("buckling_elastic".into(), 1), (COLLAPSE.into(), 1)].into()
+        );
+        assert_eq!((of(0).ways["freeboard"], of(0).by_worse), (1, 2));
+        assert_eq!((of(1).ways.len(), of(1).by_worse, of(2).by_worse), (0, 2, 0));
         assert_eq!(gathered.counts.values().next().unwrap(), &[[3, 3], [3, 2], [3, 2]]);
+    }
+
+    /// Plastic rotation beyond 0.40 rad beside a wall that buckles by more: the run counts for both.
+    #[test]
+    fn a_run_counts_for_each_of_its_ways() {
+        let states = default_set();
+        let mut gathered = Gathered::default();
+        let use_of = Ending::Utilisation;
+        let checks = [("uplift_tension", use_of(2.09)), ("buckling_elastic", use_of(3.0))];
+        gathered.add(&row(1.0, &checks), &states);
+        let of = |state: usize| &gathered.curves[&("a".to_owned(), state)];
+        assert_eq!((of(1).ways["uplift_tension"], of(1).by_worse), (1, 0));
+        assert_eq!((of(2).ways["uplift_tension"], of(2).ways["buckling_elastic"]), (1, 1));
     }
 
     /// Buckling at 0.95 of its limit and a wave at 0.2: the mildest state is as near as the worst one, whose capacity is then not below its own.

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use ::fragility::bootstrap;
 use codes::record_set::standard::Standard;
 use results::{
-    Study, StudyCurve, StudyFault, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank, StudyTrace,
-    VerdictStatus,
+    Study, StudyCurve, StudyFault, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank,
+    StudyTrace, VerdictStatus,
 };
 use tank::units::Dimension;
 
@@ -182,24 +182,21 @@ fn end(plan: &Plan, fragility: &Fragility) -> f64 {
 
 fn states(plan: &Plan, gathered: &Gathered) -> Vec<StudyState> {
     let of = |(number, state): (usize, &super::damage::DamageState)| {
-        let mut ways: BTreeMap<&str, usize> = BTreeMap::new();
-        for ((_, at), data) in &gathered.curves {
-            if *at == number {
-                for (way, runs) in &data.ways {
-                    *ways.entry(way).or_default() += runs;
-                }
-            }
-        }
-        let mut ways: Vec<(String, usize)> = ways.into_iter().map(|(way, runs)| (way.to_owned(), runs)).collect();
-        ways.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+        let all = || gathered.curves.iter().filter(|((_, at), _)| *at == number);
+        let runs = |demand: &str| all().filter_map(|(_, data)| data.ways.get(demand)).sum();
         StudyState {
             name: state.state.clone(),
             limits: state
                 .limits
                 .iter()
-                .map(|l| (l.demand.clone(), l.limit, l.source.clone()))
+                .map(|limit| StudyLimit {
+                    demand: limit.demand.clone(),
+                    limit: limit.limit,
+                    source: limit.source.clone(),
+                    runs: runs(&limit.demand),
+                })
                 .collect(),
-            ways,
+            by_worse: all().map(|(_, data)| data.by_worse).sum(),
         }
     };
     plan.damage.iter().enumerate().map(of).collect()

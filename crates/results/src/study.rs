@@ -92,10 +92,23 @@ pub struct StudyTank {
 pub struct StudyState {
     /// Name.
     pub name: String,
-    /// Demand, limit, source.
-    pub limits: Vec<(String, f64, String)>,
-    /// Demand → runs of all tanks that reached the state by it.
-    pub ways: Vec<(String, usize)>,
+    /// Ways into it.
+    pub limits: Vec<StudyLimit>,
+    /// Runs of all tanks in it by a worse state, or without equilibrium, and by none of its limits.
+    pub by_worse: usize,
+}
+
+/// A way into a damage state.
+#[derive(Clone, Debug)]
+pub struct StudyLimit {
+    /// Demand.
+    pub demand: String,
+    /// Utilisation at which the state begins.
+    pub limit: f64,
+    /// Source.
+    pub source: String,
+    /// Runs of all tanks that reached it; a run may have reached several.
+    pub runs: usize,
 }
 
 /// A curve of a tank or of the farm.

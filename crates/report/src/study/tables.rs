@@ -95,14 +95,23 @@ pub(super) fn states(study: &Study) -> Table {
         Column::words(heads::SOURCE),
     ]);
     for state in &study.states {
-        for (demand, limit, source) in &state.limits {
-            let ways = state.ways.iter().find(|(way, _)| way == demand).map_or(0, |w| w.1);
+        for limit in &state.limits {
             table.row(vec![
                 state.name.clone(),
-                words::id(demand),
-                significant(*limit, 3),
-                count(ways),
-                source.clone(),
+                words::id(&limit.demand),
+                significant(limit.limit, 3),
+                count(limit.runs),
+                limit.source.clone(),
+            ]);
+        }
+        if state.by_worse > 0 {
+            let demand = words::BY_WORSE.to_owned();
+            table.row(vec![
+                state.name.clone(),
+                demand,
+                NONE.into(),
+                count(state.by_worse),
+                String::new(),
             ]);
         }
     }
@@ -169,7 +178,9 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
             row.push(of(curve.rate.map(|r| r[1]), &percent));
         }
         if missing {
-            row.push(curve.partial.map_or_else(
+            // Of counts that identify a curve neither way there is no range.
+            let bounds = curve.partial.filter(|found| found.iter().any(Option::is_some));
+            row.push(bounds.map_or_else(
                 || NONE.into(),
                 |[safe, reached]| words::range(&of(reached, &|v| scale.text(v)), &of(safe, &|v| scale.text(v))),
             ));

@@ -2,7 +2,8 @@ use tank::units::Dimension;
 
 use super::report;
 use results::{
-    EngineId, Study, StudyCurve, StudyFault, StudyLoss, StudyRecord, StudyState, StudyTank, StudyTrace, VerdictStatus,
+    EngineId, Study, StudyCurve, StudyFault, StudyLimit, StudyLoss, StudyRecord, StudyState, StudyTank, StudyTrace,
+    VerdictStatus,
 };
 
 fn tank(id: &str, verdict: Option<VerdictStatus>) -> StudyTank {
@@ -78,8 +79,13 @@ fn study() -> Study {
         ],
         states: vec![StudyState {
             name: "DS1".into(),
-            limits: vec![("sliding".into(), 1.0, "a source".into())],
-            ways: vec![("sliding".into(), 8)],
+            limits: vec![StudyLimit {
+                demand: "sliding".into(),
+                limit: 1.0,
+                source: "a source".into(),
+                runs: 8,
+            }],
+            by_worse: 3,
         }],
         curves: vec![curve(Some("A & B"), Some([2.5, 0.4])), curve(Some("C"), None)],
         system: vec![curve(None, Some([2.4, 0.4]))],

@@ -94,19 +94,23 @@ pub fn open(study: &Study) -> Vec<String> {
         let lists = methods
             .iter()
             .map(|(method, states)| format!("{} ({method})", states.join(", ")));
-        let more = tanks.len().saturating_sub(NAMED);
-        let named = tanks.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
-        let more = if more > 0 {
-            format!(" and {more} more")
-        } else {
-            String::new()
-        };
         format!(
-            "Not checked of {named}{more}: {}.",
+            "Not checked of {}: {}.",
+            first_of(tanks),
             lists.collect::<Vec<_>>().join("; ")
         )
     };
     groups.iter().map(of).collect()
+}
+
+/// The first of a list of names, and how many more.
+fn first_of<T: AsRef<str>>(names: &[T]) -> String {
+    let named: Vec<&str> = names.iter().take(NAMED).map(AsRef::as_ref).collect();
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    named.join(", ") + &more
 }
 
 /// Most tanks that a list names.
@@ -116,7 +120,9 @@ pub const ABOUT_LOSSES: &str = "Tanks in the worst state lose their contents. Al
      earthquake by earthquake; earthquakes in which a tank could not be judged are left out.";
 /// Text.
 pub const ABOUT_STATES: &str = "A tank is in a state if one of its demands reaches the utilisation at which the state begins, if it is in a worse state, or \
-     if the run found no equilibrium. Runs: how many of all tanks came into the state with this demand as the largest over its limit.";
+     if the run found no equilibrium. Runs: how many of all tanks reached this limit; a run that reached several counts at each.";
+/// A way into a state.
+pub const BY_WORSE: &str = "worse state or no equilibrium alone";
 /// Text.
 pub const NO_RULE: &str = "Whether the set stands for a spectrum was not asked: `rule` of the study file compares it with the spectrum of the site.";
 /// Text.

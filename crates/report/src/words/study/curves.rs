@@ -1,6 +1,6 @@
 //! Fragility curves of a study: how they are found, their data and remarks.
 
-use super::of;
+use super::{first_of, of};
 use crate::number::{count, percent};
 use results::{Study, StudyCurve};
 
@@ -62,13 +62,20 @@ pub fn remark(curve: &StudyCurve, text: &dyn Fn(f64) -> String, unit: &str) -> S
 
 /// Remarks of the methods, the same ones together.
 pub fn remarks(curves: &[StudyCurve]) -> Vec<String> {
-    curves
+    let mut groups: Vec<(&str, Vec<String>)> = Vec::new();
+    for curve in curves {
+        let name = [curve.tank.as_deref(), Some(curve.state.as_str())];
+        let name = name.into_iter().flatten().collect::<Vec<_>>().join(" ");
+        for note in &curve.notes {
+            match groups.iter_mut().find(|(known, _)| known == note) {
+                Some((_, names)) => names.push(name.clone()),
+                None => groups.push((note, vec![name.clone()])),
+            }
+        }
+    }
+    groups
         .iter()
-        .flat_map(|curve| {
-            let name = [curve.tank.as_deref(), Some(curve.state.as_str())];
-            let name = name.into_iter().flatten().collect::<Vec<_>>().join(", ");
-            curve.notes.iter().map(move |note| format!("{name}: {note}."))
-        })
+        .map(|(note, names)| format!("{}: {note}.", first_of(names)))
         .collect()
 }
 
