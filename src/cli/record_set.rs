@@ -93,7 +93,7 @@ impl SetArgs {
                 Code::MissingInput,
                 format!(
                     "--quake: found {count} records, expected one, or a set of {FEWEST} or more ({})\n  help: add records, or run them one \
-                 by one",
+                     by one; the second component of one earthquake is --quake-y",
                     Standard::En1998.clause()
                 ),
             ));

@@ -184,6 +184,17 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
         watch.finish();
         print(&cost(&classes))?;
     }
+    let running = store::survey(&args.out).here.len();
+    if running > 0 && !global.quiet {
+        let tasks = if running == 1 {
+            "1 task"
+        } else {
+            &format!("{running} tasks")
+        };
+        say!(
+            "note: {tasks} of a `study run` are being computed in this folder; that run goes on with the plan it began with"
+        );
+    }
     if let Some(scheduler) = args.scheduler.filter(|_| !global.quiet) {
         say!("script: {}", args.out.join(scheduler.file()).display());
     }
@@ -252,13 +263,18 @@ fn size(bytes: f64) -> String {
     }
 }
 
-/// What the input of a study has that its plan has not; none where nothing changed, or the input cannot be read here, which is said.
+/// What the input of a study has that its plan has not; none where nothing changed, or the input is not here (results that were taken to another machine),
+/// which is said. Input that was right when the plan was made and is faulty now has changed.
 fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<String> {
     let compared = study_of(folder, planned.0).and_then(|study| plan::departure(&study, planned, folder));
     compared.unwrap_or_else(|error| {
+        let message = error.message();
+        let first = message.lines().next().unwrap_or_default();
+        let absent = Code::FileUnreadable.head();
+        if !first.starts_with(&absent) {
+            return Some(format!("the input of the study ({first})"));
+        }
         if !quiet {
-            let message = error.message();
-            let first = message.lines().next().unwrap_or_default();
             say!("note: the input of the study is not compared with its plan: {first}");
         }
         None
@@ -313,6 +329,9 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
             done.left,
             started.elapsed().as_secs_f64()
         );
+        if done.left > 0 {
+            say!("interrupted: what was computed is kept; the same command goes on from there");
+        }
         if done.failed + done.failed_before > 0 {
             say!("help: `tankcheck study status` lists the failures, `--retry` computes them again");
         }

@@ -274,7 +274,7 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
             files.sort();
             if files.is_empty() {
                 r.faults.push(range_fault(
-                    Code::BadForm,
+                    Code::FileUnreadable,
                     field,
                     "no file matches",
                     "a pattern that matches files",
