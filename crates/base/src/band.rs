@@ -1,108 +1,106 @@
 //! Symmetric banded systems: L D Lᵀ within the band, without pivoting.
+//!
+//! Column by column, each taking its part from those after it at once: with a band that is known when the program is built, the sums of a column do not
+//! wait for each other.
 
-/// Symmetric matrix with `half` off-diagonals on either side; the lower half is kept row by row.
+/// Off-diagonals on either side.
+const HALF: usize = 5;
+/// The diagonal and what stands below it.
+const COLUMN: usize = HALF + 1;
+
+/// Symmetric matrix with at most [`HALF`] off-diagonals on either side; the lower half is kept column by column.
 #[derive(Clone, Debug)]
 pub(crate) struct Band {
-    half: usize,
-    rows: Vec<f64>,
+    size: usize,
+    /// K_jj, K_j+1,j …; as many columns of zeros follow as the band is wide.
+    columns: Vec<[f64; COLUMN]>,
 }
 
 impl Band {
-    pub(crate) fn new(size: usize, half: usize) -> Band {
+    pub(crate) fn new(size: usize) -> Band {
         Band {
-            half,
-            rows: vec![0.0; size * (half + 1)],
+            size,
+            columns: vec![[0.0; COLUMN]; size + HALF],
         }
     }
 
-    fn size(&self) -> usize {
-        self.rows.len() / (self.half + 1)
+    /// Makes all of it zero.
+    pub(crate) fn clear(&mut self) {
+        self.columns.fill([0.0; COLUMN]);
     }
 
-    fn at(&self, i: usize, j: usize) -> usize {
-        i * (self.half + 1) + (j + self.half - i)
-    }
-
-    /// K_ij (j within the band, either half).
+    /// K_ij, either half.
     pub(crate) fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = (i.max(j), i.min(j));
-        if i - j > self.half {
-            0.0
-        } else {
-            self.rows[self.at(i, j)]
-        }
+        self.columns[j].get(i - j).copied().unwrap_or(0.0)
     }
 
-    /// Adds to K_ij of the lower half, j ≤ i; the upper half follows.
+    /// Adds to K_ij of the lower half, j ≤ i ≤ j + [`HALF`]; the upper half follows.
     pub(crate) fn add(&mut self, i: usize, j: usize, value: f64) {
         if j <= i {
-            let at = self.at(i, j);
-            self.rows[at] += value;
+            self.columns[j][i - j] += value;
         }
     }
 
-    /// Adds a symmetric block of consecutive unknowns from `first` on.
+    /// Adds a symmetric block of consecutive unknowns from `first` on, of which the lower half is read.
     pub(crate) fn add_block<const N: usize>(&mut self, first: usize, block: &[[f64; N]; N]) {
-        for (a, row) in block.iter().enumerate() {
-            let at = self.at(first + a, first);
-            for (own, value) in self.rows[at..=at + a].iter_mut().zip(row) {
-                *own += value;
+        for (b, column) in self.columns[first..first + N].iter_mut().enumerate() {
+            for (own, row) in column.iter_mut().zip(&block[b..]) {
+                *own += row[b];
             }
         }
     }
 
     /// Makes unknown `i` known: its row and column become those of the unit matrix.
     pub(crate) fn fix(&mut self, i: usize) {
-        for j in i.saturating_sub(self.half)..=(i + self.half).min(self.size() - 1) {
-            let at = self.at(i.max(j), i.min(j));
-            self.rows[at] = if i == j { 1.0 } else { 0.0 };
+        for (away, column) in self.columns[i.saturating_sub(HALF)..i].iter_mut().rev().enumerate() {
+            column[away + 1] = 0.0;
         }
+        self.columns[i] = [0.0; COLUMN];
+        self.columns[i][0] = 1.0;
     }
 
-    /// Factors in place and solves for `x` in place; false where a pivot is zero or not finite.
-    pub(crate) fn solve(mut self, x: &mut [f64]) -> bool {
-        let (n, half) = (self.size(), self.half);
-        for i in 0..n {
-            let first = i.saturating_sub(half);
-            let (above, row) = self.rows.split_at_mut(i * (half + 1));
-            let mut pivot = row[half];
-            for j in first..i {
-                // L_ij D_j for now; divided below.
-                let other = &above[j * (half + 1)..(j + 1) * (half + 1)];
-                let from = first.max(j.saturating_sub(half));
-                let (own, rest) = (&row[from + half - i..j + half - i], &other[from + half - j..half]);
-                let sum: f64 = own.iter().zip(rest).map(|(a, b)| a * b).sum();
-                row[j + half - i] -= sum;
-            }
-            for j in first..i {
-                let (at, diagonal) = (j + half - i, above[j * (half + 1) + half]);
-                let scaled = row[at] / diagonal;
-                pivot -= scaled * row[at];
-                row[at] = scaled;
-            }
+    /// Factors in place and solves for `x` in place; false where a pivot is zero or not finite. The matrix is used up.
+    pub(crate) fn solve(&mut self, x: &mut [f64]) -> bool {
+        for i in 0..self.size {
+            // Columns of zeros follow the last one.
+            let Some([column, after @ ..]) = self.columns[i..].first_chunk_mut::<COLUMN>() else {
+                return false;
+            };
+            let pivot = column[0];
             if pivot == 0.0 || !pivot.is_finite() {
                 return false;
             }
-            row[half] = pivot;
+            let below = *column;
+            for own in &mut column[1..] {
+                *own /= pivot;
+            }
+            for (c, other) in after.iter_mut().enumerate() {
+                for r in c..HALF {
+                    other[r - c] -= column[r + 1] * below[c + 1];
+                }
+            }
         }
         self.substitute(x);
         x.iter().all(|v| v.is_finite())
     }
 
     fn substitute(&self, x: &mut [f64]) {
-        let n = self.size();
-        for i in 0..n {
-            for j in i.saturating_sub(self.half)..i {
-                x[i] -= self.rows[self.at(i, j)] * x[j];
+        for i in 0..self.size {
+            let own = x[i];
+            for (x, l) in x[i + 1..].iter_mut().zip(&self.columns[i][1..]) {
+                *x -= l * own;
             }
         }
-        for i in 0..n {
-            x[i] /= self.rows[self.at(i, i)];
+        for (x, column) in x.iter_mut().zip(&self.columns) {
+            *x /= column[0];
         }
-        for i in (0..n).rev() {
-            for j in i.saturating_sub(self.half)..i {
-                x[j] -= self.rows[self.at(i, j)] * x[i];
+        for i in (0..self.size).rev() {
+            let mut own = x[i];
+            for (r, l) in self.columns[i].iter().enumerate().skip(1).rev() {
+                own -= l * x.get(i + r).copied().unwrap_or(0.0);
             }
+            x[i] = own;
         }
     }
 }
@@ -114,7 +112,7 @@ mod tests {
     /// Second differences with 1 at both ends: −u″ = 2 on five points has the parabola x (6 − x) at x = 1 to 5.
     #[test]
     fn second_differences_give_a_parabola() {
-        let mut band = Band::new(5, 2);
+        let mut band = Band::new(5);
         for i in 0..5 {
             band.add(i, i, 2.0);
             if i > 0 {
@@ -130,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_zero_pivot_is_told() {
-        let mut band = Band::new(2, 1);
+        let mut band = Band::new(2);
         band.add(0, 0, 1.0);
         assert!(!band.solve(&mut [1.0, 1.0]));
     }

@@ -29,6 +29,32 @@ pub struct Curve {
     /// In the order of the uplift.
     points: Vec<Point>,
     slopes: Vec<f64>,
+    /// The uplifts alone, and F between each and the next.
+    uplifts: Vec<f64>,
+    cubics: Vec<Cubic>,
+}
+
+/// F over the uplift beyond the first of two points: c₀ + c₁ x + c₂ x² + c₃ x³.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cubic([f64; 4]);
+
+impl Cubic {
+    /// Through two points with these slopes.
+    fn between([a, b]: [&Point; 2], [m, n]: [f64; 2]) -> Cubic {
+        let h = b.uplift - a.uplift;
+        let secant = (b.hold_down - a.hold_down) / h;
+        Cubic([
+            a.hold_down,
+            m,
+            (3.0 * secant - 2.0 * m - n) / h,
+            (m + n - 2.0 * secant) / (h * h),
+        ])
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        let Cubic([a, b, c, d]) = self;
+        a + x * (b + x * (c + x * d))
+    }
 }
 
 /// Points of a curve on either side of rest.
@@ -70,8 +96,14 @@ impl Curve {
 
     /// Through two or more states in the order of the uplift: of strips, or of another law of the rim.
     pub fn through(points: Vec<Point>) -> Curve {
+        let slopes = slopes(&points);
+        let cubics = points.windows(2).zip(slopes.windows(2));
         Curve {
-            slopes: slopes(&points),
+            cubics: cubics
+                .map(|(p, m)| Cubic::between([&p[0], &p[1]], [m[0], m[1]]))
+                .collect(),
+            uplifts: points.iter().map(|p| p.uplift).collect(),
+            slopes,
             points,
         }
     }
@@ -87,28 +119,21 @@ impl Curve {
     }
 
     fn place(&self, uplift: f64) -> usize {
-        let after = self.points.partition_point(|p| p.uplift < uplift);
+        let after = self.uplifts.partition_point(|w| *w < uplift);
         after.clamp(1, self.points.len() - 1)
     }
 
     /// Hold-down force F at an uplift [N/m]; monotone cubics between the points, straight on beyond them.
     pub fn hold_down(&self, uplift: f64) -> f64 {
         let i = self.place(uplift);
-        let (a, b) = (&self.points[i - 1], &self.points[i]);
-        let h = b.uplift - a.uplift;
-        if uplift < a.uplift {
-            return a.hold_down + self.slopes[i - 1] * (uplift - a.uplift);
+        let (from, to) = (self.uplifts[i - 1], self.uplifts[i]);
+        if uplift < from {
+            return self.points[i - 1].hold_down + self.slopes[i - 1] * (uplift - from);
         }
-        if uplift > b.uplift {
-            return b.hold_down + self.slopes[i] * (uplift - b.uplift);
+        if uplift > to {
+            return self.points[i].hold_down + self.slopes[i] * (uplift - to);
         }
-        let t = ((uplift - a.uplift) / h).clamp(0.0, 1.0);
-        let (m, n) = (self.slopes[i - 1] * h, self.slopes[i] * h);
-        let (t2, t3) = (t * t, t * t * t);
-        a.hold_down * (1.0 - 3.0 * t2 + 2.0 * t3)
-            + b.hold_down * (3.0 * t2 - 2.0 * t3)
-            + m * (t - 2.0 * t2 + t3)
-            + n * (t3 - t2)
+        self.cubics[i - 1].at(uplift - from)
     }
 
     /// The state at an uplift within the range, linear between points but for the force.

@@ -217,7 +217,7 @@ impl Plate {
     /// Forces on the nodes and their derivatives; the wall holds U(R) against W(R) = s.
     fn forces(&self, x: &[f64], s: f64, places: usize, hold: f64) -> (Vec<f64>, Band) {
         let n = x.len();
-        let (mut force, mut tangent) = (vec![0.0; n], Band::new(n, 3));
+        let (mut force, mut tangent) = (vec![0.0; n], Band::new(n));
         self.plate(x, &mut force, &mut tangent);
         self.ground(x, places, hold, &mut force, &mut tangent);
         force[n - 2] += self.edge * (x[n - 2] - s);

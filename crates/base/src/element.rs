@@ -21,10 +21,29 @@ pub(crate) const GAUSS: [(f64, f64); 3] = [
     (0.887_298_334_620_741_7, 5.0 / 18.0),
 ];
 
-/// One element.
-pub(crate) struct Element<'a> {
+/// What the length of an element alone gives: its cubics at the Gauss points, and the rows of its rise.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Cubics {
     /// Length h [m].
     pub(crate) length: f64,
+    points: [[[f64; 4]; 3]; 3],
+    rise: [[f64; 4]; 4],
+}
+
+impl Cubics {
+    pub(crate) fn new(length: f64) -> Cubics {
+        Cubics {
+            length,
+            points: GAUSS.map(|(x, _)| shape(x, length)),
+            rise: rise(length),
+        }
+    }
+}
+
+/// One element.
+pub(crate) struct Element<'a> {
+    /// Its length and cubics.
+    pub(crate) cubics: &'a Cubics,
     /// Its plate.
     pub(crate) plate: &'a Plate,
     /// Radius of its inner node and of the rim [m], of a round plate.
@@ -38,6 +57,7 @@ pub(crate) struct Element<'a> {
 /// Internal less external forces, and their tangent.
 pub(crate) struct Answer {
     pub(crate) force: [f64; SIZE],
+    /// Its lower half.
     pub(crate) tangent: [[f64; SIZE]; SIZE],
     /// Sections at the Gauss points.
     pub(crate) sections: [Section; 3],
@@ -102,17 +122,17 @@ impl Element<'_> {
     fn weight(&self, x: f64) -> (f64, f64) {
         match self.round {
             None => (1.0, f64::INFINITY),
-            Some((inner, rim)) => ((inner + x * self.length) / rim, inner + x * self.length),
+            Some((inner, rim)) => ((inner + x * self.cubics.length) / rim, inner + x * self.cubics.length),
         }
     }
 
-    /// Response to the displacements `q`; `old` and `new` are the plastic strains of its three sections.
-    pub(crate) fn respond(&self, q: &[f64; SIZE], old: &[f64], new: &mut [f64]) -> Answer {
-        let h = self.length;
+    /// Response to the displacements `q`; `old` and `new` are the plastic strains of its three sections, and which of them have yielded.
+    pub(crate) fn respond(&self, q: &[f64; SIZE], old: (&[f64], &[bool]), new: (&mut [f64], &mut [bool])) -> Answer {
+        let h = self.cubics.length;
         let bent = BENT.map(|i| q[i]);
         // ½ ∫ w′² dx/h and its derivatives.
-        let bend = rise(h);
-        let slope = bend.map(|row| dot(&row, &bent));
+        let bend = &self.cubics.rise;
+        let slope = bend.each_ref().map(|row| dot(row, &bent));
         let strain = (q[3] - q[0]) / h + 0.5 * dot(&slope, &bent);
         let stretch = [-1.0 / h, slope[0], slope[1], 1.0 / h, slope[2], slope[3]];
 
@@ -122,24 +142,25 @@ impl Element<'_> {
             sections: [Section::default(); 3],
             curvature: [0.0; 3],
         };
-        let fibres = old.len() / 3;
+        let fibres = old.0.len() / 3;
         // Sums over the sections: N and its tangent; forces, coupling with N and tangent of w and θ.
         let (mut n, mut ee) = (0.0, 0.0);
+        let mut coupled = false;
         let (mut force, mut mixed, mut stiff) = ([0.0; 4], [0.0; 4], [[0.0; 4]; 4]);
         for (i, (x, g)) in GAUSS.into_iter().enumerate() {
-            let [w_row, slope_row, bend_row] = shape(x, h);
+            let [w_row, slope_row, bend_row] = &self.cubics.points[i];
             let (share, r) = self.weight(x);
             let da = g * h * share;
             let range = i * fibres..(i + 1) * fibres;
-            let curvature = dot(&bend_row, &bent);
-            let mut section = self
-                .plate
-                .respond(strain, curvature, &old[range.clone()], &mut new[range]);
+            let curvature = dot(bend_row, &bent);
+            let before = (&old.0[range.clone()], old.1[i]);
+            let after = (&mut new.0[range], &mut new.1[i]);
+            let mut section = self.plate.respond(strain, curvature, before, after);
             answer.curvature[i] = curvature;
             if self.round.is_some() {
                 let nu = self.plate.poisson_ratio;
                 let u_row = [(1.0 - x) / r, 0.0, 0.0, x / r, 0.0, 0.0];
-                let (turn_row, bend_row) = (wide(&slope_row.map(|v| v / r)), wide(&bend_row));
+                let (turn_row, bend_row) = (wide(&slope_row.map(|v| v / r)), wide(bend_row));
                 let (hoop, turn) = (dot(&u_row, q), dot(&turn_row, q));
                 let (c, d) = (section.ee, section.kk);
                 section.n += c * nu * hoop;
@@ -151,40 +172,50 @@ impl Element<'_> {
                 add(&mut answer, da, &turn_row, 0.0, &bend_row, d * nu);
                 add(&mut answer, da, &bend_row, 0.0, &turn_row, d * nu);
             }
-            let sinks = dot(&w_row, &bent).min(0.0);
+            let sinks = dot(w_row, &bent).min(0.0);
             let ground = if sinks < 0.0 { da * self.modulus } else { 0.0 };
             let load = da * (self.pressure + self.modulus * sinks);
             let (moment, couple, bending) = (da * section.m, da * section.ek, da * section.kk);
+            coupled |= couple != 0.0;
             n += da * section.n;
             ee += da * section.ee;
             for a in 0..4 {
                 force[a] += moment * bend_row[a] + load * w_row[a];
                 mixed[a] += couple * bend_row[a];
                 let (k, s) = (bending * bend_row[a], ground * w_row[a]);
-                for b in 0..4 {
+                for b in 0..=a {
                     stiff[a][b] += k * bend_row[b] + s * w_row[b];
                 }
             }
             answer.sections[i] = section;
         }
-        let mixed = wide(&mixed);
+        // The lower half, which is all that is read.
         for a in 0..SIZE {
             answer.force[a] += n * stretch[a];
-            for b in 0..SIZE {
-                answer.tangent[a][b] += ee * stretch[a] * stretch[b] + stretch[a] * mixed[b] + mixed[a] * stretch[b];
+            let pulled = ee * stretch[a];
+            for b in 0..=a {
+                answer.tangent[a][b] += pulled * stretch[b];
+            }
+        }
+        if coupled {
+            let mixed = wide(&mixed);
+            for a in 0..SIZE {
+                for b in 0..=a {
+                    answer.tangent[a][b] += stretch[a] * mixed[b] + mixed[a] * stretch[b];
+                }
             }
         }
         for (a, i) in BENT.into_iter().enumerate() {
             answer.force[i] += force[a];
-            for (b, j) in BENT.into_iter().enumerate() {
+            for (b, j) in BENT.into_iter().enumerate().take(a + 1) {
                 answer.tangent[i][j] += stiff[a][b] + n * bend[a][b];
             }
         }
         answer
     }
 
-    /// Deflection at a Gauss point [m].
-    pub(crate) fn deflection(&self, q: &[f64; SIZE], x: f64) -> f64 {
-        dot(&shape(x, self.length)[0], &BENT.map(|i| q[i]))
+    /// Deflection at a Gauss point, by its number [m].
+    pub(crate) fn deflection(&self, q: &[f64; SIZE], point: usize) -> f64 {
+        dot(&self.cubics.points[point][0], &BENT.map(|i| q[i]))
     }
 }

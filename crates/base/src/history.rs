@@ -25,44 +25,22 @@
 //! Source: Malhotra & Veletsos 1994 (rotational spring of a rocking tank); Iwan 1966; Hilber, Hughes & Taylor 1977.
 
 mod along;
+mod body;
 mod energy;
+mod modes;
+mod scheme;
 
 pub use along::Friction;
 use along::{Way, translation};
+pub use body::{Body, BodyMode};
 use energy::Rates;
+use modes::{Modes, Sums};
+use scheme::{BEGIN, BETA, GAMMA, moved, predicted};
 
 use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
 use crate::heave::{Heave, Lift, Step};
 use crate::law::{Law, Response};
-
-/// A body in its modes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Its modes.
-    pub modes: Vec<BodyMode>,
-    /// Mass m [kg].
-    pub mass: f64,
-    /// First moment S of the mass about the base [kg m]: what a unit of ψ̈ adds to the shear.
-    pub first_moment: f64,
-    /// Second moment J about the base [kg m²].
-    pub second_moment: f64,
-}
-
-/// A mode of a body on a fixed base.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyMode {
-    /// ω [rad/s].
-    pub omega: f64,
-    /// Damping ratio ξ.
-    pub damping: f64,
-    /// Participation Γ in a translation [√kg].
-    pub translation: f64,
-    /// Participation Γ^ψ in a rotation [√kg m].
-    pub rotation: f64,
-    /// Bottom pressure at the rim per q̈ [Pa s²/m].
-    pub pressure: f64,
-}
 
 /// What is given to a run.
 #[derive(Clone, Debug)]
@@ -150,8 +128,7 @@ pub struct Energy {
 }
 
 struct State {
-    /// Displacement, velocity, acceleration of each mode.
-    q: Vec<[f64; 3]>,
+    modes: Modes,
     psi: [f64; 3],
     slip: [f64; 3],
     /// Direction of the inertia force that friction balances, 0 while the body sticks.
@@ -169,7 +146,8 @@ struct State {
     bolts: Bolts,
     cost: f64,
     pressure: f64,
-    /// Moment of the base, with its dashpot [N m].
+    /// Moment of the base, without and with its dashpot [N m].
+    held: f64,
     moment: f64,
     /// Inertia force [N].
     shear: f64,
@@ -191,20 +169,12 @@ const SWINGS: usize = 20;
 const HASTE: f64 = 4.0;
 /// Iterations of a step.
 const ITERATIONS: usize = 120;
-/// Share of the forces at the beginning of a step, γ and β of Hilber, Hughes & Taylor 1977, of second order. The rotation has nearly no
-/// inertia of its own, and the trapezoidal rule would leave its acceleration ringing from step to step; here the ringing halves in every
-/// step, and what a step takes from a vibration of 0.3 s at 1 ms is below 1e-5.
-const BEGIN: f64 = 1.0 / 3.0;
-const GAMMA: f64 = 0.5 + BEGIN;
-const BETA: f64 = 0.25 * (1.0 + BEGIN) * (1.0 + BEGIN);
-
 /// Marches through the ground motion from rest.
 ///
 /// Errors: no equilibrium.
 pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
-    let body = run.body;
     let mut state = State {
-        q: vec![[0.0; 3]; body.modes.len()],
+        modes: Modes::new(run.body, run.step, run.rigid_pressure),
         psi: [0.0; 3],
         slip: [0.0; 3],
         sliding: 0.0,
@@ -216,6 +186,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
         cost: 0.0,
         pressure: 0.0,
+        held: 0.0,
         moment: 0.0,
         shear: 0.0,
         slipping: 0.0,
@@ -231,11 +202,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
     let mut before = Rates::default();
     for (i, &ground) in run.ground.iter().enumerate() {
         if i == 0 {
-            state
-                .q
-                .iter_mut()
-                .zip(&body.modes)
-                .for_each(|(q, mode)| q[2] = -mode.translation * ground);
+            state.modes.begin(ground);
         } else {
             step(run, &mut state, i)?;
         }
@@ -309,67 +276,11 @@ fn at_ends(values: &mut [f64]) {
     }
 }
 
-/// Sums over the modes in a step: constant part, and the factors of A and ψ̈.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    turn: [f64; 3],
-    shift: [f64; 3],
-    pressure: [f64; 3],
-}
-
-/// Velocity and displacement at the end of a step without the acceleration there.
-fn predicted(x: &[f64; 3], h: f64) -> [f64; 2] {
-    [
-        x[0] + h * x[1] + h * h * (0.5 - BETA) * x[2],
-        x[1] + h * (1.0 - GAMMA) * x[2],
-    ]
-}
-
-/// A motion at the end of a step with the acceleration at the instant of the forces.
-fn moved(x: &[f64; 3], acceleration: f64, h: f64) -> [f64; 3] {
-    let [place, velocity] = predicted(x, h);
-    [
-        place + BETA * h * h * acceleration,
-        velocity + GAMMA * h * acceleration,
-        acceleration,
-    ]
-}
-
-/// Inertia of a mode in a step, and its force without the accelerations of the step.
-fn modal(mode: &BodyMode, q: &[f64; 3], h: f64) -> (f64, f64) {
-    let (c, k) = (2.0 * mode.damping * mode.omega, mode.omega * mode.omega);
-    let end = 1.0 - BEGIN;
-    let [place, velocity] = predicted(q, h);
-    let force = end * (c * velocity + k * place) + BEGIN * (c * q[1] + k * q[0]);
-    (1.0 + end * (c * GAMMA * h + k * BETA * h * h), force)
-}
-
-fn sums(run: &Run<'_>, state: &State) -> Sums {
-    let mut sums = Sums::default();
-    for (mode, q) in run.body.modes.iter().zip(&state.q) {
-        let (inertia, force) = modal(mode, q, run.step);
-        let parts = [-force, -mode.translation, -mode.rotation].map(|v| v / inertia);
-        for (i, part) in parts.into_iter().enumerate() {
-            sums.turn[i] += mode.rotation * part;
-            sums.shift[i] += mode.translation * part;
-            sums.pressure[i] += mode.pressure * part;
-        }
-    }
-    let body = run.body;
-    sums.turn[1] += body.first_moment;
-    sums.turn[2] += body.second_moment;
-    sums.shift[1] += body.mass;
-    sums.shift[2] += body.first_moment;
-    sums.pressure[1] += run.rigid_pressure[0];
-    sums.pressure[2] += run.rigid_pressure[1];
-    sums
-}
-
 fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     let h = run.step;
     // Of the forces' instant.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
-    let sums = sums(run, state);
+    let sums = state.modes.sums();
     let limit = run
         .friction
         .as_ref()
@@ -440,12 +351,7 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
             let way = 0.5 * (state.slip[1] * time + new * rest * rest);
             state.slip = [state.slip[0] + way, new * rest, new];
             // The base of the modes moved on as before: they take the difference.
-            for (q, mode) in state.q.iter_mut().zip(&run.body.modes) {
-                let taken = mode.translation * (acceleration - new);
-                q[0] += 0.5 * taken * rest * rest;
-                q[1] += taken * rest;
-                q[2] += mode.translation * (slipping - new);
-            }
+            state.modes.take(rest, acceleration - new, slipping - new);
         }
     }
     Ok(())
@@ -465,6 +371,7 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     let mut scale = 0.0_f64;
     // Accelerations at which the base resists too little and too much; between them lies an equilibrium.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut before: Option<(f64, f64)> = None;
     for iteration in 0..ITERATIONS {
         let [a, follows] = translation(b);
         let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
@@ -474,7 +381,7 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
             response.moment += lifted.moment;
             response.tangent += lifted.tangent;
         }
-        let dashpot = run.dashpot * law.contact(psi(b));
+        let dashpot = dashpot(run, law, psi(b));
         let terms = [
             sums.turn[0],
             sums.turn[1] * a,
@@ -494,9 +401,13 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
         }
         let slope = sums.turn[2] + sums.turn[1] * follows;
         let tangent = slope + (1.0 - BEGIN) * (BETA * h * h * response.tangent.max(0.0) + GAMMA * h * dashpot);
-        let mut next = b - residual / tangent;
-        // The bottom pressure depends on ψ̈ and the dashpot on the contact, which the tangent does not know: what turns round is halved, what
-        // creeps is hastened.
+        // The bottom pressure depends on ψ̈ and the dashpot on the contact, which the tangent does not know: the secant of the last two iterations does,
+        // unless they lie on either side of a corner.
+        let secant = before.map(|(b0, r0)| (residual - r0) / (b - b0));
+        let steep = secant.filter(|s| (0.5 * tangent..=2.0 * tangent).contains(s));
+        before = Some((b, residual));
+        let mut next = b - residual / steep.unwrap_or(tangent);
+        // What turns round is halved, what creeps is hastened.
         if iteration > SWINGS {
             next = if low.is_finite() && high.is_finite() {
                 0.5 * (low + high)
@@ -533,6 +444,14 @@ fn lift(run: &Run<'_>, (heave, law): (&Heave, &Law), state: &State, (psi, pressu
     heave.lift(law, psi, pressure, step)
 }
 
+/// Dashpot of the base at a rotation [rad]: it opens with the contact [N m s].
+fn dashpot(run: &Run<'_>, law: &Law, psi: f64) -> f64 {
+    match run.dashpot == 0.0 {
+        true => 0.0,
+        false => run.dashpot * law.contact(psi),
+    }
+}
+
 /// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].
 fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) -> Response {
     let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
@@ -548,10 +467,7 @@ fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) 
 /// Moves to the end of the step with these accelerations.
 fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
     let h = run.step;
-    for (mode, q) in run.body.modes.iter().zip(&mut state.q) {
-        let (inertia, force) = modal(mode, q, h);
-        *q = moved(q, (-mode.translation * a - mode.rotation * b - force) / inertia, h);
-    }
+    state.modes.advance([a, b]);
     let turned = state.psi[0];
     state.psi = moved(&state.psi, b, h);
     let turned = state.psi[0] - turned;
@@ -567,7 +483,8 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
             state.lift = lift;
             state.damped = (lift.load - lift.press) * (state.heave[0] - before - lift.sinks * turned);
         }
-        state.moment = moment + run.dashpot * law.contact(state.psi[0]) * state.psi[1];
+        state.held = moment;
+        state.moment = moment + dashpot(run, law, state.psi[0]) * state.psi[1];
         state.lost = law.commit(state.psi[0], &mut state.springs);
         if let Some(ring) = run.ring {
             state.cost = 0.0;

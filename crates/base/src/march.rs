@@ -2,7 +2,7 @@
 
 use crate::band::Band;
 use crate::curve::Point;
-use crate::element::{Element, GAUSS, SIZE};
+use crate::element::{Answer, Element, GAUSS, SIZE};
 use crate::error::BaseError;
 use crate::strip::{Plan, Rim, Strip};
 
@@ -25,10 +25,48 @@ pub struct Lifted<'a> {
     strip: &'a Strip,
     /// u, w, θ of each node.
     x: Vec<f64>,
-    /// Plastic strains of all fibres.
-    plastic: Vec<f64>,
+    plastic: Plastic,
     /// Forces and tangent of this state, where they are known.
     system: Option<System>,
+}
+
+/// Plastic strains of all fibres, and which sections have any.
+#[derive(Clone, Debug)]
+struct Plastic {
+    strains: Vec<f64>,
+    yielded: Vec<bool>,
+}
+
+impl Plastic {
+    fn of(strains: Vec<f64>, elements: usize) -> Plastic {
+        let each = strains.len() / (3 * elements);
+        let yielded = |section: usize| strains[section * each..(section + 1) * each].iter().any(|p| *p != 0.0);
+        Plastic {
+            yielded: (0..3 * elements).map(yielded).collect(),
+            strains,
+        }
+    }
+
+    /// Places of an element: all plates have a yield stress, or none has.
+    fn range(&self, element: usize) -> std::ops::Range<usize> {
+        let each = 3 * self.strains.len() / self.yielded.len();
+        element * each..(element + 1) * each
+    }
+
+    fn at(&self, element: usize) -> (&[f64], &[bool]) {
+        (
+            &self.strains[self.range(element)],
+            &self.yielded[3 * element..3 * element + 3],
+        )
+    }
+
+    fn at_mut(&mut self, element: usize) -> (&mut [f64], &mut [bool]) {
+        let range = self.range(element);
+        (
+            &mut self.strains[range],
+            &mut self.yielded[3 * element..3 * element + 3],
+        )
+    }
 }
 
 /// The plate of a strip in a state.
@@ -54,7 +92,7 @@ struct System {
     residual: Vec<f64>,
     tangent: Band,
     /// Plastic strains that the displacements ask for.
-    plastic: Vec<f64>,
+    plastic: Plastic,
 }
 
 impl<'a> Lifted<'a> {
@@ -64,11 +102,12 @@ impl<'a> Lifted<'a> {
     ///
     /// Errors: no equilibrium.
     pub fn at_rest(strip: &'a Strip, weight: f64) -> Result<Lifted<'a>, BaseError> {
-        let fibres: usize = (0..strip.nodes.len() - 1).map(|i| 3 * strip.plate(i).fibres()).sum();
+        let elements = strip.cubics.len();
+        let fibres: usize = (0..elements).map(|i| 3 * strip.plate(i).fibres()).sum();
         let mut state = Lifted {
             strip,
             x: vec![0.0; 3 * strip.nodes.len()],
-            plastic: vec![0.0; fibres],
+            plastic: Plastic::of(vec![0.0; fibres], elements),
             system: None,
         };
         // All of the plate sunk evenly: near the answer, and in contact everywhere.
@@ -96,17 +135,16 @@ impl<'a> Lifted<'a> {
 
     /// What makes up the state without its strip: displacements and plastic strains.
     pub(crate) fn into_parts(self) -> (Vec<f64>, Vec<f64>) {
-        (self.x, self.plastic)
+        (self.x, self.plastic.strains)
     }
 
     /// The state again, of the same strip.
     pub(crate) fn of_parts(strip: &'a Strip, (x, plastic): (Vec<f64>, Vec<f64>)) -> Lifted<'a> {
-        let system = None;
         Lifted {
             strip,
             x,
-            plastic,
-            system,
+            plastic: Plastic::of(plastic, strip.cubics.len()),
+            system: None,
         }
     }
 
@@ -142,15 +180,16 @@ impl<'a> Lifted<'a> {
     fn step(&mut self, given: Given) -> Result<bool, BaseError> {
         let (n, rim) = (self.x.len(), self.strip.rim_at());
         let mut x = self.x.clone();
+        let mut dx = vec![0.0; n];
+        let known = self.system.take();
+        let mut system = known.unwrap_or_else(|| self.system(&x, given));
         if let Given::Uplift(w) = given {
             // The change of the rim is spread by the first solve, not left to one element.
-            let known = self.system.take();
-            let system = known.unwrap_or_else(|| self.system(&x, given));
             let change = w - self.uplift();
-            let mut dx: Vec<f64> = (0..n)
-                .map(|i| -system.residual[i] - system.tangent.get(i, rim + 1) * change)
-                .collect();
-            self.solve(system.tangent, &mut dx, Some(change));
+            for (i, (d, residual)) in dx.iter_mut().zip(&system.residual).enumerate() {
+                *d = -residual - system.tangent.get(i, rim + 1) * change;
+            }
+            self.solve(&mut system.tangent, &mut dx, Some(change));
             if !dx.iter().all(|v| v.is_finite()) {
                 return Ok(false);
             }
@@ -158,10 +197,10 @@ impl<'a> Lifted<'a> {
         }
         let (mut before, mut growing) = (f64::INFINITY, 0);
         for _ in 0..ITERATIONS {
-            let system = self.system(&x, given);
-            let mut dx: Vec<f64> = system.residual.iter().map(|r| -r).collect();
+            self.assemble(&x, given, &mut system);
+            dx.iter_mut().zip(&system.residual).for_each(|(d, r)| *d = -r);
             let solved = self.solve(
-                system.tangent,
+                &mut system.tangent,
                 &mut dx,
                 matches!(given, Given::Uplift(_)).then_some(0.0),
             );
@@ -185,9 +224,9 @@ impl<'a> Lifted<'a> {
                 if let Given::Uplift(w) = given {
                     x[rim + 1] = w;
                 }
-                let mut system = self.system(&x, given);
+                self.assemble(&x, given, &mut system);
                 self.x = x;
-                self.plastic = std::mem::take(&mut system.plastic);
+                std::mem::swap(&mut self.plastic, &mut system.plastic);
                 // Of the whole pressure alone: the next step may have another share.
                 self.system = matches!(given, Given::Uplift(_)).then_some(system);
                 return Ok(true);
@@ -196,14 +235,11 @@ impl<'a> Lifted<'a> {
         Ok(false)
     }
 
-    fn solve(&self, mut tangent: Band, dx: &mut [f64], rim: Option<f64>) -> bool {
+    fn solve(&self, tangent: &mut Band, dx: &mut [f64], rim: Option<f64>) -> bool {
         let at = self.strip.rim_at();
-        let mut known = vec![(0, 0.0), (2, 0.0)];
-        known.extend(rim.map(|change| (at + 1, change)));
-        if self.strip.rim == Rim::Clamped {
-            known.push((at + 2, 0.0));
-        }
-        for &(i, value) in &known {
+        let turned = (self.strip.rim == Rim::Clamped).then_some((at + 2, 0.0));
+        let lifted = rim.map(|change| (at + 1, change));
+        for (i, value) in [Some((0, 0.0)), Some((2, 0.0)), lifted, turned].into_iter().flatten() {
             tangent.fix(i);
             dx[i] = value;
         }
@@ -211,22 +247,27 @@ impl<'a> Lifted<'a> {
     }
 
     fn system(&self, x: &[f64], given: Given) -> System {
-        let strip = self.strip;
-        let (n, rim) = (x.len(), strip.rim_at());
+        let mut system = System {
+            residual: vec![0.0; x.len()],
+            tangent: Band::new(x.len()),
+            plastic: self.plastic.clone(),
+        };
+        self.assemble(x, given, &mut system);
+        system
+    }
+
+    /// Forces and tangent at `x`, in the place of those of another state.
+    fn assemble(&self, x: &[f64], given: Given, system: &mut System) {
+        let (strip, rim) = (self.strip, self.strip.rim_at());
         let share = match given {
             Given::Force(_, share) => share,
             Given::Uplift(_) => 1.0,
         };
-        let mut system = System {
-            residual: vec![0.0; n],
-            tangent: Band::new(n, SIZE - 1),
-            plastic: self.plastic.clone(),
-        };
-        for i in 0..strip.nodes.len() - 1 {
+        system.residual.fill(0.0);
+        system.tangent.clear();
+        for i in 0..strip.cubics.len() {
             let element = strip.element(i, share);
-            let range = self.fibres(i);
-            let new = &mut system.plastic[range.clone()];
-            let answer = element.respond(&unknowns(x, i), &self.plastic[range], new);
+            let answer = element.respond(&unknowns(x, i), self.plastic.at(i), system.plastic.at_mut(i));
             for (own, force) in system.residual[3 * i..].iter_mut().zip(answer.force) {
                 *own += force;
             }
@@ -246,13 +287,15 @@ impl<'a> Lifted<'a> {
         if let Given::Force(force, _) = given {
             system.residual[rim + 1] -= force;
         }
-        system
     }
 
-    /// Places of the plastic strains of an element; all plates have a yield stress, or none has.
-    fn fibres(&self, element: usize) -> std::ops::Range<usize> {
-        let each = self.plastic.len() / (self.strip.nodes.len() - 1);
-        element * each..(element + 1) * each
+    /// Response of an element in this state.
+    fn respond(&self, i: usize) -> Answer {
+        let old = self.plastic.at(i);
+        let (mut new, mut yielded) = (vec![0.0; old.0.len()], [false; 3]);
+        self.strip
+            .element(i, 1.0)
+            .respond(&unknowns(&self.x, i), old, (&mut new, &mut yielded))
     }
 
     /// What the strip does in this state.
@@ -264,11 +307,7 @@ impl<'a> Lifted<'a> {
             None => self.system(&self.x, Given::Uplift(self.uplift())).residual[rim + 1],
         };
         // Forces of the plate alone: the edge of the wall is what they meet.
-        let last = rim / 3 - 1;
-        let element = strip.element(last, 1.0);
-        let range = self.fibres(last);
-        let mut new = vec![0.0; range.len()];
-        let outer = element.respond(&unknowns(&self.x, last), &self.plastic[range], &mut new);
+        let outer = self.respond(rim / 3 - 1);
         Point {
             uplift: self.uplift(),
             hold_down,
@@ -282,10 +321,14 @@ impl<'a> Lifted<'a> {
 
     /// The plate in this state.
     pub(crate) fn shape(&self) -> Shape {
-        let yielded = |i: usize| self.plastic[self.fibres(i)].iter().any(|p| *p != 0.0);
         Shape {
             deflections: self.x.iter().skip(1).step_by(3).copied().collect(),
-            yielded: (0..self.strip.nodes.len() - 1).map(yielded).collect(),
+            yielded: self
+                .plastic
+                .yielded
+                .chunks_exact(3)
+                .map(|s| s.contains(&true))
+                .collect(),
         }
     }
 
@@ -299,8 +342,11 @@ impl<'a> Lifted<'a> {
         for i in (0..strip.rim_at() / 3).rev() {
             let element = strip.element(i, 1.0);
             let q = unknowns(&self.x, i);
-            for (x, _) in GAUSS.iter().rev() {
-                let here = (strip.nodes[i] + x * element.length, element.deflection(&q, *x));
+            for (point, (x, _)) in GAUSS.iter().enumerate().rev() {
+                let here = (
+                    strip.nodes[i] + x * element.cubics.length,
+                    element.deflection(&q, point),
+                );
                 if here.1 <= 0.0 {
                     let crossing = here.0 + (before.0 - here.0) * -here.1 / (before.1 - here.1);
                     return strip.length() - crossing;
@@ -316,29 +362,23 @@ impl<'a> Lifted<'a> {
         let strip = self.strip;
         let (mut sum, mut sign) = (0.0_f64, 0.0);
         for i in (0..strip.rim_at() / 3).rev() {
-            let element = strip.element(i, 1.0);
-            let old = &self.plastic[self.fibres(i)];
-            let fibres = old.len();
-            if fibres == 0 {
-                break;
-            }
-            if old.iter().all(|&p| p == 0.0) {
+            let yielded = &self.plastic.yielded[3 * i..3 * i + 3];
+            if !yielded.contains(&true) {
                 continue;
             }
-            let mut new = vec![0.0; fibres];
-            let answer = element.respond(&unknowns(&self.x, i), old, &mut new);
+            let (answer, stiffness) = (self.respond(i), strip.plate(i).bending_stiffness());
             for (g, (_, weight)) in GAUSS.iter().enumerate().rev() {
-                if old[g * fibres / 3..(g + 1) * fibres / 3].iter().all(|&p| p == 0.0) {
+                if !yielded[g] {
                     continue;
                 }
-                let plastic = answer.curvature[g] - answer.sections[g].m / element.plate.bending_stiffness();
+                let plastic = answer.curvature[g] - answer.sections[g].m / stiffness;
                 if sign == 0.0 {
                     sign = plastic.signum();
                 }
                 if plastic.signum() != sign {
                     return sum.abs();
                 }
-                sum += weight * element.length * plastic;
+                sum += weight * strip.cubics[i].length * plastic;
             }
         }
         sum.abs()
@@ -364,7 +404,7 @@ impl Strip {
 
     fn element(&self, i: usize, share: f64) -> Element<'_> {
         Element {
-            length: self.nodes[i + 1] - self.nodes[i],
+            cubics: &self.cubics[i],
             plate: self.plate(i),
             round: (self.plan == Plan::Round).then(|| (self.nodes[i], self.length())),
             modulus: self.modulus,

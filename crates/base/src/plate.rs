@@ -13,6 +13,8 @@ use crate::error::{BaseError, positive};
 
 /// Fibres of a section.
 const FIBRES: usize = 20;
+/// Of them are computed beside each other.
+const LANES: usize = 4;
 
 /// Tangent modulus beyond yield over E′.
 const TANGENT: f64 = 0.01;
@@ -73,8 +75,8 @@ impl Plate {
     }
 
     /// Forces and tangents of a section with strain `e` and curvature `k`; `old` are the plastic strains of its fibres, `new` receives
-    /// those of this state.
-    pub(crate) fn respond(&self, e: f64, k: f64, old: &[f64], new: &mut [f64]) -> Section {
+    /// those of this state. With either stands whether one of them is not zero: most sections never yield, and their fibres are not looked at.
+    pub(crate) fn respond(&self, e: f64, k: f64, old: (&[f64], bool), new: (&mut [f64], &mut bool)) -> Section {
         let (modulus, t) = (self.plane_modulus(), self.thickness);
         let elastic = Section {
             n: modulus * t * e,
@@ -86,41 +88,51 @@ impl Plate {
         let Some(limit) = self.yield_stress else {
             return elastic;
         };
-        let untouched = old.iter().all(|&p| p == 0.0);
-        if untouched && modulus * (e.abs() + (t / 2.0 * k).abs()) <= limit {
-            new.fill(0.0);
+        let ((old, yielded), (new, yields)) = (old, new);
+        if !yielded && modulus * (e.abs() + (t / 2.0 * k).abs()) <= limit {
+            if *yields {
+                new.fill(0.0);
+                *yields = false;
+            }
             return elastic;
         }
         let area = t / FIBRES as f64;
         let hardening = modulus * TANGENT / (1.0 - TANGENT);
-        let mut section = Section::default();
-        for (i, (&old, new)) in old.iter().zip(new).enumerate() {
-            let z = depth(i, t);
-            let trial = modulus * (e - z * k - old);
-            let over = (trial - hardening * old).abs() - limit;
-            let (stress, tangent) = if over > 0.0 {
-                let flow = over / (modulus + hardening) * (trial - hardening * old).signum();
-                *new = old + flow;
-                (trial - modulus * flow, modulus * hardening / (modulus + hardening))
-            } else {
-                *new = old;
-                (trial, modulus)
-            };
-            section.n += area * stress;
-            section.m -= area * z * stress;
-            section.ee += area * tangent;
-            section.ek -= area * z * tangent;
-            section.kk += area * z * z * tangent;
+        let give = 1.0 / (modulus + hardening);
+        // What a fibre that flows takes from the tangent.
+        let softer = modulus * modulus * give;
+        // Sums of every LANES-th fibre, beside each other.
+        let mut sums = [[0.0; LANES]; 5];
+        let mut flowed = [false; LANES];
+        let chunks = old.chunks_exact(LANES).zip(new.chunks_exact_mut(LANES));
+        for ((old, new), depths) in chunks.zip(DEPTHS.chunks_exact(LANES)) {
+            for lane in 0..LANES {
+                let z = t * depths[lane];
+                let trial = modulus * (e - z * k - old[lane]);
+                let moved = trial - hardening * old[lane];
+                let flow = give * (moved - moved.clamp(-limit, limit));
+                let tangent = modulus - if flow == 0.0 { 0.0 } else { softer };
+                new[lane] = old[lane] + flow;
+                flowed[lane] |= new[lane] != 0.0;
+                let stress = trial - modulus * flow;
+                sums[0][lane] += stress;
+                sums[1][lane] -= z * stress;
+                sums[2][lane] += tangent;
+                sums[3][lane] -= z * tangent;
+                sums[4][lane] += z * z * tangent;
+            }
         }
-        section
+        *yields = flowed.contains(&true);
+        let [n, m, ee, ek, kk] = sums.map(|lanes| area * lanes.iter().sum::<f64>());
+        Section { n, m, ee, ek, kk }
     }
 }
 
-/// Depth of fibre `i` above the middle [m]: middles of slices, moved outwards by 1/√(1 − 1/n²), which makes the second moment exact.
-fn depth(i: usize, t: f64) -> f64 {
+/// Depths of the fibres above the middle over the thickness: middles of slices, moved outwards by 1/√(1 − 1/n²), which makes the second moment exact.
+static DEPTHS: std::sync::LazyLock<[f64; FIBRES]> = std::sync::LazyLock::new(|| {
     let n = FIBRES as f64;
-    t * ((i as f64 + 0.5) / n - 0.5) / (1.0 - 1.0 / (n * n)).sqrt()
-}
+    std::array::from_fn(|i| ((i as f64 + 0.5) / n - 0.5) / (1.0 - 1.0 / (n * n)).sqrt())
+});
 
 /// Forces of a section and their derivatives.
 #[derive(Clone, Copy, Debug, Default)]

@@ -30,6 +30,8 @@ pub struct Rocking {
     weight: f64,
     /// Pressures on the plate [Pa], falling, and the strip's curve under each.
     curves: Vec<(f64, Curve)>,
+    /// Of each the factor 1/Π (p_i − p_j) of Lagrange's polynomial.
+    factors: Vec<f64>,
     /// Which of them is that at rest.
     rest: usize,
 }
@@ -69,7 +71,12 @@ impl Rocking {
         };
         curves.sort_by(|a, b| b.0.total_cmp(&a.0));
         let rest = curves.iter().position(|c| c.0 == pressure).unwrap_or(0);
+        let factor = |i: usize| {
+            let others = curves.iter().enumerate().filter(|(j, _)| *j != i);
+            1.0 / others.map(|(_, other)| curves[i].0 - other.0).product::<f64>()
+        };
         Ok(Rocking {
+            factors: (0..curves.len()).map(factor).collect(),
             radius,
             weight,
             curves,
@@ -109,15 +116,12 @@ impl Rocking {
         let (highest, lowest) = (self.curves[0].0, self.curves[self.curves.len() - 1].0);
         let p = pressure.clamp(lowest, highest);
         let term = |i: usize| -> f64 {
-            let (own, curve) = &self.curves[i];
             let others = self.curves.iter().enumerate().filter(|(j, _)| *j != i);
-            let share = others
-                .map(|(_, (other, _))| (p - other) / (own - other))
-                .product::<f64>();
+            let away = others.map(|(_, (other, _))| p - other).product::<f64>();
             // At the pressure of another curve there is nothing of this one.
-            match share == 0.0 {
+            match away == 0.0 {
                 true => 0.0,
-                false => share * curve.hold_down(uplift),
+                false => self.factors[i] * away * self.curves[i].1.hold_down(uplift),
             }
         };
         (0..self.curves.len()).map(term).sum()

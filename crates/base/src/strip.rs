@@ -1,6 +1,7 @@
 //! The strip: plate, ground, edge of the wall.
 
 use crate::edge::Edge;
+use crate::element::Cubics;
 use crate::error::{BaseError, positive};
 use crate::mesh;
 use crate::plate::Bands;
@@ -38,6 +39,8 @@ pub struct Strip {
     pub(crate) plan: Plan,
     /// Nodes from the centre outwards [m].
     pub(crate) nodes: Vec<f64>,
+    /// What the lengths of the elements between them give.
+    pub(crate) cubics: Vec<Cubics>,
     /// Number of them outside the wall.
     pub(crate) outside: usize,
 }
@@ -79,8 +82,10 @@ impl Strip {
                 allowed: "none for a round plate, which is elastic",
             });
         }
+        let nodes = places(&bands, modulus, length, (1.0, mesh::FINE));
         Ok(Strip {
-            nodes: places(&bands, modulus, length, (1.0, mesh::FINE)),
+            cubics: cubics(&nodes),
+            nodes,
             outside: 0,
             bands,
             modulus,
@@ -99,6 +104,7 @@ impl Strip {
         self.nodes
             .extend((1..=count).map(|i| rim + projection * i as f64 / count as f64));
         self.outside = count;
+        self.cubics = cubics(&self.nodes);
         self
     }
 
@@ -111,8 +117,10 @@ impl Strip {
     /// The same with elements that stay short up to the distance `fine` from the rim alone [m].
     #[must_use]
     pub(crate) fn spaced(self, factor: f64, fine: f64) -> Strip {
+        let nodes = places(&self.bands, self.modulus, self.length(), (factor, fine));
         Strip {
-            nodes: places(&self.bands, self.modulus, self.length(), (factor, fine)),
+            cubics: cubics(&nodes),
+            nodes,
             ..self
         }
     }
@@ -141,6 +149,10 @@ impl Strip {
             ..self.clone()
         })
     }
+}
+
+fn cubics(nodes: &[f64]) -> Vec<Cubics> {
+    nodes.windows(2).map(|ends| Cubics::new(ends[1] - ends[0])).collect()
 }
 
 fn places(bands: &Bands, modulus: f64, length: f64, widths: (f64, f64)) -> Vec<f64> {

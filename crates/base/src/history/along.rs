@@ -1,6 +1,8 @@
 //! The body along the ground: stuck, sliding, or on a plate that is dragged.
 
-use super::{BEGIN, BETA, GAMMA, ITERATIONS, Run, State, Sums, predicted};
+use super::modes::Sums;
+use super::scheme::{BEGIN, BETA, GAMMA, predicted};
+use super::{ITERATIONS, Run, State};
 use crate::law::{Response, Spring};
 
 /// Friction under the bottom.

@@ -1,6 +1,7 @@
 //! Powers and energies of a run.
 
-use super::{Energy, Run, State, resist};
+use super::modes::Motion;
+use super::{Energy, Run, State, dashpot, resist};
 
 impl Energy {
     pub(super) fn total(&self) -> f64 {
@@ -43,13 +44,14 @@ impl Rates {
             slip: s[0],
             ..Rates::default()
         };
-        let (mut shift, mut turn) = (0.0, 0.0);
-        for (mode, q) in body.modes.iter().zip(&state.q) {
-            rates.body += 0.5 * (q[1] * q[1] + (mode.omega * q[0]).powi(2));
-            rates.viscous += 2.0 * mode.damping * mode.omega * q[1] * q[1];
-            shift += mode.translation * q[1];
-            turn += mode.rotation * q[1];
-        }
+        let Motion {
+            energy,
+            viscous,
+            shift,
+            turn,
+        } = state.modes.motion();
+        rates.body = energy;
+        rates.viscous = viscous;
         rates.viscous += state.dashed * s[1];
         rates.body += psi[1] * turn
             + s[1] * shift
@@ -60,12 +62,15 @@ impl Rates {
         rates.shear = state.shear;
         rates.friction = -rates.shear * s[1];
         if let Some(law) = run.law {
-            rates.moment = resist(run, law, state, (psi[0], state.pressure)).moment;
+            // An anchor that broke at the end of the step holds no more.
+            rates.moment = match run.ring {
+                Some(_) => resist(run, law, state, (psi[0], state.pressure)).moment + state.lift.response.moment,
+                None => state.held,
+            };
             if let Some(heave) = run.heave {
-                rates.moment += state.lift.response.moment;
                 rates.body += 0.5 * heave.mass() * state.heave[1] * state.heave[1];
             }
-            rates.radiated = run.dashpot * law.contact(psi[0]) * psi[1] * psi[1];
+            rates.radiated = dashpot(run, law, psi[0]) * psi[1] * psi[1];
         }
         rates
     }
