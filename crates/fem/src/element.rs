@@ -424,4 +424,14 @@ impl Response {
         self.force.resize(n, 0.0);
         self.tangent.reset(n);
     }
+
+    /// Zeros for the force of `n` dofs, with room for a tangent that nobody reads.
+    pub(crate) fn reset_force(&mut self, n: usize) {
+        self.force.clear();
+        self.force.resize(n, 0.0);
+        self.tangent.n = n;
+        if self.tangent.data.len() < n * n {
+            self.tangent.data.resize(n * n, 0.0);
+        }
+    }
 }

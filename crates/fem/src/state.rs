@@ -149,6 +149,21 @@ impl Gather {
         }
     }
 
+    /// The components of the nodes of `element` among those `at` all nodes, and their rotations in `fields`.
+    pub(crate) fn turned(&mut self, fields: &Fields, element: &dyn Element, at: &[[f64; KINDS]]) -> Motion<'_> {
+        self.values.clear();
+        self.rotations.clear();
+        for (a, &node) in element.nodes().iter().enumerate() {
+            let own = &at[node];
+            self.values.extend(element.dofs(a).iter().map(|d| own[d.index()]));
+            self.rotations.push(fields.rotation[node]);
+        }
+        Motion {
+            values: &self.values,
+            rotations: &self.rotations,
+        }
+    }
+
     /// Gathers the motion of the nodes of `element` in `fields`.
     pub fn motion(&mut self, model: &Model, fields: &Fields, element: &dyn Element) -> Motion<'_> {
         self.values.clear();

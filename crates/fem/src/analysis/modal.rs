@@ -245,14 +245,13 @@ impl ModalBasis {
         let stride = stride.max(1);
         let mut out = vec![Vec::with_capacity(grid.steps() / stride + 1); 2 * self.len() + 3];
         self.march(ratios, load, grid, |chunk| {
+            let kept = chunk.every(stride);
             for (number, history) in out.iter_mut().enumerate() {
-                // The first instant of a chunk is the last one of the chunk before.
-                let own = chunk.state(number).iter().enumerate();
-                let new = own.skip(usize::from(chunk.start > 0));
-                history.extend(
-                    new.filter(|(k, _)| (chunk.start + k).is_multiple_of(stride))
-                        .map(|(_, s)| *s),
-                );
+                let own = chunk.state(number);
+                match stride {
+                    1 => history.extend_from_slice(&own[kept.start..]),
+                    _ => history.extend(kept.clone().step_by(stride).map(|k| own[k])),
+                }
             }
             true
         })?;
@@ -342,9 +341,10 @@ impl ModalBasis {
         mut take: impl FnMut(&Chunk) -> bool,
     ) -> Result<bool, AnalysisError> {
         let m = self.len();
-        let step = |(&omega, &ratio): (&f64, &f64)| Recurrence::new(omega, ratio, grid.h());
-        let steps: Vec<Recurrence> = self.omega.iter().zip(ratios).map(step).collect();
-        let mut now = vec![(0.0, 0.0); m];
+        let mut groups = match self.coupling {
+            Some(_) => Vec::new(),
+            None => self.groups(ratios, grid.h()),
+        };
         let mut together = self
             .coupling
             .as_ref()
@@ -365,17 +365,8 @@ impl ModalBasis {
             if let Some((propagator, state)) = &mut together {
                 self.advance(propagator, state, &loads, &mut chunk);
             }
-            let alone = if together.is_some() { &[][..] } else { &steps[..] };
-            for (j, (step, state)) in alone.iter().zip(&mut now).enumerate() {
-                let g = self.participation[j];
-                let (y, v) = chunk.pair_mut(j, m + j);
-                (y[0], v[0]) = *state;
-                for ((y, v), a) in y[1..].iter_mut().zip(&mut v[1..]).zip(&loads) {
-                    let p0 = -(g[0] * a[0].0 + g[1] * a[1].0 + g[2] * a[2].0);
-                    let p1 = -(g[0] * a[0].1 + g[1] * a[1].1 + g[2] * a[2].1);
-                    *state = step.step(state.0, state.1, p0, p1);
-                    (*y, *v) = *state;
-                }
+            for group in &mut groups {
+                group.advance(m, &loads, &mut chunk);
             }
             for k in 0..chunk.len {
                 let a = load.acceleration(chunk.start + k);
@@ -398,7 +389,64 @@ impl ModalBasis {
     }
 }
 
+/// Modes beside each other: a step of one waits for the step before, those of the others do not.
+const LANES: usize = 4;
+
+/// A few modes in time; those that are missing in the last group stay at rest.
+struct Group {
+    /// Number of the first.
+    first: usize,
+    steps: [Recurrence; LANES],
+    participation: [[f64; LANES]; 3],
+    /// Y and Ẏ.
+    now: [[f64; LANES]; 2],
+}
+
+impl Group {
+    /// Fills a chunk of `modes` modes.
+    fn advance(&mut self, modes: usize, loads: &[[(f64, f64); 3]], chunk: &mut Chunk) {
+        let mut motion = [[[0.0; 2]; Chunk::LENGTH + 1]; LANES];
+        let [mut y, mut v] = self.now;
+        let g = &self.participation;
+        for (k, a) in loads.iter().enumerate() {
+            for lane in 0..LANES {
+                motion[lane][k] = [y[lane], v[lane]];
+                let p0 = -(g[0][lane] * a[0].0 + g[1][lane] * a[1].0 + g[2][lane] * a[2].0);
+                let p1 = -(g[0][lane] * a[0].1 + g[1][lane] * a[1].1 + g[2][lane] * a[2].1);
+                (y[lane], v[lane]) = self.steps[lane].step(y[lane], v[lane], p0, p1);
+            }
+        }
+        for lane in 0..LANES {
+            motion[lane][loads.len()] = [y[lane], v[lane]];
+        }
+        self.now = [y, v];
+        for (j, motion) in (self.first..modes).zip(&motion) {
+            let (own, velocity) = chunk.pair_mut(j, modes + j);
+            for ((y, v), found) in own.iter_mut().zip(velocity).zip(motion) {
+                [*y, *v] = *found;
+            }
+        }
+    }
+}
+
 impl ModalBasis {
+    /// The modes in groups, at rest.
+    fn groups(&self, ratios: &[f64], h: f64) -> Vec<Group> {
+        let of = |first: usize| Group {
+            first,
+            steps: std::array::from_fn(|lane| {
+                let mode = self.omega.get(first + lane).zip(ratios.get(first + lane));
+                let (omega, ratio) = mode.unwrap_or((&0.0, &0.0));
+                Recurrence::new(*omega, *ratio, h)
+            }),
+            participation: std::array::from_fn(|axis| {
+                std::array::from_fn(|lane| self.participation.get(first + lane).map_or(0.0, |g| g[axis]))
+            }),
+            now: [[0.0; LANES]; 2],
+        };
+        (0..self.len()).step_by(LANES).map(of).collect()
+    }
+
     /// Fills a chunk with modes that dashpots couple, from the state (ω Y, Ẏ) on.
     fn advance(&self, propagator: &mut Propagator, state: &mut [f64], loads: &[[(f64, f64); 3]], chunk: &mut Chunk) {
         let m = self.len();

@@ -54,6 +54,12 @@ impl Chunk {
         (&mut head[row * Chunk::STRIDE..][..self.len], &mut tail[..self.len])
     }
 
+    /// The instants whose number is a multiple of `stride`, to be stepped through by it; without the first one if it is the last of the chunk before.
+    pub(super) fn every(&self, stride: usize) -> std::ops::Range<usize> {
+        let first = self.start + usize::from(self.start > 0);
+        (first.next_multiple_of(stride) - self.start).min(self.len)..self.len
+    }
+
     /// Sets one state at one instant.
     pub fn set(&mut self, row: usize, k: usize, value: f64) {
         self.data[row * Chunk::STRIDE + k] = value;
@@ -223,13 +229,10 @@ impl<'a> Observer<'a> {
     pub fn take(&mut self, chunk: &Chunk) {
         let y = &mut self.buffer[..chunk.len];
         let sub = self.grid.sub_steps;
+        let samples = chunk.every(sub);
         for (row, history) in self.scalars.iter().zip(&mut self.observed.scalars) {
             row.evaluate(chunk, y);
-            for (k, &value) in y.iter().enumerate().skip(usize::from(chunk.start > 0)) {
-                if (chunk.start + k).is_multiple_of(sub) {
-                    history.values.push(value);
-                }
-            }
+            history.values.extend(samples.clone().step_by(sub).map(|k| y[k]));
             widen(row, chunk, y, &self.grid, &mut history.extreme);
         }
         for (row, extreme) in self.others.iter().zip(&mut self.observed.extremes) {

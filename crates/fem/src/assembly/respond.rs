@@ -313,13 +313,12 @@ impl Assembler {
         let Slots { old, new, kept } = slots;
         let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
         let Room { gather, response } = room;
-        response.reset(dofs.len());
+        match want.tangent {
+            true => response.reset(dofs.len()),
+            false => response.reset_force(dofs.len()),
+        }
         let motion: Motion<'_> = match self.turned[e] {
-            true => {
-                let at = element.nodes().iter().enumerate();
-                let own = at.flat_map(|(a, &node)| element.dofs(a).iter().map(move |d| nodes.values[node][d.index()]));
-                gather.values(trial, element, own)
-            }
+            true => gather.turned(trial, element, &nodes.values),
             // Components are the unknowns themselves.
             false => {
                 let value = |&q: &u32| if q == NONE { 0.0 } else { trial.u[q as usize] };

@@ -122,41 +122,61 @@ impl FollowerPressure {
     /// in steps.
     pub fn without_dead_part(mut self) -> FollowerPressure {
         self.dead = None;
-        self.dead = Some(self.force_and_tangent(&[0.0; 12]).0);
+        self.dead = Some(self.force(&[0.0; 12]));
         self
     }
 
     /// Nodal forces, and K_p (unsymmetric; row i, column j at `[i][j]`), at the displacements `u`.
     pub fn force_and_tangent(&self, u: &[f64]) -> ([f64; 12], [[f64; 12]; 12]) {
-        let x: [Vector3<f64>; 4] =
-            std::array::from_fn(|a| self.x[a] + Vector3::from_column_slice(&u[3 * a..3 * a + 3]));
+        (self.force(u), self.tangent(u))
+    }
+
+    /// Nodal forces at the displacements `u`.
+    fn force(&self, u: &[f64]) -> [f64; 12] {
         let mut force = [0.0; 12];
+        self.over_points(u, |weight, n, _, [g_r, g_s]| {
+            let normal = g_r.cross(&g_s) * weight;
+            for a in 0..4 {
+                for i in 0..3 {
+                    force[3 * a + i] += n[a] * normal[i];
+                }
+            }
+        });
+        for (f, d) in force.iter_mut().zip(self.dead.iter().flatten()) {
+            *f -= d;
+        }
+        force
+    }
+
+    fn tangent(&self, u: &[f64]) -> [[f64; 12]; 12] {
         let mut tangent = [[0.0; 12]; 12];
-        for &(r, wr) in gauss::TWO {
-            for &(s, ws) in gauss::TWO {
-                let (n, slope) = (quad4::value(r, s), quad4::slope(r, s));
-                let [g_r, g_s] = base(&x, r, s);
-                let pressure: f64 = n.iter().zip(&self.pressure).map(|(n, p)| n * p).sum();
-                let weight = pressure * wr * ws;
-                let normal = g_r.cross(&g_s) * weight;
-                let (skew_r, skew_s) = (g_r.cross_matrix() * weight, g_s.cross_matrix() * weight);
-                for a in 0..4 {
+        self.over_points(u, |weight, n, slope, [g_r, g_s]| {
+            let (skew_r, skew_s) = (g_r.cross_matrix() * weight, g_s.cross_matrix() * weight);
+            for b in 0..4 {
+                let turn = skew_r * slope[b][1] - skew_s * slope[b][0];
+                for (a, n) in n.iter().enumerate() {
                     for i in 0..3 {
-                        force[3 * a + i] += n[a] * normal[i];
-                        for b in 0..4 {
-                            for j in 0..3 {
-                                let turn = skew_r[(i, j)] * slope[b][1] - skew_s[(i, j)] * slope[b][0];
-                                tangent[3 * a + i][3 * b + j] += n[a] * turn;
-                            }
+                        for j in 0..3 {
+                            tangent[3 * a + i][3 * b + j] += n * turn[(i, j)];
                         }
                     }
                 }
             }
+        });
+        tangent
+    }
+
+    /// Hands over each integration point at the displacements `u`: pressure times weight, shape functions, their slopes, tangents of the surface.
+    fn over_points(&self, u: &[f64], mut take: impl FnMut(f64, &[f64; 4], &[[f64; 2]; 4], [Vector3<f64>; 2])) {
+        let x: [Vector3<f64>; 4] =
+            std::array::from_fn(|a| self.x[a] + Vector3::from_column_slice(&u[3 * a..3 * a + 3]));
+        for &(r, wr) in gauss::TWO {
+            for &(s, ws) in gauss::TWO {
+                let (n, slope) = (quad4::value(r, s), quad4::slope(r, s));
+                let pressure: f64 = n.iter().zip(&self.pressure).map(|(n, p)| n * p).sum();
+                take(pressure * wr * ws, &n, &slope, base(&x, r, s));
+            }
         }
-        for (f, d) in force.iter_mut().zip(self.dead.iter().flatten()) {
-            *f -= d;
-        }
-        (force, tangent)
     }
 }
 
@@ -185,12 +205,13 @@ impl Element for FollowerPressure {
         want: Want,
         out: &mut Response,
     ) -> Result<(), ElementError> {
-        let (force, tangent) = self.force_and_tangent(motion.values);
-        for i in 0..12 {
-            if want.force {
-                out.force[i] -= force[i];
-            }
-            if want.tangent {
+        if want.force {
+            let force = self.force(motion.values);
+            out.force.iter_mut().zip(force).for_each(|(own, force)| *own -= force);
+        }
+        if want.tangent {
+            let tangent = self.tangent(motion.values);
+            for i in 0..12 {
                 for j in 0..12 {
                     out.tangent.add(i, j, -0.5 * (tangent[i][j] + tangent[j][i]));
                 }
