@@ -413,7 +413,8 @@ pub(super) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
         match beyond.turns {
             Some([angle, _]) => {
                 limits.retain(|limit| limit.id != super::limits::UPLIFT);
-                limits.push(Limit {
+                // It concerns all of wall and base: before the others.
+                let rotation = Limit {
                     id: "base_rotation".into(),
                     name: words::TURNS.into(),
                     value: angle,
@@ -421,7 +422,8 @@ pub(super) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
                     dimension: Dimension::Angle,
                     holds: false,
                     note: beyond.note.clone(),
-                });
+                };
+                limits.insert(0, rotation);
             }
             None => {
                 for limit in limits.iter_mut().filter(|limit| limit.id == super::limits::UPLIFT) {

@@ -91,8 +91,12 @@ pub fn record(aside: &Aside, set: bool) -> String {
             plural(fails, "fails", "fail")
         ),
     };
+    let open = match counts.not_checked {
+        0 => String::new(),
+        open => format!(", {open} not checked"),
+    };
     let motion = if set { "the set of records" } else { "this record" };
-    format!("Under {motion}, unreduced and not deciding: {state}")
+    format!("Under {motion}, unreduced and not deciding: {state}{open}")
 }
 
 /// What the checks of one method amount to.
