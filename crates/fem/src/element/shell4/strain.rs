@@ -182,18 +182,16 @@ impl Shell4 {
             MembraneShear::CentrePoint => &self.centre,
             MembraneShear::Full => p,
         };
-        let (d1, d2, u1, u2) = (&p.d1, &p.d2, &twist.d1, &twist.d2);
-        for (a, (normal, moment)) in out.xx.iter_mut().zip(&mut out.xd).enumerate() {
-            let [n1, n2, t1, t2] = [n11 * d1[a], n22 * d2[a], n12 * u1[a], n12 * u2[a]];
-            let [m1, m2] = [m11 * d1[a] + m12 * d2[a], m22 * d2[a] + m12 * d1[a]];
+        for a in 0..4 {
             for b in 0..4 {
-                normal[b] += n1 * d1[b] + n2 * d2[b] + t1 * u2[b] + t2 * u1[b];
-                moment[b] += m1 * d1[b] + m2 * d2[b];
+                let (aa, bb) = (p.d1[a] * p.d1[b], p.d2[a] * p.d2[b]);
+                out.xx[a][b] += n11 * aa + n22 * bb + n12 * (twist.d1[a] * twist.d2[b] + twist.d2[a] * twist.d1[b]);
+                out.xd[a][b] += m11 * aa + m22 * bb + m12 * (p.d1[a] * p.d2[b] + p.d2[a] * p.d1[b]);
             }
         }
         let tying = Self::tying(p);
-        let q: [f64; 4] = std::array::from_fn(|e| 0.25 * (q1 * tying[0][e] + q2 * tying[1][e]));
-        for (q, &(a, b)) in q.iter().zip(&EDGES) {
+        for (e, &(a, b)) in EDGES.iter().enumerate() {
+            let q = 0.25 * (q1 * tying[0][e] + q2 * tying[1][e]);
             for n in [a, b] {
                 out.xd[b][n] += q;
                 out.xd[a][n] -= q;
