@@ -33,7 +33,7 @@ const MODEL_BLOCKS: f64 = 8.5;
 const MARCH_BLOCKS: f64 = 3.2;
 /// Bytes of a cell of one shell, its matrices in the model included, without its history.
 const CELL: f64 = 20_000.0;
-/// Bytes more where the wall stands on its bottom: entries of the matrices of zone and rest, with their places. Measured: 378 MiB with 3 888 cells and
+/// Bytes more where the wall stands on its bottom: entries of the matrices of zone and rest, with their places. Measured: 435 MiB with 3 888 cells and
 /// 1 491 MiB with 10 656, where 137 and 775 were estimated without.
 const GROUND_CELL: f64 = 68_000.0;
 /// Integration points of a cell.
