@@ -1,8 +1,8 @@
 //! Damage states, and the data of their fragility curves.
 //!
 //! A row reaches a state if one of its demands reaches its limit, or if it reaches a worse state, or if the run found no equilibrium. A
-//! demand that the tank does not have (uplift of an anchored tank) or that was not checked does not count; what was not checked is
-//! listed with the curve.
+//! demand that the tank does not have (uplift of an anchored tank) does not count. One that is checked in some rows of a tank and not in this one leaves the
+//! row unjudged, unless the state is reached all the same; one that no row of the tank has checked is listed with the curve.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -130,7 +130,14 @@ impl Standing {
 }
 
 /// How a row stands to a state by its own limits, none where no demand of the state was judged; and what was not checked.
-fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Option<Standing> {
+///
+/// * `open`: set where a demand was not checked that other rows of the tank have checked
+fn own(
+    row: &Row,
+    state: &DamageState,
+    unchecked: &mut BTreeSet<String>,
+    (known, open): (&Judged, &mut bool),
+) -> Option<Standing> {
     let mut judged = false;
     let mut found = Standing::default();
     for limit in &state.limits {
@@ -149,6 +156,9 @@ fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Opti
             }
             Demand::NotChecked => {
                 unchecked.insert(limit.demand.clone());
+                *open |= known
+                    .get(&row.tank)
+                    .is_some_and(|demands| demands.contains(&limit.demand));
             }
             Demand::None => {}
         }
@@ -165,6 +175,24 @@ fn collapse(state: &DamageState) -> Vec<String> {
         .filter(named)
         .map(|limit| limit.demand.clone())
         .collect()
+}
+
+/// Tank → demands that at least one of its rows has checked.
+pub type Judged = BTreeMap<String, BTreeSet<String>>;
+
+/// Notes the demands that a row has checked.
+pub fn judged(row: &Row, all: &mut Judged) {
+    let checked = row.checks.iter().filter(|(_, ending)| match ending {
+        Ending::Utilisation(_) => true,
+        Ending::Word(word) => word == "fails",
+    });
+    let demands = checked.filter_map(|(id, _)| id.strip_prefix(FE)?.strip_prefix('.'));
+    let own = all.entry(row.tank.clone()).or_default();
+    for demand in demands {
+        if !own.contains(demand) {
+            own.insert(demand.to_owned());
+        }
+    }
 }
 
 /// Data of the curve of a tank and state.
@@ -202,6 +230,8 @@ pub struct Gathered {
     pub faults: BTreeMap<(&'static str, String), (usize, String, String)>,
     /// Tank → its worst row.
     pub worst: BTreeMap<String, Worst>,
+    /// What the rows of each tank have checked, of all rows.
+    pub judged: Judged,
 }
 
 /// A row of a tank with the largest demand over its limit; a run without a finite demand is worse than any number.
@@ -239,6 +269,7 @@ impl Gathered {
         let runs = !matches!(row.status, RowStatus::Refused | RowStatus::Error);
         let collapsed = row.status == RowStatus::Collapsed;
         let mut found: Vec<Option<Standing>> = vec![None; states.len()];
+        let mut open = vec![false; states.len()];
         for (number, state) in states.iter().enumerate() {
             let data = self.curves.entry((row.tank.clone(), number)).or_default();
             if runs {
@@ -248,14 +279,15 @@ impl Gathered {
                         ways: collapse(state),
                         ..Standing::default()
                     }),
-                    false => own(row, state, &mut data.unchecked),
+                    false => own(row, state, &mut data.unchecked, (&self.judged, &mut open[number])),
                 };
             }
         }
         for number in 0..states.len() {
             let worse = found[number..].iter().flatten().filter(|s| s.reached());
             let reached = worse.clone().next().is_some();
-            let judged = found[number].is_some() || reached;
+            // A demand that was not checked may have reached its limit, of this state or of a worse one.
+            let judged = reached || (found[number].is_some() && !open[number..].contains(&true));
             let Some(data) = self.curves.get_mut(&(row.tank.clone(), number)) else {
                 continue;
             };
@@ -402,6 +434,36 @@ mod tests {
             let run = gathered.curves[&("a".to_owned(), state)].runs[0];
             assert_eq!((run.ratio, run.reached), (Some(0.95), false), "{state}");
         }
+    }
+
+    /// Freeboard holds, buckling is open: the row is judged where no row of the tank has buckling checked, and not where another has.
+    #[test]
+    fn a_demand_that_other_rows_have_checked_leaves_a_row_open() {
+        let states = default_set();
+        let use_of = Ending::Utilisation;
+        let open = row(
+            1.0,
+            &[
+                ("freeboard", use_of(0.2)),
+                ("buckling_elastic", Ending::Word("not_checked".into())),
+            ],
+        );
+        let reached = row(
+            2.0,
+            &[
+                ("freeboard", use_of(1.1)),
+                ("buckling_elastic", Ending::Word("not_checked".into())),
+            ],
+        );
+        let whole = row(3.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(0.4))]);
+        let of = |rows: &[&Row]| {
+            let mut gathered = Gathered::default();
+            rows.iter().for_each(|row| judged(row, &mut gathered.judged));
+            rows.iter().for_each(|row| gathered.add(row, &states));
+            (counts(&gathered, 0), gathered.curves[&("a".to_owned(), 0)].unjudged)
+        };
+        assert_eq!(of(&[&open, &reached]), ((2, 1), 0));
+        assert_eq!(of(&[&open, &reached, &whole]), ((2, 1), 1));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use std::path::Path;
 use fem::progress::Progress;
 use tank::Quantity;
 
-use super::damage::{Gathered, Worst};
+use super::damage::{Gathered, Judged, Worst, judged};
 use super::page::{Tanks, page};
 use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
@@ -64,7 +64,7 @@ pub fn merge(
     progress: &dyn Progress,
 ) -> Result<Merged, Error> {
     progress.stage("reading results", tasks.len() as u64);
-    let (columns, missing) = survey(folder, tasks, progress)?;
+    let (mut columns, missing) = survey(folder, tasks, progress)?;
     if !partial && !missing.is_empty() {
         return Err(Error::input(
             Code::StudyIncomplete,
@@ -85,8 +85,11 @@ pub fn merge(
     let mut all = Gathering {
         plan,
         tanks: tank_head(&columns.tanks),
+        gathered: Gathered {
+            judged: std::mem::take(&mut columns.judged),
+            ..Gathered::default()
+        },
         columns,
-        gathered: Gathered::default(),
         volumes: BTreeMap::new(),
         units: Tanks::default(),
         last: None,
@@ -122,6 +125,7 @@ struct Columns {
     values: BTreeSet<String>,
     checks: BTreeSet<String>,
     tanks: BTreeSet<String>,
+    judged: Judged,
 }
 
 /// Reads all results once: their columns, and the tasks without one.
@@ -137,6 +141,7 @@ fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Resu
                         Line::Row(row) => {
                             add(&mut columns.values, row.values.keys());
                             add(&mut columns.checks, row.checks.keys());
+                            judged(row, &mut columns.judged);
                         }
                         Line::Tank(tank) => add(&mut columns.tanks, tank.values.keys()),
                     }
