@@ -206,7 +206,7 @@ pub struct Data {
     pub unchecked: BTreeSet<String>,
     /// Demand of the state → runs in which it reached its limit; a run may have several.
     pub ways: BTreeMap<String, usize>,
-    /// Runs in the state by a worse one, or without equilibrium, and by none of its own limits.
+    /// Runs that reached none of its limits and are in the state because they reached a worse one or found no equilibrium.
     pub by_worse: usize,
 }
 

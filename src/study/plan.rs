@@ -458,9 +458,17 @@ pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &P
     };
     let tank = plan.tanks.iter().find(|before| tank(before));
     let record = plan.records.iter().find(|before| record(before));
+    let same_tanks = plan
+        .tanks
+        .iter()
+        .map(|tank| &tank.id)
+        .eq(now.tanks.iter().map(|tank| &tank.id));
+    let same_records = (plan.records.iter().map(|record| &record.id)).eq(now.records.iter().map(|record| &record.id));
     Ok(Some(match (tank, record) {
         (Some(tank), _) => of_tank(&tank.id),
         (None, Some(record)) => of_record(&record.id),
+        (None, None) if !same_tanks => "the list of tanks".into(),
+        (None, None) if !same_records => "the list of records".into(),
         (None, None) => "the study file, or the program's methods,".into(),
     }))
 }

@@ -126,6 +126,38 @@ mod tests {
         }
     }
 
+    /// A full band, indefinite as contact makes it: K x for an x that is known gives x again.
+    #[test]
+    fn a_full_band_gives_the_solution() {
+        let n = 23;
+        let mut band = Band::new(n);
+        for i in 0..n {
+            for j in i.saturating_sub(5)..=i {
+                let sign = if i % 3 == 0 { -1.0 } else { 1.0 };
+                let value = if i == j {
+                    20.0 * sign
+                } else {
+                    1.0 / (1 + i + 2 * j) as f64 - 0.3
+                };
+                band.add(i, j, value);
+            }
+        }
+        let wanted: Vec<f64> = (0..n).map(|i| (i as f64 - 7.5) / 3.0).collect();
+        let mut x: Vec<f64> = (0..n)
+            .map(|i| (0..n).map(|j| band.get(i, j) * wanted[j]).sum())
+            .collect();
+        // The fifth unknown is given: its row and column are those of the unit matrix.
+        for i in (0..n).filter(|i| *i != 4) {
+            x[i] -= band.get(i, 4) * wanted[4];
+        }
+        x[4] = wanted[4];
+        band.fix(4);
+        assert!(band.solve(&mut x));
+        for (found, wanted) in x.iter().zip(&wanted) {
+            assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
+        }
+    }
+
     #[test]
     fn a_zero_pivot_is_told() {
         let mut band = Band::new(2);

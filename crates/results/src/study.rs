@@ -94,7 +94,7 @@ pub struct StudyState {
     pub name: String,
     /// Ways into it.
     pub limits: Vec<StudyLimit>,
-    /// Runs of all tanks in it by a worse state, or without equilibrium, and by none of its limits.
+    /// Runs of all tanks that reached none of its limits and are in it because they reached a worse state or found no equilibrium.
     pub by_worse: usize,
 }
 

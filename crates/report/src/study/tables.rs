@@ -178,12 +178,9 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
             row.push(of(curve.rate.map(|r| r[1]), &percent));
         }
         if missing {
-            // Of counts that identify a curve neither way there is no range.
-            let bounds = curve.partial.filter(|found| found.iter().any(Option::is_some));
-            row.push(bounds.map_or_else(
-                || NONE.into(),
-                |[safe, reached]| words::range(&of(reached, &|v| scale.text(v)), &of(safe, &|v| scale.text(v))),
-            ));
+            let text = |curve: Option<f64>| curve.map(|median| scale.text(median));
+            let [safe, reached] = curve.partial.unwrap_or_default();
+            row.push(words::between(text(reached), text(safe)).unwrap_or_else(|| NONE.into()));
         }
         row.push(words::curves::remark(curve, &|v| scale.text(v), unit));
         table.row(row);

@@ -120,9 +120,11 @@ pub const ABOUT_LOSSES: &str = "Tanks in the worst state lose their contents. Al
      earthquake by earthquake; earthquakes in which a tank could not be judged are left out.";
 /// Text.
 pub const ABOUT_STATES: &str = "A tank is in a state if one of its demands reaches the utilisation at which the state begins, if it is in a worse state, or \
-     if the run found no equilibrium. Runs: how many of all tanks reached this limit; a run that reached several counts at each.";
+     if the run found no equilibrium. Runs: how many of all tanks reached this limit; a run that reached several counts at each. \
+     A run in which a demand was not checked is not judged if other runs of the tank have it checked, unless it reaches the state all the same. A demand that \
+     no run of a tank checks takes no part in its states.";
 /// A way into a state.
-pub const BY_WORSE: &str = "worse state or no equilibrium alone";
+pub const BY_WORSE: &str = "only a worse state, or no equilibrium";
 /// Text.
 pub const NO_RULE: &str = "Whether the set stands for a spectrum was not asked: `rule` of the study file compares it with the spectrum of the site.";
 /// Text.
@@ -145,6 +147,16 @@ pub fn head(im: &str) -> String {
 /// `0.41–0.52`.
 pub fn range(low: &str, high: &str) -> String {
     format!("{low}–{high}")
+}
+
+/// A range of which either end may be unknown; none where both are.
+pub fn between(low: Option<String>, high: Option<String>) -> Option<String> {
+    Some(match (low, high) {
+        (Some(low), Some(high)) => range(&low, &high),
+        (Some(low), None) => format!("from {low}"),
+        (None, Some(high)) => format!("up to {high}"),
+        (None, None) => return None,
+    })
 }
 
 /// Median and dispersion of a common fit.

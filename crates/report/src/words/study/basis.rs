@@ -53,10 +53,7 @@ pub fn unchecked(study: &Study) -> Vec<String> {
             n if n > 8 => format!("of {n} tanks"),
             _ => format!("of {}", tanks.join(", ")),
         };
-        format!(
-            "Not checked, at least in some runs, and not counted as safe: {} {some}.",
-            id(demand)
-        )
+        format!("Not checked, at least in some runs: {} {some}.", id(demand))
     };
     all.into_iter().map(line).collect()
 }
