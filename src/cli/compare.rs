@@ -194,7 +194,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         set.adopt(&job)?;
     }
     if job.engines.iter().any(|&id| engine(id).stops()) {
-        progress::stop_gracefully();
+        progress::stop_gracefully(progress::FINISHED_PART);
     }
     // All of them before any is announced.
     let estimates = job.engines.iter().map(|&id| engine(id).estimate(&job.task()));

@@ -81,7 +81,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let _style = args.style.apply();
     let job = args.job()?;
-    progress::stop_gracefully();
+    progress::stop_gracefully(progress::FINISHED_PART);
     let estimate = nonlinear::estimate_incremental(&job.job.case, &job.job.nonlinear, job.jobs, job.scales.len())?;
     let limit = args.memory.over(job.job.solid.memory_limit_mib);
     budget::admit(&estimate, limit, true, global)?;

@@ -4,7 +4,7 @@
 
 use files::code::{Code, Warning};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 use fem::progress::Progress;
@@ -19,6 +19,9 @@ use engines::estimate::span;
 static STOP: AtomicBool = AtomicBool::new(false);
 /// Whether the first Ctrl-C stops the analysis instead of ending the process.
 static GRACEFUL: AtomicBool = AtomicBool::new(false);
+
+/// What the first Ctrl-C does then.
+static STOPPING: OnceLock<&str> = OnceLock::new();
 
 /// Installs the Ctrl-C handler of every command: it ends the process with exit code 130 and removes partial files,
 /// unless [`stop_gracefully`] was called.
@@ -35,13 +38,20 @@ pub(crate) fn listen(global: &Global) {
             }));
         }
         if !quiet {
-            say!("interrupted: writing the finished part (press Ctrl-C again to discard it)");
+            say!("interrupted: {}", STOPPING.get().copied().unwrap_or_default());
         }
     });
 }
 
+/// What the first Ctrl-C does of a run that can be cut short.
+pub(crate) const FINISHED_PART: &str = "writing the finished part (press Ctrl-C again to discard it)";
+
 /// Makes the first Ctrl-C stop the analysis, which returns the finished part. The second ends the process.
-pub(crate) fn stop_gracefully() {
+///
+/// * `what`: what happens until then, for the user
+pub(crate) fn stop_gracefully(what: &'static str) {
+    // A second run in one process does the same.
+    STOPPING.get_or_init(|| what);
     GRACEFUL.store(true, Ordering::SeqCst);
 }
 

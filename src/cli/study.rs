@@ -9,6 +9,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print};
+use crate::curves::runs::Method;
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::input::study as input;
 use crate::study::keep;
@@ -179,6 +180,9 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     }
     print(&said)?;
     if args.pilot {
+        if !global.quiet {
+            say!("pilot: computing one task of each class of tanks");
+        }
         let watch = Watch::new(global, "pilot");
         let classes = pilot::run(&args.out, &study, &plan, &tasks)?;
         watch.finish();
@@ -199,7 +203,9 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
         say!("script: {}", args.out.join(scheduler.file()).display());
     }
     if !global.quiet {
-        say!("next: tankcheck study run {}", args.out.display());
+        let whole = tasks.iter().all(|t| store::state(&args.out, &t.key) == State::Done);
+        let next = if whole { "merge" } else { "run" };
+        say!("next: tankcheck study {next} {}", args.out.display());
     }
     Ok(EXIT_OK)
 }
@@ -272,7 +278,10 @@ fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<St
         let first = message.lines().next().unwrap_or_default();
         let absent = Code::FileUnreadable.head();
         if !first.starts_with(&absent) {
-            return Some(format!("the input of the study ({first})"));
+            // The place stands in the line below.
+            let place = message.lines().nth(1).and_then(|line| line.trim().strip_prefix("--> "));
+            let place = place.map_or(String::new(), |place| format!(", {place}"));
+            return Some(format!("the input of the study ({first}{place})"));
         }
         if !quiet {
             say!("note: the input of the study is not compared with its plan: {first}");
@@ -303,7 +312,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
     let threads = args.jobs.map_or(cores, usize::from);
     // Tasks run beside each other: a nonlinear run does not take more cores.
     fem::cores::limit(1);
-    progress::stop_gracefully();
+    progress::stop_gracefully("finishing the tasks that run (press Ctrl-C again to leave them; finished tasks stay)");
     let watch = Watch::new(global, "study");
     let study = || -> Result<input::StudyInput, Error> {
         let study = study_of(&args.folder, &plan)?;
@@ -383,7 +392,10 @@ struct Status {
     failed: usize,
     rows: usize,
     rows_done: usize,
+    /// Size of the results, of this plan and of earlier ones.
     bytes: u64,
+    /// Size of those of this plan.
+    bytes_of_plan: u64,
     failures: Vec<store::Failure>,
     /// Input that changed since the plan.
     changed: Option<String>,
@@ -401,6 +413,7 @@ fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         running: 0,
         running_elsewhere: 0,
         bytes: survey.bytes,
+        bytes_of_plan: tasks.iter().map(|task| store::size(&args.folder, &task.key)).sum(),
         rows: plan.rows,
         rows_done: 0,
         failures: Vec::new(),
@@ -451,21 +464,25 @@ fn human(plan: &Plan, found: &Status) -> String {
         found.done,
         &format!("{} of {} rows", found.rows_done, found.rows),
     );
-    row("missing", found.missing, "");
-    if found.running + found.running_elsewhere > 0 {
-        let elsewhere = match found.running_elsewhere {
-            0 => String::new(),
-            n => format!("and {n} marked by other machines, running or killed"),
-        };
-        row("running", found.running, &elsewhere);
-    }
+    let elsewhere = found.running_elsewhere;
+    let marked = [
+        (found.running > 0).then(|| format!("{} of them running", found.running)),
+        (elsewhere > 0).then(|| format!("{elsewhere} of them marked by other machines, running or killed")),
+    ];
+    let marked: Vec<String> = marked.into_iter().flatten().collect();
+    row("missing", found.missing, &marked.join(", "));
     if found.torn > 0 {
         row("cut off", found.torn, "not whole; `study run` computes them again");
     }
     if found.failed > 0 {
         row("failed", found.failed, "`study run --retry` computes them again");
     }
-    let _ = writeln!(said, "  disk     {:>9}", size(found.bytes as f64));
+    let earlier = found.bytes.saturating_sub(found.bytes_of_plan);
+    let remark = match earlier {
+        0 => String::new(),
+        _ => format!("{} of it not of this plan: earlier plans, or cut off", size(earlier as f64)),
+    };
+    let _ = writeln!(said, "  disk     {:>9}  {remark}", size(found.bytes as f64));
     if let Some(what) = &found.changed {
         let _ = writeln!(said, "  {}: `study run` and `merge` refuse it", plan::since(what));
     }
@@ -519,7 +536,11 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
     if fitted < all && !global.quiet {
-        say!("help: {}", IDENTIFY);
+        let method = match plan.method {
+            Method::Capacities => "",
+            Method::Stripes | Method::Cloud => OTHER_METHOD,
+        };
+        say!("help: {IDENTIFY}{method} identify more");
     }
     if !global.quiet {
         for file in merge::FILES.iter().copied().chain([REPORT_FILE]) {
@@ -530,8 +551,9 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
 }
 
 /// What identifies more curves.
-const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records, or \
-                        `\"method\": \"capacities\"` in the study file identify more";
+const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records";
+/// The same, where another method was used.
+const OTHER_METHOD: &str = ", or `\"method\": \"capacities\"` in the study file";
 
 /// Titles of [`curves`].
 const CURVES: [&str; 2] = ["curves", "of farm"];

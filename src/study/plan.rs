@@ -423,12 +423,12 @@ pub(super) fn changed(
 ) -> Option<String> {
     for (&(tank, sample), key) in tanks {
         if plan.tanks[tank].keys.get(sample as usize) != Some(key) {
-            return Some(of_tank(&plan.tanks[tank].id));
+            return named("tank", &[&plan.tanks[tank].id]);
         }
     }
     for (&record, key) in records {
         if &plan.records[record].key != key {
-            return Some(of_record(&plan.records[record].id));
+            return named("record", &[&plan.records[record].id]);
         }
     }
     None
@@ -456,29 +456,37 @@ pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &P
             .iter()
             .any(|record| record.id == before.id && record.key != before.key)
     };
-    let tank = plan.tanks.iter().find(|before| tank(before));
-    let record = plan.records.iter().find(|before| record(before));
+    let tanks: Vec<&str> = plan.tanks.iter().filter(|t| tank(t)).map(|t| t.id.as_str()).collect();
+    let records: Vec<&str> = plan.records.iter().filter(|r| record(r)).map(|r| r.id.as_str()).collect();
     let same_tanks = plan
         .tanks
         .iter()
         .map(|tank| &tank.id)
         .eq(now.tanks.iter().map(|tank| &tank.id));
     let same_records = (plan.records.iter().map(|record| &record.id)).eq(now.records.iter().map(|record| &record.id));
-    Ok(Some(match (tank, record) {
-        (Some(tank), _) => of_tank(&tank.id),
-        (None, Some(record)) => of_record(&record.id),
-        (None, None) if !same_tanks => "the list of tanks".into(),
-        (None, None) if !same_records => "the list of records".into(),
-        (None, None) => "the study file, or the program's methods,".into(),
+    let parts = [named("tank", &tanks), named("record", &records)];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    Ok(Some(match parts.is_empty() {
+        false => parts.join(" and "),
+        true if !same_tanks => "the list of tanks".into(),
+        true if !same_records => "the list of records".into(),
+        true => "the study file, or the program's methods,".into(),
     }))
 }
 
-fn of_tank(id: &str) -> String {
-    format!("the tank `{id}`")
-}
+/// Most tanks or records that a message names.
+const NAMED: usize = 5;
 
-fn of_record(id: &str) -> String {
-    format!("the record `{id}`")
+/// "the tank `a`", "the tanks `a`, `b` and 3 more"; none without ids.
+fn named(what: &str, ids: &[&str]) -> Option<String> {
+    let names: Vec<String> = ids.iter().take(NAMED).map(|id| format!("`{id}`")).collect();
+    let names = names.join(", ");
+    match ids.len() {
+        0 => None,
+        1 => Some(format!("the {what} {names}")),
+        n if n > NAMED => Some(format!("the {what}s {names} and {} more", n - NAMED)),
+        _ => Some(format!("the {what}s {names}")),
+    }
 }
 
 /// The error of input that is not as it was when the plan was made.

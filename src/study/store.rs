@@ -16,6 +16,9 @@ use crate::error::Error;
 use files::code::Code;
 use files::error::describe;
 
+/// End of the name of a result.
+const LINES: &str = ".jsonl";
+
 /// Folder of the results.
 pub const RESULTS: &str = "results";
 
@@ -95,6 +98,11 @@ pub fn begin(folder: &Path, key: &str) -> Result<Mark, Error> {
         Ok(()) => Ok(Mark(path)),
         Err(error) => Err(unwritten(&path, &error)),
     }
+}
+
+/// Size of the result of a task [bytes]; 0 without one.
+pub fn size(folder: &Path, key: &str) -> u64 {
+    fs::metadata(path(folder, key, LINES)).map_or(0, |m| m.len())
 }
 
 /// What stands in the folder of the results beside whole results.
@@ -194,7 +202,7 @@ pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<usize, Error> {
     };
     serde_json::to_writer(&mut text, &closing).map_err(|e| Error::report(e.to_string()))?;
     text.push(b'\n');
-    publish(&path(folder, key, ".jsonl"), &text)?;
+    publish(&path(folder, key, LINES), &text)?;
     clear(folder, key)?;
     Ok(text.len())
 }
@@ -231,7 +239,7 @@ pub fn failure(folder: &Path, key: &str) -> Option<Failure> {
 
 /// State of the result of a task; its bytes are read and hashed.
 pub fn state(folder: &Path, key: &str) -> State {
-    let file = path(folder, key, ".jsonl");
+    let file = path(folder, key, LINES);
     match fs::read(&file) {
         Ok(bytes) if whole(&bytes).is_some() => State::Done,
         Ok(_) => State::Torn,
@@ -254,7 +262,7 @@ fn whole(bytes: &[u8]) -> Option<&[u8]> {
 ///
 /// Errors: a line that this program did not write.
 pub fn read(folder: &Path, key: &str) -> Result<Option<Vec<Line>>, Error> {
-    let file = path(folder, key, ".jsonl");
+    let file = path(folder, key, LINES);
     let Ok(bytes) = fs::read(&file) else { return Ok(None) };
     let Some(lines) = whole(&bytes) else { return Ok(None) };
     let mut all = Vec::new();
