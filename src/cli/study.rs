@@ -480,7 +480,10 @@ fn human(plan: &Plan, found: &Status) -> String {
     let earlier = found.bytes.saturating_sub(found.bytes_of_plan);
     let remark = match earlier {
         0 => String::new(),
-        _ => format!("{} of it not of this plan: earlier plans, or cut off", size(earlier as f64)),
+        _ => format!(
+            "{} of it not of this plan: earlier plans, or cut off",
+            size(earlier as f64)
+        ),
     };
     let _ = writeln!(said, "  disk     {:>9}  {remark}", size(found.bytes as f64));
     if let Some(what) = &found.changed {

@@ -207,7 +207,10 @@ impl Data {
 
 /// Capacities of every record and sample.
 fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
-    let (mut below, mut stepped) = (Vec::new(), 0);
+    let lowest = records.iter().flatten().map(|run| run.im).fold(f64::INFINITY, f64::min);
+    let mut stepped = 0;
+    // First intensities that reach the state, of all records, and of those without one below.
+    let (mut reached, mut below) = (Vec::new(), Vec::new());
     let mut between: BTreeSet<[u64; 2]> = BTreeSet::new();
     let mut all: Vec<Vec<Capacity>> = Vec::new();
     for runs in records {
@@ -218,29 +221,34 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
         let mut found = Vec::new();
         for runs in samples.values_mut() {
             runs.sort_by(|a, b| a.im.total_cmp(&b.im));
-            match runs.iter().position(|run| run.reached) {
-                None => found.extend(runs.last().map(|run| Capacity::Beyond(run.im))),
-                Some(0) => below.push(runs[0].im),
-                Some(first) => {
-                    let (before, after) = (&runs[first - 1], &runs[first]);
-                    let at = crossing(before, after);
-                    between.insert([before.im, after.im].map(f64::to_bits));
-                    stepped += usize::from(at.is_none());
-                    // Without a demand on both sides the capacity is that below, which errs on the side of damage.
-                    found.push(Capacity::At(at.unwrap_or(before.im)));
-                }
+            let Some(first) = runs.iter().position(|run| run.reached) else {
+                found.extend(runs.last().map(|run| Capacity::Beyond(run.im)));
+                continue;
+            };
+            reached.push(runs[first].im);
+            if first == 0 {
+                below.push(runs[0].im);
+                continue;
             }
+            let (before, after) = (&runs[first - 1], &runs[first]);
+            let at = crossing(before, after);
+            between.insert([before.im, after.im].map(f64::to_bits));
+            stepped += usize::from(at.is_none());
+            // Without a demand on both sides the capacity is that below, which errs on the side of damage.
+            found.push(Capacity::At(at.unwrap_or(before.im)));
         }
         all.push(found);
     }
+    let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
+        Capacity::Beyond(im) => Some(*im),
+        Capacity::At(_) => None,
+    });
+    let ends: Vec<f64> = beyond.collect();
     if !below.is_empty() {
-        let lowest = below.iter().copied().fold(f64::INFINITY, f64::min);
+        let every = ends.is_empty().then(|| reached.iter().copied().fold(0.0, f64::max));
         return Err(NotIdentifiable {
-            reason: format!(
-                "{} runs reach the state at their lowest intensity, so that their capacity is not bracketed; add lower levels",
-                below.len()
-            ),
-            bounds: [None, Some(lowest)],
+            reason: not_bracketed(&below, lowest),
+            bounds: [None, every],
         });
     }
     if stepped > 0 {
@@ -259,11 +267,6 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
                 .into(),
         );
     }
-    let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
-        Capacity::Beyond(im) => Some(*im),
-        Capacity::At(_) => None,
-    });
-    let ends: Vec<f64> = beyond.collect();
     let end = ends.first().copied();
     if ends.iter().any(|im| Some(*im) != end) {
         return Err(NotIdentifiable::because(
@@ -271,6 +274,30 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
         ));
     }
     Ok(Data::Capacities { records: all, end })
+}
+
+/// Why capacities below the first judged intensity of a record are not bracketed.
+///
+/// * `lowest`: lowest intensity of all records
+fn not_bracketed(below: &[f64], lowest: f64) -> String {
+    let text = |count: usize, at: &str| match count {
+        0 => None,
+        1 => Some(format!("1 record reaches the state at {at}")),
+        _ => Some(format!("{count} records reach the state at {at}")),
+    };
+    let first = below.iter().filter(|im| **im <= lowest).count();
+    let later = below.len() - first;
+    let parts = [
+        text(first, "the lowest intensity"),
+        text(later, "the lowest intensity at which they were judged"),
+    ];
+    let help = match (first, later) {
+        (_, 0) => "add lower levels",
+        (0, _) => "below it runs are missing or have a demand that was not checked",
+        _ => "add lower levels, and see which runs are missing or have a demand that was not checked",
+    };
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    format!("{}, so that their capacity is not bracketed; {help}", parts.join(", "))
 }
 
 /// Records, each with each sample, that are in the state at one intensity and not at a higher one.
@@ -286,6 +313,14 @@ fn left_again(runs: &[Seen]) -> usize {
     };
     let found: BTreeSet<(u32, u32)> = runs.iter().filter(left).map(|run| (run.record, run.sample)).collect();
     found.len()
+}
+
+/// Records, each with each sample.
+fn shaken(runs: &[Seen]) -> usize {
+    runs.iter()
+        .map(|run| (run.record, run.sample))
+        .collect::<BTreeSet<_>>()
+        .len()
 }
 
 /// Where the ratio is 1 between two runs, linear in logarithms; none without two ratios greater than 0.
@@ -321,7 +356,7 @@ impl Asked {
             }
             let curve = match Data::of(method, runs, &mut notes) {
                 Ok(data) => self.of_data(state, data.points(runs.len()), &data),
-                Err(refusal) => self.curve(state, "capacities", runs.len(), Err(refusal)),
+                Err(refusal) => self.curve(state, "capacities", shaken(runs), Err(refusal)),
             };
             Curve {
                 points: counts.iter().copied().map(Point::whole).collect(),
@@ -358,54 +393,85 @@ impl Asked {
     }
 }
 
-impl Curve {
-    /// States what missing runs can change.
+/// A run that is planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Planned {
+    /// Number of the record.
+    pub record: u32,
+    /// Sample.
+    pub sample: u32,
+    /// Intensity, positive.
+    pub im: f64,
+}
+
+/// A missing run as one that reached the state, or did not, without telling how closely.
+fn supposed(run: &Planned, reached: bool) -> Seen {
+    Seen {
+        record: run.record,
+        sample: run.sample,
+        im: run.im,
+        // The smallest demand puts a capacity above it at the next intensity, none at the one before: the ends of what is possible.
+        ratio: (!reached).then_some(f64::MIN_POSITIVE),
+        reached,
+    }
+}
+
+impl Asked {
+    /// States what missing runs can change of a curve, by its own method; of a cloud by counts, as a run that is missing has no demand.
     ///
-    /// * `planned`: runs of the plan at each intensity
-    pub fn bound(&mut self, planned: &[(f64, usize)]) {
-        let mut points: Vec<Point> = Vec::new();
-        let mut missing = 0;
-        for &(im, runs) in planned {
-            let seen = self.points.iter().find(|p| p.stripe.im == im).map(|p| p.stripe);
-            let stripe = seen.unwrap_or(Stripe {
+    /// * `runs`: those with a result
+    /// * `planned`: all
+    pub fn bound(&self, curve: &mut Curve, method: Method, runs: &[Seen], planned: &[Planned]) {
+        let key = |record: u32, sample: u32, im: f64| (record, sample, im.to_bits());
+        let seen: BTreeSet<_> = runs.iter().map(|run| key(run.record, run.sample, run.im)).collect();
+        let open = |run: &&Planned| !seen.contains(&key(run.record, run.sample, run.im));
+        let missing: Vec<Planned> = planned.iter().filter(open).copied().collect();
+        if missing.is_empty() {
+            return;
+        }
+        let method = match method {
+            Method::Cloud => Method::Stripes,
+            Method::Stripes | Method::Capacities => method,
+        };
+        let with = |reached: bool| -> Option<Lognormal> {
+            let all: Vec<Seen> = runs
+                .iter()
+                .copied()
+                .chain(missing.iter().map(|run| supposed(run, reached)))
+                .collect();
+            let data = Data::of(method, &all, &mut Vec::new()).ok()?;
+            let every: Vec<usize> = (0..data.len()).collect();
+            data.fit(&every).ok().map(|(fit, _)| fit.curve)
+        };
+        curve.partial = Some(Partial {
+            missing: missing.len(),
+            if_safe: with(false),
+            if_reached: with(true),
+        });
+        let mut open: BTreeMap<u64, usize> = BTreeMap::new();
+        for run in &missing {
+            *open.entry(run.im.to_bits()).or_default() += 1;
+        }
+        let ims: BTreeSet<u64> = planned.iter().map(|run| run.im.to_bits()).collect();
+        let point = |bits: &u64| {
+            let im = f64::from_bits(*bits);
+            let stripe = curve.points.iter().find(|p| p.stripe.im == im).map(|p| p.stripe);
+            let stripe = stripe.unwrap_or(Stripe {
                 im,
                 n: 0.0,
                 exceed: 0.0,
             });
-            let open = (runs as f64 - stripe.n).max(0.0);
-            missing += open as usize;
-            points.push(match open > 0.0 {
-                true => Point {
-                    stripe,
-                    missing: Some(open as usize),
-                    bounds: Some([stripe.exceed, stripe.exceed + open].map(|m| m / runs as f64)),
-                },
-                false => Point::whole(stripe),
-            });
-        }
-        if missing == 0 {
-            return;
-        }
-        let with = |reached: f64| -> Option<Lognormal> {
-            let all: Vec<Stripe> = points
-                .iter()
-                .map(|p| {
-                    let open = p.missing.unwrap_or(0) as f64;
-                    Stripe {
-                        n: p.stripe.n + open,
-                        exceed: p.stripe.exceed + reached * open,
-                        ..p.stripe
-                    }
-                })
-                .collect();
-            stripes::fit(&all).ok().map(|fit| fit.curve)
+            let Some(&missing) = open.get(bits) else {
+                return Point::whole(stripe);
+            };
+            let all = stripe.n + missing as f64;
+            Point {
+                stripe,
+                missing: Some(missing),
+                bounds: Some([stripe.exceed, stripe.exceed + missing as f64].map(|m| m / all)),
+            }
         };
-        self.partial = Some(Partial {
-            missing,
-            if_safe: with(0.0),
-            if_reached: with(1.0),
-        });
-        self.points = points;
+        curve.points = ims.iter().map(point).collect();
     }
 }
 
@@ -488,7 +554,26 @@ mod tests {
         assert!((found.median.unwrap() / wanted.median - 1.0).abs() < 1e-9);
         assert!((found.dispersion.unwrap() / wanted.dispersion - 1.0).abs() < 1e-9);
         let low = curve(Method::Capacities, runs(&CAPACITIES, &[0.35, 0.6, 1.2]));
-        assert!(low.reason.unwrap().contains("1 runs reach the state at their lowest"));
+        assert!(
+            low.reason
+                .unwrap()
+                .starts_with("1 record reaches the state at the lowest intensity,")
+        );
+        // All ten are below 1.2, and nothing bounds them from below.
+        assert_eq!((low.bounds, low.n), (Some([None, Some(1.2)]), 10));
+    }
+
+    /// The third record was not judged at 0.2, and is in the state at 0.4.
+    #[test]
+    fn a_record_that_was_not_judged_below_is_not_one_of_the_lowest_level() {
+        let mut all = runs(&CAPACITIES[..5], &[0.2, 0.4, 0.8]);
+        all.retain(|run| !(run.record == 1 && run.im < 0.3));
+        let found = curve(Method::Capacities, all);
+        let reason = found.reason.unwrap();
+        assert!(
+            reason.starts_with("1 record reaches the state at the lowest intensity at which"),
+            "{reason}"
+        );
     }
 
     /// The counts of the same runs; resampling records keeps the runs of a record together, so the band of ten records of one capacity each
@@ -529,11 +614,39 @@ mod tests {
         assert!(found.notes[0].starts_with("2 capacities"));
     }
 
+    fn planned(levels: &[f64]) -> Vec<Planned> {
+        let of = |record: u32| levels.iter().map(move |&im| Planned { record, sample: 0, im });
+        (0..CAPACITIES.len() as u32).flat_map(of).collect()
+    }
+
+    /// The run at 0.5 of the fourth record (0.47) is missing: its capacity is between 0.4 and 0.6, found at the ends of these if the run was in the
+    /// state and if it was not.
+    #[test]
+    fn a_missing_run_bounds_a_capacity_by_the_levels_beside_it() {
+        let levels = [0.2, 0.4, 0.5, 0.6, 1.2];
+        let mut all = runs(&CAPACITIES, &levels);
+        all.retain(|run| !(run.record == 3 && run.im == 0.5));
+        let mut found = curve(Method::Capacities, all.clone());
+        asked().bound(&mut found, Method::Capacities, &all, &planned(&levels));
+        let partial = found.partial.unwrap();
+        let median = |capacity: f64| {
+            let mut all = CAPACITIES;
+            all[3] = capacity;
+            capacities::fit(&all).unwrap().curve.median
+        };
+        assert!((partial.if_reached.unwrap().median / median(0.4) - 1.0).abs() < 1e-9);
+        // ln of the smallest number is −708: the capacity is at 0.6 but for some thousandth of the interval.
+        assert!((partial.if_safe.unwrap().median / median(0.6) - 1.0).abs() < 1e-4);
+        let between = median(0.4)..median(0.6);
+        assert!(between.contains(&found.median.unwrap()));
+    }
+
     /// 8 of 10 runs known, 3 of them reached: 3/10 … 5/10.
     #[test]
     fn missing_runs_bound_shares_and_curves() {
         let mut found = curve(Method::Stripes, runs(&CAPACITIES[..8], &[0.2, 0.4, 0.45, 0.8]));
-        found.bound(&[(0.2, 10), (0.4, 10), (0.45, 10), (0.8, 10)]);
+        let eight = runs(&CAPACITIES[..8], &[0.2, 0.4, 0.45, 0.8]);
+        asked().bound(&mut found, Method::Stripes, &eight, &planned(&[0.2, 0.4, 0.45, 0.8]));
         let at = |im: f64| found.points.iter().find(|p| p.stripe.im == im).unwrap();
         assert_eq!((at(0.45).stripe.exceed, at(0.45).missing), (3.0, Some(2)));
         let [low, high] = at(0.45).bounds.unwrap();
@@ -543,7 +656,12 @@ mod tests {
         assert!(partial.if_safe.unwrap().median > partial.if_reached.unwrap().median);
         let whole = curve(Method::Stripes, runs(&CAPACITIES, &[0.4, 0.8]));
         let mut same = whole.clone();
-        same.bound(&[(0.4, 10), (0.8, 10)]);
+        asked().bound(
+            &mut same,
+            Method::Stripes,
+            &runs(&CAPACITIES, &[0.4, 0.8]),
+            &planned(&[0.4, 0.8]),
+        );
         assert_eq!(same, whole);
     }
 

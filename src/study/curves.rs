@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 
-use ::fragility::farm;
+use ::fragility::farm::{self, Fate};
 use serde::Serialize;
 
 use super::damage::{Data, Gathered, Lost};
 use super::plan::Plan;
 use super::rows::kept;
-use crate::curves::runs::{Method, Seen};
+use crate::curves::runs::{Method, Planned, Seen};
 use crate::curves::{Asked, Curve, FORMAT};
 use crate::input::study::Axis;
 
@@ -42,7 +42,7 @@ pub struct Fragility {
     pub farm: Vec<Losses>,
     /// Why there are no losses of a farm of several tanks.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub no_farm: Option<&'static str>,
+    pub no_farm: Option<String>,
 }
 
 /// Losses of contents at an intensity.
@@ -52,17 +52,20 @@ pub struct Losses {
     pub im: f64,
     /// Earthquakes in which every tank was judged.
     pub earthquakes: usize,
-    /// Earthquakes in which some were not.
+    /// Earthquakes in which some were not, or that are missing.
     pub not_judged: usize,
-    /// P(at least k tanks lost), k = 1, 2, …, counted.
+    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that the judged tanks decide.
     pub at_least: Vec<f64>,
     /// Bounds of them where earthquakes or tanks are missing: if no tank without a result was lost, and if all were.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_least_bounds: Option<Vec<[f64; 2]>>,
     /// The same of independent tanks with the same shares.
     pub at_least_independent: Vec<f64>,
-    /// Mean volume lost [m³].
+    /// Mean volume lost [m³]: each tank over the earthquakes in which it was judged.
     pub mean_volume_m3: f64,
+    /// Bounds of it, as of the shares.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_volume_bounds_m3: Option<[f64; 2]>,
     /// Largest volume lost in one earthquake [m³].
     pub largest_volume_m3: f64,
 }
@@ -83,8 +86,17 @@ pub(super) fn fragility(
     let tanks: Vec<&str> = plan.tanks.iter().map(|tank| tank.id.as_str()).collect();
     let seen = |tank: &&str| gathered.curves.contains_key(&((*tank).to_owned(), 0));
     let (with, without): (Vec<&str>, Vec<&str>) = tanks.iter().copied().partition(seen);
-    let no_farm = no_farm(plan);
     let several = plan.tanks.len() > 1;
+    let no_quake = no_farm(plan);
+    let farm = match several && no_quake.is_none() {
+        true => of_farm(plan, gathered, volumes),
+        false => Vec::new(),
+    };
+    let never = no_quake
+        .is_none()
+        .then(|| never_judged(&tanks, gathered))
+        .flatten()
+        .filter(|_| farm.is_empty());
     Fragility {
         format: FORMAT,
         study: plan.name.clone(),
@@ -96,15 +108,15 @@ pub(super) fn fragility(
             false => without.iter().map(|tank| (*tank).to_owned()).collect(),
         },
         curves: beside_each_other(&with, |tank| of_tank(plan, &asked, tank, gathered)),
-        system: match several && no_farm.is_none() {
+        system: match several && no_quake.is_none() {
             true => of_system(plan, &asked, gathered),
             false => Vec::new(),
         },
-        farm: match several && no_farm.is_none() {
-            true => of_farm(plan, gathered, volumes),
-            false => Vec::new(),
-        },
-        no_farm: no_farm.filter(|_| several && !with.is_empty()),
+        farm,
+        no_farm: no_quake
+            .map(str::to_owned)
+            .or(never)
+            .filter(|_| several && !with.is_empty()),
     }
 }
 
@@ -116,6 +128,22 @@ fn no_farm(plan: &Plan) -> Option<&'static str> {
     Axis::parse(&plan.im).is_some_and(Axis::of_the_tank).then_some(
         "the measure is at a period of each tank: at one level the tanks are shaken by differently scaled records",
     )
+}
+
+/// That tanks are judged in no earthquake, so that they have no share.
+fn never_judged(tanks: &[&str], gathered: &Gathered) -> Option<String> {
+    let named = gathered
+        .losses
+        .values()
+        .flat_map(|lost| lost.tanks.iter().chain(&lost.safe));
+    let judged: BTreeSet<&str> = named.map(String::as_str).collect();
+    let never: Vec<&str> = tanks.iter().filter(|tank| !judged.contains(*tank)).copied().collect();
+    (!never.is_empty()).then(|| {
+        format!(
+            "no earthquake says whether the worst state is reached by {}",
+            never.join(", ")
+        )
+    })
 }
 
 /// A function of every item, on all cores; results in the order of the items.
@@ -137,10 +165,24 @@ fn beside_each_other<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> Vec<R> + 
     })
 }
 
-/// Runs that are planned at each level of one tank.
-fn planned(plan: &Plan) -> Vec<(f64, usize)> {
-    let runs = plan.records.len() * plan.samples as usize;
-    plan.levels.iter().map(|level| (kept(*level), runs)).collect()
+/// Runs of one tank that are planned at levels. Records without a row have numbers beyond the others.
+fn planned(plan: &Plan, gathered: &Gathered) -> Vec<Planned> {
+    let mut next = gathered.records.len() as u32;
+    let mut all = Vec::new();
+    for record in &plan.records {
+        let record = gathered.records.get(&record.id).copied().unwrap_or_else(|| {
+            next += 1;
+            next - 1
+        });
+        for sample in 0..plan.samples {
+            all.extend(plan.levels.iter().map(|level| Planned {
+                record,
+                sample,
+                im: kept(*level),
+            }));
+        }
+    }
+    all
 }
 
 fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<Curve> {
@@ -152,17 +194,15 @@ fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<C
         .zip(&data)
         .map(|(state, data)| (state.state.clone(), data.runs.clone()))
         .collect();
-    let planned = planned(plan);
+    let planned = planned(plan, gathered);
     let with = |(curve, data): (Curve, &&Data)| {
         let mut curve = Curve {
             tank: Some(tank.into()),
             unjudged: (data.unjudged > 0).then_some(data.unjudged),
-            unchecked: data.unchecked.iter().cloned().collect(),
+            unchecked: data.unchecked.keys().cloned().collect(),
             ..curve
         };
-        if !planned.is_empty() {
-            curve.bound(&planned);
-        }
+        asked.bound(&mut curve, plan.method, &data.runs, &planned);
         curve
     };
     asked
@@ -173,14 +213,13 @@ fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<C
         .collect()
 }
 
-/// Curves of "at least one tank in the state", of the earthquakes in which every tank was judged: with those in which some were not, the ones without
-/// damage would be left out more often than the others.
+/// Curves of "at least one tank in the state", of the earthquakes that the judged tanks decide: one is in the state, or all are judged.
 fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
     let tanks = plan.tanks.len();
     let of = |(number, state): (usize, &super::damage::DamageState)| {
         let seen = |((record, sample, im), counts): (&super::damage::Quake, &Vec<[usize; 2]>)| {
             let [judged, within] = counts[number];
-            (judged == tanks).then(|| Seen {
+            (within > 0 || judged == tanks).then(|| Seen {
                 record: gathered.records.get(record).copied().unwrap_or_default(),
                 sample: *sample,
                 im: f64::from_bits(*im),
@@ -191,19 +230,20 @@ fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
         (state.state.clone(), gathered.counts.iter().filter_map(seen).collect())
     };
     let states: Vec<(String, Vec<Seen>)> = plan.damage.iter().enumerate().map(of).collect();
-    let planned = planned(plan);
+    let planned = planned(plan, gathered);
     // Whether a state is reached has no demand: counts, whichever method the tanks use.
     let mut curves = asked.of_runs(Method::Stripes, &states);
-    for curve in &mut curves {
-        curve.bound(&planned);
+    for (curve, (_, runs)) in curves.iter_mut().zip(&states) {
+        asked.bound(curve, Method::Stripes, runs, &planned);
     }
     curves
 }
 
-/// Losses of contents at each intensity, over the earthquakes in which every tank was judged.
+/// Losses of contents at each intensity; none at one at which a tank is judged in no earthquake.
 fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> Vec<Losses> {
     let ids: Vec<&str> = plan.tanks.iter().map(|t| t.id.as_str()).collect();
     let volumes: Vec<f64> = ids.iter().map(|id| volumes.get(*id).copied().unwrap_or(0.0)).collect();
+    let numbers: BTreeMap<&str, usize> = ids.iter().enumerate().map(|(number, id)| (*id, number)).collect();
     let levels: BTreeSet<u64> = gathered.losses.keys().map(|(_, _, im)| *im).collect();
     let planned = plan.records.len() * plan.samples as usize;
     let mut found = Vec::new();
@@ -214,20 +254,26 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
             .filter(|((_, _, im), _)| *im == level)
             .map(|(_, lost)| lost)
             .collect();
-        let whole: Vec<_> = quakes.iter().filter(|lost| lost.judged == ids.len()).collect();
-        let rows: Vec<Vec<bool>> = ids
-            .iter()
-            .map(|id| whole.iter().map(|lost| lost.tanks.iter().any(|t| t == id)).collect())
-            .collect();
-        if let Some(losses) = farm::losses(&rows, &volumes) {
+        let unseen = planned.saturating_sub(quakes.len());
+        let mut fates: Vec<Vec<Fate>> = vec![vec![None; quakes.len() + unseen]; ids.len()];
+        for (quake, lost) in quakes.iter().enumerate() {
+            for (names, fate) in [(&lost.tanks, true), (&lost.safe, false)] {
+                for tank in names.iter().filter_map(|name| numbers.get(name.as_str())) {
+                    fates[*tank][quake] = Some(fate);
+                }
+            }
+        }
+        if let Some(losses) = farm::losses(&fates, &volumes) {
+            let open = losses.whole < quakes.len() + unseen;
             found.push(Losses {
                 im: f64::from_bits(level),
-                earthquakes: losses.n,
-                not_judged: quakes.len() - whole.len(),
-                at_least_bounds: (losses.n < planned).then(|| bounds(&quakes, ids.len(), planned)),
+                earthquakes: losses.whole,
+                not_judged: quakes.len() + unseen - losses.whole,
+                at_least_bounds: open.then_some(losses.at_least_bounds),
                 at_least: losses.at_least,
                 at_least_independent: losses.at_least_independent,
                 mean_volume_m3: losses.mean_volume,
+                mean_volume_bounds_m3: open.then_some(losses.mean_volume_bounds),
                 largest_volume_m3: losses.largest_volume,
             });
         }
@@ -235,32 +281,9 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
     found
 }
 
-/// Bounds of P(at least k tanks lost): a tank without a result is safe, or lost; so are all tanks of an earthquake without results.
-fn bounds(quakes: &[&Lost], tanks: usize, planned: usize) -> Vec<[f64; 2]> {
-    let unseen = planned.saturating_sub(quakes.len());
-    let of = |k: usize| {
-        let lost = quakes.iter().filter(|q| q.tanks.len() >= k).count();
-        let open = quakes.iter().filter(|q| q.tanks.len() + tanks - q.judged >= k).count();
-        [lost, open + unseen].map(|count| count as f64 / planned as f64)
-    };
-    (1..=tanks).map(of).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Three of four earthquakes of two tanks: none lost; one lost and one not judged; both lost. At least one: 2/4 … 3/4, at least two: 1/4 … 3/4.
-    #[test]
-    fn what_is_missing_bounds_the_losses() {
-        let lost = |judged: usize, tanks: &[&str]| Lost {
-            judged,
-            tanks: tanks.iter().map(|t| (*t).to_owned()).collect(),
-        };
-        let all = [lost(2, &[]), lost(1, &["a"]), lost(2, &["a", "b"])];
-        let quakes: Vec<&Lost> = all.iter().collect();
-        assert_eq!(bounds(&quakes, 2, 4), [[0.5, 0.75], [0.25, 0.75]]);
-    }
 
     #[test]
     fn results_stand_in_the_order_of_the_items() {

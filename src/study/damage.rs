@@ -135,7 +135,7 @@ impl Standing {
 fn own(
     row: &Row,
     state: &DamageState,
-    unchecked: &mut BTreeSet<String>,
+    unchecked: &mut BTreeMap<String, usize>,
     (known, open): (&Judged, &mut bool),
 ) -> Option<Standing> {
     let mut judged = false;
@@ -155,7 +155,7 @@ fn own(
                 found.ways.push(limit.demand.clone());
             }
             Demand::NotChecked => {
-                unchecked.insert(limit.demand.clone());
+                *unchecked.entry(limit.demand.clone()).or_default() += 1;
                 *open |= known
                     .get(&row.tank)
                     .is_some_and(|demands| demands.contains(&limit.demand));
@@ -202,8 +202,8 @@ pub struct Data {
     pub runs: Vec<Seen>,
     /// Rows that could not be judged: refused, failed, or without any judged demand.
     pub unjudged: usize,
-    /// Demands that were not checked.
-    pub unchecked: BTreeSet<String>,
+    /// Demands that were not checked → in how many rows.
+    pub unchecked: BTreeMap<String, usize>,
     /// Demand of the state → runs in which it reached its limit; a run may have several.
     pub ways: BTreeMap<String, usize>,
     /// Runs that reached none of its limits and are in the state because they reached a worse one or found no equilibrium.
@@ -250,10 +250,10 @@ pub struct Worst {
 /// What is lost in one earthquake.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lost {
-    /// Tanks that were judged.
-    pub judged: usize,
     /// Tanks in the worst state.
     pub tanks: Vec<String>,
+    /// Tanks that were judged and are not in it.
+    pub safe: Vec<String>,
 }
 
 impl Gathered {
@@ -328,10 +328,8 @@ impl Gathered {
                     self.worst.insert(row.tank.clone(), worst);
                 }
                 let lost = self.losses.entry(quake.clone()).or_default();
-                lost.judged += 1;
-                if reached {
-                    lost.tanks.push(row.tank.clone());
-                }
+                let names = if reached { &mut lost.tanks } else { &mut lost.safe };
+                names.push(row.tank.clone());
             }
         }
     }
@@ -478,6 +476,6 @@ mod tests {
         let data = &gathered.curves[&("a".to_owned(), 2)];
         assert!(data.runs.is_empty());
         assert_eq!(data.unjudged, 1);
-        assert!(data.unchecked.contains("buckling_elastic"));
+        assert_eq!(data.unchecked.get("buckling_elastic"), Some(&1));
     }
 }

@@ -178,6 +178,7 @@ impl Gathering<'_> {
             }
             // A tank stands in the result of each of its blocks.
             Line::Tank(tank) => {
+                self.units.gaps(tank);
                 let unit = (tank.tank.clone(), tank.sample);
                 if self.last.as_ref() != Some(&unit) {
                     csv_tank(&mut self.tanks, tank, &self.columns.tanks);
@@ -353,7 +354,7 @@ fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
             .iter()
             .filter_map(|tank| volumes.get(tank))
             .fold(0.0, |sum, v| sum + v);
-        let _ = write!(text, ",{},{},", lost.judged, lost.tanks.len());
+        let _ = write!(text, ",{},{},", lost.tanks.len() + lost.safe.len(), lost.tanks.len());
         number(&mut text, Some(super::rows::kept(volume)));
         text.push(',');
         cell(&mut text, &lost.tanks.join(" "));

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use ::fragility::bootstrap;
 use codes::record_set::standard::Standard;
 use results::{
-    Study, StudyCurve, StudyFault, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank,
-    StudyTrace, VerdictStatus,
+    Study, StudyCurve, StudyFault, StudyGap, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState,
+    StudyTank, StudyTrace, VerdictStatus,
 };
 use tank::units::Dimension;
 
@@ -26,13 +26,25 @@ const TRACED: usize = 4;
 
 /// What is kept of the rows of the tanks.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tanks(BTreeMap<String, StudyTank>);
+pub(super) struct Tanks {
+    tanks: BTreeMap<String, StudyTank>,
+    /// Tank → limit state → why its first row that has it open has not checked it.
+    gaps: BTreeMap<String, BTreeMap<String, String>>,
+}
 
 impl Tanks {
+    /// Notes why limit states were not checked.
+    pub(super) fn gaps(&mut self, row: &TankRow) {
+        for (state, reason) in &row.gaps {
+            let known = self.gaps.entry(row.tank.clone()).or_default();
+            known.entry(state.clone()).or_insert_with(|| reason.clone());
+        }
+    }
+
     /// Adds a sample of a tank.
     pub(super) fn add(&mut self, row: &TankRow) {
         let verdict = verdict(&row.verdict);
-        let tank = self.0.entry(row.tank.clone()).or_insert_with(|| StudyTank {
+        let tank = self.tanks.entry(row.tank.clone()).or_insert_with(|| StudyTank {
             id: row.tank.clone(),
             samples: [0, 0],
             verdict: None,
@@ -94,6 +106,7 @@ pub(super) fn page(
     mut tanks: Tanks,
 ) -> Study {
     let end = end(plan, fragility);
+    let gaps = gaps(plan, gathered, &tanks.gaps);
     let by_status = merged
         .by_status
         .iter()
@@ -139,10 +152,11 @@ pub(super) fn page(
                 size: tank.size,
                 round: tank.round,
                 given: tank.given.clone(),
-                ..tanks.0.remove(&tank.id).unwrap_or_else(|| blank(&tank.id))
+                ..tanks.tanks.remove(&tank.id).unwrap_or_else(|| blank(&tank.id))
             })
             .collect(),
         states: states(plan, gathered),
+        gaps,
         curves: fragility.curves.iter().map(|c| curve(c, end)).collect(),
         system: fragility.system.iter().map(|c| curve(c, end)).collect(),
         losses: fragility
@@ -153,11 +167,15 @@ pub(super) fn page(
                 earthquakes: loss.earthquakes,
                 not_judged: loss.not_judged,
                 at_least: loss.at_least.clone(),
+                bounds: loss
+                    .at_least_bounds
+                    .as_ref()
+                    .and_then(|all| Some([*all.first()?, loss.mean_volume_bounds_m3?])),
                 independent: loss.at_least_independent.clone(),
                 volume: [loss.mean_volume_m3, loss.largest_volume_m3],
             })
             .collect(),
-        no_losses: fragility.no_farm.map(str::to_owned),
+        no_losses: fragility.no_farm.clone(),
         records: records(plan, gathered),
         traces: traces(plan, gathered, fragility),
         rule: plan.rule.as_ref().map(|found| rule(found, plan.records.len())),
@@ -202,6 +220,43 @@ fn states(plan: &Plan, gathered: &Gathered) -> Vec<StudyState> {
     plan.damage.iter().enumerate().map(of).collect()
 }
 
+/// Demands of damage states that were not checked, with the tanks for the same reason together; reasons may differ in their numbers.
+fn gaps(plan: &Plan, gathered: &Gathered, reasons: &BTreeMap<String, BTreeMap<String, String>>) -> Vec<StudyGap> {
+    let mut all: Vec<(String, StudyGap)> = Vec::new();
+    for tank in &plan.tanks {
+        let data = |state: usize| gathered.curves.get(&(tank.id.clone(), state));
+        // The states of a demand count the same rows.
+        let mut open: BTreeMap<&str, usize> = BTreeMap::new();
+        for (demand, rows) in (0..plan.damage.len()).filter_map(data).flat_map(|d| &d.unchecked) {
+            open.insert(demand, *rows);
+        }
+        for (demand, rows) in open {
+            let reason = reasons.get(&tank.id).and_then(|of| of.get(demand));
+            let reason = reason.map_or("", String::as_str);
+            let words: String = reason.chars().filter(|c| !c.is_ascii_digit()).collect();
+            let known = all.iter_mut().find(|(key, gap)| *key == words && gap.demand == demand);
+            match known {
+                Some((_, gap)) => {
+                    gap.tanks.push(tank.id.clone());
+                    gap.rows += rows;
+                }
+                None => all.push((
+                    words,
+                    StudyGap {
+                        demand: demand.into(),
+                        tanks: vec![tank.id.clone()],
+                        rows,
+                        reason: reason.into(),
+                    },
+                )),
+            }
+        }
+    }
+    let mut all: Vec<StudyGap> = all.into_iter().map(|(_, gap)| gap).collect();
+    all.sort_by(|a, b| a.demand.cmp(&b.demand));
+    all
+}
+
 fn curve(curve: &Curve, end: f64) -> StudyCurve {
     let fit = curve.curve();
     let at = |k: usize| end * (k + 1) as f64 / POINTS as f64;
@@ -234,7 +289,6 @@ fn curve(curve: &Curve, end: f64) -> StudyCurve {
             .map(|p| [p.if_safe, p.if_reached].map(|c| c.map(|c| c.median))),
         missing: curve.partial.map_or(0, |p| p.missing),
         unjudged: curve.unjudged.unwrap_or(0),
-        unchecked: curve.unchecked.clone(),
         notes: curve.notes.clone(),
     }
 }

@@ -457,7 +457,12 @@ pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &P
             .any(|record| record.id == before.id && record.key != before.key)
     };
     let tanks: Vec<&str> = plan.tanks.iter().filter(|t| tank(t)).map(|t| t.id.as_str()).collect();
-    let records: Vec<&str> = plan.records.iter().filter(|r| record(r)).map(|r| r.id.as_str()).collect();
+    let records: Vec<&str> = plan
+        .records
+        .iter()
+        .filter(|r| record(r))
+        .map(|r| r.id.as_str())
+        .collect();
     let same_tanks = plan
         .tanks
         .iter()

@@ -83,6 +83,9 @@ pub struct Row {
     /// `method.limit_state` → how it ends.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub checks: BTreeMap<String, Ending>,
+    /// Why its limit states were not checked; kept with the tank, once for all rows of a task.
+    #[serde(skip)]
+    pub gaps: BTreeMap<String, String>,
 }
 
 impl Row {
@@ -103,6 +106,7 @@ impl Row {
             message: None,
             values: BTreeMap::new(),
             checks: BTreeMap::new(),
+            gaps: BTreeMap::new(),
         }
     }
 }
@@ -125,6 +129,9 @@ pub struct TankRow {
     /// Method and limit state of what the deciding codes require and was not checked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub open: Vec<(String, String)>,
+    /// Limit state of the engine that a row of the task has not checked → why, of the first such row.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub gaps: BTreeMap<String, String>,
     /// Why it is refused.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,

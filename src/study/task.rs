@@ -31,7 +31,7 @@ use crate::pipeline;
 use engines::{FeError, Prepared, Response, engine};
 use results::nonlinear::End;
 use results::{EngineId, FE, Method, VerdictStatus};
-use values::{checks_of, put, utilisations, values_of};
+use values::{checks_of, gaps_of, put, utilisations, values_of};
 
 /// Longest message of a row [characters].
 const MESSAGE: usize = 300;
@@ -167,6 +167,7 @@ impl Unit<'_> {
             verdict: "refused".into(),
             governing: None,
             open: Vec::new(),
+            gaps: BTreeMap::new(),
             message: Some(message.into()),
             values: BTreeMap::new(),
         };
@@ -225,6 +226,7 @@ impl Unit<'_> {
             }
         };
         let periods = prepared.as_ref().map_or([None, None], Prepared::periods);
+        let first = lines.len();
         lines.push(Line::Tank(Box::new(self.tank_row(&job, periods, &methods, &verdict))));
         if self.records.is_empty() {
             let mut row = Row::blank(self.id, self.sample, "site", RowStatus::Ok);
@@ -251,6 +253,7 @@ impl Unit<'_> {
                 }
             }
         }
+        keep_gaps(&mut lines[first..]);
         Ok(())
     }
 
@@ -307,6 +310,7 @@ impl Unit<'_> {
                 (g.method.clone(), g.check.id.clone(), utilisation.map(kept))
             }),
             open: open(verdict),
+            gaps: BTreeMap::new(),
             message: None,
             values,
         }
@@ -429,6 +433,7 @@ impl Unit<'_> {
             put(FE, quantity, value, &mut row.values);
         }
         checks_of(&checks, &mut row.checks);
+        row.gaps = gaps_of(&checks, &row.checks);
         Ok(())
     }
 
@@ -454,6 +459,20 @@ impl Unit<'_> {
             End::Completed => {}
         }
         Ok(Response::of(simulation))
+    }
+}
+
+/// Moves what the rows of a tank say of their gaps to the tank, whose line is the first.
+fn keep_gaps(lines: &mut [Line]) {
+    let Some((Line::Tank(tank), rows)) = lines.split_first_mut() else {
+        return;
+    };
+    for line in rows {
+        if let Line::Row(row) = line {
+            for (state, reason) in std::mem::take(&mut row.gaps) {
+                tank.gaps.entry(state).or_insert(reason);
+            }
+        }
     }
 }
 

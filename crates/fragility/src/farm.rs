@@ -2,54 +2,85 @@
 //!
 //! Records shake all tanks of a farm at once, so their losses are not independent: the probability that at least k tanks are lost is counted
 //! over the earthquakes and compared with the value for independent tanks (the Poisson-binomial distribution of their own shares).
+//!
+//! What became of a tank in an earthquake may be unknown. An earthquake counts for k where the tanks that are known decide it: k of them are
+//! lost, or so many safe that k cannot be. A share counted like this lies between its bounds, no unknown tank lost and all of them, because
+//! l ≤ m gives l/n ≤ l/m ≤ (l + n − m)/n, l lost of m decided of n; it errs towards loss, as an earthquake with one tank unknown is
+//! decided if another one was lost. The volume is a sum over tanks, so its mean takes each tank from the earthquakes that know it.
 
 use serde::{Deserialize, Serialize};
 
 /// Losses of a farm at one intensity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Losses {
-    /// Earthquakes.
-    pub n: usize,
-    /// P(at least k tanks lost), k = 1, 2, …, counted.
+    /// Earthquakes in which every tank is known.
+    pub whole: usize,
+    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that are decided.
     pub at_least: Vec<f64>,
+    /// Bounds of them.
+    pub at_least_bounds: Vec<[f64; 2]>,
     /// The same of independent tanks with the same shares.
     pub at_least_independent: Vec<f64>,
     /// Mean volume lost.
     pub mean_volume: f64,
-    /// Largest volume lost in one earthquake.
+    /// Bounds of it.
+    pub mean_volume_bounds: [f64; 2],
+    /// Largest volume that is known to be lost in one earthquake.
     pub largest_volume: f64,
 }
 
+/// What became of a tank: whether it is lost; none where that is not known.
+pub type Fate = Option<bool>;
+
 /// The losses of a farm.
 ///
-/// * `lost`: tank by tank, earthquake by earthquake, whether it is lost
+/// * `fates`: tank by tank, earthquake by earthquake
 /// * `volumes`: of the tanks
 ///
-/// `None` without tanks or earthquakes, or where the rows differ in length.
-pub fn losses(lost: &[Vec<bool>], volumes: &[f64]) -> Option<Losses> {
-    let n = lost.first()?.len();
-    if n == 0 || lost.len() != volumes.len() || lost.iter().any(|row| row.len() != n) {
+/// `None` without tanks, where the rows differ in length, and where a tank is known in no earthquake or no earthquake is decided for some k.
+pub fn losses(fates: &[Vec<Fate>], volumes: &[f64]) -> Option<Losses> {
+    let n = fates.first()?.len();
+    if fates.len() != volumes.len() || fates.iter().any(|row| row.len() != n) {
         return None;
     }
-    let count = |quake: usize| lost.iter().filter(|row| row[quake]).count();
+    let of = |quake: usize, fate: Fate| fates.iter().filter(|row| row[quake] == fate).count();
+    // Tanks lost for certain, and at most.
+    let ranges: Vec<[usize; 2]> = (0..n)
+        .map(|quake| {
+            let lost = of(quake, Some(true));
+            [lost, lost + of(quake, None)]
+        })
+        .collect();
+    let share = |part: usize, whole: usize| (whole > 0).then(|| part as f64 / whole as f64);
+    let (mut at_least, mut at_least_bounds) = (Vec::new(), Vec::new());
+    for k in 1..=fates.len() {
+        let lost = ranges.iter().filter(|[least, _]| *least >= k).count();
+        let safe = ranges.iter().filter(|[_, most]| *most < k).count();
+        at_least.push(share(lost, lost + safe)?);
+        at_least_bounds.push([share(lost, n)?, share(n - safe, n)?]);
+    }
+    let (mut shares, mut mean_volume, mut mean_volume_bounds) = (Vec::new(), 0.0, [0.0; 2]);
+    for (row, volume) in fates.iter().zip(volumes) {
+        let count = |fate: Fate| row.iter().filter(|f| **f == fate).count();
+        let (lost, open) = (count(Some(true)), count(None));
+        let p = share(lost, n - open)?;
+        shares.push(p);
+        mean_volume += volume * p;
+        mean_volume_bounds[0] += volume * share(lost, n)?;
+        mean_volume_bounds[1] += volume * share(lost + open, n)?;
+    }
     let volume = |quake: usize| -> f64 {
-        lost.iter()
-            .zip(volumes)
-            .filter(|(row, _)| row[quake])
-            .fold(0.0, |sum, (_, v)| sum + v)
+        let lost = fates.iter().zip(volumes).filter(|(row, _)| row[quake] == Some(true));
+        lost.fold(0.0, |sum, (_, v)| sum + v)
     };
-    let counts: Vec<usize> = (0..n).map(count).collect();
-    let at_least = (1..=lost.len()).map(|k| counts.iter().filter(|c| **c >= k).count() as f64 / n as f64);
-    let shares = lost
-        .iter()
-        .map(|row| row.iter().filter(|l| **l).count() as f64 / n as f64);
-    let volumes: Vec<f64> = (0..n).map(volume).collect();
     Some(Losses {
-        n,
-        at_least: at_least.collect(),
-        at_least_independent: independent(&shares.collect::<Vec<_>>()),
-        mean_volume: volumes.iter().fold(0.0, |sum, v| sum + v) / n as f64,
-        largest_volume: volumes.iter().copied().fold(0.0, f64::max),
+        whole: ranges.iter().filter(|[least, most]| least == most).count(),
+        at_least,
+        at_least_bounds,
+        at_least_independent: independent(&shares),
+        mean_volume,
+        mean_volume_bounds,
+        largest_volume: (0..n).map(volume).fold(0.0, f64::max),
     })
 }
 
@@ -76,11 +107,33 @@ mod tests {
     /// Two tanks that are lost in the same half of the earthquakes: both or none, while independent ones would be lost together in a quarter.
     #[test]
     fn what_the_same_earthquakes_do() {
-        let row = vec![true, true, false, false];
+        let row: Vec<Fate> = [true, true, false, false].map(Some).into();
         let found = losses(&[row.clone(), row], &[100.0, 50.0]).unwrap();
         assert_eq!(found.at_least, [0.5, 0.5]);
         assert_eq!(found.at_least_independent, [0.75, 0.25]);
         assert_eq!((found.mean_volume, found.largest_volume), (75.0, 150.0));
+        assert_eq!(found.at_least_bounds, [[0.5; 2]; 2]);
+        assert_eq!((found.whole, found.mean_volume_bounds), (4, [75.0; 2]));
+    }
+
+    /// Four earthquakes: none lost; one lost and one unknown; both lost; both unknown. One or more: 2 of 3 decided, 2/4 … 3/4; two: 1 of 2,
+    /// 1/4 … 3/4. The first tank is lost in 2 of 3, the second in 1 of 2.
+    #[test]
+    fn what_is_not_known_bounds_the_losses() {
+        let first = vec![Some(false), Some(true), Some(true), None];
+        let second = vec![Some(false), None, Some(true), None];
+        let found = losses(&[first, second], &[90.0, 40.0]).unwrap();
+        assert_eq!(found.at_least, [2.0 / 3.0, 0.5]);
+        assert_eq!(found.at_least_bounds, [[0.5, 0.75], [0.25, 0.75]]);
+        assert_eq!((found.whole, found.largest_volume), (2, 130.0));
+        assert!((found.mean_volume - 80.0).abs() < 1e-12);
+        assert_eq!(found.mean_volume_bounds, [45.0 + 10.0, 67.5 + 30.0]);
+    }
+
+    /// A tank that no earthquake knows leaves nothing to say.
+    #[test]
+    fn a_tank_that_is_never_known_has_no_share() {
+        assert_eq!(losses(&[vec![Some(true)], vec![None]], &[1.0, 1.0]), None);
     }
 
     /// Equal shares are the binomial distribution: P(at least 2 of 4), p = 0.3, is 0.3483.

@@ -267,7 +267,7 @@ fn faults(study: &Study, page: &mut Builder) {
     page.section(words::FAULTS);
     page.text(words::basis::faults(study));
     page.table(captions::FAULTS, tables::faults(study));
-    page.items(words::basis::unchecked(study));
+    page.table(captions::GAPS, tables::gaps(study));
 }
 
 fn basis(study: &Study, page: &mut Builder) {

@@ -74,8 +74,8 @@ pub use store::{
 
 pub use standing::{Standing, StandingGround, StandingPlate, StandingValues};
 pub use study::{
-    Study, StudyCurve, StudyFault, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank,
-    StudyTrace,
+    Study, StudyCurve, StudyFault, StudyGap, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState,
+    StudyTank, StudyTrace,
 };
 pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};

@@ -44,6 +44,8 @@ pub struct Study {
     pub tanks: Vec<StudyTank>,
     /// Damage states, from mild to severe.
     pub states: Vec<StudyState>,
+    /// Demands that were not checked.
+    pub gaps: Vec<StudyGap>,
     /// Curves of the tanks.
     pub curves: Vec<StudyCurve>,
     /// Curves of at least one tank in the state.
@@ -148,8 +150,6 @@ pub struct StudyCurve {
     pub missing: usize,
     /// Runs that could not be judged.
     pub unjudged: usize,
-    /// Demands that were not checked.
-    pub unchecked: Vec<String>,
     /// Remarks of the method.
     pub notes: Vec<String>,
 }
@@ -159,12 +159,14 @@ pub struct StudyCurve {
 pub struct StudyLoss {
     /// Intensity.
     pub im: f64,
-    /// Earthquakes counted.
+    /// Earthquakes in which every tank was judged.
     pub earthquakes: usize,
-    /// Earthquakes in which a tank was not judged.
+    /// Earthquakes in which a tank was not judged, or that are missing.
     pub not_judged: usize,
     /// P(at least k tanks), k = 1, 2, …
     pub at_least: Vec<f64>,
+    /// Bounds of P(at least one tank), and of the mean volume [m³], where tanks or earthquakes are missing.
+    pub bounds: Option<[[f64; 2]; 2]>,
     /// The same of independent tanks.
     pub independent: Vec<f64>,
     /// Mean and largest volume [m³].
@@ -233,6 +235,19 @@ pub struct StudyRuleRow {
     pub factor: f64,
     /// Whether it holds for the set as it is.
     pub holds: bool,
+}
+
+/// A demand of the damage states that was not checked.
+#[derive(Clone, Debug)]
+pub struct StudyGap {
+    /// Limit state of the engine.
+    pub demand: String,
+    /// Tanks with this gap.
+    pub tanks: Vec<String>,
+    /// Their rows with it.
+    pub rows: usize,
+    /// Why, of the first row.
+    pub reason: String,
 }
 
 /// Why rows are not finished runs.

@@ -54,6 +54,21 @@ pub(super) fn checks_of(checks: &[Check], endings: &mut BTreeMap<String, Ending>
     }
 }
 
+/// Why the limit states were not checked that end so.
+pub(super) fn gaps_of(checks: &[Check], endings: &BTreeMap<String, Ending>) -> BTreeMap<String, String> {
+    let open = |check: &&Check| {
+        let ending = endings.get(&format!("{FE}.{}", check.limit_state));
+        let open = matches!(ending, Some(Ending::Word(word)) if word == "not_checked");
+        open && check.status == CheckStatus::NotChecked
+    };
+    let mut gaps = BTreeMap::new();
+    for check in checks.iter().filter(open) {
+        gaps.entry(check.limit_state.clone())
+            .or_insert_with(|| check.reason.clone());
+    }
+    gaps
+}
+
 /// Adds the largest utilisation of every procedure, of a row without an engine.
 pub(super) fn utilisations(methods: &[Method], endings: &mut BTreeMap<String, Ending>) {
     for method in methods.iter().filter(|m| m.excitation == Excitation::Site) {

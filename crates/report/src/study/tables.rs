@@ -90,6 +90,7 @@ pub(super) fn states(study: &Study) -> Table {
     let mut table = Table::new(vec![
         Column::words(heads::STATE),
         Column::words(heads::DEMAND),
+        Column::words(heads::KEY),
         Column::numbers(heads::LIMIT, ""),
         Column::numbers(heads::WAYS, ""),
         Column::words(heads::SOURCE),
@@ -99,6 +100,7 @@ pub(super) fn states(study: &Study) -> Table {
             table.row(vec![
                 state.name.clone(),
                 words::id(&limit.demand),
+                limit.demand.clone(),
                 significant(limit.limit, 3),
                 count(limit.runs),
                 limit.source.clone(),
@@ -109,6 +111,7 @@ pub(super) fn states(study: &Study) -> Table {
             table.row(vec![
                 state.name.clone(),
                 demand,
+                NONE.into(),
                 NONE.into(),
                 count(state.by_worse),
                 String::new(),
@@ -191,26 +194,46 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
 /// Losses of contents, a level a row.
 pub(super) fn losses(study: &Study) -> Table {
     let scale = Scale::of(study.dimension, study.losses.iter().map(|l| l.im));
-    let mut table = Table::new(vec![
+    let bounded = study.losses.iter().any(|loss| loss.bounds.is_some());
+    let mut columns = vec![
         Column::numbers(&words::head(&study.im), scale.symbol()),
         Column::numbers(heads::EARTHQUAKES, ""),
-        Column::numbers(heads::NOT_JUDGED, ""),
-        Column::numbers(heads::ONE, ""),
+    ];
+    if bounded {
+        columns.push(Column::numbers(heads::NOT_JUDGED, ""));
+    }
+    columns.push(Column::numbers(heads::ONE, ""));
+    if bounded {
+        columns.push(Column::numbers(heads::BOUNDS, ""));
+    }
+    columns.extend([
         Column::numbers(heads::INDEPENDENT, ""),
         Column::numbers(heads::MEAN_VOLUME, "m³"),
-        Column::numbers(heads::LARGEST_VOLUME, "m³"),
     ]);
+    if bounded {
+        columns.push(Column::numbers(heads::BOUNDS, "m³"));
+    }
+    columns.push(Column::numbers(heads::LARGEST_VOLUME, "m³"));
+    let mut table = Table::new(columns);
     for loss in &study.losses {
         let first = |values: &Vec<f64>| values.first().map_or_else(|| NONE.into(), |p| percent(*p));
-        table.row(vec![
-            scale.text(loss.im),
-            count(loss.earthquakes),
-            count(loss.not_judged),
-            first(&loss.at_least),
-            first(&loss.independent),
-            fixed(loss.volume[0], 0),
-            fixed(loss.volume[1], 0),
-        ]);
+        let bounds = |which: usize, text: &dyn Fn(f64) -> String| {
+            bounded.then(|| {
+                loss.bounds.map_or_else(
+                    || NONE.into(),
+                    |all| words::range(&text(all[which][0]), &text(all[which][1])),
+                )
+            })
+        };
+        let volume = |v: f64| fixed(v, 0);
+        let mut row = vec![scale.text(loss.im), count(loss.earthquakes)];
+        row.extend(bounded.then(|| count(loss.not_judged)));
+        row.push(first(&loss.at_least));
+        row.extend(bounds(0, &percent));
+        row.extend([first(&loss.independent), volume(loss.volume[0])]);
+        row.extend(bounds(1, &volume));
+        row.push(volume(loss.volume[1]));
+        table.row(row);
     }
     table
 }
@@ -301,6 +324,25 @@ pub(super) fn faults(study: &Study) -> Table {
             count(fault.rows),
             fault.first.join(", "),
             fault.message.clone(),
+        ]);
+    }
+    table
+}
+
+/// What was not checked and why, a demand a row.
+pub(super) fn gaps(study: &Study) -> Table {
+    let mut table = Table::new(vec![
+        Column::words(heads::DEMAND),
+        Column::words(heads::TANKS),
+        Column::numbers(heads::ROWS, ""),
+        Column::words(heads::WHY),
+    ]);
+    for gap in study.gaps.iter().take(FAULTS) {
+        table.row(vec![
+            words::id(&gap.demand),
+            words::basis::tanks(study, gap),
+            count(gap.rows),
+            gap.reason.clone(),
         ]);
     }
     table

@@ -40,7 +40,6 @@ fn curve(tank: Option<&str>, fit: Option<[f64; 2]>) -> StudyCurve {
         partial: None,
         missing: 1,
         unjudged: 0,
-        unchecked: vec!["sliding".into()],
         notes: Vec::new(),
     }
 }
@@ -87,6 +86,7 @@ fn study() -> Study {
             }],
             by_worse: 3,
         }],
+        gaps: Vec::new(),
         curves: vec![curve(Some("A & B"), Some([2.5, 0.4])), curve(Some("C"), None)],
         system: vec![curve(None, Some([2.4, 0.4]))],
         losses: vec![StudyLoss {
@@ -94,6 +94,7 @@ fn study() -> Study {
             earthquakes: 7,
             not_judged: 0,
             at_least: vec![0.3, 0.1, 0.0],
+            bounds: None,
             independent: vec![0.35, 0.05, 0.0],
             volume: [150.0, 500.0],
         }],

@@ -7,7 +7,7 @@ pub mod heads;
 
 use crate::number::{count, fixed, utilisation, with_unit};
 use files::code::{Code, Warning};
-use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
+use results::{EngineId, Study, StudyCurve, StudyRule, StudyTank, StudyTrace, VerdictStatus};
 
 /// Below the title.
 pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
@@ -117,7 +117,8 @@ fn first_of<T: AsRef<str>>(names: &[T]) -> String {
 const NAMED: usize = 12;
 /// Text.
 pub const ABOUT_LOSSES: &str = "Tanks in the worst state lose their contents. All tanks are shaken by the same earthquakes, so that losses are counted \
-     earthquake by earthquake; earthquakes in which a tank could not be judged are left out.";
+     earthquake by earthquake. Where a tank was not judged, an earthquake counts if the other tanks decide it, the mean loss takes each tank from the earthquakes \
+     in which it was judged, and bounds say what the gaps can change.";
 /// Text.
 pub const ABOUT_STATES: &str = "A tank is in a state if one of its demands reaches the utilisation at which the state begins, if it is in a worse state, or \
      if the run found no equilibrium. Runs: how many of all tanks reached this limit; a run that reached several counts at each. \
@@ -272,7 +273,34 @@ pub fn governing(study: &Study) -> Vec<String> {
             fixed(dispersion, 2)
         ));
     }
+    lines.extend(unfitted(
+        study,
+        first.and_then(|(curve, _)| curve.fit).map(|[median, _]| median),
+    ));
     lines
+}
+
+/// Tanks without a curve of the worst state that may be lost earlier than the most fragile one with a curve.
+///
+/// * `fitted`: the lowest median
+fn unfitted(study: &Study, fitted: Option<f64>) -> Option<String> {
+    let worst = study.states.last()?.name.as_str();
+    let earlier = |curve: &&StudyCurve| {
+        let [low, _] = curve.bounds;
+        let open = curve.state == worst && curve.fit.is_none();
+        open && fitted.is_none_or(|median| low.is_none_or(|low| low < median))
+    };
+    let tanks: Vec<&str> = study
+        .curves
+        .iter()
+        .filter(earlier)
+        .filter_map(|curve| curve.tank.as_deref())
+        .collect();
+    let names = first_of(&tanks);
+    (!tanks.is_empty()).then(|| match fitted {
+        Some(_) => format!("Without a curve of {worst}, and perhaps lost earlier: {names}."),
+        None => format!("Without a curve of {worst}: {names}."),
+    })
 }
 
 /// What a reader has to know before the numbers.

@@ -1,8 +1,8 @@
 //! What failed in a study, what its numbers stand on, and what they cost.
 
-use super::id;
+use super::first_of;
 use crate::number::{count, significant, with_unit};
-use results::{EngineId, Study};
+use results::{EngineId, Study, StudyGap};
 
 /// What failed.
 pub fn faults(study: &Study) -> String {
@@ -34,28 +34,12 @@ pub fn faults(study: &Study) -> String {
     )
 }
 
-/// Demands that were not checked, with the tanks.
-pub fn unchecked(study: &Study) -> Vec<String> {
-    let mut all: Vec<(&str, Vec<&str>)> = Vec::new();
-    for curve in &study.curves {
-        let tank = curve.tank.as_deref().unwrap_or_default();
-        for demand in &curve.unchecked {
-            match all.iter_mut().find(|(known, _)| known == demand) {
-                Some((_, tanks)) if tanks.contains(&tank) => {}
-                Some((_, tanks)) => tanks.push(tank),
-                None => all.push((demand, vec![tank])),
-            }
-        }
+/// The tanks of a gap.
+pub fn tanks(study: &Study, gap: &StudyGap) -> String {
+    match gap.tanks.len() {
+        n if n == study.tanks.len() && n > 1 => "every tank".to_owned(),
+        _ => first_of(&gap.tanks),
     }
-    let line = |(demand, tanks): (&str, Vec<&str>)| {
-        let some = match tanks.len() {
-            n if n == study.tanks.len() => "of every tank".to_owned(),
-            n if n > 8 => format!("of {n} tanks"),
-            _ => format!("of {}", tanks.join(", ")),
-        };
-        format!("Not checked, at least in some runs: {} {some}.", id(demand))
-    };
-    all.into_iter().map(line).collect()
 }
 
 /// What the numbers stand on.

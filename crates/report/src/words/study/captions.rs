@@ -18,5 +18,7 @@ pub const RULE: &str = "Mean spectrum of the records against the target";
 pub const RECORDS: &str = "Records";
 /// Faults.
 pub const FAULTS: &str = "Rows without a finished run";
+/// Gaps.
+pub const GAPS: &str = "Demands of the damage states that were not checked, at least in some rows";
 /// Cost.
 pub const COST: &str = "Tasks and rows";

@@ -68,10 +68,12 @@ pub const BEYOND: &str = "beyond the hazard curve";
 pub const PARTIAL: &str = "θ with missing runs";
 /// Remark.
 pub const REMARK: &str = "Remark";
-/// Earthquakes.
+/// Earthquakes in which every tank was judged.
 pub const EARTHQUAKES: &str = "Earthquakes";
 /// Earthquakes in which a tank was not judged.
-pub const NOT_JUDGED: &str = "left out";
+pub const NOT_JUDGED: &str = "with gaps";
+/// Of a share or mean, where tanks were not judged.
+pub const BOUNDS: &str = "Bounds";
 /// At least one tank.
 pub const ONE: &str = "At least one tank";
 /// The same of independent tanks.
@@ -100,6 +102,12 @@ pub const STEP: &str = "Step";
 pub const SEVERITY: &str = "Severity";
 /// Rows in the worst state.
 pub const LOST: &str = "Rows in the worst state";
+/// As in the tables of the study.
+pub const KEY: &str = "In rows.csv";
+/// Tanks.
+pub const TANKS: &str = "Tanks";
+/// Why a demand was not checked, of the first row.
+pub const WHY: &str = "Why, in the first of them";
 /// Status.
 pub const STATUS: &str = "Status";
 /// Rows.
