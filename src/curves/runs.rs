@@ -71,6 +71,8 @@ pub fn counted(runs: &[Seen]) -> Vec<Stripe> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Capacity {
     At(f64),
+    /// The first intensity, in the state.
+    Below(f64),
     /// The last intensity, without the state.
     Beyond(f64),
 }
@@ -82,19 +84,15 @@ enum Data {
         records: Vec<Vec<(usize, bool)>>,
     },
     Cloud(Vec<Vec<Run>>),
-    Capacities {
-        records: Vec<Vec<Capacity>>,
-        /// End of the scaling, where some did not reach the state.
-        end: Option<f64>,
-    },
+    Capacities(Vec<Vec<Capacity>>),
 }
 
 /// A fit, and the regression behind it.
 type Found = (Fit, Option<Cloud>);
 
 impl Data {
-    /// Errors: capacities that the intensities do not bracket.
-    fn of(method: Method, runs: &[Seen], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
+    /// * `notes`: what the method left out or took for
+    fn of(method: Method, runs: &[Seen], notes: &mut Vec<String>) -> Data {
         let mut records: BTreeMap<u32, Vec<Seen>> = BTreeMap::new();
         for run in runs {
             records.entry(run.record).or_default().push(*run);
@@ -105,10 +103,10 @@ impl Data {
                 let ims: Vec<f64> = counted(runs).iter().map(|s| s.im).collect();
                 let place = |run: &Seen| ims.partition_point(|im| *im < run.im);
                 let of = |runs: &Vec<Seen>| runs.iter().map(|run| (place(run), run.reached)).collect();
-                Ok(Data::Stripes {
+                Data::Stripes {
                     records: records.iter().map(of).collect(),
                     ims,
-                })
+                }
             }
             Method::Cloud => {
                 let idle = |run: &Seen| run.ratio.is_some_and(|ratio| ratio <= 0.0);
@@ -126,9 +124,9 @@ impl Data {
                     })
                     .collect()
                 };
-                Ok(Data::Cloud(records.iter().map(of).collect()))
+                Data::Cloud(records.iter().map(of).collect())
             }
-            Method::Capacities => of_capacities(&records, notes),
+            Method::Capacities => Data::Capacities(of_capacities(&records, notes)),
         }
     }
 
@@ -136,14 +134,14 @@ impl Data {
         match self {
             Data::Stripes { records, .. } => records.len(),
             Data::Cloud(records) => records.len(),
-            Data::Capacities { records, .. } => records.len(),
+            Data::Capacities(records) => records.len(),
         }
     }
 
     /// Points that the curve is fitted to: runs, or of capacities one of each record and sample.
     fn points(&self, runs: usize) -> usize {
         match self {
-            Data::Capacities { records, .. } => records.iter().map(Vec::len).sum(),
+            Data::Capacities(records) => records.iter().map(Vec::len).sum(),
             Data::Stripes { .. } | Data::Cloud(_) => runs,
         }
     }
@@ -152,8 +150,13 @@ impl Data {
         match self {
             Data::Stripes { .. } => "stripes",
             Data::Cloud(_) => "cloud",
-            Data::Capacities { end: None, .. } => "capacities",
-            Data::Capacities { end: Some(_), .. } => "truncated_capacities",
+            Data::Capacities(records) => {
+                let at = |capacity: &Capacity| matches!(capacity, Capacity::At(_));
+                match records.iter().flatten().all(at) {
+                    true => "capacities",
+                    false => "truncated_capacities",
+                }
+            }
         }
     }
 
@@ -186,18 +189,19 @@ impl Data {
                 };
                 Ok((fit, Some(regression)))
             }
-            Data::Capacities { records, end } => {
-                let all = picked.iter().flat_map(|&i| &records[i]);
-                let at: Vec<f64> = all
-                    .clone()
-                    .filter_map(|capacity| match capacity {
-                        Capacity::At(im) => Some(*im),
-                        Capacity::Beyond(_) => None,
-                    })
-                    .collect();
-                let fit = match end {
-                    Some(end) => capacities::fit_truncated(&at, *end, all.count() - at.len())?,
-                    None => capacities::fit(&at)?,
+            Data::Capacities(records) => {
+                let (mut at, mut below, mut beyond) = (Vec::new(), Vec::new(), Vec::new());
+                for capacity in picked.iter().flat_map(|&i| &records[i]) {
+                    match capacity {
+                        Capacity::At(im) => at.push(*im),
+                        Capacity::Below(im) => below.push(*im),
+                        Capacity::Beyond(im) => beyond.push(*im),
+                    }
+                }
+                // Resamples without a run beyond the levels are fitted as the others are.
+                let fit = match self.name() {
+                    "capacities" => capacities::fit(&at)?,
+                    _ => capacities::fit_censored(&at, &below, &beyond)?,
                 };
                 Ok((fit, None))
             }
@@ -206,11 +210,9 @@ impl Data {
 }
 
 /// Capacities of every record and sample.
-fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
+fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<Vec<Capacity>> {
     let lowest = records.iter().flatten().map(|run| run.im).fold(f64::INFINITY, f64::min);
-    let mut stepped = 0;
-    // First intensities that reach the state, of all records, and of those without one below.
-    let (mut reached, mut below) = (Vec::new(), Vec::new());
+    let (mut stepped, mut below) = (0, Vec::new());
     let mut between: BTreeSet<[u64; 2]> = BTreeSet::new();
     let mut all: Vec<Vec<Capacity>> = Vec::new();
     for runs in records {
@@ -225,9 +227,9 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
                 found.extend(runs.last().map(|run| Capacity::Beyond(run.im)));
                 continue;
             };
-            reached.push(runs[first].im);
             if first == 0 {
                 below.push(runs[0].im);
+                found.push(Capacity::Below(runs[0].im));
                 continue;
             }
             let (before, after) = (&runs[first - 1], &runs[first]);
@@ -239,18 +241,7 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
         }
         all.push(found);
     }
-    let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
-        Capacity::Beyond(im) => Some(*im),
-        Capacity::At(_) => None,
-    });
-    let ends: Vec<f64> = beyond.collect();
-    if !below.is_empty() {
-        let every = ends.is_empty().then(|| reached.iter().copied().fold(0.0, f64::max));
-        return Err(NotIdentifiable {
-            reason: not_bracketed(&below, lowest),
-            bounds: [None, every],
-        });
-    }
+    notes.extend(not_bracketed(&below, lowest));
     if stepped > 0 {
         notes.push(match stepped {
             1 => "1 capacity is the last intensity before a run without a finite demand".to_owned(),
@@ -267,37 +258,38 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data,
                 .into(),
         );
     }
-    let end = ends.first().copied();
-    if ends.iter().any(|im| Some(*im) != end) {
-        return Err(NotIdentifiable::because(
-            "runs that did not reach the state end at different intensities",
-        ));
-    }
-    Ok(Data::Capacities { records: all, end })
+    all
 }
 
-/// Why capacities below the first judged intensity of a record are not bracketed.
+/// What is said of records whose capacities are below their first judged intensity.
 ///
 /// * `lowest`: lowest intensity of all records
-fn not_bracketed(below: &[f64], lowest: f64) -> String {
-    let text = |count: usize, at: &str| match count {
-        0 => None,
-        1 => Some(format!("1 record reaches the state at {at}")),
-        _ => Some(format!("{count} records reach the state at {at}")),
-    };
+fn not_bracketed(below: &[f64], lowest: f64) -> Vec<String> {
     let first = below.iter().filter(|im| **im <= lowest).count();
     let later = below.len() - first;
-    let parts = [
-        text(first, "the lowest intensity"),
-        text(later, "the lowest intensity at which they were judged"),
-    ];
-    let help = match (first, later) {
-        (_, 0) => "add lower levels",
-        (0, _) => "below it runs are missing or have a demand that was not checked",
-        _ => "add lower levels, and see which runs are missing or have a demand that was not checked",
+    let text = |count: usize, one: &str, more: &str, help: &str| {
+        let records = match count {
+            0 => return None,
+            1 => one.to_owned(),
+            _ => format!("{count} {more}"),
+        };
+        Some(format!("{records}: the capacity is somewhere below; {help}"))
     };
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    format!("{}, so that their capacity is not bracketed; {help}", parts.join(", "))
+    let texts = [
+        text(
+            first,
+            "1 record reaches the state at the lowest intensity",
+            "records reach the state at the lowest intensity",
+            "lower levels would find it",
+        ),
+        text(
+            later,
+            "1 record reaches the state at the lowest intensity at which it was judged",
+            "records reach the state at the lowest intensity at which they were judged",
+            "runs at lower ones are missing or have a demand that was not checked",
+        ),
+    ];
+    texts.into_iter().flatten().collect()
 }
 
 /// Records, each with each sample, that are in the state at one intensity and not at a higher one.
@@ -313,14 +305,6 @@ fn left_again(runs: &[Seen]) -> usize {
     };
     let found: BTreeSet<(u32, u32)> = runs.iter().filter(left).map(|run| (run.record, run.sample)).collect();
     found.len()
-}
-
-/// Records, each with each sample.
-fn shaken(runs: &[Seen]) -> usize {
-    runs.iter()
-        .map(|run| (run.record, run.sample))
-        .collect::<BTreeSet<_>>()
-        .len()
 }
 
 /// Where the ratio is 1 between two runs, linear in logarithms; none without two ratios greater than 0.
@@ -354,10 +338,8 @@ impl Asked {
                     "{records} in the state at one level and not at a higher one{counts}"
                 ));
             }
-            let curve = match Data::of(method, runs, &mut notes) {
-                Ok(data) => self.of_data(state, data.points(runs.len()), &data),
-                Err(refusal) => self.curve(state, "capacities", shaken(runs), Err(refusal)),
-            };
+            let data = Data::of(method, runs, &mut notes);
+            let curve = self.of_data(state, data.points(runs.len()), &data);
             Curve {
                 points: counts.iter().copied().map(Point::whole).collect(),
                 notes,
@@ -439,7 +421,7 @@ impl Asked {
                 .copied()
                 .chain(missing.iter().map(|run| supposed(run, reached)))
                 .collect();
-            let data = Data::of(method, &all, &mut Vec::new()).ok()?;
+            let data = Data::of(method, &all, &mut Vec::new());
             let every: Vec<usize> = (0..data.len()).collect();
             data.fit(&every).ok().map(|(fit, _)| fit.curve)
         };
@@ -553,26 +535,23 @@ mod tests {
         assert_eq!(found.method, "truncated_capacities");
         assert!((found.median.unwrap() / wanted.median - 1.0).abs() < 1e-9);
         assert!((found.dispersion.unwrap() / wanted.dispersion - 1.0).abs() < 1e-9);
-        let low = curve(Method::Capacities, runs(&CAPACITIES, &[0.35, 0.6, 1.2]));
-        assert!(
-            low.reason
-                .unwrap()
-                .starts_with("1 record reaches the state at the lowest intensity,")
-        );
-        // All ten are below 1.2, and nothing bounds them from below.
-        assert_eq!((low.bounds, low.n), (Some([None, Some(1.2)]), 10));
     }
 
-    /// The third record was not judged at 0.2, and is in the state at 0.4.
+    /// The first record (0.31) is in the state at the lowest level, the third was not judged below 0.6: their capacities are below these, and the
+    /// others are found.
     #[test]
-    fn a_record_that_was_not_judged_below_is_not_one_of_the_lowest_level() {
-        let mut all = runs(&CAPACITIES[..5], &[0.2, 0.4, 0.8]);
-        all.retain(|run| !(run.record == 1 && run.im < 0.3));
+    fn capacities_below_the_first_level() {
+        let mut all = runs(&CAPACITIES, &[0.35, 0.6, 1.2]);
+        all.retain(|run| !(run.record == 2 && run.im < 0.5));
         let found = curve(Method::Capacities, all);
-        let reason = found.reason.unwrap();
+        let others: Vec<f64> = [&CAPACITIES[1..2], &CAPACITIES[3..]].concat();
+        let wanted = capacities::fit_censored(&others, &[0.35, 0.6], &[]).unwrap().curve;
+        assert_eq!((found.method, found.n), ("truncated_capacities", 10));
+        assert!((found.median.unwrap() / wanted.median - 1.0).abs() < 1e-9);
+        assert_eq!(found.notes.len(), 2, "{:?}", found.notes);
+        assert!(found.notes[0].starts_with("1 record reaches the state at the lowest intensity:"));
         assert!(
-            reason.starts_with("1 record reaches the state at the lowest intensity at which"),
-            "{reason}"
+            found.notes[1].starts_with("1 record reaches the state at the lowest intensity at which it was judged")
         );
     }
 

@@ -42,7 +42,7 @@ pub struct Fragility {
     pub farm: Vec<Losses>,
     /// Why there are no losses of a farm of several tanks.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub no_farm: Option<String>,
+    pub no_farm: Option<&'static str>,
 }
 
 /// Losses of contents at an intensity.
@@ -54,15 +54,15 @@ pub struct Losses {
     pub earthquakes: usize,
     /// Earthquakes in which some were not, or that are missing.
     pub not_judged: usize,
-    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that the judged tanks decide.
-    pub at_least: Vec<f64>,
+    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that the judged tanks decide; null where none does.
+    pub at_least: Vec<Option<f64>>,
     /// Bounds of them where earthquakes or tanks are missing: if no tank without a result was lost, and if all were.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_least_bounds: Option<Vec<[f64; 2]>>,
-    /// The same of independent tanks with the same shares.
-    pub at_least_independent: Vec<f64>,
-    /// Mean volume lost [m³]: each tank over the earthquakes in which it was judged.
-    pub mean_volume_m3: f64,
+    /// The same of independent tanks with the same shares; null where a tank is judged in no earthquake.
+    pub at_least_independent: Option<Vec<f64>>,
+    /// Mean volume lost [m³]: each tank over the earthquakes in which it was judged; null where one is judged in none.
+    pub mean_volume_m3: Option<f64>,
     /// Bounds of it, as of the shares.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_volume_bounds_m3: Option<[f64; 2]>,
@@ -92,11 +92,6 @@ pub(super) fn fragility(
         true => of_farm(plan, gathered, volumes),
         false => Vec::new(),
     };
-    let never = no_quake
-        .is_none()
-        .then(|| never_judged(&tanks, gathered))
-        .flatten()
-        .filter(|_| farm.is_empty());
     Fragility {
         format: FORMAT,
         study: plan.name.clone(),
@@ -113,10 +108,7 @@ pub(super) fn fragility(
             false => Vec::new(),
         },
         farm,
-        no_farm: no_quake
-            .map(str::to_owned)
-            .or(never)
-            .filter(|_| several && !with.is_empty()),
+        no_farm: no_quake.filter(|_| several && !with.is_empty()),
     }
 }
 
@@ -128,22 +120,6 @@ fn no_farm(plan: &Plan) -> Option<&'static str> {
     Axis::parse(&plan.im).is_some_and(Axis::of_the_tank).then_some(
         "the measure is at a period of each tank: at one level the tanks are shaken by differently scaled records",
     )
-}
-
-/// That tanks are judged in no earthquake, so that they have no share.
-fn never_judged(tanks: &[&str], gathered: &Gathered) -> Option<String> {
-    let named = gathered
-        .losses
-        .values()
-        .flat_map(|lost| lost.tanks.iter().chain(&lost.safe));
-    let judged: BTreeSet<&str> = named.map(String::as_str).collect();
-    let never: Vec<&str> = tanks.iter().filter(|tank| !judged.contains(*tank)).copied().collect();
-    (!never.is_empty()).then(|| {
-        format!(
-            "no earthquake says whether the worst state is reached by {}",
-            never.join(", ")
-        )
-    })
 }
 
 /// A function of every item, on all cores; results in the order of the items.
@@ -239,7 +215,7 @@ fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
     curves
 }
 
-/// Losses of contents at each intensity; none at one at which a tank is judged in no earthquake.
+/// Losses of contents at each level at which a row was judged.
 fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> Vec<Losses> {
     let ids: Vec<&str> = plan.tanks.iter().map(|t| t.id.as_str()).collect();
     let volumes: Vec<f64> = ids.iter().map(|id| volumes.get(*id).copied().unwrap_or(0.0)).collect();
@@ -272,9 +248,9 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
                 at_least_bounds: open.then_some(losses.at_least_bounds),
                 at_least: losses.at_least,
                 at_least_independent: losses.at_least_independent,
-                mean_volume_m3: losses.mean_volume,
-                mean_volume_bounds_m3: open.then_some(losses.mean_volume_bounds),
-                largest_volume_m3: losses.largest_volume,
+                mean_volume_m3: losses.mean_volume.map(kept),
+                mean_volume_bounds_m3: open.then_some(losses.mean_volume_bounds.map(kept)),
+                largest_volume_m3: kept(losses.largest_volume),
             });
         }
     }

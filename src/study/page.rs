@@ -171,11 +171,11 @@ pub(super) fn page(
                     .at_least_bounds
                     .as_ref()
                     .and_then(|all| Some([*all.first()?, loss.mean_volume_bounds_m3?])),
-                independent: loss.at_least_independent.clone(),
-                volume: [loss.mean_volume_m3, loss.largest_volume_m3],
+                independent: loss.at_least_independent.iter().flatten().map(|p| Some(*p)).collect(),
+                volume: [loss.mean_volume_m3, Some(loss.largest_volume_m3)],
             })
             .collect(),
-        no_losses: fragility.no_farm.clone(),
+        no_losses: fragility.no_farm.map(str::to_owned),
         records: records(plan, gathered),
         traces: traces(plan, gathered, fragility),
         rule: plan.rule.as_ref().map(|found| rule(found, plan.records.len())),

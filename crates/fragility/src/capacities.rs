@@ -1,10 +1,10 @@
 //! Intensities at which runs reach the state.
 //!
 //! Where every record was scaled until it did (incremental dynamic analysis), θ and β are median and standard deviation of the logarithms
-//! (n − 1; Porter, Kennedy & Bachman 2007). Where scaling ended at im_max and some had not reached it (Baker 2015):
+//! (n − 1; Porter, Kennedy & Bachman 2007). Where scaling ended at im_k and a record had not reached it (Baker 2015), or began at im_j and it had:
 //!
 //! ```text
-//! ln L = Σ [ln γ − (γ ln im_i − δ)²/2] + N ln Φ(δ − γ ln im_max)        γ = 1/β        δ = ln θ/β
+//! ln L = Σ [ln γ − (γ ln im_i − δ)²/2] + Σ ln Φ(δ − γ ln im_k) + Σ ln Φ(γ ln im_j − δ)        γ = 1/β        δ = ln θ/β
 //! ```
 //!
 //! concave in δ and γ (Olsen 1978).
@@ -48,46 +48,74 @@ fn spread(capacities: &[f64]) -> Result<(), NotIdentifiable> {
     }
 }
 
+/// Why these capacities identify no curve, with bounds of the median.
+fn refused(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Option<NotIdentifiable> {
+    let refusal = spread(capacities).err()?;
+    let reason = match (capacities.is_empty(), below.is_empty(), beyond.is_empty()) {
+        (true, false, true) => "every run reached the state at its lowest intensity",
+        (true, false, false) => "no capacity lies between two intensities",
+        _ => &refusal.reason,
+    };
+    let ends = |others: &[f64], pick: fn(f64, f64) -> f64| capacities.iter().chain(others).copied().reduce(pick);
+    Some(NotIdentifiable {
+        reason: reason.into(),
+        bounds: [
+            ends(beyond, f64::min).filter(|_| below.is_empty()),
+            ends(below, f64::max).filter(|_| beyond.is_empty()),
+        ],
+    })
+}
+
 /// The curve with the largest likelihood where `censored` runs had not reached the state at `im_max`.
 ///
 /// Errors: data that do not identify one.
 pub fn fit_truncated(capacities: &[f64], im_max: f64, censored: usize) -> Result<Fit, NotIdentifiable> {
-    spread(capacities).map_err(|mut refusal| {
-        if capacities.is_empty() && censored > 0 {
-            refusal.bounds = [Some(im_max), None];
-        }
-        refusal
-    })?;
+    fit_censored(capacities, &[], &vec![im_max; censored])
+}
+
+/// The curve with the largest likelihood.
+///
+/// * `below`: intensities at which runs had reached the state, without one at which they had not
+/// * `beyond`: intensities at which runs had not reached it, without one at which they had
+///
+/// Errors: data that do not identify one.
+pub fn fit_censored(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Result<Fit, NotIdentifiable> {
+    if let Some(refusal) = refused(capacities, below, beyond) {
+        return Err(refusal);
+    }
     let logs: Vec<f64> = capacities.iter().map(|c| c.ln()).collect();
-    let (n, censored_runs, end) = (logs.len() as f64, censored as f64, im_max.ln());
+    // ln im, and the sign of u = sign (δ − γ ln im).
+    let signed = |ims: &[f64], sign: f64| ims.iter().map(move |im| (im.ln(), sign)).collect::<Vec<_>>();
+    let tails = [signed(beyond, 1.0), signed(below, -1.0)].concat();
+    let n = logs.len() as f64;
     let mean = logs.iter().sum::<f64>() / n;
     let deviation = (logs.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / n).sqrt();
     let likelihood = |[delta, gamma]: [f64; 2]| -> Local {
         if gamma <= 0.0 {
             return (f64::NEG_INFINITY, [0.0; 2], [0.0; 3]);
         }
-        let residuals = logs.iter().map(|l| gamma * l - delta);
-        let (mut sum, mut square, mut product) = (0.0, 0.0, 0.0);
-        for (residual, log) in residuals.zip(&logs) {
-            sum += residual;
-            square += residual * residual;
-            product += residual * log;
+        let (mut value, mut gradient) = (n * gamma.ln(), [0.0, n / gamma]);
+        let mut hessian = [0.0, 0.0, -n / gamma.powi(2)];
+        for log in &logs {
+            let residual = gamma * log - delta;
+            value -= 0.5 * residual * residual;
+            gradient[0] += residual;
+            gradient[1] -= residual * log;
+            hessian[0] -= 1.0;
+            hessian[1] += log;
+            hessian[2] -= log * log;
         }
-        let logs_square: f64 = logs.iter().map(|l| l * l).sum();
-        let logs_sum: f64 = logs.iter().sum();
-        let u = delta - gamma * end;
-        let (slope, tail) = (hazard(u), ln_cdf(u));
-        let curvature = -slope * (slope + u);
-        let value = n * gamma.ln() - 0.5 * square + censored_runs * tail;
-        let gradient = [
-            sum + censored_runs * slope,
-            n / gamma - product - censored_runs * slope * end,
-        ];
-        let hessian = [
-            -n + censored_runs * curvature,
-            logs_sum - censored_runs * curvature * end,
-            -n / gamma.powi(2) - logs_square + censored_runs * curvature * end * end,
-        ];
+        for &(end, sign) in &tails {
+            let u = sign * (delta - gamma * end);
+            let slope = hazard(u);
+            let curvature = -slope * (slope + u);
+            value += ln_cdf(u);
+            gradient[0] += sign * slope;
+            gradient[1] -= sign * slope * end;
+            hessian[0] += curvature;
+            hessian[1] -= curvature * end;
+            hessian[2] += curvature * end * end;
+        }
         (value, gradient, hessian)
     };
     let start = [mean / deviation, 1.0 / deviation];
@@ -99,7 +127,7 @@ pub fn fit_truncated(capacities: &[f64], im_max: f64, censored: usize) -> Result
             median: (found[0] / found[1]).exp(),
             dispersion: 1.0 / found[1],
         },
-        n: logs.len() + censored,
+        n: logs.len() + tails.len(),
         negative_log_likelihood: -likelihood(found).0,
     })
 }
@@ -152,6 +180,40 @@ mod tests {
         }
         // The runs that never reached the state raise the median.
         assert!(found.curve.median > fit(seen).unwrap().curve.median);
+    }
+
+    /// The same with two runs below 0.4, one of which was not judged at lower intensities, and ends at two intensities.
+    #[test]
+    fn no_other_censored_curve_of_a_grid_is_likelier() {
+        let (seen, below, beyond) = (&CAPACITIES[2..7], [0.4, 0.4], [0.7, 0.7, 1.0]);
+        let negative = |theta: f64, beta: f64| -> f64 {
+            let u = |c: &f64| (c / theta).ln() / beta;
+            let density = |c: &f64| -beta.ln() - 0.5 * u(c) * u(c);
+            let left = below.iter().map(|c| crate::normal::cdf(u(c)).ln()).sum::<f64>();
+            let right = beyond.iter().map(|c| crate::normal::cdf(-u(c)).ln()).sum::<f64>();
+            -seen.iter().map(density).sum::<f64>() - left - right
+        };
+        let found = fit_censored(seen, &below, &beyond).unwrap();
+        let least = negative(found.curve.median, found.curve.dispersion);
+        assert!((least - found.negative_log_likelihood).abs() < 1e-9);
+        for i in -30..=30 {
+            for k in -30..=30 {
+                let place = |x: f64, i: i32| x * (1.0 + 0.01 * f64::from(i));
+                assert!(negative(place(found.curve.median, i), place(found.curve.dispersion, k)) >= least - 1e-9);
+            }
+        }
+        assert_eq!(found.n, 10);
+    }
+
+    /// Bounds of the median are those of all runs: one below 0.2 leaves no lower one, one beyond 0.9 no upper one.
+    #[test]
+    fn bounds_are_of_all_runs() {
+        let bounds =
+            |seen: &[f64], below: &[f64], beyond: &[f64]| fit_censored(seen, below, beyond).unwrap_err().bounds;
+        assert_eq!(bounds(&[0.4], &[], &[0.9]), [Some(0.4), None]);
+        assert_eq!(bounds(&[0.4], &[0.2], &[]), [None, Some(0.4)]);
+        assert_eq!(bounds(&[0.4], &[0.2], &[0.9]), [None, None]);
+        assert_eq!(bounds(&[], &[0.2, 0.3], &[]), [None, Some(0.3)]);
     }
 
     #[test]

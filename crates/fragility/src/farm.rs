@@ -15,14 +15,14 @@ use serde::{Deserialize, Serialize};
 pub struct Losses {
     /// Earthquakes in which every tank is known.
     pub whole: usize,
-    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that are decided.
-    pub at_least: Vec<f64>,
+    /// P(at least k tanks lost), k = 1, 2, …, counted over the earthquakes that are decided; none where none is.
+    pub at_least: Vec<Option<f64>>,
     /// Bounds of them.
     pub at_least_bounds: Vec<[f64; 2]>,
-    /// The same of independent tanks with the same shares.
-    pub at_least_independent: Vec<f64>,
-    /// Mean volume lost.
-    pub mean_volume: f64,
+    /// The same of independent tanks with the same shares; none where a tank is known in no earthquake.
+    pub at_least_independent: Option<Vec<f64>>,
+    /// Mean volume lost; none where a tank is known in no earthquake.
+    pub mean_volume: Option<f64>,
     /// Bounds of it.
     pub mean_volume_bounds: [f64; 2],
     /// Largest volume that is known to be lost in one earthquake.
@@ -37,10 +37,10 @@ pub type Fate = Option<bool>;
 /// * `fates`: tank by tank, earthquake by earthquake
 /// * `volumes`: of the tanks
 ///
-/// `None` without tanks, where the rows differ in length, and where a tank is known in no earthquake or no earthquake is decided for some k.
+/// `None` without tanks or earthquakes, and where the rows differ in length.
 pub fn losses(fates: &[Vec<Fate>], volumes: &[f64]) -> Option<Losses> {
     let n = fates.first()?.len();
-    if fates.len() != volumes.len() || fates.iter().any(|row| row.len() != n) {
+    if n == 0 || fates.len() != volumes.len() || fates.iter().any(|row| row.len() != n) {
         return None;
     }
     let of = |quake: usize, fate: Fate| fates.iter().filter(|row| row[quake] == fate).count();
@@ -56,16 +56,14 @@ pub fn losses(fates: &[Vec<Fate>], volumes: &[f64]) -> Option<Losses> {
     for k in 1..=fates.len() {
         let lost = ranges.iter().filter(|[least, _]| *least >= k).count();
         let safe = ranges.iter().filter(|[_, most]| *most < k).count();
-        at_least.push(share(lost, lost + safe)?);
+        at_least.push(share(lost, lost + safe));
         at_least_bounds.push([share(lost, n)?, share(n - safe, n)?]);
     }
-    let (mut shares, mut mean_volume, mut mean_volume_bounds) = (Vec::new(), 0.0, [0.0; 2]);
+    let (mut shares, mut mean_volume_bounds) = (Vec::new(), [0.0; 2]);
     for (row, volume) in fates.iter().zip(volumes) {
         let count = |fate: Fate| row.iter().filter(|f| **f == fate).count();
         let (lost, open) = (count(Some(true)), count(None));
-        let p = share(lost, n - open)?;
-        shares.push(p);
-        mean_volume += volume * p;
+        shares.push(share(lost, n - open));
         mean_volume_bounds[0] += volume * share(lost, n)?;
         mean_volume_bounds[1] += volume * share(lost + open, n)?;
     }
@@ -73,12 +71,15 @@ pub fn losses(fates: &[Vec<Fate>], volumes: &[f64]) -> Option<Losses> {
         let lost = fates.iter().zip(volumes).filter(|(row, _)| row[quake] == Some(true));
         lost.fold(0.0, |sum, (_, v)| sum + v)
     };
+    // Of every tank, or of none.
+    let shares: Option<Vec<f64>> = shares.into_iter().collect();
+    let mean = |shares: &Vec<f64>| shares.iter().zip(volumes).fold(0.0, |sum, (p, v)| sum + p * v);
     Some(Losses {
         whole: ranges.iter().filter(|[least, most]| least == most).count(),
         at_least,
         at_least_bounds,
-        at_least_independent: independent(&shares),
-        mean_volume,
+        at_least_independent: shares.as_deref().map(independent),
+        mean_volume: shares.as_ref().map(mean),
         mean_volume_bounds,
         largest_volume: (0..n).map(volume).fold(0.0, f64::max),
     })
@@ -109,9 +110,9 @@ mod tests {
     fn what_the_same_earthquakes_do() {
         let row: Vec<Fate> = [true, true, false, false].map(Some).into();
         let found = losses(&[row.clone(), row], &[100.0, 50.0]).unwrap();
-        assert_eq!(found.at_least, [0.5, 0.5]);
-        assert_eq!(found.at_least_independent, [0.75, 0.25]);
-        assert_eq!((found.mean_volume, found.largest_volume), (75.0, 150.0));
+        assert_eq!(found.at_least, [Some(0.5); 2]);
+        assert_eq!(found.at_least_independent, Some(vec![0.75, 0.25]));
+        assert_eq!((found.mean_volume, found.largest_volume), (Some(75.0), 150.0));
         assert_eq!(found.at_least_bounds, [[0.5; 2]; 2]);
         assert_eq!((found.whole, found.mean_volume_bounds), (4, [75.0; 2]));
     }
@@ -123,17 +124,21 @@ mod tests {
         let first = vec![Some(false), Some(true), Some(true), None];
         let second = vec![Some(false), None, Some(true), None];
         let found = losses(&[first, second], &[90.0, 40.0]).unwrap();
-        assert_eq!(found.at_least, [2.0 / 3.0, 0.5]);
+        assert_eq!(found.at_least, [Some(2.0 / 3.0), Some(0.5)]);
         assert_eq!(found.at_least_bounds, [[0.5, 0.75], [0.25, 0.75]]);
         assert_eq!((found.whole, found.largest_volume), (2, 130.0));
-        assert!((found.mean_volume - 80.0).abs() < 1e-12);
+        assert!((found.mean_volume.unwrap() - 80.0).abs() < 1e-12);
         assert_eq!(found.mean_volume_bounds, [45.0 + 10.0, 67.5 + 30.0]);
     }
 
-    /// A tank that no earthquake knows leaves nothing to say.
+    /// A tank that no earthquake knows has no share; another one that is lost decides one or more.
     #[test]
     fn a_tank_that_is_never_known_has_no_share() {
-        assert_eq!(losses(&[vec![Some(true)], vec![None]], &[1.0, 1.0]), None);
+        let found = losses(&[vec![Some(true)], vec![None]], &[3.0, 1.0]).unwrap();
+        assert_eq!(found.at_least, [Some(1.0), None]);
+        assert_eq!(found.at_least_bounds, [[1.0, 1.0], [0.0, 1.0]]);
+        assert_eq!((found.at_least_independent, found.mean_volume), (None, None));
+        assert_eq!(found.mean_volume_bounds, [3.0, 4.0]);
     }
 
     /// Equal shares are the binomial distribution: P(at least 2 of 4), p = 0.3, is 0.3483.

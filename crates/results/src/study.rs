@@ -163,14 +163,14 @@ pub struct StudyLoss {
     pub earthquakes: usize,
     /// Earthquakes in which a tank was not judged, or that are missing.
     pub not_judged: usize,
-    /// P(at least k tanks), k = 1, 2, …
-    pub at_least: Vec<f64>,
+    /// P(at least k tanks), k = 1, 2, …; none where no earthquake decides it.
+    pub at_least: Vec<Option<f64>>,
     /// Bounds of P(at least one tank), and of the mean volume [m³], where tanks or earthquakes are missing.
     pub bounds: Option<[[f64; 2]; 2]>,
-    /// The same of independent tanks.
-    pub independent: Vec<f64>,
-    /// Mean and largest volume [m³].
-    pub volume: [f64; 2],
+    /// The same of independent tanks; empty where a tank is judged in no earthquake.
+    pub independent: Vec<Option<f64>>,
+    /// Mean and largest volume [m³]; no mean where a tank is judged in no earthquake.
+    pub volume: [Option<f64>; 2],
 }
 
 /// A record of a study.

@@ -169,9 +169,9 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
     let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
     for (i, &k) in shown.iter().enumerate() {
-        let of = |values: fn(&results::StudyLoss) -> &Vec<f64>| -> Vec<(f64, f64)> {
-            let at = |l: &results::StudyLoss| (l.im, values(l).get(k - 1).copied().unwrap_or(0.0));
-            losses.iter().map(at).collect()
+        let of = |values: fn(&results::StudyLoss) -> &Vec<Option<f64>>| -> Vec<(f64, f64)> {
+            let at = |l: &results::StudyLoss| Some((l.im, values(l).get(k - 1).copied().flatten()?));
+            losses.iter().filter_map(at).collect()
         };
         chart.lines.push(Line {
             points: of(|l| &l.at_least),
@@ -195,7 +195,8 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
         let mut row = vec![scale.text(loss.im)];
         for &k in &shown {
             for values in [&loss.at_least, &loss.independent] {
-                row.push(values.get(k - 1).map_or_else(|| "–".into(), |p| percent(*p)));
+                let value = values.get(k - 1).copied().flatten();
+                row.push(value.map_or_else(|| "–".into(), percent));
             }
         }
         table.row(row);
@@ -218,13 +219,13 @@ fn volume(study: &Study) -> Result<Figure, Error> {
     let y = Axis::linear(
         words::VOLUME_AXIS,
         Dimension::Dimensionless,
-        losses.iter().flat_map(|l| l.volume).chain([0.0]),
+        losses.iter().flat_map(|l| l.volume).flatten().chain([0.0]),
         5,
     );
     let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), y);
     for (i, label) in words::VOLUMES.into_iter().enumerate() {
         chart.lines.push(Line {
-            points: losses.iter().map(|l| (l.im, l.volume[i])).collect(),
+            points: losses.iter().filter_map(|l| Some((l.im, l.volume[i]?))).collect(),
             class: ["k-s1", "k-s3"][i].into(),
             label: label.into(),
         });
@@ -235,12 +236,9 @@ fn volume(study: &Study) -> Result<Figure, Error> {
         Column::numbers(words::VOLUMES[0], "m³"),
         Column::numbers(words::VOLUMES[1], "m³"),
     ]);
+    let known = |volume: Option<f64>| volume.map_or_else(|| "–".into(), |v| fixed(v, 0));
     for loss in losses {
-        table.row(vec![
-            scale.text(loss.im),
-            fixed(loss.volume[0], 0),
-            fixed(loss.volume[1], 0),
-        ]);
+        table.row(vec![scale.text(loss.im), known(loss.volume[0]), known(loss.volume[1])]);
     }
     let chart = chart.with_plot_height(PLOT);
     Ok(Figure {

@@ -215,8 +215,10 @@ pub(super) fn losses(study: &Study) -> Table {
     }
     columns.push(Column::numbers(heads::LARGEST_VOLUME, "m³"));
     let mut table = Table::new(columns);
+    let volume = |v: f64| fixed(v, 0);
     for loss in &study.losses {
-        let first = |values: &Vec<f64>| values.first().map_or_else(|| NONE.into(), |p| percent(*p));
+        let first = |values: &Vec<Option<f64>>| values.first().copied().flatten().map_or_else(|| NONE.into(), percent);
+        let known = |v: Option<f64>| v.map_or_else(|| NONE.into(), &volume);
         let bounds = |which: usize, text: &dyn Fn(f64) -> String| {
             bounded.then(|| {
                 loss.bounds.map_or_else(
@@ -225,14 +227,13 @@ pub(super) fn losses(study: &Study) -> Table {
                 )
             })
         };
-        let volume = |v: f64| fixed(v, 0);
         let mut row = vec![scale.text(loss.im), count(loss.earthquakes)];
         row.extend(bounded.then(|| count(loss.not_judged)));
         row.push(first(&loss.at_least));
         row.extend(bounds(0, &percent));
-        row.extend([first(&loss.independent), volume(loss.volume[0])]);
+        row.extend([first(&loss.independent), known(loss.volume[0])]);
         row.extend(bounds(1, &volume));
-        row.push(volume(loss.volume[1]));
+        row.push(known(loss.volume[1]));
         table.row(row);
     }
     table
@@ -332,15 +333,15 @@ pub(super) fn faults(study: &Study) -> Table {
 /// What was not checked and why, a demand a row.
 pub(super) fn gaps(study: &Study) -> Table {
     let mut table = Table::new(vec![
-        Column::words(heads::DEMAND),
         Column::words(heads::TANKS),
+        Column::words(heads::DEMAND),
         Column::numbers(heads::ROWS, ""),
         Column::words(heads::WHY),
     ]);
     for gap in study.gaps.iter().take(FAULTS) {
         table.row(vec![
-            words::id(&gap.demand),
             words::basis::tanks(study, gap),
+            words::id(&gap.demand),
             count(gap.rows),
             gap.reason.clone(),
         ]);

@@ -93,10 +93,10 @@ fn study() -> Study {
             im: 2.0,
             earthquakes: 7,
             not_judged: 0,
-            at_least: vec![0.3, 0.1, 0.0],
+            at_least: vec![Some(0.3), Some(0.1), Some(0.0)],
             bounds: None,
-            independent: vec![0.35, 0.05, 0.0],
-            volume: [150.0, 500.0],
+            independent: vec![Some(0.35), Some(0.05), Some(0.0)],
+            volume: [Some(150.0), Some(500.0)],
         }],
         no_losses: None,
         records: vec![StudyRecord {

@@ -22,7 +22,7 @@ pub fn method(study: &Study) -> String {
         }
         "capacities" => {
             "from the intensity at which each record first reaches the state, between two levels linear in logarithms (incremental dynamic \
-                         analysis); where records do not reach it, with the truncated likelihood (Baker 2015)"
+                         analysis); where records do not reach it, or reach it at their lowest intensity, with the truncated likelihood (Baker 2015)"
         }
         _ => "from the number of runs in the state at each intensity, by maximum likelihood (Baker 2015)",
     };
