@@ -123,7 +123,7 @@ fn no_farm(plan: &Plan) -> Option<&'static str> {
 }
 
 /// A function of every item, on all cores; results in the order of the items.
-fn beside_each_other<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
+pub(super) fn beside_each_other<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
     let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
     let share = items.len().div_ceil(cores).max(1);
     std::thread::scope(|scope| {

@@ -12,6 +12,7 @@ use std::path::Path;
 use fem::progress::Progress;
 use tank::Quantity;
 
+use super::curves::beside_each_other;
 use super::damage::{Gathered, Judged, Worst, judged};
 use super::page::{Tanks, page};
 use super::plan::{Plan, Task};
@@ -100,15 +101,31 @@ pub fn merge(
     };
     let mut hash = Rolling::new();
     let mut text = head(&all.columns.values, &all.columns.checks);
-    for task in tasks {
-        for line in store::read(folder, &task.key)?.unwrap_or_default() {
-            all.line(&line, &mut text);
+    std::thread::scope(|scope| {
+        // The next result is read while this one is written. A merge that fails takes no more, which ends the reader.
+        let (send, results) = std::sync::mpsc::sync_channel(1);
+        scope.spawn(move || {
+            for task in tasks {
+                if send.send(store::read(folder, &task.key)).is_err() {
+                    return;
+                }
+            }
+        });
+        for lines in results {
+            for line in lines?.unwrap_or_default() {
+                all.line(&line, &mut text);
+            }
+            hash.add(text.as_bytes());
+            out.write_all(text.as_bytes()).map_err(unwritten)?;
+            text.clear();
+            progress.advance(1);
         }
-        hash.add(text.as_bytes());
-        out.write_all(text.as_bytes()).map_err(unwritten)?;
-        text.clear();
-        progress.advance(1);
-    }
+        Ok::<(), Error>(())
+    })
+    .inspect_err(|_| {
+        // It may be gone already; the error says more.
+        let _ = std::fs::remove_file(&part);
+    })?;
     let file = out.into_inner().map_err(|e| unwritten(e.into_error()))?;
     file.sync_all().map_err(unwritten)?;
     drop(file);
@@ -128,10 +145,39 @@ struct Columns {
     judged: Judged,
 }
 
+impl Columns {
+    fn with(mut self, other: Columns) -> Columns {
+        self.values.extend(other.values);
+        self.checks.extend(other.checks);
+        self.tanks.extend(other.tanks);
+        for (tank, demands) in other.judged {
+            self.judged.entry(tank).or_default().extend(demands);
+        }
+        self
+    }
+}
+
+/// Columns of a part of the tasks, and the tasks of it without a result.
+type Part<'a> = (Columns, Vec<&'a Task>);
+
 /// Reads all results once: their columns, and the tasks without one.
-fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<(Columns, Vec<&'a Task>), Error> {
-    let mut columns = Columns::default();
-    let mut missing: Vec<&Task> = Vec::new();
+fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<Part<'a>, Error> {
+    let part = |tasks: &&'a [Task]| vec![survey_part(folder, tasks, progress)];
+    let parts: Vec<&[Task]> = tasks.chunks(SURVEYED).collect();
+    let mut found = Part::default();
+    for part in beside_each_other(&parts, part) {
+        let (columns, missing) = part?;
+        found.0 = found.0.with(columns);
+        found.1.extend(missing);
+    }
+    Ok(found)
+}
+
+/// Tasks that one core surveys at a time.
+const SURVEYED: usize = 16;
+
+fn survey_part<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<Part<'a>, Error> {
+    let (mut columns, mut missing) = Part::default();
     for task in tasks {
         match store::read(folder, &task.key)? {
             None => missing.push(task),
@@ -210,7 +256,11 @@ impl Gathering<'_> {
     }
 }
 
-fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {
+fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String> + Clone) {
+    // Most rows have the keys of those before.
+    if keys.clone().eq(set.iter()) {
+        return;
+    }
     for key in keys {
         if !set.contains(key) {
             set.insert(key.clone());
@@ -291,18 +341,11 @@ fn csv_row(text: &mut String, row: &Row, values: &BTreeSet<String>, checks: &BTr
     };
     let _ = write!(text, ",{beyond},{},", row.status.word());
     number(text, row.time);
-    for key in values {
-        text.push(',');
-        number(text, row.values.get(key).copied());
-    }
-    for key in checks {
-        text.push(',');
-        match row.checks.get(key) {
-            Some(Ending::Utilisation(value)) => number(text, Some(*value)),
-            Some(Ending::Word(word)) => text.push_str(word),
-            None => {}
-        }
-    }
+    cells(text, values, &row.values, |text, value| number(text, Some(*value)));
+    cells(text, checks, &row.checks, |text, ending| match ending {
+        Ending::Utilisation(value) => number(text, Some(*value)),
+        Ending::Word(word) => text.push_str(word),
+    });
     text.push(',');
     cell(text, row.message.as_deref().unwrap_or_default());
     text.push('\n');
@@ -333,10 +376,7 @@ fn csv_tank(text: &mut String, tank: &TankRow, values: &BTreeSet<String>) {
         text.push(',');
         number(text, value);
     }
-    for key in values {
-        text.push(',');
-        number(text, tank.values.get(key).copied());
-    }
+    cells(text, values, &tank.values, |text, value| number(text, Some(*value)));
     text.push(',');
     cell(text, tank.message.as_deref().unwrap_or_default());
     text.push('\n');
@@ -361,6 +401,17 @@ fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
         text.push('\n');
     }
     text
+}
+
+/// Cells of the columns, those that a row has not empty. The columns have all keys of every row; both are sorted.
+fn cells<V>(text: &mut String, columns: &BTreeSet<String>, row: &BTreeMap<String, V>, write: impl Fn(&mut String, &V)) {
+    let mut own = row.iter().peekable();
+    for column in columns {
+        text.push(',');
+        if let Some((_, value)) = own.next_if(|(key, _)| *key == column) {
+            write(text, value);
+        }
+    }
 }
 
 fn cell(text: &mut String, value: &str) {

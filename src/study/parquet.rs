@@ -19,7 +19,7 @@ use parquet::schema::types::Type;
 use crate::error::Error;
 
 /// Name of the file.
-pub const FILE: &str = "rows.parquet";
+pub(super) const FILE: &str = "rows.parquet";
 
 /// Columns of words, whatever stands in them: a tank may be called 101.
 const WORDS: [&str; 4] = ["tank", "record", "status", "message"];
@@ -168,7 +168,7 @@ fn write_file(table: &Path, part: &Path) -> Result<(), Fault> {
 /// Writes `rows.parquet` beside `rows.csv`, through a temporary name.
 ///
 /// Errors: a table that cannot be read, a file that cannot be written.
-pub fn write(table: &Path, file: &Path) -> Result<(), Error> {
+pub(super) fn write(table: &Path, file: &Path) -> Result<(), Error> {
     let part = file.with_extension(format!("parquet{}", files::PART));
     let written = write_file(table, &part).and_then(|()| Ok(std::fs::rename(&part, file)?));
     written.map_err(|fault| {

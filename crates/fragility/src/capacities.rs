@@ -10,7 +10,7 @@
 //! concave in δ and γ (Olsen 1978).
 
 use crate::newton::{self, Local};
-use crate::normal::{hazard, ln_cdf};
+use crate::normal::ln_cdf_and_slope;
 use crate::{Fit, Lognormal, NotIdentifiable};
 
 /// The curve of complete capacities: n ≥ 2, not all equal.
@@ -107,9 +107,9 @@ pub fn fit_censored(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Result
         }
         for &(end, sign) in &tails {
             let u = sign * (delta - gamma * end);
-            let slope = hazard(u);
+            let (tail, slope) = ln_cdf_and_slope(u);
             let curvature = -slope * (slope + u);
-            value += ln_cdf(u);
+            value += tail;
             gradient[0] += sign * slope;
             gradient[1] -= sign * slope * end;
             hessian[0] += curvature;

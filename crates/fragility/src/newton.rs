@@ -6,6 +6,9 @@ pub(crate) type Local = (f64, [f64; 2], [f64; 3]);
 /// Most steps; concave likelihoods need fewer than twenty.
 const STEPS: usize = 200;
 
+/// Gain of a step over the value below which Newton's method has begun to double its digits.
+const NEAR: f64 = 1e-10;
+
 /// The place of the largest value; none if it is not found.
 pub(crate) fn maximum(start: [f64; 2], function: impl Fn([f64; 2]) -> Local) -> Option<[f64; 2]> {
     let mut at = start;
@@ -20,11 +23,13 @@ pub(crate) fn maximum(start: [f64; 2], function: impl Fn([f64; 2]) -> Local) -> 
             -(d * g[0] - b * g[1]) / determinant,
             -(a * g[1] - b * g[0]) / determinant,
         ];
+        // Twice what the step gains. Near the maximum a whole step is right, and rounding would halve it in vain.
+        let near = step[0] * g[0] + step[1] * g[1] < NEAR * (1.0 + value.abs());
         let mut share = 1.0;
         let next = loop {
             let place = [at[0] + share * step[0], at[1] + share * step[1]];
             let found = function(place);
-            if found.0 >= value || share < 1e-12 {
+            if near || found.0 >= value || share < 1e-12 {
                 break (place, found);
             }
             share *= 0.5;

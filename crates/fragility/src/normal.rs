@@ -31,9 +31,12 @@ pub fn ln_cdf(x: f64) -> f64 {
     -0.5 * x * x - (-x * (2.0 * PI).sqrt()).ln() + (1.0 - s * (1.0 - 3.0 * s * (1.0 - 5.0 * s))).ln()
 }
 
-/// φ(x)/Φ(x), the slope of ln Φ.
-pub fn hazard(x: f64) -> f64 {
-    (-0.5 * x * x - 0.5 * (2.0 * PI).ln() - ln_cdf(x)).exp()
+/// ln Φ(x), and its slope φ(x)/Φ(x).
+pub fn ln_cdf_and_slope(x: f64) -> (f64, f64) {
+    /// ln(2π)/2.
+    const HALF_LN_2_PI: f64 = 0.918_938_533_204_672_8;
+    let tail = ln_cdf(x);
+    (tail, (-0.5 * x * x - HALF_LN_2_PI - tail).exp())
 }
 
 #[cfg(test)]
@@ -51,6 +54,8 @@ mod tests {
         assert!((ln_cdf(-40.0) + 804.608_442).abs() < 1e-5);
         // Both branches meet.
         assert!((ln_cdf(-30.0) - ln_cdf(-29.999_999_9)).abs() < 1e-4);
-        assert!((hazard(-40.0) - 40.0).abs() < 0.03);
+        assert!((ln_cdf_and_slope(-40.0).1 - 40.0).abs() < 0.03);
+        // φ(1)/Φ(1) of the same table.
+        assert!((ln_cdf_and_slope(1.0).1 - 0.241_970_724_519_143 / 0.841_344_746_068_543).abs() < 1e-14);
     }
 }

@@ -12,7 +12,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::newton::{self, Local};
-use crate::normal::{hazard, ln_cdf};
+use crate::normal::{ln_cdf, ln_cdf_and_slope};
 use crate::{Fit, Lognormal, NotIdentifiable};
 
 /// Runs at one intensity.
@@ -94,22 +94,26 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
     // Centred, so that the two unknowns are nearly independent.
     let total: f64 = stripes.iter().map(|s| s.n).sum();
     let centre = stripes.iter().map(|s| s.n * s.im.ln()).sum::<f64>() / total;
+    // Intensity, runs, and the sign of u.
+    let counts: Vec<(f64, f64, f64)> = stripes
+        .iter()
+        .flat_map(|stripe| {
+            let x = stripe.im.ln() - centre;
+            [(x, stripe.exceed, 1.0), (x, stripe.n - stripe.exceed, -1.0)]
+        })
+        .filter(|(_, count, _)| *count > 0.0)
+        .collect();
     let likelihood = |[a, b]: [f64; 2]| -> Local {
         let (mut value, mut g, mut h) = (0.0, [0.0; 2], [0.0; 3]);
-        for stripe in stripes {
-            let x = stripe.im.ln() - centre;
-            for (count, sign) in [(stripe.exceed, 1.0), (stripe.n - stripe.exceed, -1.0)] {
-                if count > 0.0 {
-                    let u = sign * (a + b * x);
-                    let slope = hazard(u);
-                    let curvature = -slope * (slope + u);
-                    value += count * ln_cdf(u);
-                    let d = count * sign * slope;
-                    g = [g[0] + d, g[1] + d * x];
-                    let c = count * curvature;
-                    h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
-                }
-            }
+        for &(x, count, sign) in &counts {
+            let u = sign * (a + b * x);
+            let (tail, slope) = ln_cdf_and_slope(u);
+            let curvature = -slope * (slope + u);
+            value += count * tail;
+            let d = count * sign * slope;
+            g = [g[0] + d, g[1] + d * x];
+            let c = count * curvature;
+            h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
         }
         (value, g, h)
     };
