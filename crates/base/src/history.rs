@@ -106,6 +106,29 @@ pub struct History {
     pub balance: f64,
 }
 
+impl History {
+    /// Empty, with room for a run.
+    fn of(run: &Run<'_>) -> History {
+        let room = |kept: bool| Vec::with_capacity(if kept { run.ground.len() } else { 0 });
+        let (heave, ring) = (run.heave.is_some(), run.ring.is_some());
+        History {
+            rotation: room(true),
+            rotational_acceleration: room(true),
+            slip: room(true),
+            acceleration: room(true),
+            pressure: room(true),
+            moment: room(true),
+            resistance: room(true),
+            shear: room(true),
+            centre: room(heave),
+            pull: room(ring),
+            anchor_force: room(ring),
+            anchor_place: Vec::with_capacity(if ring { run.ground.len() } else { 0 }),
+            ..History::default()
+        }
+    }
+}
+
 /// Energies [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
@@ -196,7 +219,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         dashed: 0.0,
         slides: false,
     };
-    let mut history = History::default();
+    let mut history = History::of(run);
     let mut sums = Energy::default();
     let (mut largest, mut off) = (0.0_f64, 0.0_f64);
     let mut before = Rates::default();

@@ -274,6 +274,24 @@ fn review(model: &Model) -> Result<Vec<String>, FeError> {
     Ok(notes)
 }
 
+/// The analysis of a model, and its demands beside it on a second core: they share modes and motion alone.
+///
+/// Errors: a response that is not finite.
+fn beside_demands<'a>(
+    case: &Case,
+    model: &'a Model,
+    motion: &GroundMotion,
+    (options, extent): (&Options, Extent),
+) -> Result<(Analysis<'a>, Demands), FeError> {
+    let kept = model.kept(options.wave_modes);
+    std::thread::scope(|scope| {
+        let demands = scope.spawn(|| demands::demands(case, model, &kept, motion));
+        let analysis = analyse_on(model, motion, (options, extent), &Silent);
+        let demands = demands.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        Ok((analysis?, demands?))
+    })
+}
+
 /// Everything that is reported of a finished analysis.
 ///
 /// Errors: a response that is not finite.
@@ -324,9 +342,12 @@ fn report(
     let driven = isolated
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
-    let mut analysis = match &moving {
-        Some(moving) => analyse_on(moving, &driven, (options, linear.extent), &Silent)?,
-        None => analysis,
+    let (mut analysis, mut demands) = match &moving {
+        Some(moving) => beside_demands(case, moving, &driven, (options, linear.extent))?,
+        None => {
+            let demands = demands::demands(case, model, &analysis.kept, &driven)?;
+            (analysis, demands)
+        }
     };
     // What is observed, on the moving base where it moves.
     let seen = moving.as_ref().unwrap_or(model);
@@ -339,12 +360,12 @@ fn report(
         rocking::of_base(&found.result.quantities, &mut values);
     }
     free.rest(&mut values);
+    demands.wave = demands::wave(&analysis);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
-    let mut demands = demands::demands(case, seen, &analysis, &driven)?;
     if let Some(found) = &mut isolated {
         found.complete(&analysis, &values, &held, &demands);
         notes.extend(found.notes());

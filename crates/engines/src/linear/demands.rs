@@ -65,13 +65,15 @@ impl<'a> Wanted<'a> {
     }
 }
 
-/// The demands of a finished analysis.
+/// The demands of a run, without its wave.
+///
+/// * `kept`: the modes that count, system by system
 ///
 /// Errors: a response that is not finite.
 pub(crate) fn demands(
     case: &Case,
     model: &Model,
-    analysis: &Analysis<'_>,
+    kept: &[Vec<&CoupledMode>],
     motion: &GroundMotion,
 ) -> Result<Demands, FeError> {
     // Direct integration may have a finer grid; the modal one serves here.
@@ -90,7 +92,7 @@ pub(crate) fn demands(
     let slots = places(case, model, &mut wanted);
     let of = |record| {
         let records = (record, motion.vertical.as_ref());
-        combine(model, &analysis.kept, records, (grid, stride), &wanted.observables)
+        combine(model, kept, records, (grid, stride), &wanted.observables)
     };
     let Combined { states, terms } = of(&motion.horizontal)?;
     // The walls of a box along y are others: its part along y is added by `across`.
@@ -119,7 +121,7 @@ pub(crate) fn demands(
         times: (0..=grid.steps()).step_by(stride).map(|i| grid.time(i)).collect(),
         angles: Angles::All,
         places: slots.iter().map(place).collect(),
-        wave: wave(analysis),
+        wave: None,
         base_shear: shear.map(take),
         overturning_moment: below.map(take),
         vertical: vertical.map(take),
@@ -271,7 +273,7 @@ fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
 }
 
 /// Largest rise of the surface at the wall, between the samples as well.
-fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
+pub(super) fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
     let rise = |side: Side| {
         let found = analysis
             .scalars

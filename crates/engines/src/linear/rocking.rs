@@ -9,6 +9,7 @@ mod body;
 mod floor;
 mod lifted;
 mod outcome;
+mod peaks;
 mod search;
 #[cfg(test)]
 mod tests;

@@ -50,7 +50,7 @@ fn run(vertical: bool) -> Run {
         (history.values.clone(), history.extreme.peak().0)
     };
     Run {
-        demands: demands(&case, &model, &analysis, &motion).unwrap(),
+        demands: demands(&case, &model, &analysis.kept, &motion).unwrap(),
         hoop: line(OnWall::Hoop),
         axial: line(OnWall::Axial),
         shear: series(Channel::BaseShear),

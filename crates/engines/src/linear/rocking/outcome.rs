@@ -12,6 +12,7 @@ use results::{
 use tank::units::Dimension;
 
 use super::floor::{Floor, Now, every};
+use super::peaks::{Peaks, largest, turns};
 use super::search::{Found, Setup};
 use super::words;
 use crate::rainflow;
@@ -58,17 +59,6 @@ pub(crate) struct Moved {
     pub states: Option<Snapshots>,
 }
 
-/// Largest |value| with its time step.
-fn largest(values: impl IntoIterator<Item = f64>) -> (f64, usize) {
-    let mut found = (0.0, 0);
-    for (i, value) in values.into_iter().enumerate() {
-        if value.abs() > f64::abs(found.0) {
-            found = (value, i);
-        }
-    }
-    found
-}
-
 /// States of the base, step by step.
 struct States {
     turns: Vec<Turn>,
@@ -81,15 +71,7 @@ struct States {
 }
 
 fn states(base: &Base, found: &Found, history: &History) -> States {
-    let places = history.rotation.iter().zip(&history.pressure).enumerate();
-    let turn = |(i, (psi, suction)): (usize, (&f64, &f64))| match (&found.laws.ring, history.pull.get(i)) {
-        (Some(ring), Some(pull)) => ring.turn(*psi, *suction, *pull),
-        _ => match history.centre.get(i) {
-            Some(centre) => found.laws.rocking.foot((*psi, *centre), history.moment[i], *suction),
-            None => found.laws.law.turn(*psi, *suction),
-        },
-    };
-    let turns: Vec<Turn> = places.map(turn).collect();
+    let turns: Vec<Turn> = turns(&found.laws, history).collect();
     // Of the anchor that pulls most, per length of the rim: it stands where the wall is lifted.
     let count = found.laws.ring.as_ref().map_or(0.0, |ring| ring.anchors().count as f64);
     let per_length = count / (std::f64::consts::TAU * base.radius);
@@ -121,42 +103,11 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
     }
 }
 
-/// Largest values.
-struct Peaks {
-    uplift: (f64, usize),
-    rotation: (f64, usize),
-    plastic: f64,
-    toe: (f64, usize),
-    slip: (f64, usize),
-    anchor: (f64, usize),
-    shear: (f64, usize),
-    moment: (f64, usize),
-}
-
-fn peaks(states: &States, found: &Found, history: &History) -> Peaks {
-    let mut uplift = (0.0, 0);
-    for (i, turn) in states.turns.iter().enumerate() {
-        if turn.uplift > uplift.0 {
-            uplift = (turn.uplift, i);
-        }
-    }
-    Peaks {
-        plastic: found.laws.rocking.curve().at(uplift.0).plastic_rotation,
-        uplift,
-        rotation: largest(history.rotation.iter().copied()),
-        toe: largest(states.toe.iter().copied()),
-        slip: largest(history.slip.iter().copied()),
-        anchor: largest(history.anchor_force.iter().copied()),
-        shear: largest(history.shear.iter().copied()),
-        moment: largest(history.moment.iter().copied()),
-    }
-}
-
 /// Largest values on another ground.
 pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
-    let peaks = peaks(&states(base, found, &found.history), found, &found.history);
+    let peaks = Peaks::of(base, turns(&found.laws, &found.history), &found.laws, &found.history);
     BaseBand {
-        spread: spread(base, found, &peaks),
+        spread: spread(found, &peaks),
         modulus: base.modulus,
         uplift: peaks.uplift.0,
         base_rotation: peaks.rotation.0.abs(),
@@ -168,7 +119,7 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
 }
 
 /// Extremes of the run and its twins; none without them.
-fn spread(base: &Base, found: &Found, own: &Peaks) -> Option<BaseSpread> {
+fn spread(found: &Found, own: &Peaks) -> Option<BaseSpread> {
     if found.twins.is_empty() {
         return None;
     }
@@ -183,8 +134,7 @@ fn spread(base: &Base, found: &Found, own: &Peaks) -> Option<BaseSpread> {
     };
     let mut ranges = values(own).map(|v| [v; 2]);
     for twin in &found.twins {
-        let peaks = peaks(&states(base, found, twin), found, twin);
-        for (range, value) in ranges.iter_mut().zip(values(&peaks)) {
+        for (range, value) in ranges.iter_mut().zip(values(twin)) {
             *range = [range[0].min(value), range[1].max(value)];
         }
     }
@@ -210,7 +160,7 @@ pub(super) fn moved(
 ) -> Moved {
     let history = &found.history;
     let states = states(base, &found, history);
-    let peaks = peaks(&states, &found, history);
+    let peaks = Peaks::of(base, states.turns.iter().copied(), &found.laws, history);
     let energy = history.energy;
     let (peak, radius) = (peaks.rotation.1, base.radius);
     let lifted_at = peaks.uplift.1;
@@ -245,7 +195,7 @@ pub(super) fn moved(
         },
         band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
         missed: grounds.into_iter().filter_map(Result::err).collect(),
-        spread: spread(base, &found, &peaks),
+        spread: spread(&found, &peaks),
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);
@@ -287,7 +237,7 @@ pub(super) fn moved(
         result,
         march: [
             peaks.shear.0.abs(),
-            largest(found.history.resistance.iter().copied()).0.abs(),
+            largest(&found.history.resistance).0.abs(),
         ],
         foot: states.foot,
         yields: base.yields(),
@@ -478,7 +428,7 @@ fn cycles(setup: &Setup, found: &Found, peak: usize) -> Vec<[f64; 2]> {
 /// Histories at the steps of the record.
 fn columns(setup: &Setup, states: &States, found: &Found) -> Vec<(SeriesInfo, Vec<f64>)> {
     let column = |channel: Channel, values: &[f64]| {
-        let (peak, at) = largest(values.iter().copied());
+        let (peak, at) = largest(values);
         let info = SeriesInfo::of(channel, 0.0, (peak.abs(), at as f64 * setup.step));
         (info, values.iter().step_by(setup.sub_steps).copied().collect())
     };

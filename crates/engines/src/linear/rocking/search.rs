@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use super::peaks::{Peaks, turns};
 use ::base::history::{Body, Friction, History, Run, march};
 use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil};
 use results::BaseSpread;
@@ -160,15 +161,15 @@ pub(super) struct Found {
     pub settled: f64,
     pub dashpot: f64,
     pub history: History,
-    /// The same with a motion that is weaker, one that is stronger, and half the step; none of a run that is not thorough.
-    pub twins: Vec<History>,
+    /// Largest values with a motion that is weaker, one that is stronger, and half the step; none of a run that is not thorough.
+    pub twins: Vec<Peaks>,
 }
 
 impl Found {
-    fn with_twins(self, setup: &Setup) -> Result<Found, Missed> {
+    fn with_twins(self, setup: &Setup, base: &Base) -> Result<Found, Missed> {
         let twins = match setup.thorough {
             true => twins(
-                setup,
+                (setup, base),
                 &self.laws,
                 (self.hysteretic, self.dashpot),
                 self.history.rotation.len(),
@@ -317,13 +318,13 @@ pub(super) fn one(
     })
 }
 
-/// The run over `steps` with a motion that is weaker, one that is stronger, and half the step.
+/// Largest values of the run over `steps` with a motion that is weaker, one that is stronger, and half the step.
 fn twins(
-    setup: &Setup,
+    (setup, base): (&Setup, &Base),
     laws: &Laws,
     (hysteretic, dashpot): (f64, f64),
     steps: usize,
-) -> Result<[History; 3], BaseError> {
+) -> Result<[Peaks; 3], BaseError> {
     let ground = &setup.ground[..steps.min(setup.ground.len())];
     let scaled = |factor: f64| ground.iter().map(|a| factor * a).collect::<Vec<f64>>();
     let mut halved = setup.friction.clone();
@@ -331,7 +332,7 @@ fn twins(
         friction.vertical = between(&friction.vertical);
     }
     let run = |ground: &[f64], step: f64, friction: &Option<Friction>| {
-        march(&Run {
+        let history = march(&Run {
             body: &setup.body,
             law: Some(&laws.law),
             ring: laws.ring.as_ref(),
@@ -342,7 +343,8 @@ fn twins(
             rigid_pressure: setup.rigid_pressure,
             step,
             ground,
-        })
+        })?;
+        Ok::<_, BaseError>(Peaks::of(base, turns(laws, &history), laws, &history))
     };
     let (run, friction, step) = (&run, &setup.friction, setup.step);
     // The one of half the step takes as long as both others.
@@ -468,7 +470,7 @@ pub(super) fn settle(
     known: (f64, Option<Arc<Laws>>),
     whole: bool,
 ) -> Result<Found, Missed> {
-    covered(setup, base, known, whole)?.with_twins(setup)
+    covered(setup, base, known, whole)?.with_twins(setup, base)
 }
 
 /// The whole run with steps in which its energy closes within [`CLOSED`], as far as [`HALVINGS`] go: on hard ground a landing is short.
@@ -485,7 +487,7 @@ pub(super) fn closed(setup: &Setup, base: &Base, known: (f64, Option<Arc<Laws>>)
         let laws = Arc::clone(&found.laws);
         found = covered(&setup, base, (laws.law.largest(), Some(laws)), true)?;
     }
-    let found = found.with_twins(&setup)?;
+    let found = found.with_twins(&setup, base)?;
     Ok((setup, found))
 }
 
