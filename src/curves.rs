@@ -79,9 +79,12 @@ pub struct Curve {
     /// Runs that could not be judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unjudged: Option<usize>,
-    /// Demands that were not checked.
+    /// Demands of the state and of worse ones that were not checked, at least in some runs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unchecked: Vec<String>,
+    /// Those of them that no run has checked: they take no part.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub never_checked: Vec<String>,
 }
 
 /// Runs at an intensity.
@@ -168,6 +171,7 @@ impl Asked {
             samples: Vec::new(),
             unjudged: None,
             unchecked: Vec::new(),
+            never_checked: Vec::new(),
         }
     }
 

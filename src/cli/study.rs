@@ -269,10 +269,41 @@ fn size(bytes: f64) -> String {
     }
 }
 
+/// How the input of a study departs from its plan.
+enum Departure {
+    /// What changed.
+    Changed(String),
+    /// The first fault of input that was right.
+    Faulty(String),
+}
+
+impl Departure {
+    fn clause(&self) -> String {
+        match self {
+            Departure::Changed(what) => plan::since(what),
+            Departure::Faulty(fault) => format!("the input of the study is faulty since the plan: {fault}"),
+        }
+    }
+
+    fn error(&self) -> Error {
+        match self {
+            Departure::Changed(what) => plan::changed_since(what),
+            Departure::Faulty(_) => Error::input(
+                Code::StudyChanged,
+                format!(
+                    "{}\n  help: mend it, or plan again: `tankcheck study plan` lists all faults",
+                    self.clause()
+                ),
+            ),
+        }
+    }
+}
+
 /// What the input of a study has that its plan has not; none where nothing changed, or the input is not here (results that were taken to another machine),
 /// which is said. Input that was right when the plan was made and is faulty now has changed.
-fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<String> {
+fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<Departure> {
     let compared = study_of(folder, planned.0).and_then(|study| plan::departure(&study, planned, folder));
+    let compared = compared.map(|found| found.map(Departure::Changed));
     compared.unwrap_or_else(|error| {
         let message = error.message();
         let first = message.lines().next().unwrap_or_default();
@@ -281,7 +312,7 @@ fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<St
             // The place stands in the line below.
             let place = message.lines().nth(1).and_then(|line| line.trim().strip_prefix("--> "));
             let place = place.map_or(String::new(), |place| format!(", {place}"));
-            return Some(format!("the input of the study ({first}{place})"));
+            return Some(Departure::Faulty(format!("{first}{place}")));
         }
         if !quiet {
             say!("note: the input of the study is not compared with its plan: {first}");
@@ -292,7 +323,7 @@ fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<St
 
 /// Errors: input that changed since the plan.
 fn unchanged(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Result<(), Error> {
-    departure(folder, planned, quiet).map_or(Ok(()), |what| Err(plan::changed_since(&what)))
+    departure(folder, planned, quiet).map_or(Ok(()), |found| Err(found.error()))
 }
 
 /// The study file of a plan.
@@ -397,7 +428,7 @@ struct Status {
     /// Size of those of this plan.
     bytes_of_plan: u64,
     failures: Vec<store::Failure>,
-    /// Input that changed since the plan.
+    /// Input that changed, or is faulty, since the plan.
     changed: Option<String>,
 }
 
@@ -417,7 +448,7 @@ fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         rows: plan.rows,
         rows_done: 0,
         failures: Vec::new(),
-        changed: departure(&args.folder, (&plan, &tasks), global.quiet),
+        changed: departure(&args.folder, (&plan, &tasks), global.quiet).map(|found| found.clause()),
     };
     for task in &tasks {
         found.running += usize::from(survey.here.contains(&task.key));
@@ -486,8 +517,11 @@ fn human(plan: &Plan, found: &Status) -> String {
         ),
     };
     let _ = writeln!(said, "  disk     {:>9}  {remark}", size(found.bytes as f64));
-    if let Some(what) = &found.changed {
-        let _ = writeln!(said, "  {}: `study run` and `merge` refuse it", plan::since(what));
+    if let Some(clause) = &found.changed {
+        let _ = writeln!(
+            said,
+            "  {clause}\n  `merge` refuses it, and so do tasks without a result"
+        );
     }
     for failure in found.failures.iter().take(10) {
         let message = text::line(&failure.message);

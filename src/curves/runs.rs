@@ -211,8 +211,9 @@ impl Data {
 
 /// Capacities of every record and sample.
 fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<Vec<Capacity>> {
-    let lowest = records.iter().flatten().map(|run| run.im).fold(f64::INFINITY, f64::min);
-    let (mut stepped, mut below) = (0, Vec::new());
+    let levels: BTreeSet<u64> = records.iter().flatten().map(|run| run.im.to_bits()).collect();
+    let lowest = levels.first().map_or(0.0, |bits| f64::from_bits(*bits));
+    let (mut stepped, mut across, mut below) = (0, 0, Vec::new());
     let mut between: BTreeSet<[u64; 2]> = BTreeSet::new();
     let mut all: Vec<Vec<Capacity>> = Vec::new();
     for runs in records {
@@ -234,7 +235,9 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<Vec<Capa
             }
             let (before, after) = (&runs[first - 1], &runs[first]);
             let at = crossing(before, after);
-            between.insert([before.im, after.im].map(f64::to_bits));
+            let ends = [before.im, after.im].map(f64::to_bits);
+            between.insert(ends);
+            across += usize::from(levels.range(ends[0]..ends[1]).count() > 1);
             stepped += usize::from(at.is_none());
             // Without a demand on both sides the capacity is that below, which errs on the side of damage.
             found.push(Capacity::At(at.unwrap_or(before.im)));
@@ -242,6 +245,23 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<Vec<Capa
         all.push(found);
     }
     notes.extend(not_bracketed(&below, lowest));
+    let beyond = all
+        .iter()
+        .flatten()
+        .filter(|c| matches!(c, Capacity::Beyond(_)))
+        .count();
+    if beyond > 0 {
+        let of = all.iter().map(Vec::len).sum::<usize>();
+        notes.push(format!(
+            "{beyond} of {of} records do not reach the state: the capacity is somewhere above"
+        ));
+    }
+    if across > 0 {
+        notes.push(match across {
+            1 => "1 capacity is interpolated across a level at which its record was not judged".to_owned(),
+            _ => format!("{across} capacities are interpolated across levels at which their records were not judged"),
+        });
+    }
     if stepped > 0 {
         notes.push(match stepped {
             1 => "1 capacity is the last intensity before a run without a finite demand".to_owned(),
@@ -254,7 +274,7 @@ fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<Vec<Capa
         .filter(|capacity| matches!(capacity, Capacity::At(_)));
     if between.len() == 1 && crossed.count() > 1 {
         notes.push(
-            "all capacities lie between the same two levels, where demands are interpolated; levels between them would confirm the scatter"
+            "all capacities that were found lie between the same two levels, where demands are interpolated; levels between them would confirm the scatter"
                 .into(),
         );
     }
@@ -415,7 +435,7 @@ impl Asked {
             Method::Cloud => Method::Stripes,
             Method::Stripes | Method::Capacities => method,
         };
-        let with = |reached: bool| -> Option<Lognormal> {
+        let with = |reached: bool| -> Result<Lognormal, NotIdentifiable> {
             let all: Vec<Seen> = runs
                 .iter()
                 .copied()
@@ -423,12 +443,23 @@ impl Asked {
                 .collect();
             let data = Data::of(method, &all, &mut Vec::new());
             let every: Vec<usize> = (0..data.len()).collect();
-            data.fit(&every).ok().map(|(fit, _)| fit.curve)
+            data.fit(&every).map(|(fit, _)| fit.curve)
         };
+        let (safe, reached) = (with(false), with(true));
+        if let Some(reason) = &mut curve.reason {
+            // Bounds of the runs with a result are not those of all.
+            let end = |found: &Result<Lognormal, NotIdentifiable>, end: usize| match found {
+                Ok(curve) => Some(curve.median),
+                Err(refusal) => refusal.bounds[end],
+            };
+            let bounds = [end(&reached, 0), end(&safe, 1)];
+            curve.bounds = Some(bounds).filter(|b| b.iter().any(Option::is_some));
+            *reason = format!("{reason}; {} of {} runs have no result", missing.len(), planned.len());
+        }
         curve.partial = Some(Partial {
             missing: missing.len(),
-            if_safe: with(false),
-            if_reached: with(true),
+            if_safe: safe.ok(),
+            if_reached: reached.ok(),
         });
         let mut open: BTreeMap<u64, usize> = BTreeMap::new();
         for run in &missing {
@@ -548,6 +579,7 @@ mod tests {
         let wanted = capacities::fit_censored(&others, &[0.35, 0.6], &[]).unwrap().curve;
         assert_eq!((found.method, found.n), ("truncated_capacities", 10));
         assert!((found.median.unwrap() / wanted.median - 1.0).abs() < 1e-9);
+        // The third one is also the only one of which a level is missing.
         assert_eq!(found.notes.len(), 2, "{:?}", found.notes);
         assert!(found.notes[0].starts_with("1 record reaches the state at the lowest intensity:"));
         assert!(

@@ -66,8 +66,8 @@ pub struct Losses {
     /// Bounds of it, as of the shares.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_volume_bounds_m3: Option<[f64; 2]>,
-    /// Largest volume lost in one earthquake [m³].
-    pub largest_volume_m3: f64,
+    /// Largest volume that is known to be lost in one earthquake [m³].
+    pub largest_volume_m3: Option<f64>,
 }
 
 /// Fits all curves.
@@ -171,20 +171,26 @@ fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<C
         .map(|(state, data)| (state.state.clone(), data.runs.clone()))
         .collect();
     let planned = planned(plan, gathered);
-    let with = |(curve, data): (Curve, &&Data)| {
+    let judged = gathered.judged.get(tank);
+    let with = |(number, (curve, state)): (usize, (Curve, &&Data))| {
+        // A worse state is one way into this one.
+        let unchecked: BTreeSet<&String> = data[number..].iter().flat_map(|d| d.unchecked.keys()).collect();
+        let never = |demand: &&&String| !judged.is_some_and(|judged| judged.contains(**demand));
         let mut curve = Curve {
             tank: Some(tank.into()),
-            unjudged: (data.unjudged > 0).then_some(data.unjudged),
-            unchecked: data.unchecked.keys().cloned().collect(),
+            unjudged: (state.unjudged > 0).then_some(state.unjudged),
+            never_checked: unchecked.iter().filter(never).map(|d| (*d).clone()).collect(),
+            unchecked: unchecked.into_iter().cloned().collect(),
             ..curve
         };
-        asked.bound(&mut curve, plan.method, &data.runs, &planned);
+        asked.bound(&mut curve, plan.method, &state.runs, &planned);
         curve
     };
     asked
         .of_runs(plan.method, &states)
         .into_iter()
         .zip(&data)
+        .enumerate()
         .map(with)
         .collect()
 }
@@ -218,7 +224,10 @@ fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
 /// Losses of contents at each level at which a row was judged.
 fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> Vec<Losses> {
     let ids: Vec<&str> = plan.tanks.iter().map(|t| t.id.as_str()).collect();
-    let volumes: Vec<f64> = ids.iter().map(|id| volumes.get(*id).copied().unwrap_or(0.0)).collect();
+    // A tank without a row has the volume of the plan.
+    let volume = |tank: &super::plan::PlannedTank| volumes.get(&tank.id).copied().or(tank.volume);
+    let known: Option<Vec<f64>> = plan.tanks.iter().map(volume).collect();
+    let volumes = known.clone().unwrap_or_else(|| vec![0.0; ids.len()]);
     let numbers: BTreeMap<&str, usize> = ids.iter().enumerate().map(|(number, id)| (*id, number)).collect();
     let levels: BTreeSet<u64> = gathered.losses.keys().map(|(_, _, im)| *im).collect();
     let planned = plan.records.len() * plan.samples as usize;
@@ -248,9 +257,9 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
                 at_least_bounds: open.then_some(losses.at_least_bounds),
                 at_least: losses.at_least,
                 at_least_independent: losses.at_least_independent,
-                mean_volume_m3: losses.mean_volume.map(kept),
-                mean_volume_bounds_m3: open.then_some(losses.mean_volume_bounds.map(kept)),
-                largest_volume_m3: kept(losses.largest_volume),
+                mean_volume_m3: losses.mean_volume.filter(|_| known.is_some()).map(kept),
+                mean_volume_bounds_m3: (open && known.is_some()).then_some(losses.mean_volume_bounds.map(kept)),
+                largest_volume_m3: known.is_some().then_some(kept(losses.largest_volume)),
             });
         }
     }

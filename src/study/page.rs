@@ -172,7 +172,7 @@ pub(super) fn page(
                     .as_ref()
                     .and_then(|all| Some([*all.first()?, loss.mean_volume_bounds_m3?])),
                 independent: loss.at_least_independent.iter().flatten().map(|p| Some(*p)).collect(),
-                volume: [loss.mean_volume_m3, Some(loss.largest_volume_m3)],
+                volume: [loss.mean_volume_m3, loss.largest_volume_m3],
             })
             .collect(),
         no_losses: fragility.no_farm.map(str::to_owned),
@@ -289,6 +289,7 @@ fn curve(curve: &Curve, end: f64) -> StudyCurve {
             .map(|p| [p.if_safe, p.if_reached].map(|c| c.map(|c| c.median))),
         missing: curve.partial.map_or(0, |p| p.missing),
         unjudged: curve.unjudged.unwrap_or(0),
+        never_checked: curve.never_checked.clone(),
         notes: curve.notes.clone(),
     }
 }

@@ -13,6 +13,7 @@ use serde_json::json;
 
 use super::damage::{DamageState, default_set, states};
 use super::key;
+use super::rows::kept;
 use super::rule::{self, RuleFound};
 use crate::curves::runs::Method;
 use crate::error::Error;
@@ -48,6 +49,9 @@ pub struct PlannedTank {
     /// Whether the first of the size is a radius.
     #[serde(default)]
     pub round: bool,
+    /// Volume of its liquid, without sampling [m³]; none in plans of earlier versions.
+    #[serde(default)]
+    pub volume: Option<f64>,
     /// Column → cell, of a tank of a table.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub given: Vec<(String, String)>,
@@ -220,6 +224,7 @@ fn planned_tanks(
             Shape::Rectangle { length, .. } => (length, false),
         };
         let size = [half, tank.case.liquid.fill_height];
+        let volume = tank.case.liquid_mass() / tank.case.liquid.density;
         if study.rule.is_some() {
             nominal.push((entry.id.clone(), tank));
         }
@@ -229,6 +234,7 @@ fn planned_tanks(
             keys: (0..samples).map(key).collect(),
             size: Some(size),
             round,
+            volume: Some(kept(volume)),
             given: entry.given(),
         });
     }

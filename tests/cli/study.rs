@@ -347,12 +347,13 @@ fn a_file_that_changed_since_the_plan_is_not_computed() {
             "{command}: {text}"
         );
     }
-    // A file that is faulty now was another one, with `--quiet` too.
+    // A file that is faulty now is refused with its place, with `--quiet` too.
     fs::write(path.join("farm.csv"), "tag,liquid.fill_height\nA,-1.6 m\nB,1.3 m\n").unwrap();
     let output = tankcheck(path, &["study", "merge", "out", "--quiet"]);
     let text = said(&output);
     assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(text.contains("changed since the plan"), "{text}");
+    assert!(text.contains("faulty since the plan"), "{text}");
+    assert!(text.contains("farm.csv:2"), "{text}");
     // Where the input is not at hand, results are merged, and that is said.
     fs::remove_file(path.join("farm.csv")).unwrap();
     let output = tankcheck(path, &["study", "merge", "out"]);

@@ -54,6 +54,7 @@ fn refused(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Option<NotIdent
     let reason = match (capacities.is_empty(), below.is_empty(), beyond.is_empty()) {
         (true, false, true) => "every run reached the state at its lowest intensity",
         (true, false, false) => "no capacity lies between two intensities",
+        (true, true, true) => "no run was judged",
         _ => &refusal.reason,
     };
     let ends = |others: &[f64], pick: fn(f64, f64) -> f64| capacities.iter().chain(others).copied().reduce(pick);

@@ -207,6 +207,7 @@ fn tanks(study: &Study, page: &mut Builder) {
     page.table(captions::TANKS, tables::tanks(study));
     page.items(words::open(study));
     page.table(captions::GIVEN, tables::given(study));
+    page.items(words::not_given(&tables::not_given(study)));
 }
 
 fn states(study: &Study, page: &mut Builder) {
@@ -220,6 +221,7 @@ fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.text(words::curves::method(study));
     page.text(words::curves::bands(study));
     page.table(captions::CURVES, tables::curves(study, &study.curves));
+    page.items(words::curves::gaps(&study.curves));
     page.items(words::curves::remarks(&study.curves));
     let drawn = figures::tanks(study, DRAWN)?;
     if drawn.len() < study.tanks.len() {
@@ -238,6 +240,7 @@ fn losses(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.text(words::ABOUT_LOSSES);
     page.figures(figures::losses(study)?);
     page.table(captions::LOSSES, tables::losses(study));
+    page.items(words::never_judged(study));
     if !study.system.is_empty() {
         page.heading(words::SYSTEM);
         page.text(words::about_system(study));

@@ -150,6 +150,8 @@ pub struct StudyCurve {
     pub missing: usize,
     /// Runs that could not be judged.
     pub unjudged: usize,
+    /// Demands that no run has checked.
+    pub never_checked: Vec<String>,
     /// Remarks of the method.
     pub notes: Vec<String>,
 }
@@ -169,7 +171,7 @@ pub struct StudyLoss {
     pub bounds: Option<[[f64; 2]; 2]>,
     /// The same of independent tanks; empty where a tank is judged in no earthquake.
     pub independent: Vec<Option<f64>>,
-    /// Mean and largest volume [m³]; no mean where a tank is judged in no earthquake.
+    /// Mean and largest known volume [m³]; no mean where a tank is judged in no earthquake.
     pub volume: [Option<f64>; 2],
 }
 

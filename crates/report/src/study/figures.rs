@@ -169,24 +169,17 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
     let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
     for (i, &k) in shown.iter().enumerate() {
-        let of = |values: fn(&results::StudyLoss) -> &Vec<Option<f64>>| -> Vec<(f64, f64)> {
-            let at = |l: &results::StudyLoss| Some((l.im, values(l).get(k - 1).copied().flatten()?));
-            losses.iter().filter_map(at).collect()
+        let of = |values: fn(&results::StudyLoss) -> &Vec<Option<f64>>| -> Vec<(f64, Option<f64>)> {
+            let at = |l: &results::StudyLoss| (l.im, values(l).get(k - 1).copied().flatten());
+            losses.iter().map(at).collect()
         };
-        chart.lines.push(Line {
-            points: of(|l| &l.at_least),
-            class: class(i).into(),
-            label: words::at_least(k),
-        });
-        chart.lines.push(Line {
-            points: of(|l| &l.independent),
-            class: "k-ground thin dotted".into(),
-            label: if i == 0 {
-                words::INDEPENDENT.into()
-            } else {
-                String::new()
-            },
-        });
+        chart
+            .lines
+            .extend(broken(&of(|l| &l.at_least), class(i), &words::at_least(k)));
+        let independent = if i == 0 { words::INDEPENDENT } else { "" };
+        chart
+            .lines
+            .extend(broken(&of(|l| &l.independent), "k-ground thin dotted", independent));
         columns.push(Column::numbers(&words::at_least(k), ""));
         columns.push(Column::numbers(words::INDEPENDENT, ""));
     }
@@ -214,6 +207,19 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     })
 }
 
+/// A line that is broken where there is no value; the first piece has the label.
+fn broken(points: &[(f64, Option<f64>)], class: &str, label: &str) -> Vec<Line> {
+    let pieces = points
+        .split(|(_, value)| value.is_none())
+        .filter(|piece| !piece.is_empty());
+    let line = |(i, piece): (usize, &[(f64, Option<f64>)])| Line {
+        points: piece.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect(),
+        class: class.into(),
+        label: if i == 0 { label.into() } else { String::new() },
+    };
+    pieces.enumerate().map(line).collect()
+}
+
 fn volume(study: &Study) -> Result<Figure, Error> {
     let losses = &study.losses;
     let y = Axis::linear(
@@ -224,11 +230,8 @@ fn volume(study: &Study) -> Result<Figure, Error> {
     );
     let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), y);
     for (i, label) in words::VOLUMES.into_iter().enumerate() {
-        chart.lines.push(Line {
-            points: losses.iter().filter_map(|l| Some((l.im, l.volume[i]?))).collect(),
-            class: ["k-s1", "k-s3"][i].into(),
-            label: label.into(),
-        });
+        let points: Vec<(f64, Option<f64>)> = losses.iter().map(|l| (l.im, l.volume[i])).collect();
+        chart.lines.extend(broken(&points, ["k-s1", "k-s3"][i], label));
     }
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
     let mut table = Table::new(vec![

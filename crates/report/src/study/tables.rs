@@ -58,14 +58,25 @@ pub(super) fn tanks(study: &Study) -> Table {
     table
 }
 
-/// What the table of the study gives of each tank, besides radius and fill height; empty where it gives nothing else.
-pub(super) fn given(study: &Study) -> Table {
+/// Columns of the table of the study that have no column of their own.
+fn columns_given(study: &Study) -> Vec<&str> {
     let mut paths: Vec<&str> = Vec::new();
     for (path, _) in study.tanks.iter().flat_map(|tank| &tank.given) {
         if !paths.contains(&path.as_str()) && !SHOWN.contains(&path.as_str()) {
             paths.push(path);
         }
     }
+    paths
+}
+
+/// Columns of it that [`given`] has no room for.
+pub(super) fn not_given(study: &Study) -> Vec<&str> {
+    columns_given(study).into_iter().skip(GIVEN).collect()
+}
+
+/// What the table of the study gives of each tank, besides radius and fill height; empty where it gives nothing else.
+pub(super) fn given(study: &Study) -> Table {
+    let mut paths = columns_given(study);
     paths.truncate(GIVEN);
     let mut columns = vec![Column::words(heads::TANK)];
     columns.extend(paths.iter().map(|path| Column::words(path)));
@@ -233,7 +244,11 @@ pub(super) fn losses(study: &Study) -> Table {
         row.extend(bounds(0, &percent));
         row.extend([first(&loss.independent), known(loss.volume[0])]);
         row.extend(bounds(1, &volume));
-        row.push(known(loss.volume[1]));
+        // With gaps it is the largest one that is known.
+        row.push(match (bounded, loss.bounds) {
+            (true, Some(_)) => words::between(loss.volume[1].map(&volume), None).unwrap_or_else(|| NONE.into()),
+            _ => known(loss.volume[1]),
+        });
         table.row(row);
     }
     table

@@ -40,6 +40,7 @@ fn curve(tank: Option<&str>, fit: Option<[f64; 2]>) -> StudyCurve {
         partial: None,
         missing: 1,
         unjudged: 0,
+        never_checked: Vec::new(),
         notes: Vec::new(),
     }
 }
@@ -219,7 +220,6 @@ fn a_table_of_tanks_and_capacities() {
         "Not checked of A &amp; B: damage limitation (ec8-2006).",
         "850 kg/m3",
         "Radius",
-        "Capacities",
         "The curves of DS1 and DS2 coincide.",
         "Logarithmic axis",
         // 2.5 m/s² of the median.

@@ -7,7 +7,7 @@ pub mod heads;
 
 use crate::number::{count, fixed, utilisation, with_unit};
 use files::code::{Code, Warning};
-use results::{EngineId, Study, StudyCurve, StudyRule, StudyTank, StudyTrace, VerdictStatus};
+use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
 
 /// Below the title.
 pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
@@ -280,27 +280,72 @@ pub fn governing(study: &Study) -> Vec<String> {
     lines
 }
 
-/// Tanks without a curve of the worst state that may be lost earlier than the most fragile one with a curve.
+/// Tanks that may be lost earlier than the most fragile one with a curve of the worst state: without a curve, or with runs that are missing.
 ///
 /// * `fitted`: the lowest median
 fn unfitted(study: &Study, fitted: Option<f64>) -> Option<String> {
     let worst = study.states.last()?.name.as_str();
-    let earlier = |curve: &&StudyCurve| {
-        let [low, _] = curve.bounds;
-        let open = curve.state == worst && curve.fit.is_none();
-        open && fitted.is_none_or(|median| low.is_none_or(|low| low < median))
+    let of = |tank: &str| {
+        let mut curves = study.curves.iter();
+        curves.find(|c| c.state == worst && c.tank.as_deref() == Some(tank))
     };
+    let earlier = |tank: &&StudyTank| {
+        let Some(curve) = of(&tank.id) else {
+            return !study.curves.is_empty();
+        };
+        let least = match (curve.fit, curve.partial) {
+            (None, _) => curve.bounds[0],
+            (Some(_), Some([_, reached])) => reached,
+            (Some([median, _]), None) => Some(median),
+        };
+        fitted.is_none_or(|median| least.is_none_or(|least| least < median))
+    };
+    let first = |tank: &StudyTank| of(&tank.id).and_then(|c| c.fit).map(|fit| fit[0]) == fitted && fitted.is_some();
     let tanks: Vec<&str> = study
-        .curves
+        .tanks
         .iter()
-        .filter(earlier)
-        .filter_map(|curve| curve.tank.as_deref())
+        .filter(|tank| !first(tank) && earlier(tank))
+        .map(|tank| tank.id.as_str())
         .collect();
     let names = first_of(&tanks);
     (!tanks.is_empty()).then(|| match fitted {
-        Some(_) => format!("Without a curve of {worst}, and perhaps lost earlier: {names}."),
+        Some(_) => format!("Perhaps lost earlier, without a curve of {worst} or with runs that are missing: {names}."),
         None => format!("Without a curve of {worst}: {names}."),
     })
+}
+
+/// Columns of the table of tanks that the report does not show.
+pub fn not_given(columns: &[&str]) -> Vec<String> {
+    match columns {
+        [] => Vec::new(),
+        _ => vec![format!("Not shown: the columns {}.", columns.join(", "))],
+    }
+}
+
+/// Tanks that no earthquake judges in the worst state.
+pub fn never_judged(study: &Study) -> Vec<String> {
+    let Some(worst) = study.states.last() else {
+        return Vec::new();
+    };
+    let judged = |tank: &&StudyTank| {
+        let mut curves = study.curves.iter();
+        curves
+            .any(|c| c.state == worst.name && c.tank.as_deref() == Some(&tank.id) && c.points.iter().any(|p| p.1 > 0.0))
+    };
+    let never: Vec<&str> = study
+        .tanks
+        .iter()
+        .filter(|tank| !judged(tank))
+        .map(|tank| tank.id.as_str())
+        .collect();
+    match never.is_empty() || study.losses.is_empty() {
+        true => Vec::new(),
+        false => vec![format!(
+            "No run says whether {} is in {}: such a tank leaves no mean loss, and no number of earthquakes without a gap.",
+            first_of(&never),
+            worst.name
+        )],
+    }
 }
 
 /// What a reader has to know before the numbers.
@@ -316,6 +361,22 @@ pub fn warnings(study: &Study) -> Vec<Warning> {
         all.push(Warning::new(
             Code::StudyRemark,
             format!("The records do not keep {} as they are.", rule.clause),
+        ));
+    }
+    let mut weaker: Vec<&str> = Vec::new();
+    for curve in study.curves.iter().filter(|c| !c.never_checked.is_empty()) {
+        let tank = curve.tank.as_deref().unwrap_or_default();
+        if !weaker.contains(&tank) {
+            weaker.push(tank);
+        }
+    }
+    if !weaker.is_empty() {
+        all.push(Warning::new(
+            Code::StudyRemark,
+            format!(
+                "Curves of {} leave out demands that no run checks: these tanks may be more fragile than their curves.",
+                first_of(&weaker)
+            ),
         ));
     }
     let unjudged: usize = study.curves.iter().map(|c| c.unjudged).sum();

@@ -87,14 +87,17 @@ pub fn cost(study: &Study) -> Vec<(String, String)> {
         all.push((format!("Rows {status}"), count(*rows)));
     }
     if let Some(time) = shaken(study) {
-        all.push(("Seconds of record in all rows".to_owned(), significant(time, 4)));
+        all.push((
+            "Seconds of record in the rows with a result".to_owned(),
+            significant(time, 4),
+        ));
     }
     all
 }
 
-/// Duration of the records of all planned rows [s].
+/// Duration of the records of the rows with a result, which share the records evenly [s].
 fn shaken(study: &Study) -> Option<f64> {
     let once: f64 = study.records.iter().map(|r| r.duration[0]).sum();
-    let each = study.rows[0] as f64 / study.records.len().max(1) as f64;
+    let each = study.rows[1] as f64 / study.records.len().max(1) as f64;
     (!study.records.is_empty()).then_some(once * each)
 }

@@ -1,6 +1,6 @@
 //! Fragility curves of a study: how they are found, their data and remarks.
 
-use super::{first_of, of};
+use super::{first_of, id, of};
 use crate::number::{count, percent};
 use results::{Study, StudyCurve};
 
@@ -58,6 +58,36 @@ pub fn remark(curve: &StudyCurve, text: &dyn Fn(f64) -> String, unit: &str) -> S
         [None, None] => String::new(),
     };
     format!("{reason}{bounds}")
+}
+
+/// What runs that were not judged, and demands that no run has checked, mean for the curves.
+pub fn gaps(curves: &[StudyCurve]) -> Vec<String> {
+    let mut all = Vec::new();
+    if curves.iter().any(|c| c.unjudged > 0) {
+        all.push(
+            "Runs that were not judged: a demand over its limit counts even where the base does not repeat, and one below it is open there. Runs in the state are \
+             judged more often than others, so that their share is too large and the bands too narrow; the range with missing runs has what they can change."
+                .to_owned(),
+        );
+    }
+    let mut groups: Vec<(Vec<String>, Vec<String>)> = Vec::new();
+    for curve in curves.iter().filter(|c| !c.never_checked.is_empty()) {
+        let demands: Vec<String> = curve.never_checked.iter().map(|demand| id(demand)).collect();
+        let name = format!("{} {}", curve.tank.as_deref().unwrap_or_default(), curve.state);
+        match groups.iter_mut().find(|(known, _)| *known == demands) {
+            Some((_, names)) => names.push(name),
+            None => groups.push((demands, vec![name])),
+        }
+    }
+    let line = |(demands, names): &(Vec<String>, Vec<String>)| {
+        format!(
+            "{}: without {}, which no run checks.",
+            first_of(names),
+            demands.join(", ")
+        )
+    };
+    all.extend(groups.iter().map(line));
+    all
 }
 
 /// Remarks of the methods, the same ones together.

@@ -15,7 +15,7 @@ pub fn size(study: &Study) -> &'static str {
 /// What curves are fitted to.
 pub fn behind(curves: &[StudyCurve]) -> &'static str {
     match curves.iter().all(|curve| curve.method.ends_with("capacities")) {
-        true => "Capacities",
+        true => super::RECORDS.1,
         false => RUNS,
     }
 }
