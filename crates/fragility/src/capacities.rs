@@ -18,7 +18,9 @@ use crate::{Fit, Lognormal, NotIdentifiable};
 /// Errors: data that do not identify one.
 pub fn fit(capacities: &[f64]) -> Result<Fit, NotIdentifiable> {
     let n = capacities.len();
-    spread(capacities)?;
+    if let Some(refusal) = refused(capacities, &[], &[]) {
+        return Err(refusal);
+    }
     let logs: Vec<f64> = capacities.iter().map(|c| c.ln()).collect();
     let mean = logs.iter().sum::<f64>() / n as f64;
     let square: f64 = logs.iter().map(|l| (l - mean).powi(2)).sum();
@@ -219,6 +221,7 @@ mod tests {
 
     #[test]
     fn refusals() {
+        assert_eq!(fit(&[]).unwrap_err().reason, "no run was judged");
         assert!(fit(&[]).is_err() && fit(&[0.4]).is_err() && fit(&[0.4, 0.4]).is_err());
         assert_eq!(fit_truncated(&[], 0.7, 3).unwrap_err().bounds, [Some(0.7), None]);
     }

@@ -235,10 +235,7 @@ pub(super) fn moved(
         states: pictures,
         columns: columns(setup, &states, &found),
         result,
-        march: [
-            peaks.shear.0.abs(),
-            largest(&found.history.resistance).0.abs(),
-        ],
+        march: [peaks.shear.0.abs(), largest(&found.history.resistance).0.abs()],
         foot: states.foot,
         yields: base.yields(),
         slid: found.history.slid,
