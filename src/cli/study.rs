@@ -1,5 +1,7 @@
 //! `tankcheck study`: many tanks under many records.
 
+mod status;
+
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -8,7 +10,7 @@ use crate::cli::compare::stamp;
 use crate::cli::progress::{self, Watch};
 use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, json, print};
+use crate::cli::{Format, Global, print};
 use crate::curves::runs::Method;
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::input::study as input;
@@ -143,7 +145,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     match args.command {
         Command::Plan(args) => make(&args, global),
         Command::Run(args) => compute(&args, global),
-        Command::Status(args) => status(&args, global),
+        Command::Status(args) => status::status(&args, global),
         Command::Merge(args) => merged(&args, global),
     }
 }
@@ -291,7 +293,7 @@ impl Departure {
             Departure::Faulty(_) => Error::input(
                 Code::StudyChanged,
                 format!(
-                    "{}\n  help: mend it, or plan again: `tankcheck study plan` lists all faults",
+                    "{}\n  help: correct the file; `tankcheck study plan` lists all faults",
                     self.clause()
                 ),
             ),
@@ -408,131 +410,6 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
             ),
         )),
     }
-}
-
-#[derive(serde::Serialize)]
-struct Status {
-    tasks: usize,
-    done: usize,
-    /// Without a result; those that run are among them.
-    missing: usize,
-    running: usize,
-    /// Marked by another machine, which may have ended.
-    running_elsewhere: usize,
-    torn: usize,
-    failed: usize,
-    rows: usize,
-    rows_done: usize,
-    /// Size of the results, of this plan and of earlier ones.
-    bytes: u64,
-    /// Size of those of this plan.
-    bytes_of_plan: u64,
-    failures: Vec<store::Failure>,
-    /// Input that changed, or is faulty, since the plan.
-    changed: Option<String>,
-}
-
-fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
-    let (plan, tasks) = plan::read(&args.folder)?;
-    let survey = store::survey(&args.folder);
-    let mut found = Status {
-        tasks: tasks.len(),
-        done: 0,
-        missing: 0,
-        torn: 0,
-        failed: 0,
-        running: 0,
-        running_elsewhere: 0,
-        bytes: survey.bytes,
-        bytes_of_plan: tasks.iter().map(|task| store::size(&args.folder, &task.key)).sum(),
-        rows: plan.rows,
-        rows_done: 0,
-        failures: Vec::new(),
-        changed: departure(&args.folder, (&plan, &tasks), global.quiet).map(|found| found.clause()),
-    };
-    for task in &tasks {
-        found.running += usize::from(survey.here.contains(&task.key));
-        found.running_elsewhere += usize::from(survey.elsewhere.contains(&task.key));
-        match store::state(&args.folder, &task.key) {
-            State::Done => {
-                found.done += 1;
-                found.rows_done += task.rows;
-            }
-            State::Missing => found.missing += 1,
-            State::Torn => found.torn += 1,
-            State::Failed => found.failed += 1,
-        }
-        found.failures.extend(failure(&args.folder, task));
-    }
-    match args.format {
-        Format::Json => print(&json(&found)?)?,
-        Format::Human => print(&human(&plan, &found))?,
-        Format::Csv => {
-            return Err(Error::input(
-                Code::OptionConflict,
-                "--format: found csv, expected human or json".into(),
-            ));
-        }
-    }
-    Ok(EXIT_OK)
-}
-
-fn failure(folder: &Path, task: &Task) -> Option<store::Failure> {
-    store::failure(folder, &task.key).map(|failure| store::Failure {
-        task: task.task,
-        ..failure
-    })
-}
-
-fn human(plan: &Plan, found: &Status) -> String {
-    let mut said = format!("{}\n", text::line(&plan.name));
-    let mut row = |name: &str, count: usize, remark: &str| {
-        let _ = writeln!(said, "  {name:<9}{count:>9}  {remark}");
-    };
-    row("tasks", found.tasks, "");
-    row(
-        "done",
-        found.done,
-        &format!("{} of {} rows", found.rows_done, found.rows),
-    );
-    let elsewhere = found.running_elsewhere;
-    let marked = [
-        (found.running > 0).then(|| format!("{} of them running", found.running)),
-        (elsewhere > 0).then(|| format!("{elsewhere} of them marked by other machines, running or killed")),
-    ];
-    let marked: Vec<String> = marked.into_iter().flatten().collect();
-    row("missing", found.missing, &marked.join(", "));
-    if found.torn > 0 {
-        row("cut off", found.torn, "not whole; `study run` computes them again");
-    }
-    if found.failed > 0 {
-        row("failed", found.failed, "`study run --retry` computes them again");
-    }
-    let earlier = found.bytes.saturating_sub(found.bytes_of_plan);
-    let remark = match earlier {
-        0 => String::new(),
-        _ => format!(
-            "{} of it not of this plan: earlier plans, or cut off",
-            size(earlier as f64)
-        ),
-    };
-    let _ = writeln!(said, "  disk     {:>9}  {remark}", size(found.bytes as f64));
-    if let Some(clause) = &found.changed {
-        let _ = writeln!(
-            said,
-            "  {clause}\n  `merge` refuses it, and so do tasks without a result"
-        );
-    }
-    for failure in found.failures.iter().take(10) {
-        let message = text::line(&failure.message);
-        let _ = writeln!(
-            said,
-            "  task {} on {}: {message}",
-            failure.task,
-            text::line(&failure.host)
-        );
-    }
-    said
 }
 
 fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {

@@ -167,10 +167,8 @@ pub(super) fn page(
                 earthquakes: loss.earthquakes,
                 not_judged: loss.not_judged,
                 at_least: loss.at_least.clone(),
-                bounds: loss
-                    .at_least_bounds
-                    .as_ref()
-                    .and_then(|all| Some([*all.first()?, loss.mean_volume_bounds_m3?])),
+                bounds: loss.at_least_bounds.as_ref().and_then(|all| all.first().copied()),
+                volume_bounds: loss.mean_volume_bounds_m3,
                 independent: loss.at_least_independent.iter().flatten().map(|p| Some(*p)).collect(),
                 volume: [loss.mean_volume_m3, loss.largest_volume_m3],
             })

@@ -160,6 +160,18 @@ mod tests {
         assert!((free.dispersion / whole.dispersion - (9.0_f64 / 10.0).sqrt()).abs() < 1e-10);
     }
 
+    /// No curve of a grid of ±30 % has a smaller negative likelihood of θ and β.
+    fn is_likeliest(found: &Fit, negative: &dyn Fn(f64, f64) -> f64) {
+        let least = negative(found.curve.median, found.curve.dispersion);
+        assert!((least - found.negative_log_likelihood).abs() < 1e-9);
+        for i in -30..=30 {
+            for k in -30..=30 {
+                let place = |x: f64, i: i32| x * (1.0 + 0.01 * f64::from(i));
+                assert!(negative(place(found.curve.median, i), place(found.curve.dispersion, k)) >= least - 1e-9);
+            }
+        }
+    }
+
     /// A grid search of the likelihood in θ and β, with the density of each capacity.
     #[test]
     fn no_other_truncated_curve_of_a_grid_is_likelier() {
@@ -173,14 +185,7 @@ mod tests {
             -seen.iter().map(density).sum::<f64>() - censored as f64 * tail
         };
         let found = fit_truncated(seen, end, censored).unwrap();
-        let least = negative(found.curve.median, found.curve.dispersion);
-        assert!((least - found.negative_log_likelihood).abs() < 1e-9);
-        for i in -30..=30 {
-            for k in -30..=30 {
-                let place = |x: f64, i: i32| x * (1.0 + 0.01 * f64::from(i));
-                assert!(negative(place(found.curve.median, i), place(found.curve.dispersion, k)) >= least - 1e-9);
-            }
-        }
+        is_likeliest(&found, &negative);
         // The runs that never reached the state raise the median.
         assert!(found.curve.median > fit(seen).unwrap().curve.median);
     }
@@ -197,14 +202,7 @@ mod tests {
             -seen.iter().map(density).sum::<f64>() - left - right
         };
         let found = fit_censored(seen, &below, &beyond).unwrap();
-        let least = negative(found.curve.median, found.curve.dispersion);
-        assert!((least - found.negative_log_likelihood).abs() < 1e-9);
-        for i in -30..=30 {
-            for k in -30..=30 {
-                let place = |x: f64, i: i32| x * (1.0 + 0.01 * f64::from(i));
-                assert!(negative(place(found.curve.median, i), place(found.curve.dispersion, k)) >= least - 1e-9);
-            }
-        }
+        is_likeliest(&found, &negative);
         assert_eq!(found.n, 10);
     }
 

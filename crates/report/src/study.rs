@@ -221,7 +221,7 @@ fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.text(words::curves::method(study));
     page.text(words::curves::bands(study));
     page.table(captions::CURVES, tables::curves(study, &study.curves));
-    page.items(words::curves::gaps(&study.curves));
+    page.items(words::curves::gaps(study));
     page.items(words::curves::remarks(&study.curves));
     let drawn = figures::tanks(study, DRAWN)?;
     if drawn.len() < study.tanks.len() {

@@ -167,8 +167,10 @@ pub struct StudyLoss {
     pub not_judged: usize,
     /// P(at least k tanks), k = 1, 2, …; none where no earthquake decides it.
     pub at_least: Vec<Option<f64>>,
-    /// Bounds of P(at least one tank), and of the mean volume [m³], where tanks or earthquakes are missing.
-    pub bounds: Option<[[f64; 2]; 2]>,
+    /// Bounds of P(at least one tank), where tanks or earthquakes are missing.
+    pub bounds: Option<[f64; 2]>,
+    /// Bounds of the mean volume [m³] there; none where a volume is not known.
+    pub volume_bounds: Option<[f64; 2]>,
     /// The same of independent tanks; empty where a tank is judged in no earthquake.
     pub independent: Vec<Option<f64>>,
     /// Mean and largest known volume [m³]; no mean where a tank is judged in no earthquake.

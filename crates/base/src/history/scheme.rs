@@ -1,8 +1,8 @@
 //! A step by the method of Hilber, Hughes & Taylor.
 
-/// Weight of the forces at the beginning of a step, −α of Hilber, Hughes & Taylor 1977. The rotation has almost no inertia of its own. With the trapezoidal
-/// rule (weight 0) its acceleration would oscillate from step to step; with this weight the oscillation halves in each step, and a vibration of 0.3 s loses
-/// less than 1e-5 of its amplitude per step of 1 ms.
+/// −α of Hilber, Hughes & Taylor 1977: how much the forces at the beginning of a step weigh in its equilibrium. The trapezoidal rule (0) lets the rotation, which
+/// has almost no inertia, oscillate from step to step. This weight halves that oscillation in each step and takes less than 1e-5 of the amplitude of a vibration
+/// of 0.3 s per step of 1 ms.
 pub(super) const BEGIN: f64 = 1.0 / 3.0;
 /// γ and β of the method of second order.
 pub(super) const GAMMA: f64 = 0.5 + BEGIN;

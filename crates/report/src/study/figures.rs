@@ -207,7 +207,7 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     })
 }
 
-/// A line that is broken where there is no value; the first piece has the label.
+/// A line with a gap at each missing value; only its first piece is labelled.
 fn broken(points: &[(f64, Option<f64>)], class: &str, label: &str) -> Vec<Line> {
     let pieces = points
         .split(|(_, value)| value.is_none())

@@ -150,7 +150,7 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
         Column::numbers(heads::BAND, unit),
         Column::numbers(heads::DISPERSION, ""),
         Column::numbers(heads::BAND, ""),
-        Column::numbers(heads::behind(curves), ""),
+        Column::numbers(heads::behind(study, curves), ""),
     ]);
     if crossed {
         columns.push(Column::numbers(heads::COMMON, unit));
@@ -230,20 +230,15 @@ pub(super) fn losses(study: &Study) -> Table {
     for loss in &study.losses {
         let first = |values: &Vec<Option<f64>>| values.first().copied().flatten().map_or_else(|| NONE.into(), percent);
         let known = |v: Option<f64>| v.map_or_else(|| NONE.into(), &volume);
-        let bounds = |which: usize, text: &dyn Fn(f64) -> String| {
-            bounded.then(|| {
-                loss.bounds.map_or_else(
-                    || NONE.into(),
-                    |all| words::range(&text(all[which][0]), &text(all[which][1])),
-                )
-            })
+        let bounds = |bounds: Option<[f64; 2]>, text: &dyn Fn(f64) -> String| {
+            bounded.then(|| bounds.map_or_else(|| NONE.into(), |[low, high]| words::range(&text(low), &text(high))))
         };
         let mut row = vec![scale.text(loss.im), count(loss.earthquakes)];
         row.extend(bounded.then(|| count(loss.not_judged)));
         row.push(first(&loss.at_least));
-        row.extend(bounds(0, &percent));
+        row.extend(bounds(loss.bounds, &percent));
         row.extend([first(&loss.independent), known(loss.volume[0])]);
-        row.extend(bounds(1, &volume));
+        row.extend(bounds(loss.volume_bounds, &volume));
         // With gaps it is the largest one that is known.
         row.push(match (bounded, loss.bounds) {
             (true, Some(_)) => words::between(loss.volume[1].map(&volume), None).unwrap_or_else(|| NONE.into()),

@@ -96,6 +96,7 @@ fn study() -> Study {
             not_judged: 0,
             at_least: vec![Some(0.3), Some(0.1), Some(0.0)],
             bounds: None,
+            volume_bounds: None,
             independent: vec![Some(0.35), Some(0.05), Some(0.0)],
             volume: [Some(150.0), Some(500.0)],
         }],

@@ -341,9 +341,9 @@ pub fn never_judged(study: &Study) -> Vec<String> {
     match never.is_empty() || study.losses.is_empty() {
         true => Vec::new(),
         false => vec![format!(
-            "No run says whether {} is in {}: such a tank leaves no mean loss, and no number of earthquakes without a gap.",
-            first_of(&never),
-            worst.name
+            "No run judges {} of {}: the mean loss is therefore unknown, and every earthquake has a gap.",
+            worst.name,
+            first_of(&never)
         )],
     }
 }

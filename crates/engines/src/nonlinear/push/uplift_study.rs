@@ -165,7 +165,7 @@ fn at(variant: &Variant) -> Option<(f64, Values, Values)> {
 
 /// The rows; `TANKCHECK_STUDY` runs those whose name contains it.
 #[test]
-#[ignore = "a study: cargo test -p engines --lib uplift_study -- --ignored --nocapture"]
+#[ignore = "slow: a study, cargo test -p engines --lib uplift_study -- --ignored --nocapture; last result in docs/theory/base.md"]
 fn shells_beside_strips() {
     let full = variant("as it is", [true, true], false);
     let held = variant("plate yields, plane foot", [false, true], true);

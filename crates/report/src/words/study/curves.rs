@@ -61,14 +61,27 @@ pub fn remark(curve: &StudyCurve, text: &dyn Fn(f64) -> String, unit: &str) -> S
 }
 
 /// What runs that were not judged, and demands that no run has checked, mean for the curves.
-pub fn gaps(curves: &[StudyCurve]) -> Vec<String> {
+pub fn gaps(study: &Study) -> Vec<String> {
+    let curves = &study.curves;
     let mut all = Vec::new();
-    if curves.iter().any(|c| c.unjudged > 0) {
-        all.push(
-            "Runs that were not judged: a demand over its limit counts even where the base does not repeat, and one below it is open there. Runs in the state are \
-             judged more often than others, so that their share is too large and the bands too narrow; the range with missing runs has what they can change."
-                .to_owned(),
-        );
+    // Open in some runs of the tank, and checked in others.
+    let at_times = |curve: &&StudyCurve| {
+        let own = |tanks: &[String]| tanks.iter().any(|tank| curve.tank.as_ref() == Some(tank));
+        let mut open = study.gaps.iter().filter(|gap| own(&gap.tanks));
+        curve.unjudged > 0 && open.any(|gap| !curve.never_checked.contains(&gap.demand))
+    };
+    let mut tanks: Vec<&str> = curves
+        .iter()
+        .filter(at_times)
+        .filter_map(|c| c.tank.as_deref())
+        .collect();
+    tanks.dedup();
+    if !tanks.is_empty() {
+        all.push(format!(
+            "{}: a run with an open demand is judged only if another demand reaches the state. Runs in the state are therefore judged more often than others: \
+             their share is too large, and bands are too narrow. The range with missing runs shows how far the curve can move.",
+            first_of(&tanks)
+        ));
     }
     let mut groups: Vec<(Vec<String>, Vec<String>)> = Vec::new();
     for curve in curves.iter().filter(|c| !c.never_checked.is_empty()) {

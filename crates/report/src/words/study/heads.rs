@@ -13,8 +13,9 @@ pub fn size(study: &Study) -> &'static str {
 }
 
 /// What curves are fitted to.
-pub fn behind(curves: &[StudyCurve]) -> &'static str {
+pub fn behind(study: &Study, curves: &[StudyCurve]) -> &'static str {
     match curves.iter().all(|curve| curve.method.ends_with("capacities")) {
+        true if study.samples > 1 => "Records and samples",
         true => super::RECORDS.1,
         false => RUNS,
     }
