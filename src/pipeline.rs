@@ -123,11 +123,16 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     let (mut outside, mut site_errors) = (Vec::new(), Vec::new());
     for (number, simulation) in simulations.into_iter().enumerate() {
         let column = simulation.result.engine.column(number);
-        if job.case.ground_motion.is_some() {
-            let findings = match &design {
+        let (findings, site) = std::thread::scope(|scope| {
+            let site = scope.spawn(|| site::column(job, number, &simulation));
+            let findings = job.case.ground_motion.as_ref().map(|_| match &design {
                 Some(design) => design.findings.clone(),
                 None => runs::findings(job, &simulation),
-            };
+            });
+            let site = site.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            (findings, site)
+        });
+        if let Some(findings) = findings {
             outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
             let mut method = runs::method(job, number, &simulation, findings);
             if let Some(design) = &design {
@@ -135,7 +140,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
             }
             methods.push(method);
         }
-        if let Some(site) = site::column(job, number, &simulation) {
+        if let Some(site) = site {
             outside.extend(site.outside.map(|why| ((column, Excitation::Site), why)));
             site_errors.push((column, site.errors));
             methods.push(site.method);

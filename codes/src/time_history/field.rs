@@ -85,6 +85,36 @@ pub(super) fn factored(mut values: Vec<f64>, factors: Factors) -> Vec<f64> {
     values
 }
 
+/// What a field is made of.
+pub(super) struct Wanted<'a> {
+    rest: f64,
+    /// None where nothing is the same around the circumference.
+    even: Option<&'a Terms>,
+    odd: &'a Terms,
+    factors: Factors,
+}
+
+impl<'a> Wanted<'a> {
+    pub(super) fn on_wall(of: &'a OnWall, factors: Factors) -> Wanted<'a> {
+        Wanted {
+            rest: of.rest,
+            even: (!of.even.is_empty()).then_some(&of.even),
+            odd: &of.odd,
+            factors,
+        }
+    }
+
+    /// A part of the motion alone.
+    pub(super) fn amplitude(odd: &'a Terms, factors: Factors) -> Wanted<'a> {
+        Wanted {
+            rest: 0.0,
+            even: None,
+            odd,
+            factors,
+        }
+    }
+}
+
 /// A quantity at some instants, counted from the first of them.
 pub(super) struct Field {
     pub(super) rest: f64,
@@ -101,17 +131,28 @@ impl Field {
     }
 
     pub(super) fn part(part: &Part<'_>, of: &OnWall, factors: Factors) -> Field {
-        let history = |terms: &Terms| factored(part.history(terms), factors);
-        let transverse = part.transverse(&of.odd);
-        Field {
-            rest: of.rest * factors.stress,
-            even: match of.even.is_empty() {
-                true => Vec::new(),
-                false => history(&of.even),
-            },
-            odd: history(&of.odd),
-            transverse: transverse.map(|values| factored(values, factors)),
-        }
+        Field::parts(part, &[Wanted::on_wall(of, factors)]).swap_remove(0)
+    }
+
+    /// Several quantities at the same instants.
+    pub(super) fn parts(part: &Part<'_>, wanted: &[Wanted<'_>]) -> Vec<Field> {
+        let terms: Vec<&Terms> = wanted
+            .iter()
+            .flat_map(|of| [of.odd].into_iter().chain(of.even))
+            .collect();
+        let odd: Vec<&Terms> = wanted.iter().map(|of| of.odd).collect();
+        let mut along = part.histories(&terms).into_iter();
+        let mut transverse = part.transverses(&odd).into_iter().flatten();
+        let fields = wanted.iter().map(|of| {
+            let mut next = || factored(along.next().unwrap_or_default(), of.factors);
+            Field {
+                rest: of.rest * of.factors.stress,
+                odd: next(),
+                even: of.even.map(|_| next()).unwrap_or_default(),
+                transverse: transverse.next().map(|values| factored(values, of.factors)),
+            }
+        });
+        fields.collect()
     }
 
     /// Number of instants.
@@ -323,9 +364,13 @@ impl Extremes {
     }
 
     /// Adds the next row of an amplitude.
-    pub(super) fn take_amplitude(&mut self, along: &[f64], transverse: Option<&Vec<f64>>) {
-        let size = |k: usize| transverse.map_or(along[k].abs(), |y| along[k].hypot(y[k]));
-        self.extend(along.len(), |instants| {
+    pub(super) fn take_amplitude(&mut self, of: &Field) {
+        let size = |k: usize| {
+            of.transverse
+                .as_ref()
+                .map_or(of.odd[k].abs(), |y| of.odd[k].hypot(y[k]))
+        };
+        self.extend(of.len(), |instants| {
             Moved::of_odd((0.0, instants.map(size).fold(0.0, f64::max)))
         });
     }

@@ -140,7 +140,7 @@ impl<'a> Ready<'a> {
 /// Every place takes all instants, on the cores of the machine.
 fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
     let instants = demands.times.len();
-    let take = |part: &mut [Searched<'_>]| {
+    let take = |mut part: Vec<&mut Searched<'_>>| {
         for row in rows(instants) {
             let states = demands.part(row).gathered();
             part.iter_mut().for_each(|place| place.take(&states));
@@ -148,10 +148,14 @@ fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
     };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let [wall, base] = places;
-    take(base);
-    let share = wall.len().div_ceil(cores).max(1);
+    take(base.iter_mut().collect());
+    // In turn: those under the liquid have a pressure and take longer.
+    let mut shares: Vec<Vec<_>> = (0..cores.min(wall.len())).map(|_| Vec::new()).collect();
+    for (i, place) in wall.iter_mut().enumerate() {
+        shares[i % cores].push(place);
+    }
     std::thread::scope(|scope| {
-        for part in wall.chunks_mut(share) {
+        for part in shares {
             scope.spawn(move || take(part));
         }
     });

@@ -17,7 +17,7 @@ use std::ops::Range;
 use tank::demand::{Angles, Demands, OnWall, Part, Place, Terms};
 
 use super::field::{
-    Direction, Extremes, Factors, Field, Pair, SIDES, Span, block_of, blocks_of, factored, instants, rows,
+    Direction, Extremes, Factors, Field, Pair, SIDES, Span, Wanted, block_of, blocks_of, factored, instants, rows,
 };
 use at_base::AtBase;
 use membrane::Membrane;
@@ -168,20 +168,23 @@ impl<'a> Searched<'a> {
     pub(super) fn take(&mut self, states: &Part<'_>) {
         let place = self.place;
         let factors = |stress: f64| Factors { stress, motion: 1.0 };
-        let part = |of: &OnWall, stress: f64| Field::part(states, of, factors(stress));
-        self.hoop.take(&part(&place.hoop, self.lost));
-        let axial = part(&place.axial, self.lost);
-        self.axial.take(&axial);
-        if let (Some(pressed), Some(of)) = (&mut self.pressure, &place.pressure) {
-            let pressure = part(of, 1.0);
-            pressed.extremes.take(&pressure);
-            pressed.axial.take(&axial, &pressure);
+        let on_wall = |of, stress: f64| Wanted::on_wall(of, factors(stress));
+        let mut wanted = vec![on_wall(&place.hoop, self.lost), on_wall(&place.axial, self.lost)];
+        wanted.extend(place.pressure.as_ref().map(|of| on_wall(of, 1.0)));
+        wanted.extend({ place.shear.as_ref() }.map(|terms| Wanted::amplitude(terms, factors(self.lost))));
+        let fields = Field::parts(states, &wanted);
+        let [hoop, axial, rest @ ..] = fields.as_slice() else {
+            return;
+        };
+        let mut rest = rest.iter();
+        self.hoop.take(hoop);
+        self.axial.take(axial);
+        if let Some((pressed, pressure)) = self.pressure.as_mut().and_then(|pressed| Some((pressed, rest.next()?))) {
+            pressed.extremes.take(pressure);
+            pressed.axial.take(axial, pressure);
         }
-        if let (Some(shear), Some(terms)) = (&mut self.shear, &place.shear) {
-            let of = |values: Vec<f64>| factored(values, factors(self.lost));
-            let along = of(states.history(terms));
-            let transverse = states.transverse(terms).map(of);
-            shear.take_amplitude(&along, transverse.as_ref());
+        if let Some((shear, of)) = self.shear.as_mut().zip(rest.next()) {
+            shear.take_amplitude(of);
         }
     }
 

@@ -127,6 +127,38 @@ impl History {
             ..History::default()
         }
     }
+
+    /// Adds a step.
+    fn push(&mut self, run: &Run<'_>, state: &State, rates: &Rates) {
+        self.rotation.push(state.psi[0]);
+        self.rotational_acceleration.push(state.psi[2]);
+        self.slip.push(state.slip[0]);
+        self.slid |= state.slides;
+        self.acceleration.push(state.slipping);
+        self.pressure.push(state.pressure);
+        self.moment.push(rates.moment);
+        self.resistance.push(state.moment);
+        self.shear.push(rates.shear);
+        if run.heave.is_some() {
+            self.centre.push(state.heave[0]);
+        }
+        if let Some(ring) = run.ring {
+            let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
+            let peaks = &mut self.anchor_peaks;
+            peaks.resize(ring.places().len(), 0.0);
+            let (mut place, mut force) = (0, 0.0);
+            let forces = ring.forces(state.psi[0], pull.centre, &state.bolts);
+            for ((i, found), peak) in forces.enumerate().zip(peaks) {
+                *peak = peak.max(found);
+                if found > force {
+                    (place, force) = (i, found);
+                }
+            }
+            self.pull.push(pull.total);
+            self.anchor_force.push(force);
+            self.anchor_place.push(place);
+        }
+    }
 }
 
 /// Energies [J].
@@ -192,46 +224,93 @@ const SWINGS: usize = 20;
 const HASTE: f64 = 4.0;
 /// Iterations of a step.
 const ITERATIONS: usize = 120;
+
 /// Marches through the ground motion from rest.
 ///
 /// Errors: no equilibrium.
 pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
-    let mut state = State {
-        modes: Modes::new(run.body, run.step, run.rigid_pressure),
-        psi: [0.0; 3],
-        slip: [0.0; 3],
-        sliding: 0.0,
-        springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],
-        lost: 0.0,
-        heave: [run.heave.map_or(0.0, Heave::rest), 0.0, 0.0],
-        lift: Lift::default(),
-        damped: 0.0,
-        bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
-        cost: 0.0,
-        pressure: 0.0,
-        held: 0.0,
-        moment: 0.0,
-        shear: 0.0,
-        slipping: 0.0,
-        along: vec![0.0; run.friction.as_ref().map_or(0, |f| f.springs.len())],
-        drag: 0.0,
-        dashpot: 0.0,
-        dashed: 0.0,
-        slides: false,
-    };
-    let mut history = History::of(run);
-    let mut sums = Energy::default();
-    let (mut largest, mut off) = (0.0_f64, 0.0_f64);
-    let mut before = Rates::default();
-    for (i, &ground) in run.ground.iter().enumerate() {
+    let mut march = March::new(run.clone());
+    march.to(run.ground.len())?;
+    Ok(march.history())
+}
+
+/// A run as far as it has come: it can be looked at and go on.
+pub struct March<'a> {
+    run: Run<'a>,
+    state: State,
+    /// Accelerations of the body are those at the instants of the forces, without the ground.
+    history: History,
+    sums: Energy,
+    before: Rates,
+    /// Largest input, and deviation of the balance from it.
+    largest: f64,
+    off: f64,
+}
+
+impl<'a> March<'a> {
+    /// At rest, before the first step.
+    pub fn new(run: Run<'a>) -> March<'a> {
+        let state = State {
+            modes: Modes::new(run.body, run.step, run.rigid_pressure),
+            psi: [0.0; 3],
+            slip: [0.0; 3],
+            sliding: 0.0,
+            springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],
+            lost: 0.0,
+            heave: [run.heave.map_or(0.0, Heave::rest), 0.0, 0.0],
+            lift: Lift::default(),
+            damped: 0.0,
+            bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
+            cost: 0.0,
+            pressure: 0.0,
+            held: 0.0,
+            moment: 0.0,
+            shear: 0.0,
+            slipping: 0.0,
+            along: vec![0.0; run.friction.as_ref().map_or(0, |f| f.springs.len())],
+            drag: 0.0,
+            dashpot: 0.0,
+            dashed: 0.0,
+            slides: false,
+        };
+        March {
+            history: History::of(&run),
+            state,
+            sums: Energy::default(),
+            before: Rates::default(),
+            largest: 0.0,
+            off: 0.0,
+            run,
+        }
+    }
+
+    /// Rotation ψ of the steps so far [rad].
+    pub fn rotation(&self) -> &[f64] {
+        &self.history.rotation
+    }
+
+    /// Goes on until so many steps are done, at most those of the ground motion.
+    ///
+    /// Errors: no equilibrium.
+    pub fn to(&mut self, steps: usize) -> Result<(), BaseError> {
+        let done = self.history.rotation.len();
+        for i in done..steps.min(self.run.ground.len()) {
+            self.step(i)?;
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, i: usize) -> Result<(), BaseError> {
+        let (run, state, sums, before) = (&self.run, &mut self.state, &mut self.sums, &self.before);
+        let ground = run.ground[i];
         if i == 0 {
             state.modes.begin(ground);
         } else {
-            step(run, &mut state, i)?;
+            step(run, state, i)?;
         }
-        let rates = Rates::of(run, &state, ground);
+        let rates = Rates::of(run, state, ground);
         if i > 0 {
-            let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(&before) + f(&rates));
+            let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(before) + f(&rates));
             sums.input += mean(|r| r.input);
             sums.viscous += mean(|r| r.viscous) + state.damped;
             sums.friction += match state.along.is_empty() {
@@ -248,47 +327,30 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
                 - state.cost;
         }
         sums.body = rates.body;
-        largest = largest.max(sums.input.abs());
-        off = off.max((sums.total() - sums.input).abs());
-        history.rotation.push(state.psi[0]);
-        history.rotational_acceleration.push(state.psi[2]);
-        history.slip.push(state.slip[0]);
-        history.slid |= state.slides;
-        history.acceleration.push(state.slipping);
-        history.pressure.push(state.pressure);
-        history.moment.push(rates.moment);
-        history.resistance.push(state.moment);
-        history.shear.push(rates.shear);
-        if run.heave.is_some() {
-            history.centre.push(state.heave[0]);
-        }
-        if let Some(ring) = run.ring {
-            let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
-            let peaks = &mut history.anchor_peaks;
-            peaks.resize(ring.places().len(), 0.0);
-            let (mut place, mut force) = (0, 0.0);
-            let forces = ring.forces(state.psi[0], pull.centre, &state.bolts);
-            for ((i, found), peak) in forces.enumerate().zip(peaks) {
-                *peak = peak.max(found);
-                if found > force {
-                    (place, force) = (i, found);
-                }
-            }
-            history.pull.push(pull.total);
-            history.anchor_force.push(force);
-            history.anchor_place.push(place);
-        }
-        before = rates;
+        self.largest = self.largest.max(sums.input.abs());
+        self.off = self.off.max((sums.total() - sums.input).abs());
+        self.history.push(run, state, &rates);
+        self.before = rates;
+        Ok(())
     }
-    at_ends(&mut history.rotational_acceleration);
-    at_ends(&mut history.acceleration);
-    for (acceleration, ground) in history.acceleration.iter_mut().zip(run.ground) {
-        *acceleration += ground;
+
+    /// The steps so far.
+    pub fn history(self) -> History {
+        let mut history = self.history;
+        at_ends(&mut history.rotational_acceleration);
+        at_ends(&mut history.acceleration);
+        for (acceleration, ground) in history.acceleration.iter_mut().zip(self.run.ground) {
+            *acceleration += ground;
+        }
+        history.bolts = self.state.bolts;
+        history.energy = self.sums;
+        history.balance = if self.largest > 0.0 {
+            self.off / self.largest
+        } else {
+            0.0
+        };
+        history
     }
-    history.bolts = state.bolts;
-    history.energy = sums;
-    history.balance = if largest > 0.0 { off / largest } else { 0.0 };
-    Ok(history)
 }
 
 /// The values of an acceleration at the ends of the steps, from those at the instants of the forces, t − h/3.

@@ -171,11 +171,21 @@ pub struct Part<'a> {
 impl Part<'_> {
     /// A combination.
     pub fn history(&self, terms: &Terms) -> Vec<f64> {
-        combined(terms, &self.along, self.count)
+        self.histories(&[terms]).swap_remove(0)
     }
 
     /// The same under the component along y; none without one.
     pub fn transverse(&self, terms: &Terms) -> Option<Vec<f64>> {
+        Some(self.transverses(&[terms])?.swap_remove(0))
+    }
+
+    /// Several combinations: the states at some instants serve them all while they are in the nearest cache.
+    pub fn histories(&self, terms: &[&Terms]) -> Vec<Vec<f64>> {
+        combined(terms, &self.along, self.count)
+    }
+
+    /// The same under the component along y; none without one.
+    pub fn transverses(&self, terms: &[&Terms]) -> Option<Vec<Vec<f64>>> {
         let states = self.transverse.as_ref()?;
         Some(combined(terms, states, self.count))
     }
@@ -206,11 +216,14 @@ struct Gathered {
     first: usize,
     /// Instants of each state, a whole number of [`WHOLE`].
     count: usize,
+    /// From one state to the next: the same instants of all states are spread over the cache, where at multiples of its pages they would share a part
+    /// of it.
+    stride: usize,
 }
 
 impl Gathered {
     fn get(&self, state: usize) -> &[f64] {
-        &self.values[self.first + state * self.count..][..self.count]
+        &self.values[self.first + state * self.stride..][..self.count]
     }
 }
 
@@ -227,27 +240,34 @@ impl States<'_> {
     fn gathered(&self, instants: usize) -> States<'static> {
         let states = match self {
             States::Of(states, _) => states.len(),
-            States::Gathered(states) => states.values.len() / states.count.max(1),
+            States::Gathered(states) => states.values.len() / states.stride,
         };
         let count = instants.next_multiple_of(WHOLE);
-        let mut values = vec![0.0; states * count + LINE];
+        let stride = count + WHOLE / 2;
+        let mut values = vec![0.0; states * stride + LINE];
         let first = values.as_ptr().align_offset(LINE * size_of::<f64>()).min(LINE);
         for state in 0..states {
             let from = self.get(state);
             let most = from.len().min(instants);
-            values[first + state * count..][..most].copy_from_slice(&from[..most]);
+            values[first + state * stride..][..most].copy_from_slice(&from[..most]);
         }
-        States::Gathered(Gathered { values, first, count })
+        States::Gathered(Gathered {
+            values,
+            first,
+            count,
+            stride,
+        })
     }
 }
 
 /// Σ c_k s_k at some instants, summed in the order of the terms: on every machine the same bits.
-fn combined(terms: &Terms, states: &States<'_>, count: usize) -> Vec<f64> {
-    let mut sums = vec![0.0; count];
+fn combined(terms: &[&Terms], states: &States<'_>, count: usize) -> Vec<Vec<f64>> {
+    let mut sums = vec![vec![0.0; count]; terms.len()];
     pulp::Arch::new().dispatch(Combine {
         terms,
         states,
         sums: &mut sums,
+        count,
     });
     sums
 }
@@ -261,12 +281,13 @@ const LINE: usize = 8;
 /// Instants to which gathered states are filled up: a whole number of [`REGISTERS`] of the widest machine.
 const WHOLE: usize = 8 * REGISTERS;
 
-/// The combination of instants in a row, in the widest registers: each instant has its own lane, and every product is fused with its sum,
+/// Combinations of instants in a row, in the widest registers: each instant has its own lane, and every product is fused with its sum,
 /// where the machine cannot by a function that rounds alike.
 struct Combine<'a> {
-    terms: &'a Terms,
+    terms: &'a [&'a Terms],
     states: &'a States<'a>,
-    sums: &'a mut [f64],
+    sums: &'a mut [Vec<f64>],
+    count: usize,
 }
 
 impl pulp::WithSimd for Combine<'_> {
@@ -274,38 +295,50 @@ impl pulp::WithSimd for Combine<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) {
-        let Combine { terms, states, sums } = self;
+        let Combine {
+            terms,
+            states,
+            sums,
+            count,
+        } = self;
         let width = REGISTERS * S::F64_LANES;
         let shortest = match states {
             States::Gathered(states) => states.count,
             States::Of(..) => {
-                let lengths = terms.iter().map(|&(state, _)| states.get(state).len());
+                let lengths = terms
+                    .iter()
+                    .copied()
+                    .flatten()
+                    .map(|&(state, _)| states.get(state).len());
                 lengths.min().unwrap_or_default()
             }
         };
-        for (first, sums) in (0..).step_by(width).zip(sums.chunks_mut(width)) {
-            if first + width <= shortest {
-                let found = match states {
-                    States::Gathered(states) => {
-                        let values = &states.values[states.first + first..];
-                        summed(simd, terms, |state| &values[state * states.count..])
+        for first in (0..count).step_by(width) {
+            for (terms, sums) in terms.iter().zip(&mut *sums) {
+                let sums = &mut sums[first..count.min(first + width)];
+                if first + width <= shortest {
+                    let found = match states {
+                        States::Gathered(states) => {
+                            let values = &states.values[states.first + first..];
+                            summed(simd, terms, |state| &values[state * states.stride..])
+                        }
+                        States::Of(histories, start) => summed(simd, terms, |state| &histories[state][start + first..]),
+                    };
+                    let (whole, rest) = S::as_mut_simd_f64s(sums);
+                    let filled = whole.len();
+                    whole.iter_mut().zip(found).for_each(|(sum, found)| *sum = found);
+                    if !rest.is_empty() {
+                        let found: &[f64] = pulp::bytemuck::cast_slice(&found);
+                        rest.copy_from_slice(&found[filled * S::F64_LANES..][..rest.len()]);
                     }
-                    States::Of(histories, start) => summed(simd, terms, |state| &histories[state][start + first..]),
-                };
-                let (whole, rest) = S::as_mut_simd_f64s(sums);
-                let filled = whole.len();
-                whole.iter_mut().zip(found).for_each(|(sum, found)| *sum = found);
-                if !rest.is_empty() {
-                    let found: &[f64] = pulp::bytemuck::cast_slice(&found);
-                    rest.copy_from_slice(&found[filled * S::F64_LANES..][..rest.len()]);
+                    continue;
                 }
-                continue;
-            }
-            for (k, sum) in (first..).zip(sums) {
-                let at = |state: usize| states.get(state).get(k).copied().unwrap_or(0.0);
-                *sum = terms
-                    .iter()
-                    .fold(0.0, |sum, &(state, factor)| factor.mul_add(at(state), sum));
+                for (k, sum) in (first..).zip(sums) {
+                    let at = |state: usize| states.get(state).get(k).copied().unwrap_or(0.0);
+                    *sum = terms
+                        .iter()
+                        .fold(0.0, |sum, &(state, factor)| factor.mul_add(at(state), sum));
+                }
             }
         }
     }
@@ -359,6 +392,11 @@ mod tests {
         for start in [4080, count - 1, count] {
             assert_eq!(demands.part(start..count).history(&terms), found[start..]);
             assert_eq!(demands.part(start..count).gathered().history(&terms), found[start..]);
+            let both = demands
+                .part(start..count)
+                .gathered()
+                .histories(&[&Terms::new(), &terms]);
+            assert_eq!(both, [vec![0.0; count - start], found[start..].to_vec()]);
         }
     }
 }

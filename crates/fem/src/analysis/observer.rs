@@ -104,25 +104,28 @@ pub struct Slope {
 }
 
 impl Row {
-    /// y at the instants of the chunk.
+    /// y at the instants of the chunk, summed in the order of the terms: on every machine the same bits.
     fn evaluate(&self, chunk: &Chunk, out: &mut [f64]) {
-        out.fill(0.0);
-        for &(k, c) in &self.value {
-            for (y, s) in out.iter_mut().zip(chunk.state(k)) {
-                *y += c * s;
-            }
-        }
+        pulp::Arch::new().dispatch(Evaluate { row: self, chunk, out });
     }
 
     /// Bounds of y in the chunk.
     fn bounds(&self, chunk: &Chunk) -> (f64, f64) {
-        let (mut low, mut high) = (0.0, 0.0);
-        for &(k, c) in &self.value {
+        // Sums beside each other: an addition waits for the one before.
+        let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
+        let mut add = |lane: usize, &(k, c): &(usize, f64)| {
             let (a, b) = (c * chunk.low[k], c * chunk.high[k]);
-            low += if a < b { a } else { b };
-            high += if a < b { b } else { a };
+            low[lane] += if a < b { a } else { b };
+            high[lane] += if a < b { b } else { a };
+        };
+        let (whole, rest) = self.value.as_chunks::<LANES>();
+        for terms in whole {
+            for lane in 0..LANES {
+                add(lane, &terms[lane]);
+            }
         }
-        (low, high)
+        rest.iter().for_each(|term| add(0, term));
+        (low.iter().sum(), high.iter().sum())
     }
 
     /// Slopes h ẏ at both ends of the step from instant `k` to `k` + 1, times the step h.
@@ -134,6 +137,62 @@ impl Row {
             .map(|&(s, c)| c * (chunk.state(s)[k + 1] - chunk.state(s)[k]))
             .sum();
         (at(k) + linear, at(k + 1) + linear)
+    }
+}
+
+/// Sums of bounds beside each other.
+const LANES: usize = 4;
+
+/// Registers of instants of a sum: a chunk but its last instant on machines with four in each.
+const REGISTERS: usize = 8;
+
+/// A row at the instants of a chunk. Each instant has its own lane, in which products and sums are rounded as they are without.
+struct Evaluate<'a> {
+    row: &'a Row,
+    chunk: &'a Chunk,
+    out: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Evaluate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, simd: S) {
+        let Evaluate { row, chunk, out } = self;
+        let width = REGISTERS * S::F64_LANES;
+        let mut first = 0;
+        while first + width <= out.len() {
+            // What is left of a chunk is a single instant: it goes along, where alone it would take as long as all others.
+            let end = first + width;
+            let single = end + 1 == out.len();
+            let (mut sums, mut last) = ([simd.splat_f64s(0.0); REGISTERS], 0.0);
+            for &(k, c) in &row.value {
+                let state = chunk.state(k);
+                let (values, _) = S::as_simd_f64s(&state[first..end]);
+                if let Some(values) = values.first_chunk::<REGISTERS>() {
+                    let factor = simd.splat_f64s(c);
+                    for i in 0..REGISTERS {
+                        sums[i] = simd.add_f64s(sums[i], simd.mul_f64s(factor, values[i]));
+                    }
+                }
+                if single {
+                    last += c * state[end];
+                }
+            }
+            out[first..end].copy_from_slice(pulp::bytemuck::cast_slice(&sums));
+            first = end;
+            if single {
+                out[end] = last;
+                first += 1;
+            }
+        }
+        let rest = &mut out[first..];
+        rest.fill(0.0);
+        for &(k, c) in &row.value {
+            for (y, s) in rest.iter_mut().zip(&chunk.state(k)[first..]) {
+                *y += c * s;
+            }
+        }
     }
 }
 
@@ -376,6 +435,28 @@ mod tests {
             .collect();
         assert_eq!(roots.len(), 1);
         assert!(slope(roots[0]).abs() < 1e-12);
+    }
+
+    /// Chunks of all lengths: y = Σ k (i + k) for k = 1 to 5 is 15 i + 55.
+    #[test]
+    fn rows_are_evaluated_at_every_instant() {
+        let row = Row {
+            value: (1..6_u32).map(|k| (k as usize, f64::from(k))).collect(),
+            slope: None,
+        };
+        let mut chunk = Chunk::new(6);
+        for k in 0..6 {
+            (0..Chunk::STRIDE).for_each(|i| chunk.set(k, i, (i + k) as f64));
+        }
+        for len in 1..=Chunk::STRIDE {
+            chunk.len = len;
+            let mut found = vec![f64::NAN; len];
+            row.evaluate(&chunk, &mut found);
+            assert!((0..len).all(|i| found[i] == (15 * i + 55) as f64), "{found:?}");
+            chunk.close();
+            let (low, high) = row.bounds(&chunk);
+            assert!(low <= found[0] && found[len - 1] <= high);
+        }
     }
 
     #[test]

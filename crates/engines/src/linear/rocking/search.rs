@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::peaks::{Peaks, turns};
-use ::base::history::{Body, Friction, History, Run, march};
+use ::base::history::{Body, Friction, History, March, Run, march};
 use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil};
 use results::BaseSpread;
 use tank::STANDARD_GRAVITY;
@@ -287,24 +287,13 @@ fn dashpot(setup: &Setup, base: &Base) -> f64 {
 }
 
 /// Largest |ψ| [rad].
-pub(super) fn turned(history: &History) -> f64 {
-    history.rotation.iter().fold(0.0, |m, psi| f64::max(m, psi.abs()))
+pub(super) fn turned(rotation: &[f64]) -> f64 {
+    rotation.iter().fold(0.0, |m, psi| f64::max(m, psi.abs()))
 }
 
-/// One march; `whole` goes on to the end of free vibration.
-pub(super) fn one(
-    setup: &Setup,
-    laws: &Laws,
-    hysteretic: f64,
-    dashpot: f64,
-    whole: bool,
-) -> Result<History, BaseError> {
-    let end = if whole {
-        setup.ground.len()
-    } else {
-        setup.searched.min(setup.ground.len())
-    };
-    march(&Run {
+/// A run on a law, with a hysteretic share and a dashpot.
+fn given<'a>(setup: &'a Setup, laws: &'a Laws, (hysteretic, dashpot): (f64, f64)) -> Run<'a> {
+    Run {
         body: &setup.body,
         law: Some(&laws.law),
         ring: laws.ring.as_ref(),
@@ -314,15 +303,27 @@ pub(super) fn one(
         friction: setup.friction.clone(),
         rigid_pressure: setup.rigid_pressure,
         step: setup.step,
-        ground: &setup.ground[..end],
-    })
+        ground: &setup.ground,
+    }
+}
+
+/// That run over the steps that search; it can go on to the end of free vibration.
+pub(super) fn searched<'a>(
+    setup: &'a Setup,
+    laws: &'a Laws,
+    hysteretic: f64,
+    dashpot: f64,
+) -> Result<March<'a>, BaseError> {
+    let mut march = March::new(given(setup, laws, (hysteretic, dashpot)));
+    march.to(setup.searched)?;
+    Ok(march)
 }
 
 /// Largest values of the run over `steps` with a motion that is weaker, one that is stronger, and half the step.
 fn twins(
     (setup, base): (&Setup, &Base),
     laws: &Laws,
-    (hysteretic, dashpot): (f64, f64),
+    damping: (f64, f64),
     steps: usize,
 ) -> Result<[Peaks; 3], BaseError> {
     let ground = &setup.ground[..steps.min(setup.ground.len())];
@@ -333,16 +334,10 @@ fn twins(
     }
     let run = |ground: &[f64], step: f64, friction: &Option<Friction>| {
         let history = march(&Run {
-            body: &setup.body,
-            law: Some(&laws.law),
-            ring: laws.ring.as_ref(),
-            heave: laws.heave.as_ref(),
-            hysteretic,
-            dashpot,
             friction: friction.clone(),
-            rigid_pressure: setup.rigid_pressure,
             step,
             ground,
+            ..given(setup, laws, damping)
         })?;
         Ok::<_, BaseError>(Peaks::of(base, turns(laws, &history), laws, &history))
     };
@@ -367,9 +362,9 @@ fn between(values: &[f64]) -> Vec<f64> {
 }
 
 /// A run with a hysteretic share.
-struct Round {
+struct Round<'a> {
     share: f64,
-    history: History,
+    march: March<'a>,
     /// Largest rotation [rad].
     peak: f64,
     /// Share of that rotation less the share of the run.
@@ -378,22 +373,22 @@ struct Round {
 
 /// The run whose share is that of its largest rotation; the last one where it turns beyond the law, that with the smaller share where the largest
 /// rotation jumps between two shares.
-fn consistent(setup: &Setup, base: &Base, laws: &Laws, dashpot: f64) -> Result<Round, BaseError> {
+fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -> Result<Round<'a>, BaseError> {
     let law = &laws.law;
     let losses = laws.losses(base)?;
-    let run = |share: f64| -> Result<Round, BaseError> {
-        let history = one(setup, laws, share, dashpot, false)?;
-        let peak = turned(&history);
+    let run = |share: f64| -> Result<Round<'a>, BaseError> {
+        let march = searched(setup, laws, share, dashpot)?;
+        let peak = turned(march.rotation());
         Ok(Round {
             off: law.share(base, losses, peak) - share,
             share,
-            history,
+            march,
             peak,
         })
     };
     let mut round = run(law.share(base, losses, 0.5 * law.largest()))?;
     // Shares that are too small and too large.
-    let (mut low, mut high): (Option<Round>, Option<Round>) = (None, None);
+    let (mut low, mut high): (Option<Round<'_>>, Option<Round<'_>>) = (None, None);
     for i in 0..ROUNDS {
         if round.peak > law.largest() || round.off.abs() <= SETTLED {
             return Ok(round);
@@ -433,7 +428,7 @@ fn consistent(setup: &Setup, base: &Base, laws: &Laws, dashpot: f64) -> Result<R
 pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, BaseError> {
     let law = &laws.law;
     let dashpot = dashpot(setup, base);
-    let run = |share: f64| one(setup, laws, share, dashpot, false).map(|history| turned(&history));
+    let run = |share: f64| searched(setup, laws, share, dashpot).map(|march| turned(march.rotation()));
     let (widest, elastic) = std::thread::scope(|scope| {
         let elastic = scope.spawn(|| match base.yields() {
             true => run(0.0),
@@ -502,14 +497,15 @@ fn covered(setup: &Setup, base: &Base, (reach, known): (f64, Option<Arc<Laws>>),
         let largest = found.law.largest();
         let Round {
             share: hysteretic,
-            mut history,
+            mut march,
             mut peak,
             off,
         } = consistent(setup, base, &found, dashpot)?;
         if whole && peak <= largest {
-            history = one(setup, &found, hysteretic, dashpot, true)?;
-            peak = turned(&history);
+            march.to(setup.ground.len())?;
+            peak = turned(march.rotation());
         }
+        let history = march.history();
         if peak <= largest {
             return Ok(Found {
                 twins: Vec::new(),

@@ -136,7 +136,7 @@ fn the_body_is_that_of_the_engine() {
     let pressure = analysis.line(OnWall::Pressure).unwrap().peak(0);
     // A fixed body records no pressure; that of a base hard as diamond does.
     let stiff = ready_law(&ready, 1e12);
-    let turned = search::one(&setup, &stiff, 0.0, 0.0, false).unwrap();
+    let turned = search::searched(&setup, &stiff, 0.0, 0.0).unwrap().history();
     assert!(
         (peak(&turned.pressure) / pressure - 1.0).abs() < 1e-2,
         "{} {pressure}",
@@ -157,7 +157,7 @@ fn a_heavy_wall_does_not_lift() {
     let ready = ready(heavy.clone());
     let (setup, analysis) = (ready.setup(40), ready.analysis());
     let law = ready_law(&ready, 1e13);
-    let history = search::one(&setup, &law, 0.0, 0.0, false).unwrap();
+    let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
     for (channel, found) in [
         (Channel::BaseShear, peak(&history.shear)),
         (Channel::BaseMoment, peak(&history.moment)),
@@ -187,7 +187,7 @@ fn the_side_towards_the_acceleration_lifts() {
     let rise = |i: usize| 3.0 * (i as f64 * setup.step).min(1.0);
     setup.ground = (0..1000).map(rise).collect();
     let law = ready_law(&ready, 1e8);
-    let history = search::one(&setup, &law, 0.0, 0.0, true).unwrap();
+    let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
     assert!(history.rotation[999] < 0.0 && history.pressure[999] < 0.0);
     let turn = law.law.turn(history.rotation[999], history.pressure[999]);
     let base = Base::of(&ready.case).unwrap();
@@ -251,7 +251,9 @@ fn energy_closes_and_the_step_does_not_matter() {
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
-    let half = search::one(&ready.setup(20), &found.laws, found.hysteretic, 0.0, false).unwrap();
+    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, 0.0)
+        .unwrap()
+        .history();
     for (coarse, fine) in [
         (peak(&found.history.rotation), peak(&half.rotation)),
         (peak(&found.history.shear), peak(&half.shear)),
