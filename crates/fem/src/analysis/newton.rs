@@ -25,7 +25,8 @@
 //! * **Initial stiffness**: a step that has failed is tried once more with the initial stiffness in place
 //!   of K_T, which softening cannot make indefinite.
 //! * **Zone** ([`super::zone`]): elements whose tangents are renewed after every slow iteration; those of the others when iterations stay slow
-//!   all the same. A step that has failed is tried again with those of the zone in every iteration, then with all of them.
+//!   all the same and the residual is outside. A step that has failed is tried again with those of the zone in every iteration, then with all of them, if no
+//!   shorter one can take its place.
 //!   A step has diverged once an increment does more work than the first one; then the last of these is left out. Iterations since the last factor correct it
 //!   (`secant`), and the factor of another length of step is kept.
 //! * **Tangent damping**: C_T = Σ a_K K_e⁺ of the last committed tangents, K_e⁺ the positive part of an element's.
@@ -431,21 +432,24 @@ impl<'a> Newton<'a> {
         p0: &[f64],
         p1: &[f64],
     ) -> Result<StepReport, StepFailure> {
-        let tried = self.attempt(scheme, state, p0, p1);
+        let tried = self.attempt(scheme, state, [p0, p1], true);
         self.conclude(tried, state)
     }
 
     /// The same without commit: on success the trial state is the result, for [`Newton::conclude`] or [`Newton::take_back`].
+    ///
+    /// * `last`: no shorter step can take its place
     pub(super) fn attempt(
         &mut self,
         scheme: &dyn Scheme,
         state: &mut State,
-        p0: &[f64],
-        p1: &[f64],
+        loads: [&[f64]; 2],
+        last: bool,
     ) -> Result<StepReport, StepFailure> {
         let limit = self.options.criteria.iterations;
-        let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
-        if self.zoned.is_some() && result.is_err() {
+        let mut result = self.iterate(scheme, state, loads, limit, false);
+        // Few that have failed converge with other tangents, and those at the price of two steps of half the length.
+        if self.zoned.is_some() && result.is_err() && last {
             self.set_aside();
             // Most steps that fail pass from one set of points to another that their tangents do not know.
             for what in [Renew::Zone, Renew::Whole] {
@@ -455,7 +459,7 @@ impl<'a> Newton<'a> {
                 }
                 self.factor = None;
                 self.renew_always(what);
-                result = self.iterate(scheme, state, [p0, p1], limit, false);
+                result = self.iterate(scheme, state, loads, limit, false);
             }
             self.renew_always(Renew::Nothing);
             // Not in the precision that a resumed run would have it in.
@@ -469,13 +473,13 @@ impl<'a> Newton<'a> {
             && let Some(kept) = self.kept.take()
         {
             self.factor = None;
-            result = self.iterate(scheme, state, [p0, p1], limit, false);
+            result = self.iterate(scheme, state, loads, limit, false);
             self.kept = Some(kept);
         }
         if result.is_err() && self.options.initial_stiffness > 0 {
             self.factor = None;
-            let last = self.options.initial_stiffness;
-            result = self.iterate(scheme, state, [p0, p1], last, true);
+            let limit = self.options.initial_stiffness;
+            result = self.iterate(scheme, state, loads, limit, true);
             self.factor = None;
         }
         result

@@ -307,6 +307,15 @@ impl Zone {
         &self.elements
     }
 
+    /// Part of ‖r‖ that is that of the unknowns outside; not a number where r is none or nothing.
+    pub fn share_outside(&self, r: &[f64]) -> f64 {
+        let mut squares = [0.0; 2];
+        for (&inner, r) in self.inner_of.iter().zip(r) {
+            squares[usize::from(inner == NONE)] += r * r;
+        }
+        (squares[1] / (squares[0] + squares[1])).sqrt()
+    }
+
     /// Unknowns outside, and of the zone.
     pub fn sizes(&self) -> [usize; 2] {
         self.sizes

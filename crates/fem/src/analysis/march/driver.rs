@@ -321,7 +321,8 @@ impl<'a> Driver<'a> {
             self.load_vector(&functions, &mut p1);
             let h = self.settings.grid.h() * (ends[1] - ends[0]) * stride as f64;
             let scheme = self.settings.scheme.with_step(h)?;
-            let tried = self.newton.attempt(&scheme, &mut self.state, &p0, &p1);
+            let last = part == 1 && stride == 1;
+            let tried = self.newton.attempt(&scheme, &mut self.state, [&p0, &p1], last);
             let error = self.strides.as_ref().map_or(0.0, |s| s.error(&scheme, &self.state));
             if let Some(strides) = &mut self.strides
                 && stride > 1

@@ -13,9 +13,12 @@ use crate::element::Want;
 use crate::linalg::{Keep, Symmetric};
 use crate::state::State;
 
-/// Slow iterations in succession, each with the zone renewed, after which the tangent outside of it is renewed too: most are slow by what
-/// the zone does, and full Newton is as slow.
-const SLUGGISH: usize = 4;
+/// Part of the residual outside of the zone from which an iteration is slow by what is outside, if the zone has just been renewed: its tangent is that of
+/// an earlier state, where the wall has yielded since.
+const STALE: f64 = 0.5;
+/// Slow iterations in succession, each with the zone renewed, after which the tangent outside of it is renewed too: most are slow by the points that meet
+/// the ground and leave it in turn, and full Newton is as slow.
+const SLUGGISH: usize = 8;
 
 /// Tangents of a zone and what decides about them.
 pub(super) struct Zoned {
@@ -184,7 +187,8 @@ impl Newton<'_> {
             return Renew::Nothing;
         };
         zoned.slow = if slow { zoned.slow + 1 } else { 0 };
-        let renew = if !current || zoned.always == Renew::Whole || zoned.slow > SLUGGISH {
+        let stale = zoned.slow > SLUGGISH || (zoned.slow > 1 && zoned.zone.share_outside(&self.room.r) > STALE);
+        let renew = if !current || zoned.always == Renew::Whole || stale {
             Renew::Whole
         } else if slow || exchanged || zoned.always == Renew::Zone {
             Renew::Zone

@@ -56,6 +56,19 @@ fn zone(model: &Model, assembler: &Assembler) -> Arc<Zone> {
     Arc::new(Zone::new(model, assembler, own).unwrap())
 }
 
+/// ‖r_E‖ over ‖r‖ of a residual of 3 outside and 4 within, on one unknown each: 3/5.
+#[test]
+fn the_share_outside_is_that_of_its_unknowns() {
+    let (model, assembler) = beam();
+    let zone = zone(&model, &assembler);
+    let unknown = |node: usize| model.dofs().equation(node, Dof::Uz).unwrap();
+    let mut r = vec![0.0; model.dofs().len()];
+    r[unknown(4 * LENGTH + 3)] = 3.0;
+    assert_eq!(zone.share_outside(&r), 1.0);
+    r[unknown(4)] = 4.0;
+    assert!((zone.share_outside(&r) - 0.6).abs() < 1e-15);
+}
+
 /// Both factors together solve as that of the whole, after one of both and after one of the zone alone, on one thread and on two:
 /// rounding at a condition of about 1e6.
 #[test]
