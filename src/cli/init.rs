@@ -13,6 +13,7 @@ use tank::case::Case;
 #[command(after_help = "\
 Examples:
   tankcheck init --out tank.json
+  tankcheck init --shape unanchored --out tank.json
   tankcheck init --shape rectangle > basin.json
   tankcheck init | tankcheck check -
   tankcheck init --study > study.json")]
@@ -35,6 +36,8 @@ const STUDY: &str = include_str!("init/study.json");
 enum Shape {
     /// A steel cylinder on anchors.
     Cylinder,
+    /// A steel cylinder that stands on its bottom plate.
+    Unanchored,
     /// A strip of a concrete basin.
     Rectangle,
 }
@@ -43,16 +46,17 @@ impl Shape {
     fn text(self) -> &'static str {
         match self {
             Shape::Cylinder => include_str!("init/cylinder.json"),
+            Shape::Unanchored => include_str!("init/unanchored.json"),
             Shape::Rectangle => include_str!("init/rectangle.json"),
         }
     }
 }
 
-/// The tanks of both files, and the cylinder without anchors and with gas above the liquid: between them every limit state is declared.
+/// The tanks on anchors and of a strip, and the first without anchors and with gas above the liquid: between them every limit state is declared.
 pub(crate) fn cases() -> Vec<Case> {
     let read = |shape: Shape| {
         let file = parse(&Source::new("tank.json", shape.text()));
-        // A test reads both files.
+        // A test reads the files.
         file.map(|file| file.case).ok()
     };
     let mut all: Vec<Case> = [Shape::Cylinder, Shape::Rectangle]
@@ -119,8 +123,8 @@ mod tests {
     }
 
     #[test]
-    fn both_files_are_valid() {
-        for shape in [Shape::Cylinder, Shape::Rectangle] {
+    fn all_files_are_valid() {
+        for shape in [Shape::Cylinder, Shape::Unanchored, Shape::Rectangle] {
             let source = Source::new("tank.json", shape.text());
             let file = parse(&source).unwrap_or_else(|faults| panic!("{}", faults.render(&source, false)));
             assert!(file.remarks.is_empty(), "{:?}", file.remarks);

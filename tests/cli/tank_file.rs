@@ -47,6 +47,7 @@ fn init_writes_what_we_read() {
     let folder = tempfile::tempdir().unwrap();
     for (args, shape) in [
         (vec!["init"], "cylinder"),
+        (vec!["init", "--shape", "unanchored"], "cylinder"),
         (vec!["init", "--shape", "rectangle"], "rectangle"),
     ] {
         let path = folder.path().join(format!("{shape}.json"));

@@ -63,7 +63,7 @@ object! {
         snapshots: Opt<Vec<Field<Moment>>> [SNAPSHOTS],
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
-        /// Inertia of wall and roof that the foot of an unanchored cylinder lifts and drops as it rocks, by the harmonic engine.
+        /// Inertia of wall and roof that the foot of an unanchored cylinder with `tank.bottom` lifts and drops as it rocks, by the harmonic engine.
         heave: Opt<FootHeave> = Absent::Without("the foot lifts wall and roof without inertia"),
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
