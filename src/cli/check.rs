@@ -25,7 +25,7 @@ Examples:
   tankcheck check tank.json                       design spectra of the tank's `site`
   tankcheck check tank.json --quake elcentro.csv  also the spectrum of a record
   tankcheck check tank.json --procedures api650-2020 --format json
-  tankcheck check tank.json --format json --select all    results.json instead of verdict, quantities and checks
+  tankcheck check tank.json --format json --select all    results.json instead of its main parts
   tankcheck check tank.json --format junit        a test case a check; also sarif, github
   tankcheck check tank.json --solve fill_height   the largest fill height at which no check fails
   tankcheck check tank.json --solve thickness:1   the smallest thickness of the lowest course

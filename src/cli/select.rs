@@ -129,6 +129,7 @@ impl SelectArg {
                 "verdict" => line(part, &verdict(results)),
                 "quantities" => items(part, &quantities(results)),
                 "checks" => checks(results),
+                "warnings" => line(part, &json!(results.warnings)),
                 // A part that these results do not have is null.
                 other => line(other, &parts.remove(other).unwrap_or_default()),
             });
@@ -219,6 +220,6 @@ fn checks(results: &Results) -> String {
 }
 
 /// What `check` prints.
-pub(crate) const USUAL: [&str; 3] = SHORT;
+pub(crate) const USUAL: [&str; 4] = ["verdict", "quantities", "checks", "warnings"];
 /// What `compare` prints.
 pub(crate) const WHOLE: [&str; 1] = [ALL];

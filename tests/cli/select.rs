@@ -347,3 +347,30 @@ fn nothing_decided_is_not_green() {
     let error = document.descendants().find(|n| n.has_tag_name("error")).unwrap();
     assert_eq!(error.parent().unwrap().attribute("name"), Some("verdict"));
 }
+
+/// A code takes the base as fixed: for the tank of example 11 on isolators its freeboard is open, for the same tank without them it holds. Scripts see
+/// why in the warnings.
+#[test]
+fn a_code_does_not_hold_what_moves_on_isolators() {
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/11_slab_tank/tank_isolated.json");
+    let isolated = std::fs::read_to_string(example).unwrap();
+    let isolated = isolated.replace("\"decide\": [\"fe\"]", "\"decide\": [\"ec8-2006\"]");
+    let start = isolated.find("\"isolators\"").unwrap();
+    let end = start + isolated[start..].find('\n').unwrap();
+    let fixed = [isolated[..start].trim_end().trim_end_matches(','), &isolated[end..]].concat();
+    let home = tempfile::tempdir().unwrap();
+    let freeboard = |text: &str| {
+        let path = home.path().join("tank.json");
+        std::fs::write(&path, text).unwrap();
+        let found = json(&tankcheck(&["check", path.to_str().unwrap(), "--format", "json"]));
+        let checks = found["checks"]["ec8-2006/site"].as_array().unwrap().clone();
+        let freeboard = checks.into_iter().find(|check| check["id"] == "freeboard").unwrap();
+        (freeboard["status"].clone(), found["warnings"].to_string())
+    };
+    let (status, warnings) = freeboard(&isolated);
+    assert_eq!(status, "not_checked");
+    assert!(warnings.contains("take the base as fixed"), "{warnings}");
+    let (status, warnings) = freeboard(&fixed);
+    assert_eq!(status, "holds");
+    assert!(!warnings.contains("take the base as fixed"), "{warnings}");
+}

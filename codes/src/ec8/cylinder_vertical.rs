@@ -29,8 +29,8 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
         return Err(CodeError::NotApplicable(NotApplicable {
             clause,
             reason: format!(
-                "vertical motion with H/R = {gamma:.2} found, the pressure of the breathing wall is given for H/R < 4; `site.ec8.vertical: false` leaves \
-                 vertical motion out"
+                "vertical motion with H/R = {gamma:.2}, where the pressure of the breathing wall is given for H/R < 4; `site.ec8.vertical: false` \
+                 leaves vertical motion out"
             ),
         }));
     };

@@ -186,7 +186,7 @@ catalogue! {
 
     Unsupported "T0306" Error "this tank or motion is outside the model of the engine or procedure"
         "The input is sound; the chosen engine does not model it, and a result would leave something out without saying so. \
-         The help names what to change or another engine; `docs/engines.md` lists what each engine takes."
+         The help names what to change or another engine."
         "--fe nonlinear with a concrete law that it does not have"
 
     RecordFormat "T0401" Error "the format of the record cannot be read"

@@ -145,7 +145,7 @@ pub fn governing(governing: &Governing) -> String {
         excitation(governing.excitation),
         if place.is_empty() { place } else { format!(", {place}") },
         match governing.check.utilisation {
-            Some(utilisation) => format!("utilisation {utilisation:.2}"),
+            Some(_) => format!("utilisation {}", utilisation(&governing.check)),
             None => "no capacity is left".into(),
         },
         match governing.check.within_error {
@@ -171,7 +171,7 @@ pub fn utilisation(check: &Check) -> String {
 
 /// A limit of the theory that is exceeded.
 pub fn exceeded(limit: &Limit) -> String {
-    format!("{}: {}", limit.name, limit.note)
+    format!("{} ({}): {}", limit.name, super::summary::exceeded(limit), limit.note)
 }
 
 /// A run of `ida` without equilibrium; none of one that has it.
