@@ -14,6 +14,8 @@
 //! | uplift | plastic rotation of the joint of the bottom plate | 0.20 rad |
 //! | sliding | base shear | μ M (g + a_v) |
 //! | bearing | pressure of M′ and M (g + a_v) under a rigid base | given resistance |
+//! | displacement of isolators | γ_x d | given capacity |
+//! | tension of bearings | 1 − N/N_0 | 1 |
 //!
 //! Uplift is judged where the engine lets the base lift ([`tank::demand::FreeBase`]); the shear of a tank that slides is then that of the tank
 //! held in place. Where runs of such a base that should agree do not, nothing but the wave may hold. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
@@ -26,6 +28,7 @@
 mod base;
 mod bearing;
 mod field;
+mod isolators;
 mod limit_states;
 mod ready;
 mod search;
@@ -72,10 +75,26 @@ pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<St
 }
 
 /// The demands of a linear run under its record times a positive factor against the capacities of codes: the motion grows, the static
-/// state stays. A run of another model has no factor but 1.
+/// state stays. A run of another model has no factor but 1. On isolators each check is the worst of their properties; lines are those of
+/// nominal ones.
 ///
 /// * `errors`: relative mesh errors of the run by quantity id
 pub fn assess_at(
+    case: &Case,
+    codes: Codes,
+    (ready, factor): (&Ready<'_>, f64),
+    errors: &BTreeMap<String, f64>,
+) -> Findings {
+    let mut found = of_demands(case, codes, (ready, factor), errors);
+    for (scale, bound) in &ready.bounds {
+        let other = of_demands(case, codes, (bound, factor), errors);
+        isolators::take_worse(&mut found.checks, other.checks, *scale);
+    }
+    found
+}
+
+/// The same of one run.
+fn of_demands(
     case: &Case,
     codes: Codes,
     (ready, factor): (&Ready<'_>, f64),
@@ -94,6 +113,7 @@ pub fn assess_at(
     }
     base::sliding(&mut work);
     bearing::assess(&mut work);
+    isolators::assess(&mut work);
     let outside = outside(&mut work, pulls);
     if let Some((why, reason)) = &outside {
         leave(&mut work, *why, reason);
@@ -227,6 +247,12 @@ fn notes(work: &mut Work<'_>) {
     if case.site.ec8.is_none() && case.site.api650.is_none() {
         work.notes.push(
             "`site` is not given: the wall is judged by EN 1998-4 A.10 with its lowest quality of construction (a = 1).".into(),
+        );
+    }
+    if !work.ready.bounds.is_empty() {
+        work.notes.push(
+            "Every limit state is the worst of nominal, lower and upper properties of the isolators; where it is not that of nominal ones, the check says so, and calculation lines are those of nominal ones."
+                .into(),
         );
     }
     if work.demands.angles == Angles::Sides {

@@ -99,7 +99,7 @@ impl SelectArg {
         if !self.is_given() || wanted.clone().any(|part| !LIGHT.contains(&part)) {
             return Vec::new();
         }
-        let mut parts = vec![Part::Envelopes, Part::Histories, Part::Grounds, Part::Isolators];
+        let mut parts = vec![Part::Envelopes, Part::Histories, Part::Grounds];
         if wanted.all(|part| part != WITH_ERROR) {
             parts.push(Part::MeshError);
         }

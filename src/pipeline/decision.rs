@@ -71,28 +71,18 @@ fn asked(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Vec<Li
 pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitation, checks: Vec<Check>) -> Vec<Check> {
     let states = asked(procedure, job, excitation);
     let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
-    let known = |check: Check| match job.case.tank.isolators {
-        Some(_) => on_isolators(&states, check),
-        None => check,
+    let isolated = job.case.tank.isolators.is_some();
+    // By a base that does not move nothing holds.
+    let known = |check: Check| match isolated && check.holds() {
+        true => check.left_open(ON_ISOLATORS.into()),
+        false => check,
     };
     let checks = checks.into_iter().filter(compared).map(known).collect();
     accept(procedure.id(), job, check::complete(&states, checks))
 }
 
-/// Limit states of waves and displacements, of which a procedure that takes the base as fixed says nothing for a tank on isolators. What it says of wall and
-/// ground are the forces of a base that does not move.
-const MOVED: [&str; 4] = ["freeboard", "damage_freeboard", "pipes", "piping_horizontal"];
+/// Why a code leaves open what would hold.
 const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedure does not know";
-
-/// A check of a code for a tank on isolators: open where it would hold by a base that does not move.
-fn on_isolators(states: &[LimitState], check: Check) -> Check {
-    let holds = check.status == CheckStatus::Holds && MOVED.contains(&check.limit_state.as_str());
-    let state = states.iter().find(|state| state.id == check.limit_state);
-    match state.filter(|_| holds) {
-        Some(state) => Check::without_comparison(state, CheckStatus::NotChecked, ON_ISOLATORS, None),
-        None => check,
-    }
-}
 
 /// How the limit states of an engine under the record end, worst first.
 ///

@@ -105,11 +105,10 @@ fn ended(run: &Run) -> Option<Incomplete> {
     }
 }
 
-/// What the results have not, because nobody needs it: softer and harder ground is that of a base that moves, bounds are those of isolators.
+/// What the results have not, because nobody needs it: softer and harder ground is that of a base that moves.
 pub(super) fn left_out(job: &Job, runs: &[Run]) -> Vec<LeftOut> {
     let would_have = |part: &&Part| match part {
         Part::Grounds => runs.iter().any(|run| run.base.is_some()),
-        Part::Isolators => runs.iter().any(|run| run.isolation.is_some()),
         Part::MeshError | Part::Envelopes | Part::Histories => true,
     };
     let parts = job.without.iter().filter(would_have);

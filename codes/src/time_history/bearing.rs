@@ -24,7 +24,8 @@ const LARGEST_ERROR: f64 = 10.0;
 
 /// Adds the check, or what is missing for it.
 pub(super) fn assess(work: &mut Work<'_>) {
-    if !work.codes.ec8 {
+    // Bearings stand on the ground in place of the tank.
+    if !work.codes.ec8 || work.case.tank.isolators.is_some() {
         return;
     }
     let Some(resistance) = work.case.site.ec8.and_then(|site| site.bearing_capacity) else {

@@ -35,6 +35,10 @@ pub(super) const ANCHORS: &str = "anchorage";
 pub(super) const UPLIFT: &str = "uplift_tension";
 /// Walls of a box that bend as plates.
 pub(super) const PLATES: &str = "plane_walls";
+/// Displacement of isolators.
+pub(super) const ISOLATORS: &str = "isolator_displacement";
+/// Tension of bearings.
+pub(super) const TENSION: &str = "isolator_tension";
 /// Bearing of the ground.
 pub(super) const BEARING: &str = "bearing";
 /// Sliding.
@@ -196,11 +200,28 @@ impl List<'_> {
         self.add(SLIDING, "Sliding on the foundation", clause, Required);
     }
 
+    /// Only of tanks on them.
+    fn isolators(&mut self) {
+        if self.case.tank.isolators.is_none() {
+            return;
+        }
+        let ec8 = self.codes.ec8.then_some("EN 1998-1:2004 10.3, 10.10");
+        let api = self.codes.api.then_some("ASCE 7-16 17.2.8");
+        let clause: Vec<&str> = ec8.into_iter().chain(api).collect();
+        let clause = clause.join(", ");
+        self.add(ISOLATORS, "Displacement of the isolators", clause.clone(), Required);
+        self.add(TENSION, "Tension of the outermost bearing", clause, Required);
+    }
+
     /// What the codes ask for and the engine has no demand for.
     fn others(&mut self) {
         if self.codes.ec8 {
             let ground = "EN 1998-5:2004 5.4.1.1".to_owned();
-            self.add(BEARING, "Bearing of the ground", ground, Required);
+            let bearing = match self.case.tank.isolators {
+                Some(_) => NotImplemented,
+                None => Required,
+            };
+            self.add(BEARING, "Bearing of the ground", ground, bearing);
             let name = "Differential displacement of pipes";
             self.add("pipes", name, main("4.5.2.3"), NotImplemented);
             let reason = "the record is one ground motion; the damage limitation state has a seismic action of its own";
@@ -227,6 +248,7 @@ pub fn limit_states(case: &Case, codes: Codes) -> Vec<LimitState> {
     list.wall();
     list.plates();
     list.base();
+    list.isolators();
     list.others();
     list.states
 }

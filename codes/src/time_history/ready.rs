@@ -35,6 +35,8 @@ pub struct Ready<'a> {
     pub(super) vertical: Option<Vec<f64>>,
     /// The least of it in each of [`rows`]; none without one.
     least_upwards: Vec<f64>,
+    /// The same with scaled properties of isolators, and their factor.
+    pub(super) bounds: Vec<(f64, Ready<'a>)>,
 }
 
 impl Ready<'_> {
@@ -122,7 +124,12 @@ impl<'a> Ready<'a> {
             let of = |row: Range<usize>| a[row].iter().copied().fold(f64::INFINITY, f64::min);
             rows(a.len()).map(of).collect()
         };
+        let isolation = demands.isolation.iter();
+        let bounds = isolation.flat_map(|isolation| &isolation.bounds);
         Ready {
+            bounds: bounds
+                .map(|(scale, demands)| (*scale, Ready::new(case, demands)))
+                .collect(),
             least_upwards: vertical.as_ref().map(least).unwrap_or_default(),
             shear: held.or(demands.base_shear.as_ref()).map(history),
             moment: demands.overturning_moment.as_ref().map(history),

@@ -1,6 +1,7 @@
 //! The surface of the liquid: freeboard, and impact on the roof.
 
 use tank::assessment::{Check, CheckStatus};
+use tank::demand::SMALL_WAVE;
 use tank::quantity::Quantity;
 use tank::units::Dimension::Length;
 
@@ -8,7 +9,11 @@ use super::limit_states::{FREEBOARD, ROOF};
 use super::work::Work;
 use crate::sheet::with_unit;
 
-/// The largest wave against the freeboard.
+/// Why a wave that stays within the freeboard does not show that it holds.
+const NOT_SMALL: &str =
+    "the wave is higher than 0.2 of the radius or half length: it is not small, and its height indicative only";
+
+/// The largest wave against the freeboard; no small wave holds where it is not small.
 pub(super) fn assess(work: &mut Work<'_>) {
     let Some(wave) = work.demands.wave else {
         for id in [FREEBOARD, ROOF] {
@@ -28,7 +33,11 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let check = Check::new(FREEBOARD, "Freeboard", rise, freeboard, Length, &clause, note)
         .at(Some(wave.time), None, Some(wave.theta))
         .with_error(work.mesh_error(Quantity::SloshingHeight));
-    work.checks.push(check);
+    let indicative = work.demands.small_waves && rise > SMALL_WAVE * work.case.tank.shape.half_length();
+    work.checks.push(match check.holds() && indicative {
+        true => check.left_open(NOT_SMALL.to_owned()),
+        false => check,
+    });
     let roof = work.case.tank.roof.mass > 0.0;
     let (status, reason) = match (rise > freeboard, roof) {
         (false, _) => (

@@ -14,6 +14,7 @@ use super::*;
 use crate::samples::{case, course, steel};
 
 mod free;
+mod isolators;
 mod plates;
 mod scales;
 
@@ -409,6 +410,30 @@ fn what_is_missing_is_named() {
     let findings = assessed(&case, &given.demands(0.0, 0));
     assert_eq!(found(&findings, "freeboard").status, CheckStatus::Fails);
     assert_eq!(found(&findings, "roof_impact").status, CheckStatus::NotChecked);
+}
+
+/// 2.1 m of wave in a tank of 10 m of radius with room for 2.5 m: a linear surface is indicative, and nothing holds by it. One that follows large
+/// waves says that it holds, 1.9 m are small, and 2.6 m strike.
+#[test]
+fn a_wave_that_is_not_small_does_not_hold() {
+    let mut case = steel_tank();
+    case.liquid.fill_height = 7.5;
+    let status = |rise: f64, small_waves: bool| {
+        let wave = Some(Peak {
+            value: rise,
+            ..Peak::default()
+        });
+        let demands = Demands {
+            wave,
+            small_waves,
+            ..shaken(1).demands(0.0, 0)
+        };
+        found(&assessed(&case, &demands), "freeboard").status
+    };
+    assert_eq!(status(2.1, true), CheckStatus::NotChecked);
+    assert_eq!(status(2.1, false), CheckStatus::Holds);
+    assert_eq!(status(1.9, true), CheckStatus::Holds);
+    assert_eq!(status(2.6, true), CheckStatus::Fails);
 }
 
 /// The mesh error acts on the seismic part: 60 of 75 MPa are static, 10 % of the rest are 2 % of the whole.

@@ -274,24 +274,6 @@ fn review(model: &Model) -> Result<Vec<String>, FeError> {
     Ok(notes)
 }
 
-/// The analysis of a model, and its demands beside it on a second core: they share modes and motion alone.
-///
-/// Errors: a response that is not finite.
-fn beside_demands<'a>(
-    case: &Case,
-    model: &'a Model,
-    motion: &GroundMotion,
-    (options, extent): (&Options, Extent),
-) -> Result<(Analysis<'a>, Demands), FeError> {
-    let kept = model.kept(options.wave_modes);
-    std::thread::scope(|scope| {
-        let demands = scope.spawn(|| demands::demands(case, model, &kept, motion));
-        let analysis = analyse_on(model, motion, (options, extent), &Silent);
-        let demands = demands.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        Ok((analysis?, demands?))
-    })
-}
-
 /// Everything that is reported of a finished analysis.
 ///
 /// Errors: a response that is not finite.
@@ -317,13 +299,7 @@ fn report(
                 .into(),
         );
     }
-    let mut isolated = isolation::isolated(
-        case,
-        (linear.engine, model),
-        &analysis,
-        motion,
-        (options, linear.extent),
-    )?;
+    let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
     let mut free = rocking::free(
         case,
         (linear.engine, model),
@@ -343,7 +319,7 @@ fn report(
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
     let (mut analysis, mut demands) = match &moving {
-        Some(moving) => beside_demands(case, moving, &driven, (options, linear.extent))?,
+        Some(moving) => demands::beside(case, moving, &driven, (options, linear.extent))?,
         None => {
             let demands = demands::demands(case, model, &analysis.kept, &driven)?;
             (analysis, demands)
@@ -367,7 +343,7 @@ fn report(
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
     if let Some(found) = &mut isolated {
-        found.complete(&analysis, &values, &held, &demands);
+        found.complete(&analysis, &values, &held, &mut demands);
         notes.extend(found.notes());
     }
     free.demands(&mut demands, (model, seen), &analysis, motion)?;

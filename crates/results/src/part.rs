@@ -16,8 +16,6 @@ pub enum Part {
     Histories,
     /// A base that lifts on softer and on harder ground.
     Grounds,
-    /// Isolators with lower and upper properties.
-    Isolators,
 }
 
 impl Part {
@@ -28,7 +26,6 @@ impl Part {
             Part::Envelopes => "envelopes over the height",
             Part::Histories => "time histories",
             Part::Grounds => "softer and harder ground",
-            Part::Isolators => "bounds of the isolators",
         }
     }
 
@@ -42,9 +39,6 @@ impl Part {
             Part::Histories => "Time histories and series.csv are left out.",
             Part::Grounds => {
                 "The base was not run on softer and harder ground. It was run under slightly weaker and stronger motions, so that checks know whether it repeats."
-            }
-            Part::Isolators => {
-                "The isolators were run with their nominal properties alone, not with lower and upper ones."
             }
         }
     }
@@ -85,8 +79,6 @@ impl Results {
                 .base
                 .as_ref()
                 .is_some_and(|base| !base.band.is_empty() || !base.missed.is_empty()),
-            // One is the run itself.
-            Part::Isolators => run.isolation.as_ref().is_some_and(|isolation| isolation.band.len() > 1),
         })
     }
 
@@ -102,13 +94,6 @@ impl Results {
                         if let Some(base) = &mut run.base {
                             base.band.clear();
                             base.missed.clear();
-                        }
-                    }
-                    Part::Isolators => {
-                        // Lower, nominal, upper.
-                        if let Some(band) = run.isolation.as_mut().map(|isolation| &mut isolation.band) {
-                            band.truncate(2);
-                            band.drain(..band.len().saturating_sub(1));
                         }
                     }
                 }

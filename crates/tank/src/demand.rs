@@ -88,6 +88,20 @@ pub struct FreeBase {
     pub held_shear: Option<Terms>,
 }
 
+/// Waves higher than this share of the radius (or half length) are not small: a linear surface is indicative only.
+pub const SMALL_WAVE: f64 = 0.2;
+
+/// Isolators under the tank.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Isolation {
+    /// Largest displacement [m].
+    pub displacement: Peak,
+    /// Smallest force of the outermost bearing over that at rest; negative in tension.
+    pub bearing_share: Option<Peak>,
+    /// The demands with scaled properties, and their factor.
+    pub bounds: Vec<(f64, Demands)>,
+}
+
 /// How a tank stands under a motion, for those who would scale its response.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Footing {
@@ -122,6 +136,8 @@ pub struct Demands {
     pub places: Vec<Place>,
     /// Largest rise of the surface at the wall [m].
     pub wave: Option<Peak>,
+    /// Whether the engine takes waves as small ([`SMALL_WAVE`]).
+    pub small_waves: bool,
     /// Horizontal force on the foundation [N].
     pub base_shear: Option<Terms>,
     /// Moment of the motion below the base plate, the pressure on the bottom included [N·m].
@@ -132,6 +148,8 @@ pub struct Demands {
     pub plates: bool,
     /// The base, where it is free to lift and slide.
     pub base: Option<FreeBase>,
+    /// The isolators, of an engine that moves the tank on them.
+    pub isolation: Option<Isolation>,
     /// How the tank stands.
     pub footing: Footing,
     /// Largest relative error of a peak that lies between two of the times.

@@ -157,7 +157,7 @@ pub(crate) fn analyse<'a>(
 /// base that lifts repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All that is reported: extremes along all lines, histories, a base that lifts on softer and harder ground, isolators with their bounds.
+    /// All that is reported: extremes along all lines, histories, a base that lifts on softer and harder ground.
     Whole,
     /// Without [`Extent::LEAVES_OUT`].
     Selected,
@@ -169,7 +169,7 @@ pub(crate) enum Extent {
 
 impl Extent {
     /// Parts of the results that a selected run has not.
-    pub(crate) const LEAVES_OUT: [Part; 4] = [Part::Envelopes, Part::Histories, Part::Grounds, Part::Isolators];
+    pub(crate) const LEAVES_OUT: [Part; 3] = [Part::Envelopes, Part::Histories, Part::Grounds];
 
     /// The extent of a run of which nobody needs these parts.
     pub(crate) fn without(parts: &[Part]) -> Extent {
@@ -199,8 +199,7 @@ impl Extent {
         self != Extent::Quick
     }
 
-    /// Whether a base that lifts is run on softer and on harder ground, and isolators with lower and upper properties: no value and no check
-    /// depends on these runs.
+    /// Whether a base that lifts is run on softer and on harder ground: no value and no check depends on these runs.
     pub(super) fn has_band(self) -> bool {
         self == Extent::Whole
     }

@@ -5,12 +5,13 @@
 
 use std::f64::consts::PI;
 
+use fem::progress::Silent;
 use oscillator::record::Record;
 use tank::case::GroundMotion;
 use tank::demand::{Angles, Demands, Footing, OnWall as Stress, Peak, Place, Terms};
 use tank::{Case, Shape};
 
-use super::analysis::Analysis;
+use super::analysis::{Analysis, Extent, analyse_on};
 use super::model::{Harmonic, Model};
 use crate::FeError;
 use crate::modes::CoupledMode;
@@ -122,15 +123,35 @@ pub(crate) fn demands(
         angles: Angles::All,
         places: slots.iter().map(place).collect(),
         wave: None,
+        small_waves: true,
         base_shear: shear.map(take),
         overturning_moment: below.map(take),
         vertical: vertical.map(take),
         plates: false,
         base: None,
+        isolation: None,
         footing: Footing::Fixed,
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,
         transverse: transverse.map_or_else(Vec::new, |of_y| of_y.states),
+    })
+}
+
+/// The analysis of a model, and its demands beside it on a second core: they share modes and motion alone.
+///
+/// Errors: a response that is not finite.
+pub(super) fn beside<'a>(
+    case: &Case,
+    model: &'a Model,
+    motion: &GroundMotion,
+    (options, extent): (&LinearOptions, Extent),
+) -> Result<(Analysis<'a>, Demands), FeError> {
+    let kept = model.kept(options.wave_modes);
+    std::thread::scope(|scope| {
+        let found = scope.spawn(|| demands(case, model, &kept, motion));
+        let analysis = analyse_on(model, motion, (options, extent), &Silent);
+        let found = found.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        Ok((analysis?, found?))
     })
 }
 

@@ -4,6 +4,7 @@
 //! both horizontal components. A takes the place of the ground motion, so that every value, envelope and demand of the run is that of the
 //! tank on isolators. `docs/theory/soil.md`.
 
+mod bearings;
 mod outcome;
 #[cfg(test)]
 mod tests;
@@ -14,14 +15,16 @@ use std::collections::BTreeMap;
 use ::soil::SoilError;
 use ::soil::isolated::{self, History, Mode};
 use ::soil::isolator::{Friction, Isolator};
-use fem::progress::Silent;
 use oscillator::record::Record;
 use results::{EngineId, IsolationBand};
 use tank::case::GroundMotion;
+use tank::demand::Demands;
 use tank::options::LinearOptions as Options;
 use tank::{Bearing, Case, Isolators, Quantity, Shape};
 
-use super::analysis::{Analysis, Extent, analyse};
+use super::analysis::{Analysis, Extent};
+use super::around::Around;
+use super::demands::{beside, wave};
 use super::model::Model;
 use crate::FeError;
 use crate::harmonic::Places;
@@ -36,7 +39,7 @@ const LONGEST: f64 = 1e-3;
 
 /// The run on isolators; `None` of a tank without them, and of the other engines.
 ///
-/// * `extent`: whether it also runs with lower and upper properties
+/// Lower and upper properties run in every extent: checks take the worst of all.
 ///
 /// Errors: dashpots, which couple the modes; a march without convergence; a response that is not finite.
 pub(super) fn isolated(
@@ -44,7 +47,7 @@ pub(super) fn isolated(
     (engine, model): (EngineId, &Model),
     still: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, extent): (&Options, Extent),
+    options: &Options,
 ) -> Result<Option<Isolated>, FeError> {
     let Some(given) = case.tank.isolators.filter(|_| engine == EngineId::Harmonic) else {
         return Ok(None);
@@ -53,23 +56,19 @@ pub(super) fn isolated(
         return Err(FeError::Unsupported(words::DASHPOTS.into()));
     }
     let setup = Setup::new(case, model, &given, still.grid, motion, options);
-    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let (main, bounds) = std::thread::scope(|scope| {
-        let wanted = given.bounds.into_iter().filter(|_| extent.has_band());
-        let bounds: Vec<_> = wanted
-            .map(|factor| {
-                let (setup, given) = (&setup, &given);
-                scope.spawn(move || setup.bound(given, factor, model, motion, options, round))
-            })
-            .collect();
+        let bounds = given.bounds.map(|factor| {
+            let (setup, given) = (&setup, &given);
+            scope.spawn(move || setup.bound((case, model), (given, factor), motion, options))
+        });
         let main = setup.march(&setup.isolators(&given, 1.0));
         let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
             handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
         };
-        (main, bounds.into_iter().map(join).collect::<Vec<_>>())
+        (main, bounds.map(join))
     });
     let history = main.map_err(failure)?;
-    let bounds = bounds.into_iter().collect::<Result<Vec<IsolationBand>, FeError>>()?;
+    let bounds = bounds.into_iter().collect::<Result<Vec<Bound>, FeError>>()?;
     Ok(Some(Isolated::new(setup, given, history, bounds, motion)))
 }
 
@@ -252,22 +251,29 @@ impl Setup {
         [stiffness, std::f64::consts::TAU / omega, damping.sum()]
     }
 
-    /// The largest values with scaled properties.
+    /// The run with scaled properties.
     fn bound(
         &self,
-        given: &Isolators,
-        factor: f64,
-        model: &Model,
+        (case, model): (&Case, &Model),
+        (given, factor): (&Isolators, f64),
         motion: &GroundMotion,
         options: &Options,
-        round: bool,
-    ) -> Result<IsolationBand, FeError> {
+    ) -> Result<Bound, FeError> {
         let isolators = self.isolators(given, factor);
         let history = self.march(&isolators).map_err(failure)?;
         let model = on_isolators(model);
         let driven = self.driven(&history, motion);
-        let values = analyse(&model, &driven, options, &Silent)?.values(&model, round);
-        Ok(self.band(&isolators, factor, &history, &values))
+        let (analysis, mut demands) = beside(case, &model, &driven, (options, Extent::Values))?;
+        let around = Around::of(&model, None, &driven, options, &analysis)?;
+        demands.wave = match around {
+            Some(around) => around.wave,
+            None => wave(&analysis),
+        };
+        demands.isolation = Some(bearings::isolation(self, given, &history, &demands));
+        Ok(Bound {
+            band: self.band(&isolators, factor, &history, &analysis.values(&model, self.round)),
+            demands,
+        })
     }
 
     fn band(
@@ -290,6 +296,12 @@ impl Setup {
             sloshing_height: value(Quantity::SloshingHeight),
         }
     }
+}
+
+/// A run with scaled properties.
+struct Bound {
+    band: IsolationBand,
+    demands: Demands,
 }
 
 /// The model under the motion of its slab, which contains the free vibration.

@@ -1,6 +1,7 @@
 //! Limits of validity of the linear engine, tested on a run.
 
 use tank::Case;
+use tank::demand::SMALL_WAVE;
 use tank::units::{Dimension, display};
 use tank::{PLANE_WALLS, Shape, Support};
 
@@ -12,8 +13,6 @@ use crate::response::observe::Extreme;
 use results::channel::{OnWall, Side};
 use results::{Channel, EngineId, Limit};
 
-/// Waves higher than this share of the radius (or half length) are not small.
-const SMALL_WAVE: f64 = 0.2;
 /// Compressibility matters where the bulging frequency exceeds this share of the acoustic one.
 const ACOUSTIC_SHARE: f64 = 0.3;
 /// Velocity of sound in water [m/s].

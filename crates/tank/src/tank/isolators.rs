@@ -16,6 +16,9 @@ pub struct Isolators {
     pub slab_thickness: f64,
     /// Factors of the lower and the upper bound of the properties.
     pub bounds: [f64; 2],
+    /// Displacement that bearings and their surroundings have room for [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub displacement_capacity: Option<f64>,
 }
 
 /// Law of the bearings.

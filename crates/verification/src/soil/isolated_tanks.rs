@@ -112,6 +112,7 @@ fn isolated(i: usize, bearing: Bearing, scale: f64) -> Case {
         slab_mass: slab(TANKS[i].radius),
         slab_thickness: 0.6,
         bounds: [1.0, 1.0],
+        displacement_capacity: None,
     });
     case
 }

@@ -47,6 +47,7 @@ pub(super) fn isolators(
         1.0
     };
     let bounds = [&given.lower_bound, &given.upper_bound].map(|bound| keys.r.or_default(bound));
+    let displacement_capacity = keys.r.optional(&given.displacement_capacity);
     let slab_mass = keys.r.optional(&given.slab_mass);
     let slab = foundation.filter(|f| f.kind == FoundationKind::Slab);
     if tank.foundation.value().is_none_or(|f| f.kind.value.is_some()) && slab.is_none() {
@@ -145,6 +146,7 @@ pub(super) fn isolators(
         slab_mass,
         slab_thickness: thickness.unwrap_or(0.0),
         bounds,
+        displacement_capacity,
     })
 }
 

@@ -181,6 +181,9 @@ object! {
         lower_bound (0.6): Opt<Number> [Limits::from(0.1).to(1.0)] = default(Number(0.6)).because("ASCE 7-16 17.2.8.4 without tests"),
         /// The same of the upper bound.
         upper_bound (1.8): Opt<Number> [Limits::from(1.0).to(5.0)] = default(Number(1.8)).because("ASCE 7-16 17.2.8.4 without tests"),
+        /// Displacement that bearings, joints and pipes have room for.
+        displacement_capacity ("250 mm"): Opt<Length> [Limits::above(0.0).to(5.0)]
+            = without("the displacement of the isolators is given without a check"),
     }
 
     /// Anchor bolts.

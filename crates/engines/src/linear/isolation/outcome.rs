@@ -3,15 +3,16 @@
 use std::collections::BTreeMap;
 
 use ::soil::isolated::History;
-use results::{BaseQuantity, Channel, IsolationBand, IsolationEnergy, IsolationRun, SeriesInfo, Value};
+use results::{BaseQuantity, Channel, IsolationEnergy, IsolationRun, SeriesInfo, Value};
 use tank::case::GroundMotion;
-use tank::demand::Demands;
+use tank::demand::{Demands, Isolation};
 use tank::units::Dimension;
 use tank::{Bearing, Isolators, Quantity};
 
 use super::super::analysis::Analysis;
 use super::super::model::Model;
-use super::{Setup, on_isolators, words};
+use super::bearings::{isolation, largest, size};
+use super::{Bound, Setup, on_isolators, words};
 use crate::response::motion::Grid;
 
 /// Points of the cycles that are kept, and their time on either side of the largest displacement [s].
@@ -36,16 +37,8 @@ pub(in crate::linear) struct Isolated {
     pub motion: GroundMotion,
     /// Its results.
     pub result: IsolationRun,
-}
-
-/// Largest |value| with its time step.
-fn largest(values: impl Iterator<Item = f64>) -> (f64, usize) {
-    let pick = |best: (f64, usize), (i, v): (usize, f64)| if v.abs() > best.0 { (v.abs(), i) } else { best };
-    values.enumerate().fold((0.0, 0), pick)
-}
-
-fn size(v: &[f64; 2]) -> f64 {
-    v[0].hypot(v[1])
+    /// Demands with scaled properties, and their factor.
+    bounds: Vec<(f64, Demands)>,
 }
 
 impl Isolated {
@@ -53,9 +46,14 @@ impl Isolated {
         setup: Setup,
         given: Isolators,
         history: History,
-        band: Vec<IsolationBand>,
+        bounds: Vec<Bound>,
         motion: &GroundMotion,
     ) -> Isolated {
+        let band = bounds.iter().map(|bound| bound.band).collect();
+        let bounds = bounds
+            .into_iter()
+            .map(|bound| (bound.band.factor, bound.demands))
+            .collect();
         let isolators = setup.isolators(&given, 1.0);
         let displacement = largest(history.displacement.iter().map(size));
         let force = largest(history.force.iter().map(size));
@@ -114,6 +112,7 @@ impl Isolated {
             given,
             history,
             result,
+            bounds,
         }
     }
 
@@ -156,7 +155,7 @@ impl Isolated {
         columns
     }
 
-    /// Adds the superposed values, those on a fixed base, and the force of the outermost bearing.
+    /// Adds the superposed values, those on a fixed base, the force of the outermost bearing, and the isolators to the demands.
     ///
     /// * `analysis`: under the motion of the slab, with its `values`
     /// * `fixed`: values on a fixed base
@@ -165,7 +164,7 @@ impl Isolated {
         analysis: &Analysis<'_>,
         values: &BTreeMap<Quantity, f64>,
         fixed: &BTreeMap<Quantity, f64>,
-        demands: &Demands,
+        demands: &mut Demands,
     ) {
         let isolators = self.setup.isolators(&self.given, 1.0);
         let own = self.setup.band(&isolators, 1.0, &self.history, values);
@@ -194,45 +193,23 @@ impl Isolated {
             let (march, _) = largest(self.history.force.iter().map(|f| f[0]));
             self.result.superposition = if march > 0.0 { (found / march - 1.0).abs() } else { 0.0 };
         }
-        if let Some((share, time)) = self.outermost(demands) {
+        let found = isolation(&self.setup, &self.given, &self.history, demands);
+        if let Some(share) = found.bearing_share {
             self.result.quantities.push(BaseQuantity {
                 id: "bearing_share".into(),
                 value: Value {
-                    value: share,
+                    value: share.value,
                     dimension: Dimension::Dimensionless,
                 },
-                time: Some(time),
+                time: Some(share.time),
                 degrees: None,
                 z: None,
             });
         }
-    }
-
-    /// Smallest force of the outermost bearing over that at rest, and its time [s].
-    ///
-    /// N/N_0 = 1 + a_v/g − M c A/(W I) with c A/I = 4/R of a disc and 3/L of a rectangle of length 2 L.
-    fn outermost(&self, demands: &Demands) -> Option<(f64, f64)> {
-        let (moment, shear) = (demands.overturning_moment.as_ref()?, demands.base_shear.as_ref()?);
-        let along = [demands.history(moment), demands.history(shear)];
-        let across = demands.transverse(moment).zip(demands.transverse(shear));
-        let up = demands.vertical.as_ref().map(|terms| demands.history(terms));
-        let thickness = self.given.slab_thickness;
-        let arm = if self.setup.round { 4.0 } else { 3.0 } / self.setup.radius;
-        let weight = self.setup.mass * self.setup.gravity;
-        let mut least: Option<(f64, f64)> = None;
-        for (k, &time) in demands.times.iter().enumerate() {
-            let step = ((time / self.setup.step).round() as usize).min(self.history.acceleration.len() - 1);
-            let a = self.history.acceleration[step];
-            let at = |m: f64, v: f64, a: f64| m + v * thickness + 0.5 * self.given.slab_mass * a * thickness;
-            let x = at(along[0][k], along[1][k], a[0]);
-            let y = across.as_ref().map_or(0.0, |(m, v)| at(m[k], v[k], a[1]));
-            let lift = up.as_ref().map_or(0.0, |up| up[k] / self.setup.gravity);
-            let share = 1.0 + lift - x.hypot(y) * arm / weight;
-            if least.is_none_or(|(smallest, _)| share < smallest) {
-                least = Some((share, time));
-            }
-        }
-        least
+        demands.isolation = Some(Isolation {
+            bounds: std::mem::take(&mut self.bounds),
+            ..found
+        });
     }
 
     /// Remarks on the run.

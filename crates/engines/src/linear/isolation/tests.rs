@@ -52,6 +52,7 @@ fn isolated(mut case: Case, bearing: Bearing) -> Case {
         slab_mass: SLAB,
         slab_thickness: 0.6,
         bounds: [0.6, 1.8],
+        displacement_capacity: None,
     });
     case
 }

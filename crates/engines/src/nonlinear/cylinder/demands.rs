@@ -106,12 +106,14 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         angles: Angles::Sides,
         places: found,
         wave: (samples > 0).then_some(if two { watch.seen.two.wave() } else { higher }),
+        small_waves: true,
         base_shear: (!slid(case, tank, watch)).then_some(base_shear),
         // The pressure on the bottom is not recorded.
         overturning_moment: None,
         vertical,
         plates: false,
         base: base(case, tank, watch),
+        isolation: None,
         footing: Footing::Fixed,
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos() + between,
     }

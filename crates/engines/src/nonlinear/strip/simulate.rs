@@ -346,6 +346,7 @@ fn demands(lines: &[Line]) -> Demands {
         base_shear: shear.map(|_| vec![(0, 1.0)]),
         overturning_moment: below.map(|_| vec![(1, 1.0)]),
         wave: rises.reduce(|a, b| if b.value > a.value { b } else { a }),
+        small_waves: true,
         ..Demands::default()
     }
 }

@@ -1,0 +1,115 @@
+//! A tank on isolators: their displacement and tension, and the worst of their properties.
+//!
+//! ```text
+//! displacement        γ_x max |d(t)|                  γ_x = 1.2 of Eurocode 8, 1 of API 650 alone
+//! tension             1 − min N(t)/N_0 ≤ 1            N of the outermost bearing, N_0 at rest
+//! ```
+//!
+//! Both codes ask for every limit state with the lower and the upper bound of the properties: each check is the worst of the runs with
+//! nominal, lower and upper ones. An engine that holds the base still has none of these demands, and nothing holds by it.
+//!
+//! Source: EN 1998-1:2004 10.3(2), 10.8, 10.10; ASCE 7-16 17.2.8; recalled.
+
+use tank::assessment::{Check, CheckStatus};
+use tank::units::Dimension::{Dimensionless, Length};
+
+use super::limit_states::{ISOLATORS, TENSION};
+use super::work::Work;
+use crate::sheet::number;
+
+/// Magnification γ_x of the displacement (EN 1998-1:2004 10.3(2), recommended value).
+const MAGNIFICATION: f64 = 1.2;
+/// Path of the capacity.
+const CAPACITY: &str = "tank.isolators.displacement_capacity";
+/// Why nothing holds where the base is held still.
+const FIXED: &str = "the engine holds the base still, and the tank moves on its isolators";
+
+/// The isolators of a tank that has them; nothing holds without their demands.
+pub(super) fn assess(work: &mut Work<'_>) {
+    let Some(isolators) = work.case.tank.isolators else {
+        return;
+    };
+    let Some(found) = &work.demands.isolation else {
+        for check in work.checks.iter_mut().filter(|check| check.holds()) {
+            *check = check.left_open(FIXED.to_owned());
+        }
+        return;
+    };
+    let run = "the run of the engine";
+    work.sheet.section("Isolators");
+    let displacement = work.factor * found.displacement.value;
+    match isolators.displacement_capacity {
+        None => {
+            let reason = format!("`{CAPACITY}` is missing");
+            work.without(ISOLATORS, CheckStatus::NotChecked, &reason, Some(CAPACITY));
+        }
+        Some(capacity) => {
+            let clause = work.clause(ISOLATORS);
+            let factor = if work.codes.ec8 { MAGNIFICATION } else { 1.0 };
+            let name = "largest displacement of the isolators";
+            work.sheet.input("d_b", name, displacement, Length, run);
+            work.sheet.input(
+                "γ_x",
+                "magnification of the displacement",
+                factor,
+                Dimensionless,
+                &clause,
+            );
+            work.sheet
+                .input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
+            let terms = [("γ_x", factor, Dimensionless), ("d_b", displacement, Length)];
+            let name = "displacement to be provided for";
+            let demand = work.sheet.calc("d_x", name, "γ_x·d_b", &terms, Length, &clause);
+            let name = "Displacement of the isolators";
+            let check = Check::new(ISOLATORS, name, demand, capacity, Length, &clause, "");
+            let peak = found.displacement;
+            work.checks.push(check.at(Some(peak.time), None, Some(peak.theta)));
+        }
+    }
+    let Some(share) = found.bearing_share else {
+        return;
+    };
+    let clause = work.clause(TENSION);
+    let name = "smallest force of the outermost bearing over that at rest";
+    work.sheet.input("n_b", name, share.value, Dimensionless, run);
+    let terms = [("n_b", share.value, Dimensionless)];
+    let name = "part of its force at rest that the bearing loses";
+    let lost = work.sheet.calc("n_l", name, "1 − n_b", &terms, Dimensionless, &clause);
+    let note = "bearings of equal load under the whole plan; beyond 1 the outermost one is in tension";
+    let check = Check::new(
+        TENSION,
+        "Tension of the outermost bearing",
+        lost,
+        1.0,
+        Dimensionless,
+        &clause,
+        note,
+    );
+    work.checks.push(check.at(Some(share.time), None, Some(share.theta)));
+}
+
+/// Takes the worse of each pair of checks.
+///
+/// * `factor`: that of the properties of the others
+pub(super) fn take_worse(checks: &mut [Check], others: Vec<Check>, factor: f64) {
+    for other in others {
+        let Some(own) = checks.iter_mut().find(|own| own.id == other.id) else {
+            continue;
+        };
+        let worse = (other.status, own.ratio().unwrap_or(0.0)) < (own.status, other.ratio().unwrap_or(0.0));
+        if !worse {
+            continue;
+        }
+        let with = format!("with the properties of the isolators times {}", number(factor));
+        let text = if other.compared() { &other.note } else { &other.reason };
+        let text = if text.is_empty() {
+            with
+        } else {
+            format!("{with}: {text}")
+        };
+        *own = match other.compared() {
+            true => Check { note: text, ..other },
+            false => Check { reason: text, ..other },
+        };
+    }
+}
