@@ -304,6 +304,18 @@ pub const ALL: &[Meaning] = &[
         Stress,
     ),
     state(
+        "isolator_displacement",
+        "largest displacement of the isolators, times 1.2 by EN 1998-1 10.3",
+        "displacement that bearings, joints and pipes have room for, given",
+        Length,
+    ),
+    state(
+        "isolator_tension",
+        "part of its force at rest that the outermost bearing loses, 1 − N/N_0",
+        "1, beyond which it is in tension",
+        Dimensionless,
+    ),
+    state(
         "pipes",
         "displacement of tank and wall where a pipe joins, against its support",
         "displacement that the pipe can follow, given",

@@ -11,9 +11,9 @@ use codes::meaning::{self, Meaning};
 use codes::time_history;
 use files::code::Code;
 use serde::Serialize;
-use tank::Quantity;
 use tank::assessment::LimitState;
 use tank::case::Case;
+use tank::{Bearing, Isolators, Quantity};
 
 use crate::cli::init;
 use crate::cli::{Global, print};
@@ -146,6 +146,9 @@ fn of_quantity(quantity: Quantity) -> Entry {
 /// Limit states of all procedures and of the engines, each with who declares it.
 fn declared() -> Vec<(&'static str, LimitState)> {
     let cases: Vec<Case> = init::cases();
+    // No template stands on isolators.
+    let isolated = cases.iter().map(|case| on_isolators(case.clone()));
+    let cases: Vec<Case> = cases.iter().cloned().chain(isolated).collect();
     let mut all: Vec<(&'static str, LimitState)> = Vec::new();
     let mut add = |who: &'static str, states: Vec<LimitState>| {
         for state in states {
@@ -166,6 +169,21 @@ fn declared() -> Vec<(&'static str, LimitState)> {
         );
     }
     all
+}
+
+fn on_isolators(mut case: Case) -> Case {
+    case.tank.isolators = Some(Isolators {
+        bearing: Bearing::Elastomer {
+            stiffness: 1.0,
+            damping: 0.0,
+        },
+        damper: None,
+        slab_mass: 0.0,
+        slab_thickness: 0.0,
+        bounds: [1.0, 1.0],
+        displacement_capacity: None,
+    });
+    case
 }
 
 fn of_check(meaning: &Meaning, declared: &[(&'static str, LimitState)]) -> Entry {

@@ -6,14 +6,15 @@ use std::collections::BTreeMap;
 use oscillator::spectrum;
 use tank::Quantity;
 use tank::assessment::Excitation;
+use tank::factor::Factor;
 use tank::ingredients::{Ingredients, Recipe, Rung};
 
 use crate::job::Job;
 use engines::Simulation;
-use results::Method;
-use results::compare::{Attribution, Engine, Made};
+use results::compare::{Attribution, Engine, Held, Made};
 use results::impulsive;
 use results::modal::ModalPart;
+use results::{Method, Run};
 
 /// Attributions of all quantities that the procedures give ingredients for, of the first engine: none without one, or if it is
 /// not linear. `made` are the ingredients of `methods`.
@@ -45,7 +46,7 @@ pub(super) fn attribute(
         modal,
         liquid_mass: job.case.liquid_mass(),
         spectrum: &of_record,
-        held: simulation.result.base.as_ref().map(|base| &base.held),
+        held: held(&simulation.result),
     };
     let mut found = Vec::new();
     for quantity in Quantity::ALL {
@@ -71,6 +72,21 @@ pub(super) fn attribute(
     found
 }
 
+/// The same run with its base held, of one whose base moves.
+fn held(run: &Run) -> Option<Held> {
+    let of = |factor, values: &BTreeMap<String, f64>| Held {
+        factor,
+        values: values.clone(),
+    };
+    let lifts = run.base.as_ref().map(|base| of(Factor::Uplift, &base.held));
+    let isolated = run.isolation.as_ref().map(|found| of(Factor::Isolators, &found.fixed));
+    let on_soil = run.soil.as_ref().map(|soil| Held {
+        factor: Factor::Soil,
+        values: soil.beside.iter().map(|of| (of.id.clone(), of.fixed.value)).collect(),
+    });
+    lifts.or(isolated).or(on_soil)
+}
+
 /// The uniform wall of a formula as a ladder; where a shell on the way has no mode, the formula alone.
 fn resolved(job: &Job, ingredients: &Ingredients) -> Ingredients {
     let recipe = match ingredients.recipe {
@@ -81,7 +97,7 @@ fn resolved(job: &Job, ingredients: &Ingredients) -> Ingredients {
         } => Recipe::Ladder(
             codes::wall_period::rungs(&job.case, thickness, modulus, period).unwrap_or_else(|_| {
                 vec![Rung {
-                    factor: tank::factor::Factor::Formula,
+                    factor: Factor::Formula,
                     value: period,
                 }]
             }),

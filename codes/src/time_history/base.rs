@@ -242,7 +242,11 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             }
             false => "weight of the same instant, without bottom plate and foundation",
         };
-        let check = Check::new(id, "Sliding on the foundation", demand, capacity, Force, &clause, note);
+        let title = match id == SLIDING {
+            true => "Sliding on the foundation",
+            false => "Sliding on the foundation, API 650",
+        };
+        let check = Check::new(id, title, demand, capacity, Force, &clause, note);
         let theta = match shear.at(k) {
             (x, Some(y)) => y.atan2(x).rem_euclid(TAU),
             (x, None) if x < 0.0 => PI,

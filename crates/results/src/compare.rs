@@ -18,7 +18,7 @@ use tank::assessment::Excitation;
 
 pub use apart::{Apart, Differs, Shaken, Why, apart};
 pub use attribution::THRESHOLD;
-pub use chain::{CLOSED, Engine, Made, Spectrum};
+pub use chain::{CLOSED, Engine, Held, Made, Spectrum};
 pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
 pub use factors::{Attribution, FactorStep};
 pub use mesh_error::{Unusable, unusable};

@@ -8,6 +8,10 @@ use serde::{Deserialize, Serialize};
 pub enum Factor {
     /// The base that lifts and slides is exchanged for the wall held down.
     Uplift,
+    /// The slab that moves on isolators is exchanged for a fixed base.
+    Isolators,
+    /// The slab that moves on soil is exchanged for a fixed base.
+    Soil,
     /// The history is exchanged for the maxima of its modes, combined by SRSS.
     TimeHistory,
     /// All modes are exchanged for the structural mode of the largest mass and the first sloshing mode; in the rows of
@@ -77,8 +81,10 @@ pub enum Factor {
 
 impl Factor {
     /// All of them in the order of exchange.
-    pub const ALL: [Factor; 33] = [
+    pub const ALL: [Factor; 35] = [
         Factor::Uplift,
+        Factor::Isolators,
+        Factor::Soil,
         Factor::TimeHistory,
         Factor::Modes,
         Factor::ImpulsiveMass,

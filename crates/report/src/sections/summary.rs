@@ -223,7 +223,7 @@ fn facts(source: &Source) -> Vec<Pair> {
         add(words::summary::FIRST_SLOSHING, with_unit(t, Dimension::Time));
     }
     if let Some(t) = source.best("impulsive_period") {
-        add(words::summary::FIRST_STRUCTURAL, with_unit(t, Dimension::Time));
+        add(words::summary::IMPULSIVE, with_unit(t, Dimension::Time));
     }
     facts
 }

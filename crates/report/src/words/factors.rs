@@ -6,6 +6,8 @@ use tank::factor::Factor;
 pub fn name(factor: Factor) -> &'static str {
     match factor {
         Factor::Uplift => "wall held down for uplift",
+        Factor::Isolators => "fixed base for isolators",
+        Factor::Soil => "fixed base for soil",
         Factor::TimeHistory => "modal maxima for the history",
         Factor::Modes => "number of modes",
         Factor::ImpulsiveMass => "impulsive mass",

@@ -35,8 +35,8 @@ pub fn records(set: &RecordSet) -> String {
 
 /// Period of the first sloshing mode.
 pub const FIRST_SLOSHING: &str = "First sloshing period";
-/// Period of the first structural mode.
-pub const FIRST_STRUCTURAL: &str = "First structural period";
+/// Period of the impulsive part.
+pub const IMPULSIVE: &str = "Impulsive period";
 
 /// Value and limit.
 pub fn exceeded(limit: &Limit) -> String {

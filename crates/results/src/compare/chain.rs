@@ -8,7 +8,8 @@
 //! f_k = V_k/V_{k−1}            Π f_k = V_n/V₀
 //! ```
 //!
-//! Before V₀ the history of a tank that lifts or slides is exchanged for that of the wall held down.
+//! Before V₁ the history of a tank that lifts or slides is exchanged for that of the wall held down, and one on isolators or soil for that on
+//! a fixed base: the modes are those of the latter.
 //!
 //! The last value is recomputed from the ingredients, not copied: that the product is the ratio is a check.
 
@@ -40,8 +41,16 @@ pub struct Engine<'a> {
     pub liquid_mass: f64,
     /// Spectrum of the record.
     pub spectrum: Spectrum<'a>,
-    /// Values of the wall held down, by id of the quantity, of a run that lifts or slides.
-    pub held: Option<&'a BTreeMap<String, f64>>,
+    /// The same run with its base held, of one whose base moves.
+    pub held: Option<Held>,
+}
+
+/// A run with its base held.
+pub struct Held {
+    /// What the base of the other does.
+    pub factor: Factor,
+    /// Values by id of the quantity.
+    pub values: BTreeMap<String, f64>,
 }
 
 /// What a procedure under one excitation is compared by.
@@ -59,17 +68,17 @@ impl Engine<'_> {
     /// the ingredients, or if a value on the way is not positive.
     pub fn attribute(&self, made: &Made, value: f64) -> Option<Attribution> {
         let quantity = made.ingredients.quantity;
-        let held = self.held.and_then(|held| held.get(quantity.id()));
-        let uplift = held.map(|&value| Rung {
-            factor: Factor::Uplift,
-            value,
+        let held = self.held.as_ref().and_then(|held| {
+            let value = *held.values.get(quantity.id())?;
+            let factor = held.factor;
+            Some(Rung { factor, value })
         });
         let rungs = match &made.ingredients.recipe {
             Recipe::Response(target) => self.response(quantity, target)?,
             Recipe::Ladder(rungs) => self.ladder(quantity, rungs),
             Recipe::UniformWall { .. } => return None,
         };
-        let rungs: Vec<Rung> = uplift.into_iter().chain(rungs).collect();
+        let rungs: Vec<Rung> = held.into_iter().chain(rungs).collect();
         let attribution = Attribution {
             quantity,
             method: made.method.into(),

@@ -282,9 +282,9 @@ fn an_axial_stress_has_the_factors_of_its_moment() {
     assert!((product - 2.0).abs() < 1e-12, "{product}");
 }
 
-/// A run that lifts: the first factor leads to the wall held down, the others are those of its attribution.
+/// A run whose base moves: the first factor leads to that with its base held, the others are those of its attribution.
 #[test]
-fn uplift_is_the_first_factor() {
+fn a_moving_base_is_the_first_factor() {
     let modal = modal(false);
     let ingredients = Ingredients::response(Quantity::BaseShear, everything_differs());
     let made = Made {
@@ -292,17 +292,16 @@ fn uplift_is_the_first_factor() {
         excitation: Excitation::Record,
         ingredients: &ingredients,
     };
-    let held = BTreeMap::from([("base_shear".to_owned(), 250.0)]);
-    let lifts = Engine {
-        held: Some(&held),
-        ..engine(&modal)
-    };
-    let (lifted, plain) = (
-        lifts.attribute(&made, 200.0).unwrap(),
-        engine(&modal).attribute(&made, 250.0).unwrap(),
-    );
-    let (lifted, plain) = (list(&lifted), list(&plain));
-    assert_eq!(lifted[0].0, Factor::Uplift);
-    assert!((lifted[0].1 - 1.25).abs() < 1e-12);
-    assert_eq!(lifted[1..], plain[..]);
+    let plain = list(&engine(&modal).attribute(&made, 250.0).unwrap());
+    for factor in [Factor::Uplift, Factor::Isolators, Factor::Soil] {
+        let values = BTreeMap::from([("base_shear".to_owned(), 250.0)]);
+        let moves = Engine {
+            held: Some(Held { factor, values }),
+            ..engine(&modal)
+        };
+        let moved = list(&moves.attribute(&made, 200.0).unwrap());
+        assert_eq!(moved[0].0, factor);
+        assert!((moved[0].1 - 1.25).abs() < 1e-12);
+        assert_eq!(moved[1..], plain[..]);
+    }
 }
