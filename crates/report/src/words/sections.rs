@@ -209,6 +209,12 @@ const ALL: &[Words] = &[
                  held down.",
             ),
             (
+                "on_anchors",
+                "With the wall held down an anchor yields: the tank stands on its bottom plate and on anchors that give way, which hold it in place. All \
+                 values of the run are those with a base that rotates; those of the wall held down stand here beside them. Modes, transfer functions \
+                 and the response-spectrum method are those of the wall held down.",
+            ),
+            (
                 "band",
                 "The ground under the rim is never known well: the same run on a third and on three times its modulus. The spread is that of rotation, \
                  toe stress and shear under motions 0.1 % weaker and stronger and with half the time step; above 5 % the run does not repeat.",
