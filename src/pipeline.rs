@@ -132,7 +132,16 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
             let site = site.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
             (findings, site)
         });
-        if let Some(findings) = findings {
+        if let Some(mut findings) = findings {
+            if simulation
+                .demands
+                .as_ref()
+                .is_some_and(|demands| demands.base.is_none())
+            {
+                time_history::overstressed(&mut findings.checks);
+            }
+            let set = design.as_ref().map(|design| &design.set);
+            findings.checks.extend(decision::ground_motion(job, column, set));
             outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
             let mut method = runs::method(job, number, &simulation, findings);
             if let Some(design) = &design {

@@ -304,9 +304,21 @@ pub const ALL: &[Meaning] = &[
         Stress,
     ),
     state(
+        "ground_motion",
+        "factor with which the set of records just holds for the design spectrum of the site",
+        "1; a single record, or a set that is too weak or too small, is not checked",
+        Dimensionless,
+    ),
+    state(
         "isolator_displacement",
         "largest displacement of the isolators, times 1.2 by EN 1998-1 10.3",
         "displacement that bearings, joints and pipes have room for, given",
+        Length,
+    ),
+    state(
+        "isolator_displacement_mce",
+        "displacement of the isolators in the maximum considered earthquake of ASCE 7, with the torsion of the plan",
+        "not compared: the record is the design earthquake",
         Length,
     ),
     state(

@@ -48,10 +48,10 @@ use tank::outside::Outside;
 use tank::units::{Dimension, display};
 
 use crate::sheet::Sheet;
-use limit_states::{ANCHORS, API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
+use limit_states::{ANCHORAGE, ANCHORS, API, COMPRESSED, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
-pub use limit_states::{Codes, limit_states};
+pub use limit_states::{Codes, ground_motion, limit_states};
 pub use ready::Ready;
 
 /// What the demands of a run amount to.
@@ -121,6 +121,9 @@ fn of_demands(
     if demands.base.as_ref().is_some_and(|base| base.scatters) {
         open(&mut work, SCATTERS);
     }
+    if demands.base.as_ref().is_some_and(|base| base.broken > 0) {
+        open(&mut work, BROKEN);
+    }
     notes(&mut work);
     for state in &states {
         let checked = work.checks.iter().any(|check| check.limit_state == state.id);
@@ -184,6 +187,37 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
 /// Why nothing holds under a base that rocks differently each time.
 const SCATTERS: &str = "the rocking base does not repeat: motions 0.1 % apart or half the time step give other peaks, and the demand is one draw of many";
 
+/// Why nothing holds where anchors break.
+const BROKEN: &str = "anchors break: the engine holds the tank in place along the ground all the same, and does not follow one that slides";
+
+/// Why the compression of a wall that is held down does not hold.
+const LIFTS_OFF: &str =
+    "its anchors are overstressed: the wall lifts, and its compression grows beyond that of a wall held down";
+
+/// Where anchors fail, the compression of a wall that is held down does not hold.
+///
+/// * `checks`: of a procedure, or of an engine that holds the wall down
+pub fn overstressed(checks: &mut [Check]) {
+    let fails = |check: &Check| ANCHORAGE.contains(&check.limit_state.as_str()) && check.status == CheckStatus::Fails;
+    if !checks.iter().any(fails) {
+        return;
+    }
+    for check in checks {
+        if COMPRESSED.contains(&check.limit_state.as_str()) {
+            leave_open(check, LIFTS_OFF);
+        }
+    }
+}
+
+/// A check that holds is not checked, and keeps its numbers.
+fn leave_open(check: &mut Check, reason: &str) {
+    if check.holds() {
+        check.status = CheckStatus::NotChecked;
+        check.within_error = false;
+        reason.clone_into(&mut check.reason);
+    }
+}
+
 /// Checks of what depends on the wall and its base; the wave hardly does.
 fn of_wall<'c>(work: &'c mut Work<'_>) -> impl Iterator<Item = &'c mut Check> {
     let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
@@ -192,10 +226,8 @@ fn of_wall<'c>(work: &'c mut Work<'_>) -> impl Iterator<Item = &'c mut Check> {
 
 /// Nothing that depends on the wall may hold.
 fn open(work: &mut Work<'_>, reason: &str) {
-    for check in of_wall(work).filter(|check| check.status == CheckStatus::Holds) {
-        check.status = CheckStatus::NotChecked;
-        check.within_error = false;
-        reason.clone_into(&mut check.reason);
+    for check in of_wall(work) {
+        leave_open(check, reason);
     }
 }
 

@@ -1,6 +1,6 @@
 //! `tankcheck base`: uplift of the bottom plate and the moment that the base holds, statically.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Turn};
 use serde_json::{Value, json};
@@ -73,7 +73,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for warning in &tank.warnings {
         warn("", warning);
     }
-    let base = Base::of(&tank.case).map_err(absent)?;
+    let base = Base::of(&tank.case).map_err(|missing| absent(&args.tank, missing))?;
     let base = if args.elastic { base.elastic() } else { base };
     if !base.yields() && !args.elastic {
         warn("", &Warning::new(Code::BaseModel, words::ELASTIC));
@@ -106,9 +106,12 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     Ok(EXIT_OK)
 }
 
-fn absent(missing: Missing) -> Error {
+fn absent(file: &Path, missing: Missing) -> Error {
     let (found, help) = words::absent(missing == Missing::Cylinder, missing == Missing::Plate);
-    Error::input(Code::Unsupported, format!("{found}\n  help: {help}"))
+    Error::input(
+        Code::Unsupported,
+        format!("{found}\n  --> {}\n  help: {help}", text::line(&file.to_string_lossy())),
+    )
 }
 
 fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {

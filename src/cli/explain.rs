@@ -167,6 +167,8 @@ fn declared() -> Vec<(&'static str, LimitState)> {
             "engines",
             time_history::limit_states(case, time_history::Codes::of(case, &[])),
         );
+        let asked = time_history::ground_motion(case);
+        add("engines", asked.map(|(state, _)| state).into_iter().collect());
     }
     all
 }

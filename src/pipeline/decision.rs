@@ -2,10 +2,11 @@
 
 use codes::{Procedure, time_history};
 use files::code::{Code, Warning};
-use results::{Deciding, Method, Status};
+use results::{Deciding, Method, RecordSet, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
 use tank::outside::Outside;
+use tank::units::{Dimension, display};
 
 use crate::job::Job;
 
@@ -72,17 +73,18 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
     let states = asked(procedure, job, excitation);
     let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
     let isolated = job.case.tank.isolators.is_some();
-    // By a base that does not move nothing holds.
-    let known = |check: Check| match isolated && check.holds() {
+    // A base that does not move says nothing of one that does.
+    let known = |check: Check| match isolated && check.compared() {
         true => check.left_open(ON_ISOLATORS.into()),
         false => check,
     };
-    let checks = checks.into_iter().filter(compared).map(known).collect();
+    let mut checks: Vec<Check> = checks.into_iter().filter(compared).map(known).collect();
+    time_history::overstressed(&mut checks);
     accept(procedure.id(), job, check::complete(&states, checks))
 }
 
-/// Why a code leaves open what would hold.
-const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedure does not know";
+/// Why a code leaves a tank on isolators open.
+const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedure does not know; `procedures.decide: [\"fe\"]` lets the time history decide";
 
 /// How the limit states of an engine under the record end, worst first.
 ///
@@ -91,6 +93,45 @@ pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Chec
     let codes = time_history::Codes::of(&job.case, &job.decision.decide);
     let states = time_history::limit_states(&job.case, codes);
     accept(id, job, check::complete(&states, checks))
+}
+
+/// Whether the records under which an engine decides are those that the code of the site asks for; none where it does not decide, or the site names no
+/// code.
+///
+/// * `set`: a set of records; one record is never enough
+pub(super) fn ground_motion(job: &Job, id: &str, set: Option<&RecordSet>) -> Option<Check> {
+    let (state, fewest) = time_history::ground_motion(&job.case)?;
+    if !job.decision.decide.iter().any(|decides| decides == id) {
+        return None;
+    }
+    let open = |reason: &str| Check::without_comparison(&state, CheckStatus::NotChecked, reason, None);
+    let Some(set) = set else {
+        let reason = format!("one record is no design action: the clause asks for at least {fewest} (`compare --set`)");
+        return Some(open(&reason));
+    };
+    let Some(found) = &set.compatibility else {
+        return Some(open("the set was not compared with a spectrum"));
+    };
+    if set.records.len() < found.fewest_records {
+        let (count, fewest) = (set.records.len(), found.fewest_records);
+        return Some(open(&format!("{count} records: the clause asks for at least {fewest}")));
+    }
+    if !found.holds {
+        let factor = display(found.factor, Dimension::Dimensionless);
+        return Some(open(&format!(
+            "the set is too weak for its spectrum: it would hold times {factor}"
+        )));
+    }
+    let note = "factor with which the set just holds for its spectrum";
+    Some(Check::new(
+        state.id,
+        state.name,
+        found.factor.min(1.0),
+        1.0,
+        Dimension::Dimensionless,
+        &found.clause,
+        note,
+    ))
 }
 
 /// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not

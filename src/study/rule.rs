@@ -3,6 +3,8 @@
 //!
 //! A study takes its records as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
 
+use std::f64::consts::TAU;
+
 use codes::record_set::standard::Standard;
 use codes::record_set::{self, Asked, Horizontal, Ratios};
 use engines::Options;
@@ -16,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use tank::case::Site;
 use tank::check::Decision;
 use tank::hazard::SpectrumTable;
-use tank::{Case, Quantity};
+use tank::{Bearing, Case, Quantity};
 
 use crate::error::Error;
 use crate::input::TankFile;
@@ -32,7 +34,7 @@ pub const FIVE: f64 = 0.05;
 /// A period at which the rule is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
-    /// `impulsive`, `sloshing` or `given`.
+    /// `impulsive`, `sloshing`, `isolators` or `given`.
     pub which: &'static str,
     /// Period [s].
     pub period: f64,
@@ -222,7 +224,7 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
     }
 }
 
-/// The two periods of a tank at which a rule is asked: impulsive and sloshing [s], each with the short name of what gives it.
+/// The periods of a tank at which a rule is asked: impulsive and sloshing [s], each with the short name of what gives it, and that of its isolators.
 pub fn both(case: &Case, periods: [Option<(f64, &'static str)>; 2]) -> Vec<Wanted> {
     let [impulsive, sloshing] = periods;
     let found = [
@@ -238,7 +240,25 @@ pub fn both(case: &Case, periods: [Option<(f64, &'static str)>; 2]) -> Vec<Wante
             of,
         })
     });
-    wanted.collect()
+    wanted.chain(isolated(case)).collect()
+}
+
+/// The period of a tank on its bearings after they yield or slide: the longest that its motion has on them. Below a fifth of it the rule is asked around
+/// the impulsive period.
+fn isolated(case: &Case) -> Option<Wanted> {
+    let own = case.tank.isolators?;
+    let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass + own.slab_mass;
+    let omega = match own.bearing {
+        Bearing::FrictionPendulum { radius, .. } => (case.gravity / radius).sqrt(),
+        Bearing::LeadRubber { yielded, .. } => (yielded / mass).sqrt(),
+        Bearing::Elastomer { stiffness, .. } => (stiffness / mass).sqrt(),
+    };
+    Some(Wanted {
+        which: "isolators",
+        period: TAU / omega,
+        damping: FIVE,
+        of: "isolators",
+    })
 }
 
 /// Whether the target reaches twice every period.

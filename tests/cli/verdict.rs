@@ -191,8 +191,8 @@ fn deciding(results: &Results) -> impl Iterator<Item = &Method> {
     results.methods.iter().filter(decides)
 }
 
-/// Limit states that no procedure implements for a cylinder, or that are for pipes and ground: accepted in the base tank.
-const ACCEPTED: [&str; 13] = [
+/// Limit states that no procedure implements for a cylinder, or that are for pipes, ground and records: accepted in the base tank.
+const ACCEPTED: [&str; 14] = [
     "wall_tension_and_bending",
     "wall_shear",
     "crack_width",
@@ -206,6 +206,7 @@ const ACCEPTED: [&str; 13] = [
     "anchor_attachment",
     "foundation",
     "piping",
+    "ground_motion",
 ];
 
 /// A sound tank: steel cylinder of 10 m radius and height with four courses, anchored, 8.5 m of water (83.4 kPa at the bottom), weak

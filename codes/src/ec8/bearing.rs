@@ -17,10 +17,10 @@
 
 use std::f64::consts::PI;
 
-use super::limit_states::BEARING;
+use super::limit_states::{BEARING, OVERTURNING};
 use super::work::Work;
 use crate::sheet::{Sheet, Term, number};
-use tank::assessment::CheckStatus;
+use tank::assessment::{Check, CheckStatus};
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 use tank::{Shape, Support};
@@ -29,6 +29,11 @@ const CLAUSE: &str = "EN 1998-5:2004 5.4.1.1";
 /// Why the ground under an anchored tank is not compared where the resultant leaves its plan.
 pub(crate) const ON_ANCHORS: &str =
     "the resultant leaves the plan of the tank, which is held to a foundation whose plan and weight are not an input";
+/// The same where it leaves the kern of the plan alone, and the pressure beyond it exceeds the resistance.
+pub(crate) const BEYOND_KERN: &str = "the resultant leaves the kern of the plan of the tank, which is held to a foundation whose plan and weight are not an input";
+/// Why a rigid base does not speak of a tank whose wall lifts.
+pub(crate) const LIFTS: &str =
+    "the wall lifts: its toe presses on a narrow ring, of which the pressure under a rigid base says nothing";
 /// Path of the resistance.
 pub(crate) const RESISTANCE: &str = "site.ec8.bearing_capacity";
 
@@ -82,6 +87,15 @@ pub(crate) fn largest_pressure(shape: Shape, normal: f64, moment: f64) -> f64 {
         true => normal / shape.plan_area() * factor(shape, moment / normal / shape.half_length()),
         false => f64::INFINITY,
     }
+}
+
+/// Whether the resultant leaves the kern, outside of which a part of the base has no contact.
+pub(crate) fn leaves_kern(shape: Shape, normal: f64, moment: f64) -> bool {
+    let kern = match shape {
+        Shape::Cylinder { .. } => 0.25,
+        Shape::Rectangle { .. } => 1.0 / 3.0,
+    };
+    normal <= 0.0 || moment / normal / shape.half_length() > kern
 }
 
 /// What a base without tension makes of force and moment.
@@ -194,7 +208,7 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
     };
     let normal = sheet.calc("N_b", name, formula, &terms, Force, CLAUSE);
     terms.push(("N_b", normal, Force));
-    let name = "Largest pressure of the ground";
+    let name = "Pressure under a rigid base";
     let note = match work.demand.vertical {
         true => format!(
             "rigid base without tension; floor slab and foundation are left out and add their weight; {} E_x, {} E_z (downwards positive)",
@@ -203,7 +217,18 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
         ),
         false => "rigid base without tension; floor slab and foundation are left out and add their weight".to_string(),
     };
+    // Beyond half of what overturns it a ring lifts ([`super::uplift`]).
+    let lifts = |check: &Check| check.limit_state == OVERTURNING && check.ratio().is_some_and(|ratio| ratio > 0.5);
+    let lifts = work.out.checks.iter().any(lifts);
+    let anchored = case.tank.support == Support::Anchored;
+    let sheet = &mut work.sheet;
     match base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms)) {
+        Bears::Pressure(pressure) if pressure <= resistance && lifts => {
+            work.without_comparison(BEARING, CheckStatus::NotChecked, LIFTS, None);
+        }
+        Bears::Pressure(pressure) if pressure > resistance && anchored && leaves_kern(shape, normal, x * moment) => {
+            work.without_comparison(BEARING, CheckStatus::NotChecked, BEYOND_KERN, None);
+        }
         Bears::Pressure(pressure) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
         Bears::Leaves { .. } if case.tank.support == Support::Anchored => {
             work.without_comparison(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);

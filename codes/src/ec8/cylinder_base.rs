@@ -144,8 +144,8 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let formula = "π/2·D²·(w_t + w_L)";
     let limit = work.sheet.calc("M_Rd", name, formula, &terms, Moment, "equilibrium");
     let note = match state.tank.is_metal() {
-        true => "equilibrium without the code's diagrams; beyond it the tank overturns",
-        false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it the tank overturns",
+        true => "equilibrium of a ring without the code's diagrams; beyond it the ring overturns",
+        false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it they overturn",
     };
     work.check(
         OVERTURNING,

@@ -133,6 +133,14 @@ fn lifting(work: &mut Work<'_>, base: &FreeBase) {
         work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
         return;
     };
+    let bottom = work.case.tank.bottom.as_ref();
+    let lowest = work.case.tank.courses.first().map_or(0.0, |course| course.thickness);
+    let wall_first = base.elastic_wall && bottom.is_some_and(|bottom| bottom.thickness > lowest);
+    if wall_first && joint.value <= ROTATION {
+        let reason = "the rim lifts; the bottom plate is thicker than the lowest course, which yields before it and which the run leaves elastic";
+        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
+        return;
+    }
     let clause = work.clause(UPLIFT);
     let name = "Plastic rotation of the joint of the bottom plate";
     let note = "joint of wall and bottom plate, the largest of the run";

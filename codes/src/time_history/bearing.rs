@@ -16,7 +16,9 @@ use tank::units::Dimension::{Acceleration, Force, Mass, Moment, Stress, Time};
 use super::limit_states::BEARING;
 use super::search::Found;
 use super::work::Work;
-use crate::ec8::bearing::{Bears, ON_ANCHORS, RESISTANCE, base_lines, largest_pressure};
+use crate::ec8::bearing::{
+    BEYOND_KERN, Bears, LIFTS, ON_ANCHORS, RESISTANCE, base_lines, largest_pressure, leaves_kern,
+};
 use crate::sheet::with_unit;
 
 /// The largest error that is stated: where the resultant nears the edge, the pressure grows without bound.
@@ -79,11 +81,21 @@ pub(super) fn assess(work: &mut Work<'_>) {
     if work.case.tank.support == Support::Anchored && matches!(bears, Bears::Leaves { .. }) {
         return work.without(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
     }
+    if let Bears::Pressure(pressure) = bears {
+        let lifts = work.demands.base.as_ref().is_some_and(|base| base.lifts);
+        if pressure <= resistance && lifts && case.tank.support == Support::Unanchored {
+            return work.without(BEARING, CheckStatus::NotChecked, LIFTS, None);
+        }
+        let leaves = leaves_kern(case.tank.shape, normal(k), moment(k));
+        if pressure > resistance && leaves && case.tank.support == Support::Anchored {
+            return work.without(BEARING, CheckStatus::NotChecked, BEYOND_KERN, None);
+        }
+    }
     let clause = work.clause(BEARING);
     let note = "rigid base without tension, weight of the same instant, without bottom plate and foundation";
     let check = match bears {
         Bears::Pressure(pressure) => {
-            let name = "Largest pressure of the ground";
+            let name = "Pressure under a rigid base";
             Check::new(BEARING, name, pressure, resistance, Stress, &clause, note)
         }
         Bears::Leaves { limit } => {

@@ -1,14 +1,15 @@
 //! A tank on isolators: their displacement and tension, and the worst of their properties.
 //!
 //! ```text
-//! displacement        γ_x max |d(t)|                  γ_x = 1.2 of Eurocode 8, 1 of API 650 alone
+//! displacement        γ_x max |d(t)|                  γ_x = 1.2 of Eurocode 8
 //! tension             1 − min N(t)/N_0 ≤ 1            N of the outermost bearing, N_0 at rest
 //! ```
 //!
 //! Both codes ask for every limit state with the lower and the upper bound of the properties: each check is the worst of the runs with
-//! nominal, lower and upper ones. An engine that holds the base still has none of these demands, and nothing holds by it.
+//! nominal, lower and upper ones. An engine that holds the base still has none of these demands: its checks say nothing of this tank. The displacement of ASCE 7 is
+//! that of the maximum considered earthquake, of which the record is none: it stays open.
 //!
-//! Source: EN 1998-1:2004 10.3(2), 10.8, 10.10; ASCE 7-16 17.2.8; recalled.
+//! Source: EN 1998-1:2004 10.3(2), 10.8, 10.10; ASCE 7-16 17.2.4.6, 17.2.8, 17.5.3; recalled.
 
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{Dimensionless, Length};
@@ -21,16 +22,16 @@ use crate::sheet::number;
 const MAGNIFICATION: f64 = 1.2;
 /// Path of the capacity.
 const CAPACITY: &str = "tank.isolators.displacement_capacity";
-/// Why nothing holds where the base is held still.
+/// Why nothing is compared where the base is held still.
 const FIXED: &str = "the engine holds the base still, and the tank moves on its isolators";
 
-/// The isolators of a tank that has them; nothing holds without their demands.
+/// The isolators of a tank that has them; nothing is compared without their demands.
 pub(super) fn assess(work: &mut Work<'_>) {
     let Some(isolators) = work.case.tank.isolators else {
         return;
     };
     let Some(found) = &work.demands.isolation else {
-        for check in work.checks.iter_mut().filter(|check| check.holds()) {
+        for check in work.checks.iter_mut().filter(|check| check.compared()) {
             *check = check.left_open(FIXED.to_owned());
         }
         return;
@@ -39,29 +40,30 @@ pub(super) fn assess(work: &mut Work<'_>) {
     work.sheet.section("Isolators");
     let displacement = work.factor * found.displacement.value;
     match isolators.displacement_capacity {
+        _ if !work.codes.ec8 => {}
         None => {
             let reason = format!("`{CAPACITY}` is missing");
             work.without(ISOLATORS, CheckStatus::NotChecked, &reason, Some(CAPACITY));
         }
         Some(capacity) => {
             let clause = work.clause(ISOLATORS);
-            let factor = if work.codes.ec8 { MAGNIFICATION } else { 1.0 };
             let name = "largest displacement of the isolators";
             work.sheet.input("d_b", name, displacement, Length, run);
             work.sheet.input(
                 "γ_x",
                 "magnification of the displacement",
-                factor,
+                MAGNIFICATION,
                 Dimensionless,
                 &clause,
             );
             work.sheet
                 .input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
-            let terms = [("γ_x", factor, Dimensionless), ("d_b", displacement, Length)];
+            let terms = [("γ_x", MAGNIFICATION, Dimensionless), ("d_b", displacement, Length)];
             let name = "displacement to be provided for";
             let demand = work.sheet.calc("d_x", name, "γ_x·d_b", &terms, Length, &clause);
             let name = "Displacement of the isolators";
-            let check = Check::new(ISOLATORS, name, demand, capacity, Length, &clause, "");
+            let note = "1.2 times the largest displacement of the run";
+            let check = Check::new(ISOLATORS, name, demand, capacity, Length, &clause, note);
             let peak = found.displacement;
             work.checks.push(check.at(Some(peak.time), None, Some(peak.theta)));
         }

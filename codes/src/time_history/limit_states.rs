@@ -29,6 +29,10 @@ pub(super) const ELASTIC: &str = "buckling_elastic";
 pub(super) const COLLAPSE: &str = "buckling_elastic_plastic";
 /// Compression, API.
 pub(super) const API_COMPRESSION: &str = "shell_compression";
+/// Limit states of the tension of anchors, of engines and procedures.
+pub(super) const ANCHORAGE: [&str; 2] = [ANCHORS, "anchor_tension"];
+/// Limit states of the compression of a wall, of engines and procedures.
+pub(super) const COMPRESSED: [&str; 4] = [ELASTIC, COLLAPSE, API_COMPRESSION, EQUIVALENT];
 /// Tension of the anchors.
 pub(super) const ANCHORS: &str = "anchorage";
 /// Tension at the base of a wall without anchors.
@@ -205,12 +209,23 @@ impl List<'_> {
         if self.case.tank.isolators.is_none() {
             return;
         }
-        let ec8 = self.codes.ec8.then_some("EN 1998-1:2004 10.3, 10.10");
-        let api = self.codes.api.then_some("ASCE 7-16 17.2.8");
+        if self.codes.ec8 {
+            let clause = "EN 1998-1:2004 10.3, 10.10".to_owned();
+            self.add(ISOLATORS, "Displacement of the isolators", clause, Required);
+        }
+        if self.codes.api {
+            let name = "Displacement of the isolators in the maximum considered earthquake";
+            self.add(
+                "isolator_displacement_mce",
+                name,
+                "ASCE 7-16 17.5.3".into(),
+                NotImplemented,
+            );
+        }
+        let ec8 = self.codes.ec8.then_some("EN 1998-1:2004 10.10");
+        let api = self.codes.api.then_some("ASCE 7-16 17.2.4.6");
         let clause: Vec<&str> = ec8.into_iter().chain(api).collect();
-        let clause = clause.join(", ");
-        self.add(ISOLATORS, "Displacement of the isolators", clause.clone(), Required);
-        self.add(TENSION, "Tension of the outermost bearing", clause, Required);
+        self.add(TENSION, "Tension of the outermost bearing", clause.join(", "), Required);
     }
 
     /// What the codes ask for and the engine has no demand for.
@@ -235,6 +250,22 @@ impl List<'_> {
             self.add("piping", name, format!("{API} E.7.3"), NotImplemented);
         }
     }
+}
+
+/// What the code of a site asks of the records under which an engine decides, and of how many at least; none without a site.
+pub fn ground_motion(case: &Case) -> Option<(LimitState, usize)> {
+    let (clause, fewest) = match (&case.site.ec8, &case.site.api650) {
+        (Some(_), _) => ("EN 1998-1:2004 3.2.3.1.2(4)", 3),
+        (None, Some(_)) => ("ASCE 7-16 16.2", 11),
+        (None, None) => return None,
+    };
+    let state = LimitState {
+        id: "ground_motion",
+        name: "Records against the design spectrum of the site",
+        clause: clause.into(),
+        requirement: Required,
+    };
+    Some((state, fewest))
 }
 
 /// All limit states of a case.

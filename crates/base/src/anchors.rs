@@ -264,6 +264,13 @@ impl Ring {
         })
     }
 
+    /// Largest elongation that an anchor has, or would have were it not broken, play not counted, the foot's centre at `centre` [m].
+    pub fn stretch(&self, psi: f64, centre: f64) -> f64 {
+        let elongations =
+            (self.places.iter()).map(|(s, _)| centre + psi * self.radius * s - self.rest - self.anchors.gap);
+        elongations.fold(0.0, f64::max)
+    }
+
     /// Energy that the anchors store [J].
     pub fn stored(&self, psi: f64, centre: f64, bolts: &Bolts) -> f64 {
         let numbers = self.places.iter().map(|(_, number)| number);

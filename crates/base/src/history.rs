@@ -94,6 +94,8 @@ pub struct History {
     pub anchor_force: Vec<f64>,
     /// Place of that anchor among those of the ring.
     pub anchor_place: Vec<usize>,
+    /// Largest elongation of an anchor, also after it broke, play not counted [m].
+    pub anchor_stretch: f64,
     /// Largest force of each anchor of the run [N], by its place in the ring.
     pub anchor_peaks: Vec<f64>,
     /// Whether all of the bottom slid at once.
@@ -154,6 +156,7 @@ impl History {
                     (place, force) = (i, found);
                 }
             }
+            self.anchor_stretch = self.anchor_stretch.max(ring.stretch(state.psi[0], pull.centre));
             self.pull.push(pull.total);
             self.anchor_force.push(force);
             self.anchor_place.push(place);

@@ -336,8 +336,10 @@ fn report(
         rocking::of_base(&found.result.quantities, &mut values);
     }
     free.rest(&mut values);
-    demands.wave = demands::wave(&analysis);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
+    demands.wave = around
+        .as_ref()
+        .map_or_else(|| demands::wave(&analysis), |around| around.wave);
     notes.extend(Around::notes(motion));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
@@ -350,7 +352,6 @@ fn report(
     if let Some(second) = linear.across {
         demands::across(&mut demands, (model, second.model), motion, options)?;
     }
-    demands.wave = around.as_ref().map_or(demands.wave, |around| around.wave);
     if linear.extent == Extent::Values && moving.is_none() {
         return Ok(Simulation::unreported(linear.engine, values, demands));
     }

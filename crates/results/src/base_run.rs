@@ -192,6 +192,9 @@ pub struct AnchorRun {
     pub rupture_elongation: Option<f64>,
     /// Largest plastic elongation at the end [m].
     pub plastic_elongation: f64,
+    /// Largest elongation, also of one after it broke, play not counted [m].
+    #[serde(default)]
+    pub largest_elongation: f64,
     /// How many yield.
     pub yielded: usize,
     /// How many break.

@@ -71,8 +71,8 @@ pub struct IsolationBand {
     pub effective_period: f64,
     /// Effective damping ratio.
     pub effective_damping: f64,
-    /// Base shear of the tank along x [N].
+    /// Base shear of the tank, of both components together [N].
     pub base_shear: f64,
-    /// Wave height along x [m].
+    /// Wave height, of both components together [m].
     pub sloshing_height: f64,
 }

@@ -141,7 +141,7 @@ pub struct Compatibility {
 /// The spectra of a set around a period of the tank.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SetPeriod {
-    /// `impulsive` or `sloshing`.
+    /// `impulsive`, `sloshing` or `isolators`.
     pub which: String,
     /// T₁ [s].
     pub period: f64,

@@ -84,6 +84,10 @@ pub struct FreeBase {
     pub joint: Option<Peak>,
     /// Largest force of an anchor [N], of one that yields as if it had stayed elastic; none without anchors.
     pub anchor: Option<Peak>,
+    /// Whether the engine leaves the wall elastic at the joint.
+    pub elastic_wall: bool,
+    /// Anchors that break; the engine holds the tank in place along the ground all the same.
+    pub broken: usize,
     /// Base shear of the same tank held in place [N], where it slides.
     pub held_shear: Option<Terms>,
 }

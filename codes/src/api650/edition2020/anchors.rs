@@ -1,7 +1,7 @@
 //! Attachment (E.6.2.1.2) and spacing (5.12.3) of the anchors.
 //!
 //! The attachment to the shell and the embedment are designed for the lesser of 3 P_AB and the anchor's yield force as built.
-//! The yield force as built is not known here; 3 P_AB is on the safe side. The spacing is measured along the inside of the shell.
+//! Where `yield_force` is not given, 3 P_AB is on the safe side. The spacing is measured along the inside of the shell.
 //! Clause numbers and the 3 m (10 ft) are recalled; the larger of both printed values counts, as who follows either follows the clause.
 
 use tank::Anchors;
@@ -37,9 +37,25 @@ impl Run<'_> {
             ("n_A", f64::from(anchors.count), Dimensionless),
         ];
         let (name, formula) = ("design force of an attachment, 3 P_AB", "3·w_AB·π·D/n_A");
-        let force = self.sheet.calc("P_3", name, formula, &terms, Force, E6_2_1_2);
-        let name = "Attachment of an anchor, 3 P_AB";
-        let note = "or the anchor's yield force as built, where that is less";
+        let mut force = self.sheet.calc("P_3", name, formula, &terms, Force, E6_2_1_2);
+        let mut name = "Attachment of an anchor, 3 P_AB";
+        let mut note = "or the anchor's yield force as built, where that is less";
+        if let Some(yields) = anchors.yield_force {
+            self.sheet.input(
+                "P_y",
+                "yield force of an anchor",
+                yields,
+                Force,
+                "tank.anchors.yield_force",
+            );
+            let terms = [("P_3", force, Force), ("P_y", yields, Force)];
+            let title = "design force of an attachment, the lesser of both";
+            force = self.sheet.calc("P_t", title, "min(P_3, P_y)", &terms, Force, E6_2_1_2);
+            (name, note) = (
+                "Attachment of an anchor",
+                "the lesser of 3 P_AB and the yield force of an anchor",
+            );
+        }
         self.check(id, name, force, capacity, Force, E6_2_1_2, note);
     }
 

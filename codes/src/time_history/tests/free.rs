@@ -145,3 +145,102 @@ fn an_anchor_is_judged_by_its_own_force() {
     assert_eq!(check.status, CheckStatus::Holds);
     close(check.utilisation.unwrap(), 0.5, 1e-12);
 }
+
+/// Anchors that break: nothing of wall and base holds, what fails does.
+#[test]
+fn nothing_holds_where_anchors_break() {
+    let mut case = steel_tank();
+    case.tank.anchors = Some(Anchors {
+        count: 20,
+        capacity: Some(1.0),
+        ..Anchors::default()
+    });
+    let anchor = Some(Peak {
+        value: 2.0,
+        ..Peak::default()
+    });
+    let of = |broken| FreeBase {
+        lifts: true,
+        anchor,
+        broken,
+        ..FreeBase::default()
+    };
+    let holding = |broken| -> Vec<String> {
+        let findings = assessed(&case, &free(of(broken)));
+        assert_eq!(found(&findings, "anchorage").status, CheckStatus::Fails);
+        let holds = findings.checks.iter().filter(|check| check.holds());
+        holds.map(|check| check.id.clone()).collect()
+    };
+    assert!(holding(0).len() > 1);
+    assert_eq!(holding(20), ["freeboard"]);
+}
+
+/// Anchors that are overstressed while the engine holds the wall down: its compression does not hold, and keeps its numbers. By an engine that
+/// lets it lift on them it may.
+#[test]
+fn compression_does_not_hold_where_anchors_fail() {
+    let mut case = steel_tank();
+    let status = |case: &Case, base: Option<FreeBase>| {
+        let demands = Demands {
+            base,
+            ..shaken(5).demands(0.0, 0)
+        };
+        let mut findings = assessed(case, &demands);
+        if demands.base.is_none() {
+            overstressed(&mut findings.checks);
+        }
+        let check = found(&findings, "equivalent_stress");
+        (
+            found(&findings, "anchorage").status,
+            check.status,
+            check.demand.is_some(),
+        )
+    };
+    let mut of = |capacity: f64, base| {
+        case.tank.anchors = Some(Anchors {
+            count: 20,
+            capacity: Some(capacity),
+            ..Anchors::default()
+        });
+        status(&case, base)
+    };
+    assert_eq!(of(1e9, None), (CheckStatus::Holds, CheckStatus::Holds, true));
+    assert_eq!(of(1.0, None), (CheckStatus::Fails, CheckStatus::NotChecked, true));
+    let lifts = Some(FreeBase::default());
+    assert_eq!(of(1.0, lifts), (CheckStatus::Fails, CheckStatus::Holds, true));
+}
+
+/// A plate thicker than the lowest course: the joint of an engine that leaves the wall elastic does not hold, and fails where it fails.
+#[test]
+fn a_joint_does_not_hold_where_the_wall_yields_first() {
+    let mut case = steel_tank();
+    case.tank.support = Support::Unanchored;
+    let mut bottom = tank::Bottom {
+        thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
+        corrosion: 0.0,
+        width: None,
+        subgrade_modulus: None,
+        material: steel(),
+    };
+    let mut status = |thickness: f64, value: f64, elastic_wall: bool| {
+        bottom.thickness = thickness;
+        case.tank.bottom = Some(bottom.clone());
+        let joint = Some(Peak {
+            value,
+            ..Peak::default()
+        });
+        let base = FreeBase {
+            lifts: true,
+            joint,
+            elastic_wall,
+            ..FreeBase::default()
+        };
+        found(&assessed(&case, &free(base)), UPLIFT).status
+    };
+    assert_eq!(status(0.010, 0.05, true), CheckStatus::Holds);
+    assert_eq!(status(0.016, 0.05, true), CheckStatus::NotChecked);
+    assert_eq!(status(0.016, 0.05, false), CheckStatus::Holds);
+    assert_eq!(status(0.016, 0.25, true), CheckStatus::Fails);
+}

@@ -19,6 +19,8 @@ const THICK: f64 = 0.1;
 
 /// The foot of a cylinder's wall.
 pub(crate) const CLAMPED: &str = "The wall is clamped at its base to rigid ground.";
+/// The foot of one on isolators.
+const ON_SLAB: &str = "The wall is clamped at its base to the rigid slab, which moves on its isolators.";
 /// The foot of an unanchored one.
 pub(crate) const IN_CONTACT: &str =
     "The tank is unanchored, but the engine keeps it in contact with the ground: no uplift.";
@@ -26,16 +28,20 @@ pub(crate) const IN_CONTACT: &str =
 /// Assumptions of the model for this case, one sentence each.
 ///
 /// * `plates`: whether the walls of a box are plates, whose engine states what it assumes of them
-pub(crate) fn assumptions(case: &Case, plates: bool) -> Vec<String> {
+/// * `isolated`: whether the engine moves the tank on its isolators
+pub(crate) fn assumptions(case: &Case, plates: bool, isolated: bool) -> Vec<String> {
     let mut out = vec![
         "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
             .to_owned(),
-        "The liquid stays in contact with the wall everywhere; the bottom is rigid and follows the ground.".to_owned(),
+        format!(
+            "The liquid stays in contact with the wall everywhere; the bottom is rigid and follows the {}.",
+            if isolated { "slab" } else { "ground" }
+        ),
         "The wall is linear elastic and thin; hydrostatic and self-weight stresses do not stiffen it.".to_owned(),
     ];
     match case.tank.shape {
         Shape::Cylinder { .. } => {
-            out.push(CLAMPED.to_owned());
+            out.push(if isolated { ON_SLAB } else { CLAMPED }.to_owned());
             if case.tank.support == Support::Unanchored {
                 out.push(IN_CONTACT.to_owned());
             }

@@ -271,7 +271,12 @@ impl Setup {
         };
         demands.isolation = Some(bearings::isolation(self, given, &history, &demands));
         Ok(Bound {
-            band: self.band(&isolators, factor, &history, &analysis.values(&model, self.round)),
+            band: self.band(
+                &isolators,
+                factor,
+                &history,
+                (&analysis.values(&model, self.round), &demands),
+            ),
             demands,
         })
     }
@@ -281,7 +286,7 @@ impl Setup {
         isolators: &[Isolator],
         factor: f64,
         history: &History,
-        values: &BTreeMap<Quantity, f64>,
+        (values, demands): (&BTreeMap<Quantity, f64>, &Demands),
     ) -> IsolationBand {
         let displacement = isolated::peak(&history.displacement);
         let [_, effective_period, effective_damping] = self.effective(isolators, displacement);
@@ -292,10 +297,20 @@ impl Setup {
             isolator_force: isolated::peak(&history.force),
             effective_period,
             effective_damping,
-            base_shear: value(Quantity::BaseShear),
-            sloshing_height: value(Quantity::SloshingHeight),
+            base_shear: both(demands).unwrap_or_else(|| value(Quantity::BaseShear)),
+            sloshing_height: match (demands.transverse.is_empty(), demands.wave) {
+                (false, Some(wave)) => wave.value,
+                _ => value(Quantity::SloshingHeight),
+            },
         }
     }
+}
+
+/// Largest base shear of both horizontal components together [N]; none of one.
+fn both(demands: &Demands) -> Option<f64> {
+    let terms = demands.base_shear.as_ref()?;
+    let (x, y) = (demands.history(terms), demands.transverse(terms)?);
+    Some(x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max))
 }
 
 /// A run with scaled properties.

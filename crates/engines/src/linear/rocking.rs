@@ -204,6 +204,10 @@ fn on_anchors(
     motion: &GroundMotion,
     (options, extent, known, states): Asked<'_>,
 ) -> Free {
+    // The wall that is held down stands on ground that the tank does not feel.
+    if case.tank.isolators.is_some() {
+        return Free::Held;
+    }
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
     };
@@ -220,7 +224,7 @@ fn on_anchors(
     let Some(stiffness) = anchors.stiffness else {
         return held("`tank.anchors.stiffness` is missing");
     };
-    if model.fixed.is_some() || case.tank.isolators.is_some() {
+    if model.fixed.is_some() {
         return held("anchors that yield on a slab that moves are not modelled");
     }
     if motion.transverse.is_some() || !options.dashpots.is_empty() {
@@ -436,7 +440,28 @@ pub(super) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
     }
     limits.extend(repeats(free));
     limits.extend(elastic_wall(free));
+    limits.extend(unbroken(free));
     limits
+}
+
+/// Anchors hold the tank in place as long as they do not break.
+fn unbroken(free: &Free) -> Option<Limit> {
+    let anchors = free.moved()?.result.anchors.as_ref()?;
+    let rupture = anchors.rupture_elongation?;
+    let holds = anchors.broken == 0;
+    Some(Limit {
+        id: "anchor_rupture".into(),
+        name: words::ANCHOR_RUPTURE.into(),
+        value: anchors.largest_elongation,
+        limit: rupture,
+        dimension: Dimension::Length,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            words::anchors_break(anchors.broken, anchors.count)
+        },
+    })
 }
 
 /// Strips are welded to a wall that does not yield.

@@ -109,6 +109,7 @@ pub fn which(period: &SetPeriod) -> &'static str {
     match period.which.as_str() {
         "impulsive" => "impulsive period",
         "sloshing" => "sloshing period",
+        "isolators" => "period of the isolators",
         _ => "given period",
     }
 }

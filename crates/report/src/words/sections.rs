@@ -194,7 +194,7 @@ const ALL: &[Words] = &[
             ),
             (
                 "band",
-                "Properties of isolators vary with wear, temperature and make: the same run with the lower and the upper bound of stiffness, strength,                  friction and damping. Displacement is governed by the lower bound, forces mostly by the upper one.",
+                "Properties of isolators vary with wear, temperature and make: the same run with the lower and the upper bound of stiffness, strength,                  friction and damping, but for the stiffness that a pendulum has from its radius. Displacement is governed by the lower bound, forces mostly by the upper one.",
             ),
         ],
     },

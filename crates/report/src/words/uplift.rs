@@ -258,9 +258,13 @@ pub fn missed(run: &BaseRun) -> Vec<String> {
 pub fn balance(run: &BaseRun) -> String {
     format!(
         "The balance of energy closes within {} of the input. Base shear and moment of the superposed modes, whose values are reported, and of \
-         the march of the base agree within {}.",
+         the march of the base agree within {}.{}",
         percent(run.energy.error),
-        percent(run.superposition)
+        percent(run.superposition),
+        match run.energy.base_elastic < 0.0 {
+            true => " Stored energy counts from rest: where it is negative, the base stores less at the end.",
+            false => "",
+        }
     )
 }
 

@@ -1,5 +1,6 @@
 //! `tank.bottom` and `tank.foundation`.
 
+use ::base::{Plate, Soil, subgrade_modulus};
 use files::code::{Code, Warning};
 use tank::FoundationKind;
 
@@ -32,7 +33,7 @@ pub(super) fn bottom(
                 message,
                 "either annular_width or width",
             ));
-            None
+            r.optional(&given.width)
         }
         (Some(field), None) => Some(r.number(field)),
         (None, _) => r.optional(&given.width),
@@ -149,6 +150,45 @@ pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>,
     }
 }
 
+/// Least modulus of loose sand under a plate of 0.3 m [N/m³] (Bowles 1996, table 9-1, recalled).
+const LOOSE_SAND: f64 = 5e6;
+/// Largest modulus of the ground under a rim [N/m³], as that of `stiffness`.
+const HARDEST: f64 = 1e12;
+
+/// The modulus that the velocity of shear waves gives under a plate has the limits of one that is given.
+pub(super) fn ground_of_waves(
+    r: &mut Resolver<'_>,
+    given: &Foundation,
+    ground: &tank::Foundation,
+    plate: &tank::Bottom,
+) {
+    let (Some(field), Some(velocity), FoundationKind::Soil) = (
+        &given.shear_wave_velocity.given,
+        ground.shear_wave_velocity,
+        ground.kind,
+    ) else {
+        return;
+    };
+    if ground.stiffness.or(plate.subgrade_modulus).is_some() {
+        return;
+    }
+    let soil = Soil::of_waves(velocity, ground.soil_density, ground.soil_poisson_ratio);
+    let rim = Plate {
+        thickness: plate.net_thickness(),
+        young_modulus: plate.material.youngs_modulus,
+        poisson_ratio: plate.material.poisson_ratio,
+        yield_stress: None,
+    };
+    if let Ok(k) = subgrade_modulus(soil, &rim)
+        && k > HARDEST
+    {
+        let text = |k: f64| tank::units::display(k, tank::units::Dimension::Subgrade);
+        let message = format!("these waves give the ground under the rim {}", text(k));
+        let allowed = format!("at most {}, or tank.foundation.stiffness", text(HARDEST));
+        r.faults.push(range_fault(Code::OutOfRange, field, &message, &allowed));
+    }
+}
+
 /// The foundation.
 ///
 /// * `isolated`: whether its slab stands on isolators
@@ -164,6 +204,18 @@ pub(super) fn foundation(
         let message = "the ground under the rim is given twice";
         let allowed = "either tank.foundation.stiffness or tank.bottom.subgrade_modulus";
         r.faults.push(range_fault(Code::Exclusive, field, message, allowed));
+    }
+    if let (Some(k), Some(field)) = (stiffness, &given.stiffness.given)
+        && k < LOOSE_SAND
+    {
+        r.warnings.push(Warning::new(
+            Code::BaseModel,
+            format!(
+                "{}: {} is softer than loose sand under a plate of 0.3 m (5 MN/m³ and more; the rim loads a strip as narrow)",
+                field.path,
+                tank::units::display(k, tank::units::Dimension::Subgrade)
+            ),
+        ));
     }
     let shear_wave_velocity = r.optional(&given.shear_wave_velocity);
     let soil_density = r.or_default(&given.soil_density);

@@ -113,11 +113,12 @@ pub(super) fn isolators(
         (Some(mass), _) => mass,
         (None, Some(thickness)) => CONCRETE * thickness * shape?.plan_area(),
         (None, None) => {
-            r.echo_default(
-                "tank.isolators.slab_mass",
-                "0 kg",
-                "neither slab_mass nor tank.foundation.thickness",
-            );
+            let missing = "neither slab_mass nor tank.foundation.thickness";
+            r.echo_default("tank.isolators.slab_mass", "0 kg", missing);
+            r.warnings.push(Warning::new(
+                Code::BaseModel,
+                format!("tank.isolators: the slab has no mass, which moves with the tank: {missing}"),
+            ));
             0.0
         }
     };
@@ -193,10 +194,11 @@ impl Keys<'_, '_> {
                         &message,
                         &option.key.limits.describe(T::DIMENSION),
                     );
-                    let example = if option.key.example.is_empty() {
-                        T::example()
-                    } else {
-                        option.key.example.into()
+                    let own = option.key.example;
+                    let example = match (own.is_empty(), own.parse::<f64>().is_ok()) {
+                        (true, _) => T::example(),
+                        (false, true) => own.into(),
+                        (false, false) => format!("\"{own}\""),
                     };
                     self.r.faults.push(fault.help(format!("add \"{key}\": {example}")));
                 }

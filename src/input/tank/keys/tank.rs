@@ -326,6 +326,9 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     }
     let foundation = (t.foundation.value())
         .and_then(|given| base::foundation(r, given, t.bottom.value(), t.isolators.given.is_some()));
+    if let (Some(given), Some(ground), Some(plate)) = (t.foundation.value(), &foundation, &bottom) {
+        base::ground_of_waves(r, given, ground, plate);
+    }
     let isolators = (t.isolators.given.as_ref())
         .zip(t.isolators.value())
         .and_then(|(field, given)| isolators(r, (field, given), t, foundation.as_ref(), shape));

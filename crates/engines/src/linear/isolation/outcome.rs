@@ -167,7 +167,7 @@ impl Isolated {
         demands: &mut Demands,
     ) {
         let isolators = self.setup.isolators(&self.given, 1.0);
-        let own = self.setup.band(&isolators, 1.0, &self.history, values);
+        let own = self.setup.band(&isolators, 1.0, &self.history, (values, demands));
         self.result.band.insert(self.result.band.len().min(1), own);
         for quantity in MOVING {
             if let Some(&held) = fixed.get(&quantity) {

@@ -24,18 +24,19 @@ pub(super) fn assumptions(vertical: bool, two: bool, pendulum: bool) -> Vec<Stri
          slab spread over them linearly. Tension is reported, not modelled.",
         "Effective period and damping are those of a cycle to the largest displacement, with all mass; the march does not use them.",
         "Mesh errors are the relative ones of the tank on a fixed base.",
+        "Lower and upper properties are two runs beside that of the nominal ones; between them nothing is run, where a demand may be larger.",
     ]
     .map(String::from)
     .to_vec();
     if pendulum {
         list.push(if vertical {
-            "Friction and restoring force follow the weight under the vertical motion of the ground; overturning does not change their sum.".into()
+            "Friction and restoring force follow the weight under the vertical motion of the ground; overturning does not change their sum. Effective stiffness and damping are with the friction of fast sliding; the bounds scale the friction, not the radius.".into()
         } else {
-            "Without a vertical record, friction and restoring force are those of the weight at rest.".into()
+            "Without a vertical record, friction and restoring force are those of the weight at rest. Effective stiffness and damping are with the friction of fast sliding; the bounds scale the friction, not the radius.".into()
         });
     }
     list.push(if two {
-        "Both horizontal components act on one yield surface, a circle.".into()
+        "Both horizontal components act on one yield surface, a circle. Displacement and force, and all values with lower and upper properties, are those of both components; the largest values of the tank itself are those along x.".into()
     } else {
         "One horizontal component: a second one would lower the friction or yield force along the first.".into()
     });

@@ -197,6 +197,8 @@ impl Moved {
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
             joint: self.joint(),
             anchor: self.anchor(),
+            elastic_wall: true,
+            broken: self.result.anchors.as_ref().map_or(0, |anchors| anchors.broken),
             held_shear,
         });
         Ok(())
@@ -252,7 +254,10 @@ impl Moved {
     fn anchor(&self) -> Option<Peak> {
         let (found, anchors) = (self.result.quantity("anchor_force")?, self.result.anchors.as_ref()?);
         Some(Peak {
-            value: found.value.value + anchors.stiffness * anchors.plastic_elongation,
+            value: match anchors.broken {
+                0 => found.value.value + anchors.stiffness * anchors.plastic_elongation,
+                _ => anchors.stiffness * anchors.largest_elongation,
+            },
             time: found.time.unwrap_or_default(),
             theta: found.degrees.unwrap_or_default().to_radians(),
         })

@@ -403,6 +403,7 @@ fn anchors(ring: &Ring, history: &History) -> AnchorRun {
         gap: own.gap,
         rupture_elongation: own.rupture,
         plastic_elongation: bolts.plastic.iter().copied().fold(0.0, f64::max),
+        largest_elongation: history.anchor_stretch,
         yielded: many(&|i| bolts.plastic[i] > 0.0),
         broken: many(&|i| bolts.broken[i]),
         around: by_angle(&bolts.plastic),

@@ -24,6 +24,17 @@ pub(super) const SPREAD: &str =
 /// Name of the limit of an elastic wall.
 pub(super) const WALL: &str =
     "Stress of the lowest course at the joint with the bottom plate, elastic, against its yield strength";
+/// Name of the limit of anchors that do not break.
+pub(super) const ANCHOR_RUPTURE: &str = "Largest elongation of an anchor against that at rupture";
+
+/// What broken anchors mean.
+pub(super) fn anchors_break(broken: usize, count: usize) -> String {
+    format!(
+        "{broken} of {count} anchors break: the engine holds the tank in place along the ground all the same, and does not follow one that \
+         slides. Nothing of wall and base holds by this run."
+    )
+}
+
 /// What a wall that yields means.
 pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, which the strips leave out: wall and plate share the plastic \
      rotation, of which the value here is the sum. `tankcheck push` and the nonlinear engine model both.";
@@ -178,10 +189,14 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     list.push(match (&setup.anchors, &setup.friction) {
         (Some(anchors), _) => format!(
             "{} anchors, elastic-plastic springs without pretension that pull only{}; what they stretch beyond {} stays as play. They hold the \
-             tank in place: it does not slide.",
+             tank in place{}.",
             anchors.count,
             if anchors.rupture.is_some() { " until they break" } else { ", and do not break" },
-            display(anchors.yield_force, Dimension::Force)
+            display(anchors.yield_force, Dimension::Force),
+            match found.history.bolts.broken.contains(&true) {
+                true => ", also where they break",
+                false => ": it does not slide",
+            }
         ),
         (None, Some(friction)) => format!(
             "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight. The foot of the wall drags the \

@@ -151,11 +151,18 @@ fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase
                 theta,
             })
         });
+    // At least one, of the force that it would have had it stayed elastic.
+    let breaks = case.tank.anchors.is_some_and(|own| {
+        let limit = own.stiffness.zip(own.rupture_elongation).map(|(k, u)| k * u);
+        anchor.zip(limit).is_some_and(|(found, limit)| found.value > limit)
+    });
     Some(FreeBase {
         lifts,
         scatters: false,
         joint: Some(joint),
         anchor,
+        broken: usize::from(breaks),
+        elastic_wall: false,
         held_shear: None,
     })
 }

@@ -63,6 +63,10 @@ pub fn stands_on(study: &Study) -> Vec<String> {
              Its mesh follows 20 Hz whatever the record is."
                 .into(),
         );
+        all.push(
+            "Without `tank.anchors.stiffness` the wall of an anchored tank is held down also where its anchors fail; its compression is then too small."
+                .into(),
+        );
     }
     if study.hazard {
         all.push("Rates are ∫ P |dλ| with the hazard curve straight in double logarithmic axes, continued beyond its last point.".into());
