@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use oscillator::record::Record;
 use tank::case::{Case, Damping, Ec8Site, ProcedureOptions, Site};
-use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
+use tank::{Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 /// A material without strengths; modulus [Pa], density [kg/m³].
 pub(crate) fn material(name: &str, youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Material {
@@ -22,6 +22,19 @@ pub(crate) fn material(name: &str, youngs_modulus: f64, poisson_ratio: f64, dens
 /// Steel, E = 210 GPa, ν = 0.3, 7850 kg/m³.
 pub(crate) fn steel() -> Material {
     material("steel", 210e9, 0.3, 7850.0)
+}
+
+/// A bottom plate of 10 mm, on ground that is not given.
+pub(crate) fn bottom_plate(material: Material) -> Bottom {
+    Bottom {
+        thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
+        corrosion: 0.0,
+        width: None,
+        subgrade_modulus: None,
+        material,
+    }
 }
 
 /// A course; height and thickness [m].

@@ -112,6 +112,12 @@ fn bad_input_has_one_message() {
         &[],
         "tank.foundation.shear_wave_velocity",
     );
+    // Rock of 3 km/s: more than the largest stiffness.
+    said(
+        &with("shear_wave_velocity", json!("3000 m/s")),
+        &[],
+        "these waves give the ground under the rim",
+    );
     said(&with("thickness", json!("0.5 m")), &[], "tank.foundation.thickness");
     said(
         &|t| t["tank"]["bottom"]["annular_thickness"] = json!("9 mm"),

@@ -3,11 +3,11 @@
 use oscillator::record::Record;
 use tank::assessment::Assessment;
 use tank::case::{Case, GroundMotion};
-use tank::{Bottom, Material, Roof, Shape, Support};
+use tank::{Material, Roof, Shape, Support};
 
 use super::ground_motion::tests::site;
 pub(super) use crate::samples::near as close;
-use crate::samples::{self, course};
+use crate::samples::{self, bottom_plate, course};
 
 /// Steel with E = 210 GPa, F_y = F_ty = 235 MPa; S_d = 157 MPa serves the hoop check only.
 pub(super) fn steel() -> Material {
@@ -30,15 +30,7 @@ pub(crate) fn case() -> Case {
         height: Some(15.2),
         ..Roof::default()
     };
-    case.tank.bottom = Some(Bottom {
-        thickness: 0.010,
-        sketch: None,
-        projection: 0.0,
-        corrosion: 0.0,
-        width: None,
-        subgrade_modulus: None,
-        material: steel(),
-    });
+    case.tank.bottom = Some(bottom_plate(steel()));
     case
 }
 

@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 
 use super::example::{check, line, oil_tank, profile, site, steel};
 use super::*;
-use crate::samples::{case, concrete_rectangle, course, record};
+use crate::samples::{bottom_plate, case, concrete_rectangle, course, record};
 use tank::case::{Ec8Site, GroundMotion};
-use tank::{Anchors, Bottom, Roof, Support};
+use tank::{Anchors, Roof, Support};
 
 const EPSILON: f64 = 3e-4;
 const UTILISATIONS: [(f64, bool); 5] = [
@@ -85,15 +85,7 @@ fn overturning() {
     limit("overturning", |u| {
         let mut c = oil_tank();
         c.tank.support = Support::Unanchored;
-        c.tank.bottom = Some(Bottom {
-            thickness: 0.010,
-            sketch: None,
-            projection: 0.0,
-            corrosion: 0.0,
-            width: None,
-            subgrade_modulus: None,
-            material: steel(),
-        });
+        c.tank.bottom = Some(bottom_plate(steel()));
         c.site.ec8 = Some(Ec8Site {
             ag: 0.25 * 9.81 * capacity / 189_684.14e3 * u,
             ..site()

@@ -7,12 +7,12 @@
 use super::example::{check, close, integral, line, oil_tank, profile, site, steel};
 use super::*;
 use crate::api650::hold_down::figure_e5;
-use crate::samples::{self, record};
+use crate::samples::{self, bottom_plate, record};
 use oscillator::spectrum::ordinates;
 use tank::assessment::CheckStatus;
 use tank::case::{Damping, Ec8Site, GroundMotion, GroundType};
 use tank::quantity::Quantity;
-use tank::{Anchors, Bottom, Support};
+use tank::{Anchors, Support};
 
 const GRAVITY: f64 = 9.81;
 
@@ -213,15 +213,7 @@ fn profiles_integrate_to_the_resultants() {
 fn unanchored_walls() {
     let mut case = oil_tank();
     case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        thickness: 0.010,
-        sketch: None,
-        projection: 0.0,
-        corrosion: 0.0,
-        width: None,
-        subgrade_modulus: None,
-        material: steel(),
-    });
+    case.tank.bottom = Some(bottom_plate(steel()));
     // The full motion overturns this tank.
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     assert!(a.notes.iter().any(|n| n.contains("needs the code's diagrams")));

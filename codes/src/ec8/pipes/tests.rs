@@ -7,7 +7,7 @@
 use super::super::example::{check, line, oil_tank, steel};
 use super::super::{En2006, Env1998};
 use crate::Procedure;
-use crate::samples::{close, concrete_rectangle};
+use crate::samples::{bottom_plate, close, concrete_rectangle};
 use tank::assessment::{CheckStatus, Excitation};
 use tank::case::Case;
 use tank::{Bottom, Pipes, Support};
@@ -49,13 +49,8 @@ fn uplift_adds() {
     let mut case = with(oil_tank(), Some(50.0), Some(0.010));
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
-        thickness: 0.010,
-        sketch: None,
-        projection: 0.0,
-        corrosion: 0.0,
-        width: None,
         subgrade_modulus: Some(1e8),
-        material: steel(),
+        ..bottom_plate(steel())
     });
     case.site.ec8.as_mut().unwrap().ag = 0.08 * 9.81;
     let a = En2006.assess(&case, Excitation::Site).unwrap();

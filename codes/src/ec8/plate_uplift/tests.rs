@@ -7,10 +7,10 @@
 use super::super::En2006;
 use super::super::example::{check, line, oil_tank, site, steel};
 use crate::Procedure;
-use crate::samples::close;
+use crate::samples::{bottom_plate, close};
+use tank::Support;
 use tank::assessment::{Assessment, CheckStatus, Excitation};
 use tank::case::{Case, Ec8Site};
-use tank::{Bottom, Support};
 
 /// The oil tank without anchors on a bottom of 10 mm.
 ///
@@ -18,15 +18,7 @@ use tank::{Bottom, Support};
 fn unanchored(ag: f64) -> Case {
     let mut case = oil_tank();
     case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        thickness: 0.010,
-        sketch: None,
-        projection: 0.0,
-        corrosion: 0.0,
-        width: None,
-        subgrade_modulus: None,
-        material: steel(),
-    });
+    case.tank.bottom = Some(bottom_plate(steel()));
     case.site.ec8 = Some(Ec8Site {
         ag: ag * 9.81,
         ..site()

@@ -4,6 +4,7 @@ use tank::demand::{Footing, FreeBase};
 use tank::outside::Outside;
 
 use super::*;
+use crate::samples::bottom_plate;
 
 fn free(base: FreeBase) -> Demands {
     let mut demands = shaken(5).demands(0.0, 0);
@@ -215,15 +216,7 @@ fn compression_does_not_hold_where_anchors_fail() {
 fn a_joint_does_not_hold_where_the_wall_yields_first() {
     let mut case = steel_tank();
     case.tank.support = Support::Unanchored;
-    let mut bottom = tank::Bottom {
-        thickness: 0.010,
-        sketch: None,
-        projection: 0.0,
-        corrosion: 0.0,
-        width: None,
-        subgrade_modulus: None,
-        material: steel(),
-    };
+    let mut bottom = bottom_plate(steel());
     let mut status = |thickness: f64, value: f64, elastic_wall: bool| {
         bottom.thickness = thickness;
         case.tank.bottom = Some(bottom.clone());

@@ -84,3 +84,21 @@ fn anchors_without_strength_are_refused() {
         assert!(Ring::new(bad, &rocking, &law).is_err(), "{bad:?}");
     }
 }
+
+/// The elongation grows on after an anchor has broken: its foot lifts by w₀ + ψ R, from rest and less the play.
+#[test]
+fn a_broken_anchor_would_stretch_on() {
+    let (rocking, law) = bare(0.02);
+    let played = Anchors {
+        gap: 1e-3,
+        rupture: Some(2e-3),
+        ..bolts()
+    };
+    let ring = Ring::new(played, &rocking, &law).unwrap();
+    let rest = law.turn(0.0, 0.0).centre;
+    for (psi, centre) in [(5e-4, 1e-3), (-2e-3, 4e-3)] {
+        let expected = centre + RADIUS * f64::abs(psi) - rest - 1e-3;
+        assert!((ring.stretch(psi, centre) / expected - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(ring.stretch(0.0, rest), 0.0);
+}
