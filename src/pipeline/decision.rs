@@ -73,7 +73,7 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
     let states = asked(procedure, job, excitation);
     let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
     let isolated = job.case.tank.isolators.is_some();
-    // A base that does not move says nothing of one that does.
+    // The procedure assumes a base that does not move.
     let known = |check: Check| match isolated && check.compared() {
         true => check.left_open(ON_ISOLATORS.into()),
         false => check,
@@ -106,12 +106,18 @@ pub(super) fn ground_motion(job: &Job, id: &str, set: Option<&RecordSet>) -> Opt
     }
     let open = |reason: &str| Check::without_comparison(&state, CheckStatus::NotChecked, reason, None);
     let Some(set) = set else {
-        let reason = format!("one record is no design action: the clause asks for at least {fewest} (`compare --set`)");
+        let reason = format!("one record is not enough: the clause asks for at least {fewest} (`compare --set`)");
         return Some(open(&reason));
     };
     let Some(found) = &set.compatibility else {
         return Some(open("the set was not compared with a spectrum"));
     };
+    if found.target != "site" {
+        let table = &found.target;
+        return Some(open(&format!(
+            "the set was compared with the table {table}, not with the spectrum of the site"
+        )));
+    }
     if set.records.len() < found.fewest_records {
         let (count, fewest) = (set.records.len(), found.fewest_records);
         return Some(open(&format!("{count} records: the clause asks for at least {fewest}")));

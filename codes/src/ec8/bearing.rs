@@ -33,7 +33,7 @@ pub(crate) const ON_ANCHORS: &str =
 pub(crate) const BEYOND_KERN: &str = "the resultant leaves the kern of the plan of the tank, which is held to a foundation whose plan and weight are not an input";
 /// Why a rigid base does not speak of a tank whose wall lifts.
 pub(crate) const LIFTS: &str =
-    "the wall lifts: its toe presses on a narrow ring, of which the pressure under a rigid base says nothing";
+    "the wall lifts and its toe presses on a narrow ring, where the pressure exceeds that under a rigid base";
 /// Path of the resistance.
 pub(crate) const RESISTANCE: &str = "site.ec8.bearing_capacity";
 

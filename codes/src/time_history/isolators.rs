@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Both codes ask for every limit state with the lower and the upper bound of the properties: each check is the worst of the runs with
-//! nominal, lower and upper ones. An engine that holds the base still has none of these demands: its checks say nothing of this tank. The displacement of ASCE 7 is
-//! that of the maximum considered earthquake, of which the record is none: it stays open.
+//! nominal, lower and upper ones. An engine that holds the base still has none of these demands, and its checks do not
+//! apply. ASCE 7 asks for the displacement in the maximum considered earthquake. The record is the design earthquake, so that check stays open.
 //!
 //! Source: EN 1998-1:2004 10.3(2), 10.8, 10.10; ASCE 7-16 17.2.4.6, 17.2.8, 17.5.3; recalled.
 

@@ -96,7 +96,7 @@ fn what_is_asked_of_isolators() {
     assert!(fixed.checks.iter().all(|check| !check.id.starts_with("isolator")));
 }
 
-/// An engine that holds the base still says nothing of a tank on isolators.
+/// Checks of an engine that holds the base still do not apply to a tank on isolators.
 #[test]
 fn a_base_held_still_says_nothing() {
     let mut case = on_isolators(Some(0.150));
