@@ -133,6 +133,66 @@ mod tests {
         assert_eq!(at(0.0, 0.005), 0.1);
     }
 
+    /// At the damping of the table its rows, between them the chord, beyond them the last; an importance factor multiplies all. At
+    /// ξ = 0.005 η is √(10/5.5) by the formula.
+    #[test]
+    fn ordinates_of_a_table() {
+        let rows = vec![[0.0, 1.0], [0.2, 2.5], [0.6, 2.5], [2.0, 0.8]];
+        let table = SpectrumTable::new(rows).unwrap();
+        let site = |damping: f64| SiteSpectrum {
+            form: SpectrumForm::Table {
+                damping,
+                horizontal: table.clone(),
+                vertical: None,
+            },
+            vertical_ratio: 0.9,
+        };
+        for (period, exact) in [
+            (0.0, 1.0),
+            (0.1, 1.75),
+            (0.2, 2.5),
+            (0.5, 2.5),
+            (1.3, 1.65),
+            (2.0, 0.8),
+            (9.0, 0.8),
+        ] {
+            assert!((ordinate(&table, period) - exact).abs() < 1e-12, "{period}");
+            assert!(
+                (elastic(&site(0.05), 1.4, 0.05)(period) - 1.4 * exact).abs() < 1e-12,
+                "{period}"
+            );
+        }
+        assert_eq!(longest(&site(0.05)), 2.0);
+        let eta = (10.0_f64 / 5.5).sqrt();
+        // From the plateau on all is times η; halfway up the rise half of the plateau's gain.
+        for (period, exact) in [(0.1, 1.75 + (eta - 1.0) * 1.25), (0.4, 2.5 * eta), (1.3, 1.65 * eta)] {
+            assert!(
+                (elastic(&site(0.05), 1.0, 0.005)(period) - exact).abs() < 1e-12,
+                "{period}"
+            );
+            assert!((elastic(&site(0.005), 1.0, 0.005)(period) - ordinate(&table, period)).abs() < 1e-12);
+        }
+    }
+
+    /// EN 1998-1 3.2.2.2 at its corners: S a_g at T = 0, 2.5 S a_g on the plateau, T_C/T and T_C T_D/T² beyond.
+    #[test]
+    fn ordinates_of_parameters() {
+        let site = SiteSpectrum {
+            form: SpectrumForm::Parameters(SpectrumParameters {
+                ag: 2.0,
+                soil: 1.2,
+                corners: [0.2, 0.6, 2.0],
+                long_corners: None,
+            }),
+            vertical_ratio: 0.9,
+        };
+        let at = elastic(&site, 1.2, 0.05);
+        for (period, share) in [(0.0, 1.0), (0.1, 1.75), (0.4, 2.5), (1.2, 1.25), (3.0, 2.5 * 1.2 / 9.0)] {
+            assert!((at(period) / (1.2 * 2.4 * share) - 1.0).abs() < 1e-12, "{period}");
+        }
+        assert_eq!(longest(&site), f64::INFINITY);
+    }
+
     #[test]
     fn a_table_is_not_continued() {
         let table = SpectrumTable::new(vec![[0.0, 1.0], [4.0, 1.0]]).unwrap();

@@ -142,6 +142,33 @@ mod tests {
         assert!(found.share_beyond_last > 0.0 && found.share_below_first > 0.0);
     }
 
+    /// Of a step at θ all of |dλ| beyond θ counts: λ(θ) = k₀ θ^(−k), of which λ(last) lies beyond the last point, and λ(θ) − λ(first) below
+    /// the first. A dispersion of 1e-3 adds exp(k²β²/2) − 1 = 2e-6.
+    #[test]
+    fn shares_of_a_step_are_those_of_the_hazard() {
+        let hazard = power(1e-4, 2.0, &[0.2, 0.4, 0.8]);
+        let step = |median: f64| {
+            let curve = Lognormal {
+                median,
+                dispersion: 1e-3,
+            };
+            let found = risk(&curve, &hazard).unwrap();
+            (found.share_below_first, found.share_beyond_last)
+        };
+        for (median, below, beyond) in [
+            (0.1, 0.75, 1.0 / 64.0),
+            (0.4, 0.0, 0.25),
+            (0.5, 0.0, 25.0 / 64.0),
+            (1.6, 0.0, 1.0),
+        ] {
+            let found = step(median);
+            assert!(
+                (found.0 - below).abs() < 1e-5 && (found.1 - beyond).abs() < 1e-5,
+                "{median}: {found:?}"
+            );
+        }
+    }
+
     #[test]
     fn other_forms_are_refused() {
         for wrong in [

@@ -75,6 +75,8 @@ mod tests {
         };
         assert!((Intensity::Pga.of(&record) - 1.0).abs() < 1e-9);
         assert!((Intensity::Pgv.of(&record) * PI - 1.0).abs() < 1e-4);
+        // d = t/(2π) − sin(2πt)/(4π²), at the end of ten seconds.
+        assert!((Intensity::Pgd.of(&record) * PI / 5.0 - 1.0).abs() < 1e-4);
         let stiff = Intensity::Sa {
             period: 0.01,
             damping: 0.05,
@@ -94,6 +96,32 @@ mod tests {
             Intensity::AverageSa { period, damping },
         ] {
             assert!((measure.of(&twice) / measure.of(&record) - 2.0).abs() < 1e-12);
+        }
+    }
+
+    /// After an impulse v an oscillator swings freely: u = v/ω exp(−ξφ/√(1 − ξ²)) with cos φ = ξ at its first peak, so that S_a is
+    /// proportional to 1/T. The pulse of 2 ms cuts (ωΔt)²/24 = 3e-4 of it at 0.15 s.
+    #[test]
+    fn an_impulse() {
+        let (dt, period) = (0.002, 0.75);
+        let mut acceleration = vec![0.0; 1500];
+        acceleration[1] = 1.0;
+        let record = Record {
+            name: "impulse".into(),
+            dt,
+            acceleration,
+            processing: Vec::new(),
+        };
+        for damping in [0.01, 0.05] {
+            let decay = f64::exp(-damping * f64::acos(damping) / (1.0 - damping * damping).sqrt());
+            let exact = |period: f64| 2.0 * PI / period * dt * decay;
+            let single = Intensity::Sa { period, damping }.of(&record);
+            assert!((single / exact(period) - 1.0).abs() < 1e-3, "{single}");
+            // (Π 1/T_k)^(1/10) with T_k/T = (1.8 + 2.8 k)/9, k = 0 to 9: 0.2, 0.511, …, 3.
+            let shares = [1.8, 4.6, 7.4, 10.2, 13.0, 15.8, 18.6, 21.4, 24.2, 27.0].map(|ninths: f64| ninths / 9.0);
+            let mean = shares.iter().product::<f64>().powf(0.1);
+            let average = Intensity::AverageSa { period, damping }.of(&record);
+            assert!((average / exact(period * mean) - 1.0).abs() < 1e-3, "{average}");
         }
     }
 }

@@ -102,3 +102,58 @@ fn a_broken_anchor_would_stretch_on() {
     }
     assert_eq!(ring.stretch(0.0, rest), 0.0);
 }
+
+/// Every anchor counts once: Σ 1 = n, Σ s = 0 and Σ s² = n/2 (n > 2) of n evenly spaced ones, an odd number as an even one.
+#[test]
+fn every_anchor_counts_once() {
+    let (rocking, law) = bare(0.001);
+    for count in [3, 4, 7, 24, 25] {
+        let ring = Ring::new(Anchors { count, ..bolts() }, &rocking, &law).unwrap();
+        let sum = |f: fn(f64) -> f64| ring.places().iter().map(|(s, number)| number * f(*s)).sum::<f64>();
+        let n = count as f64;
+        let found = [sum(|_| 1.0), sum(|s| s), sum(|s| s * s)];
+        for (found, exact) in found.iter().zip([n, 0.0, n / 2.0]) {
+            assert!((found - exact).abs() < 1e-12 * n, "{count}: {found} {exact}");
+        }
+    }
+}
+
+/// A ring that is lifted evenly by g + δ: nothing up to g, then n k δ; beyond the yield the rest stays, and n N_y times it is lost.
+#[test]
+fn the_gap_is_closed_before_an_anchor_pulls() {
+    let (rocking, law) = bare(0.02);
+    let (gap, Anchors { stiffness, .. }) = (2e-3, bolts());
+    let ring = Ring::new(Anchors { gap, ..bolts() }, &rocking, &law).unwrap();
+    let rest = law.turn(0.0, 0.0).centre;
+    let mut state = ring.unstretched();
+    let total = |stretch: f64, state: &Bolts| {
+        let forces = ring.forces(0.0, rest + stretch, state);
+        forces
+            .zip(ring.places())
+            .map(|(force, (_, number))| number * force)
+            .sum::<f64>()
+    };
+    assert_eq!(total(0.99 * gap, &state), 0.0);
+    let own = 0.5e-3;
+    assert!((total(gap + own, &state) / (24.0 * stiffness * own) - 1.0).abs() < 1e-9);
+    let stored = ring.stored(0.0, rest + gap + own, &state);
+    assert!((stored / (24.0 * 0.5 * stiffness * own * own) - 1.0).abs() < 1e-9);
+    // It yields at N_y/k = 0.75 mm; 1 mm stays.
+    let cost = ring.commit(0.0, rest + gap + 0.75e-3 + 1e-3, &mut state);
+    assert!(!cost.breaks && (cost.lost / (24.0 * 60e3 * 1e-3) - 1.0).abs() < 1e-9);
+    assert!(state.plastic.iter().all(|p| (p / 1e-3 - 1.0).abs() < 1e-9));
+    assert_eq!(total(gap + 0.99e-3, &state), 0.0);
+}
+
+/// A base with play turns as far as the play without its anchors, and pulls less than one without beyond it.
+#[test]
+fn play_delays_the_pull_of_a_turning_base() {
+    let (rocking, law) = bare(0.02);
+    let played = Ring::new(Anchors { gap: 5e-3, ..bolts() }, &rocking, &law).unwrap();
+    let tight = Ring::new(bolts(), &rocking, &law).unwrap();
+    let pull = |ring: &Ring, psi: f64| ring.pull(psi, 0.0, &ring.unstretched()).total;
+    // The heel lifts by at most 2 R ψ.
+    let early = 0.9 * 5e-3 / (2.0 * RADIUS);
+    assert!(pull(&played, early) == 0.0 && pull(&tight, early) > 0.0);
+    assert!(pull(&played, 1e-3) > 0.0 && pull(&played, 1e-3) < pull(&tight, 1e-3));
+}
