@@ -4,6 +4,7 @@
 mod attribution;
 mod decision;
 mod design;
+pub mod ground_motion;
 mod measured;
 mod motion;
 mod quantities;
@@ -26,6 +27,7 @@ use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
 pub use self::design::Design;
+use self::ground_motion::Records;
 use self::quantities::quantities;
 use crate::error::Error;
 use crate::job::Job;
@@ -140,8 +142,15 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
             {
                 time_history::overstressed(&mut findings.checks);
             }
-            let set = design.as_ref().map(|design| &design.set);
-            findings.checks.extend(decision::ground_motion(job, column, set));
+            if ground_motion::asked(job, column) {
+                let records = match &design {
+                    Some(design) => design.records.clone(),
+                    None => Records::of_one(job, &simulation),
+                };
+                findings
+                    .checks
+                    .extend(records.and_then(|records| ground_motion::check(job, &records)));
+            }
             outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
             let mut method = runs::method(job, number, &simulation, findings);
             if let Some(design) = &design {

@@ -27,6 +27,7 @@ use tank::outside::Outside;
 
 use crate::error::Error;
 use crate::job::Job;
+use crate::pipeline::ground_motion::Records;
 use crate::pipeline::{self, Design, Outcome};
 use crate::study::rule::{self, Answer, FIVE, Question, Wanted};
 use engines::{FeError, Shared, Simulation, engine};
@@ -176,7 +177,11 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
             (Some(found), String::new())
         }
         Err(error) if set.fit => return Err(error),
-        Err(error) => (None, reason(&error)),
+        Err(error) => (None, rule::reason(&error)),
+    };
+    let of_site = {
+        let horizontal: Vec<Horizontal<'_>> = set.records.iter().map(Earthquake::horizontal).collect();
+        Records::ask(&set.job, &wanted, &horizontal)
     };
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
@@ -222,7 +227,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         });
     }
     let runs: Vec<Under> = runs.into_iter().flatten().collect();
-    let design = designed(&set, &runs, shown, (compatibility, no_target));
+    let design = designed(&set, &runs, shown, (compatibility, no_target, of_site));
     let mut job = under(&set, shown);
     // That of the results first.
     job.files.extend(set.records[shown].files.clone());
@@ -283,13 +288,6 @@ fn named(error: Error, id: &str) -> Error {
         }
         other => other,
     }
-}
-
-/// First line of an error, without its word.
-fn reason(error: &Error) -> String {
-    let text = error.to_string();
-    let first = text.lines().next().unwrap_or_default();
-    first.trim_start_matches("error: ").to_owned()
 }
 
 /// The record with the largest spectral acceleration at the impulsive period, 5 % damped; with the largest peak where there is no such period.
@@ -378,7 +376,7 @@ fn designed(
     set: &SetJob,
     runs: &[Under],
     shown: usize,
-    (compatibility, no_target): (Option<Compatibility>, String),
+    (compatibility, no_target, of_site): (Option<Compatibility>, String, Option<Records>),
 ) -> Design {
     let ids: Vec<&str> = set.records.iter().map(|r| r.id.as_str()).collect();
     let (combine, count) = (set.combine, runs.len());
@@ -472,6 +470,7 @@ fn designed(
             compatibility,
             no_target,
         },
+        records: of_site,
     }
 }
 

@@ -305,8 +305,8 @@ pub const ALL: &[Meaning] = &[
     ),
     state(
         "ground_motion",
-        "factor with which the set of records just holds for the design spectrum of the site",
-        "1; a single record, or a set that is too weak or too small, is not checked",
+        "factor with which the records just hold for the design spectrum of the site",
+        "1; a single record, or a set that is too small, is not checked where it is strong enough",
         Dimensionless,
     ),
     state(

@@ -2,11 +2,10 @@
 
 use codes::{Procedure, time_history};
 use files::code::{Code, Warning};
-use results::{Deciding, Method, RecordSet, Status};
+use results::{Deciding, Method, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
 use tank::outside::Outside;
-use tank::units::{Dimension, display};
 
 use crate::job::Job;
 
@@ -93,51 +92,6 @@ pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Chec
     let codes = time_history::Codes::of(&job.case, &job.decision.decide);
     let states = time_history::limit_states(&job.case, codes);
     accept(id, job, check::complete(&states, checks))
-}
-
-/// Whether the records under which an engine decides are those that the code of the site asks for; none where it does not decide, or the site names no
-/// code.
-///
-/// * `set`: a set of records; one record is never enough
-pub(super) fn ground_motion(job: &Job, id: &str, set: Option<&RecordSet>) -> Option<Check> {
-    let (state, fewest) = time_history::ground_motion(&job.case)?;
-    if !job.decision.decide.iter().any(|decides| decides == id) {
-        return None;
-    }
-    let open = |reason: &str| Check::without_comparison(&state, CheckStatus::NotChecked, reason, None);
-    let Some(set) = set else {
-        let reason = format!("one record is not enough: the clause asks for at least {fewest} (`compare --set`)");
-        return Some(open(&reason));
-    };
-    let Some(found) = &set.compatibility else {
-        return Some(open("the set was not compared with a spectrum"));
-    };
-    if found.target != "site" {
-        let table = &found.target;
-        return Some(open(&format!(
-            "the set was compared with the table {table}, not with the spectrum of the site"
-        )));
-    }
-    if set.records.len() < found.fewest_records {
-        let (count, fewest) = (set.records.len(), found.fewest_records);
-        return Some(open(&format!("{count} records: the clause asks for at least {fewest}")));
-    }
-    if !found.holds {
-        let factor = display(found.factor, Dimension::Dimensionless);
-        return Some(open(&format!(
-            "the set is too weak for its spectrum: it would hold times {factor}"
-        )));
-    }
-    let note = "factor with which the set just holds for its spectrum";
-    Some(Check::new(
-        state.id,
-        state.name,
-        found.factor.min(1.0),
-        1.0,
-        Dimension::Dimensionless,
-        &found.clause,
-        note,
-    ))
 }
 
 /// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not

@@ -6,6 +6,7 @@ use codes::time_history::Findings;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation};
 
+use super::ground_motion::Records;
 use super::quantities::quantities;
 use results::{Method, RecordSet, Value};
 
@@ -22,6 +23,8 @@ pub struct Design {
     pub note: String,
     /// The set.
     pub set: RecordSet,
+    /// The set against the spectrum of the site; none where it names no code.
+    pub records: Option<Records>,
 }
 
 /// Gives the columns of the procedures under the record the values of the set.

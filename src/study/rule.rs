@@ -344,6 +344,13 @@ pub fn answer(question: &Question<'_>, set: &[Horizontal<'_>]) -> Result<Answer,
     })
 }
 
+/// First line of an error, without its word.
+pub fn reason(error: &Error) -> String {
+    let text = error.to_string();
+    let first = text.lines().next().unwrap_or_default();
+    first.trim_start_matches("error: ").to_owned()
+}
+
 /// The periods at which the rule is asked for a tank.
 ///
 /// Errors: those of [`periods`].

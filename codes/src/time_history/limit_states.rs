@@ -10,6 +10,7 @@ use tank::{Shape, Support};
 
 use crate::api650::edition2020::limit_states::carbon_steel;
 use crate::ec8::demand::Edition;
+use crate::record_set::standard::Standard;
 
 /// Freeboard.
 pub(super) const FREEBOARD: &str = "freeboard";
@@ -252,20 +253,20 @@ impl List<'_> {
     }
 }
 
-/// What the code of a site asks of the records under which an engine decides, and of how many at least; none without a site.
-pub fn ground_motion(case: &Case) -> Option<(LimitState, usize)> {
-    let (clause, fewest) = match (&case.site.ec8, &case.site.api650) {
-        (Some(_), _) => ("EN 1998-1:2004 3.2.3.1.2(4)", 3),
-        (None, Some(_)) => ("ASCE 7-16 16.2", 11),
+/// What the code of a site asks of the records under which an engine decides, and the code whose rule that is; none without a site.
+pub fn ground_motion(case: &Case) -> Option<(LimitState, Standard)> {
+    let code = match (&case.site.ec8, &case.site.api650) {
+        (Some(_), _) => Standard::En1998,
+        (None, Some(_)) => Standard::Asce716,
         (None, None) => return None,
     };
     let state = LimitState {
         id: "ground_motion",
         name: "Records against the design spectrum of the site",
-        clause: clause.into(),
+        clause: code.clause().into(),
         requirement: Required,
     };
-    Some((state, fewest))
+    Some((state, code))
 }
 
 /// All limit states of a case.

@@ -14,8 +14,22 @@ fn gap(check: &&str) -> Value {
     json!({ "check": check, "reason": "checked apart in the statics of the tank" })
 }
 
+/// The run decides, on a site that is weaker than its motion.
 fn decides() -> Value {
-    json!({ "procedures": { "decide": ["fe"] } })
+    json!({
+        "procedures": { "decide": ["fe"] },
+        "site": { "ec8": { "ag": "0.001 g" }, "api650": { "ss": 0.003, "s1": 0.001 } }
+    })
+}
+
+/// A site of 0.1 g of Eurocode 8 alone, about ten times the weakest motion.
+fn strong_site() -> Value {
+    json!({ "site": { "api650": null, "ec8": { "ag": "0.1 g" } } })
+}
+
+/// All gaps of the base tank but that of the records.
+fn without_records() -> Value {
+    json!({ "accepted": ACCEPTED.iter().filter(|check| **check != "ground_motion").map(gap).collect::<Vec<_>>() })
 }
 
 pub(super) fn tank(
@@ -123,14 +137,34 @@ fn gaps() -> Vec<Tank> {
         .run(1.5),
         tank(
             "engine-one-record",
-            "a record of 0.1 m/s² on a site of 0.1 g: EN 1998-1 asks for three that hold for its spectrum",
+            "one record that is strong enough: EN 1998-1 asks for three",
             (Incomplete, "ground_motion"),
+            vec![only_ec8(), without_records()],
+        ),
+        tank(
+            "engine-weak-record",
+            "a record of 0.1 m/s² on a site of 0.1 g, 1.2 x 0.98 m/s² at T = 0: a factor of 11.8 at least, which nobody can accept",
+            (Fails, "ground_motion"),
+            vec![strong_site()],
+        ),
+        tank(
+            "engine-weak-record-api",
+            "S_DS = 2/3 x 1.3 x 0.3 = 0.26 g on the plateau",
+            (Fails, "ground_motion"),
+            vec![only_api(), json!({ "site": { "api650": { "ss": 0.3, "s1": 0.1 } } })],
+        ),
+        tank(
+            "engine-weak-record-table",
+            "a table of 0.2 g that ends at 2 s, before twice the sloshing period of 4.9 s: the record is too weak before",
+            (Fails, "ground_motion"),
             vec![
-                only_ec8(),
-                json!({ "accepted": ACCEPTED.iter().filter(|check| **check != "ground_motion").map(gap).collect::<Vec<_>>() }),
+                strong_site(),
+                json!({ "site": {
+                    "ec8": { "ground": null, "spectrum": null, "ag": null },
+                    "spectrum": { "table": [[0, 0.2], [2, 0.2]], "unit": "g" }
+                } }),
             ],
-        )
-        .open(&["ground_motion"]),
+        ),
         tank(
             "engine-friction-missing",
             "no friction is given",
