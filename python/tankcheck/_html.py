@@ -18,7 +18,7 @@ _UNITS: dict[str, tuple[tuple[float, str], ...]] = {
     "m": ((1.0, "m"), (1e-3, "mm")),
 }
 
-_COLOURS = {"holds": "#1a7f37", "accepted": "#1a7f37", "fails": "#b3261e", "not_checked": "#8a6100", "incomplete": "#8a6100"}
+_COLOURS = {"holds": "#1a7f37", "accepted": "#8a6100", "fails": "#b3261e", "not_checked": "#8a6100", "incomplete": "#8a6100"}
 
 
 def unit(values: Iterable[float], si: str) -> tuple[float, str]:

@@ -42,7 +42,7 @@ an unanchored tank). A column tag or id only names the tanks. The answer is the 
 status, governing method and check, utilisation and, with --solve, the solved value. The exit code is that of the worst tank.
 
 Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
-4 something required was not checked, or nothing was assessed.")]
+4 something required was not checked, or nothing was assessed; with --strict also where a gap is accepted.")]
 pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,
@@ -155,7 +155,12 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let job = args.inputs.job(|_| Vec::new())?;
     inputs::shaken(&job)?;
     if let Some(variable) = &args.solve {
-        return solve::run(&job, variable, args.format.plain().unwrap_or(Format::Human), global);
+        return solve::run(
+            &job,
+            variable,
+            (args.format.plain().unwrap_or(Format::Human), args.inputs.strict),
+            global,
+        );
     }
     if let Some(out) = &args.out {
         keeps_runs(out)?;
@@ -183,7 +188,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             print(&format!("{line}\n"))?;
         }
     }
-    let found = || findings::of_checks(&results);
+    let found = || findings::of_checks(&results, args.inputs.strict);
     let place = args.inputs.tank.to_string_lossy();
     match (args.format, args.format.plain()) {
         (_, Some(plain)) => compare::print(
@@ -208,5 +213,5 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             run.method
         );
     }
-    Ok(compare::exit_code(&results.verdict))
+    Ok(compare::exit_code(&results.verdict, args.inputs.strict))
 }

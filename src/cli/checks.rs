@@ -44,7 +44,7 @@ pub(crate) fn tables(results: &Results) -> String {
             let place = placed.then(|| words::verdict::place(check));
             let mark = match check.status {
                 CheckStatus::Fails => Mark::Fails,
-                CheckStatus::NotChecked => Mark::Open,
+                CheckStatus::NotChecked | CheckStatus::Accepted => Mark::Open,
                 _ => Mark::None,
             };
             table.marked(mark, cells.into_iter().chain(place));
@@ -75,7 +75,9 @@ pub(crate) fn tables(results: &Results) -> String {
 /// Limit states without a comparison, those with the same reason together.
 fn gaps(checks: &[Check]) -> Vec<(Vec<&str>, &str, CheckStatus)> {
     let mut found: Vec<(Vec<&str>, &str, CheckStatus)> = Vec::new();
-    let told = |c: &&Check| !c.reason.is_empty() && c.status != CheckStatus::NotApplicable;
+    // Accepted gaps stand before everything else.
+    let without = [CheckStatus::NotApplicable, CheckStatus::Accepted];
+    let told = |c: &&Check| !c.reason.is_empty() && !without.contains(&c.status);
     for check in checks.iter().filter(told) {
         let state = check.limit_state.as_str();
         match found
@@ -93,7 +95,7 @@ fn gaps(checks: &[Check]) -> Vec<(Vec<&str>, &str, CheckStatus)> {
 /// All limit states of all methods, a second table after the quantities.
 pub(crate) fn csv(results: &Results) -> String {
     let mut text = String::new();
-    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason,time_s,z_m,theta_rad,error\n");
+    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason,accepted_by,accepted_on,time_s,z_m,theta_rad,error\n");
     let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:?}"));
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     for method in &results.methods {
@@ -105,13 +107,14 @@ pub(crate) fn csv(results: &Results) -> String {
                 .fold(0.0_f64, |m, v| m.max(v.abs()));
             let unit = style::unit(results, largest, check.dimension);
             let converted = |value: Option<f64>| number(value.map(|v| style::in_csv(v, unit).0));
+            let approval = check.accepted.as_ref();
             let symbol = match unit.factor() == 1.0 {
                 true => check.unit.as_str(),
                 false => unit.text,
             };
             let _ = writeln!(
                 text,
-                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                 method.id,
                 terminal::excitation(method.excitation),
                 check.limit_state,
@@ -123,6 +126,8 @@ pub(crate) fn csv(results: &Results) -> String {
                 number(check.utilisation),
                 quoted(&check.clause),
                 quoted(&check.reason),
+                approval.map_or(String::new(), |a| quoted(&a.by)),
+                approval.map_or("", |a| a.date.as_str()),
                 number(check.time_s),
                 number(check.z),
                 number(check.theta),

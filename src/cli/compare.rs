@@ -290,13 +290,16 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
         _ => {}
     }
-    Ok(exit_code(&results.verdict))
+    Ok(exit_code(&results.verdict, args.inputs.strict))
 }
 
 /// Exit code of a verdict; an unfinished run counts before all else.
-pub(crate) fn exit_code(verdict: &Verdict) -> u8 {
+///
+/// * `strict`: whether an accepted gap is one that was not checked
+pub(crate) fn exit_code(verdict: &Verdict, strict: bool) -> u8 {
     match verdict.status {
         _ if verdict.unfinished => EXIT_COMPUTATION,
+        VerdictStatus::Holds if strict && !verdict.complete() => EXIT_NOT_CHECKED,
         VerdictStatus::Holds => EXIT_OK,
         VerdictStatus::Fails => EXIT_CHECK_FAILED,
         VerdictStatus::Incomplete | VerdictStatus::NotAssessed => EXIT_NOT_CHECKED,
@@ -428,7 +431,7 @@ pub(crate) fn print(
         Format::Csv => stream::print(&text::csv(results))?,
         Format::Human => {
             let _units = style::terminal(results.project.as_ref());
-            let mut out = String::new();
+            let mut out = text::accepted(results);
             for excitation in [Excitation::Record, Excitation::Site] {
                 out.push_str(&text::table(results, excitation));
             }

@@ -5,8 +5,9 @@
 //! | holds | passed, with its text | – | – |
 //! | fails | `failure` | `error` | `::error` |
 //! | not checked | `error` | `warning` | `::warning` |
-//! | warns | passed, with its text | `note` | `::notice` |
+//! | warns, accepted | passed, with its text | `note` | `::notice` |
 //!
+//! A verdict that holds with accepted gaps warns; with `--strict` it and its gaps are not checked.
 //! A runner of tests counts `skipped` as green, and the exit code is 4 where something required was not checked: hence `error`.
 
 use std::collections::BTreeMap;
@@ -43,27 +44,30 @@ pub(crate) struct Finding {
 }
 
 /// The verdict, the checks of the deciding methods (of all methods where none decides), and the warnings. What is not required of the tank is left out.
-pub(crate) fn of_checks(results: &Results) -> Vec<Finding> {
+///
+/// * `strict`: whether an accepted gap is one that was not checked
+pub(crate) fn of_checks(results: &Results, strict: bool) -> Vec<Finding> {
     let decides = |m: &&Method| results.verdict.decides(m);
     let any = results.methods.iter().any(|m| decides(&m) && !m.checks.is_empty());
     let methods = results.methods.iter().filter(|m| !any || decides(m));
     let of = |method: &Method| -> Vec<Finding> {
         let group = format!("{}/{}", method.id, terminal::excitation(method.excitation));
         let required = method.checks.iter().filter(|c| c.status != CheckStatus::NotApplicable);
-        required.map(|check| of_check(&group, check)).collect()
+        required.map(|check| of_check(&group, check, strict)).collect()
     };
-    std::iter::once(of_verdict(results))
+    std::iter::once(of_verdict(results, strict))
         .chain(methods.flat_map(of))
         .chain(results.warnings.iter().map(of_warning))
         .collect()
 }
 
 /// The verdict: no report is green where something required was not checked, or nothing decides.
-fn of_verdict(results: &Results) -> Finding {
+fn of_verdict(results: &Results, strict: bool) -> Finding {
     let verdict = &results.verdict;
     let outcome = match verdict.status {
         VerdictStatus::Fails => Outcome::Fails,
-        VerdictStatus::Holds if !verdict.unfinished => Outcome::Holds,
+        VerdictStatus::Holds if verdict.complete() => Outcome::Holds,
+        VerdictStatus::Holds if !verdict.unfinished && !strict => Outcome::Warns,
         _ => Outcome::NotChecked,
     };
     Finding {
@@ -74,10 +78,11 @@ fn of_verdict(results: &Results) -> Finding {
     }
 }
 
-fn of_check(group: &str, check: &Check) -> Finding {
+fn of_check(group: &str, check: &Check, strict: bool) -> Finding {
     let outcome = match check.status {
         CheckStatus::Fails => Outcome::Fails,
         CheckStatus::NotChecked => Outcome::NotChecked,
+        CheckStatus::Accepted if strict => Outcome::NotChecked,
         CheckStatus::Accepted => Outcome::Warns,
         CheckStatus::Holds | CheckStatus::NotApplicable => Outcome::Holds,
     };
@@ -85,7 +90,7 @@ fn of_check(group: &str, check: &Check) -> Finding {
     if let Some(utilisation) = check.utilisation {
         let _ = write!(message, ", utilisation {utilisation:.3}");
     }
-    for part in [&check.reason, &check.note] {
+    for part in [&words::verdict::approval(check), &check.reason, &check.note] {
         if !part.is_empty() {
             let _ = write!(message, "; {part}");
         }

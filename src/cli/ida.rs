@@ -134,6 +134,7 @@ impl Args {
         let scales = scales(&self.scale, self.steps.as_deref())?;
         let inputs = Inputs {
             accept: None,
+            strict: false,
             tank: self.tank.clone(),
             quake: vec![self.quake.clone()],
             quake_y: Vec::new(),

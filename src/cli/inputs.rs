@@ -39,6 +39,9 @@ pub(crate) struct Inputs {
     /// Accept only these gaps of `accepted` in the tank file [default: all]: `not-checked=ID,ID`.
     #[arg(long, value_name = "not-checked=ID,…")]
     pub accept: Option<String>,
+    /// Exit with 4 also where the tank holds with accepted gaps.
+    #[arg(long)]
+    pub strict: bool,
 }
 
 impl Inputs {
@@ -189,7 +192,7 @@ impl Inputs {
                     Code::UnknownId,
                     format!(
                         "--accept: `{id}` has no reason in the tank file\n  help: add {{ \"check\": \"{id}\", \"reason\": \
-                     \"…\" }} to `accepted`"
+                     \"…\", \"by\": \"…\", \"date\": \"…\" }} to `accepted`"
                     ),
                 ));
             };

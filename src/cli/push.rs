@@ -161,6 +161,7 @@ impl Args {
         };
         let inputs = Inputs {
             accept: None,
+            strict: false,
             tank: self.tank.clone(),
             quake: Vec::new(),
             quake_y: Vec::new(),

@@ -12,7 +12,7 @@ use crate::cli::{Format, json as whole};
 use crate::error::Error;
 use files::code::Code;
 use files::text;
-use report::words::terminal;
+use report::words::{self, terminal};
 use results::{Method, Part, Results, finite};
 
 /// Everything, as in `results.json`.
@@ -174,8 +174,20 @@ fn verdict(results: &Results) -> Value {
             "utilisation": g.check.utilisation.map(short),
         })
     });
+    let gap = |gap: &results::Governing| {
+        let approval = gap.check.accepted.as_ref();
+        json!({
+            "method": gap.method,
+            "check": gap.check.limit_state,
+            "by": approval.map(|a| &a.by),
+            "date": approval.map(|a| &a.date),
+            "reason": gap.check.reason,
+        })
+    };
     json!({
         "status": verdict.status,
+        "headline": words::verdict::headline(verdict),
+        "accepted": verdict.accepted.iter().map(gap).collect::<Vec<_>>(),
         "deciding": deciding,
         "counts": verdict.counts,
         "governing": governing,

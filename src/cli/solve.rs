@@ -47,7 +47,7 @@ impl Governs {
 }
 
 /// Solves and prints; returns the exit code.
-pub(crate) fn run(job: &Job, variable: &str, format: Format, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(job: &Job, variable: &str, (format, strict): (Format, bool), global: &Global) -> Result<u8, Error> {
     let variable = Variable::parse(variable)?;
     let solution = solve::run(job, variable)?;
     let sentence = || {
@@ -63,13 +63,13 @@ pub(crate) fn run(job: &Job, variable: &str, format: Format, global: &Global) ->
     if format != Format::Human && !global.quiet && !matches!(solution.found, Found::Edge { .. }) {
         say!("note: {}", sentence());
     }
-    Ok(exit_code(&solution))
+    Ok(exit_code(&solution, strict))
 }
 
 /// That of the verdict at the solution; 1 where a check fails at every value, 4 where there is no single answer.
-fn exit_code(solution: &Solution) -> u8 {
+fn exit_code(solution: &Solution, strict: bool) -> u8 {
     match (&solution.found, solution.value()) {
-        (_, Some((_, verdict))) => compare::exit_code(verdict),
+        (_, Some((_, verdict))) => compare::exit_code(verdict, strict),
         (Found::Nowhere { .. }, None) => EXIT_CHECK_FAILED,
         (_, None) => EXIT_NOT_CHECKED,
     }
@@ -78,7 +78,7 @@ fn exit_code(solution: &Solution) -> u8 {
 /// The verdict at the solution in a word, or why there is none.
 pub(crate) fn status(solution: &Solution) -> &'static str {
     match &solution.found {
-        Found::Edge { at, .. } | Found::Everywhere { at, .. } | Found::Nowhere { at, .. } => word(at.status),
+        Found::Edge { at, .. } | Found::Everywhere { at, .. } | Found::Nowhere { at, .. } => answer(at),
         Found::Several(_) => "not_monotone",
         Found::Unanswered(_) => word(VerdictStatus::NotAssessed),
     }
@@ -91,6 +91,14 @@ pub(crate) fn word(status: VerdictStatus) -> &'static str {
         VerdictStatus::Fails => "fails",
         VerdictStatus::Incomplete => "incomplete",
         VerdictStatus::NotAssessed => "not_assessed",
+    }
+}
+
+/// A verdict in a word; one that holds with accepted gaps has its own.
+pub(crate) fn answer(verdict: &Verdict) -> &'static str {
+    match verdict.status {
+        VerdictStatus::Holds if !verdict.complete() => "holds_with_gaps",
+        status => word(status),
     }
 }
 

@@ -61,10 +61,10 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
             })
             .inspect_err(|_| say!("note: the fault is in the tank of {place}"));
         let (verdict, solved) = answered?;
-        codes.push(compare::exit_code(&verdict));
+        codes.push(compare::exit_code(&verdict, inputs.strict));
         let mut cells: Vec<String> = row.iter().map(|c| c.text.clone()).collect();
         let governing = verdict.governing.as_ref();
-        cells.push(solve::word(verdict.status).into());
+        cells.push(solve::answer(&verdict).into());
         cells.push(governing.map_or(String::new(), |g| g.method.clone()));
         cells.push(governing.map_or(String::new(), |g| g.check.id.clone()));
         cells.push(

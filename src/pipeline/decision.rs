@@ -157,6 +157,7 @@ fn accept(id: &str, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
         if let Some(gap) = accepted.iter().find(|a| a.means(id, &check.limit_state)) {
             check.status = CheckStatus::Accepted;
             check.note = std::mem::replace(&mut check.reason, gap.reason.clone());
+            check.accepted = Some(gap.approval.clone());
         }
     }
     check::complete(&[], checks)

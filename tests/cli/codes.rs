@@ -127,7 +127,7 @@ fn trigger(code: Code) -> Trigger {
         Code::UnusualRecord => File(INFO, "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.04,0\n"),
         Code::UnusedAcceptance => Tank(
             "\"site\"",
-            "\"accepted\": [ { \"check\": \"slidding\", \"reason\": \"by others\" } ], \"site\"",
+            "\"accepted\": [ { \"check\": \"slidding\", \"reason\": \"checked by others\", \"by\": \"J. Doe\", \"date\": \"2026-03-14\" } ], \"site\"",
         ),
         Code::LimitExceeded => Sources("needs a run; tests/cli/limits.rs"),
         Code::Unusable => Sources("needs a run; tests/cli/plausible.rs"),

@@ -201,6 +201,11 @@ fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     for (label, text) in words::VERDICT.into_iter().zip(&verdict) {
         page.cells([Some(Cell::Text(label)), Some(Cell::Text(text))])?;
     }
+    for gap in &results.verdict.accepted {
+        let approval = all_words::verdict::approval(&gap.check);
+        let text = format!("{} ({}), {approval}: {}", gap.check.name, gap.method, gap.check.reason);
+        page.cells([Some(Cell::Text(all_words::verdict::GAPS)), Some(Cell::Text(&text))])?;
+    }
     let v = &results.volatile;
     for (label, text) in words::PROVENANCE.into_iter().zip([&v.version, &v.created, &v.command]) {
         page.cells([Some(Cell::Text(label)), Some(Cell::Text(text))])?;

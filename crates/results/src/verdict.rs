@@ -2,7 +2,7 @@
 //!
 //! | status | meaning |
 //! |---|---|
-//! | `holds` | every limit state that the deciding codes require was checked and holds, or is an accepted gap |
+//! | `holds` | every limit state that the deciding codes require was checked and holds, or is an accepted gap, which is listed |
 //! | `fails` | at least one fails |
 //! | `incomplete` | none fails, at least one was not checked, a deciding method checked nothing, or a run did not reach its end |
 //! | `not_assessed` | no deciding method gave a check |
@@ -118,6 +118,9 @@ pub struct Verdict {
     /// What the checks of the deciding methods amount to.
     #[serde(default)]
     pub status: VerdictStatus,
+    /// Their required limit states that were not checked and are accepted: who, when and why.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub accepted: Vec<Governing>,
     /// Methods that decide.
     #[serde(default)]
     pub deciding: Vec<Deciding>,
@@ -145,6 +148,11 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// Whether everything required was checked and holds, without an accepted gap.
+    pub fn complete(&self) -> bool {
+        self.status == VerdictStatus::Holds && !self.unfinished && self.counts.accepted == 0
+    }
+
     /// Whether a method decides.
     pub fn decides(&self, method: &Method) -> bool {
         self.deciding.iter().any(|d| d.is(method))
@@ -169,9 +177,11 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
     let silent: Vec<Deciding> = deciding.iter().filter(|d| !speaks(d)).cloned().collect();
     let aside = |method: &&Method| !decides(method) && method.excitation == Excitation::Record;
     let (of_record, worst) = count(methods.iter().filter(aside));
-    let not_checked = |method: &Method| {
-        let checks = method.checks.iter().filter(|c| c.status == CheckStatus::NotChecked);
-        checks.map(|check| named(method, check)).collect::<Vec<_>>()
+    let of_status = |status: CheckStatus| -> Vec<Governing> {
+        let deciding = methods.iter().filter(|m| decides(m));
+        let all = deciding.flat_map(|m| m.checks.iter().map(move |check| (m, check)));
+        let found = all.filter(|(_, check)| check.status == status);
+        found.map(|(method, check)| named(method, check)).collect()
     };
     Verdict {
         status: match counts.status() {
@@ -181,7 +191,8 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
         silent,
         counts,
         governing,
-        missing: methods.iter().filter(|m| decides(m)).flat_map(not_checked).collect(),
+        missing: of_status(CheckStatus::NotChecked),
+        accepted: of_status(CheckStatus::Accepted),
         record: (of_record.compared() > 0).then_some(Aside {
             counts: of_record,
             governing: worst,

@@ -85,6 +85,9 @@ pub struct Check {
     /// Why there is no comparison, or why the gap is accepted; empty otherwise.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub reason: String,
+    /// Who accepts the gap, and when.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accepted: Option<Approval>,
     /// Path in `tank.json` of the input that is missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub input: Option<String>,
@@ -122,6 +125,7 @@ struct Stored {
     limit_state: Option<String>,
     #[serde(default)]
     reason: String,
+    accepted: Option<Approval>,
     input: Option<String>,
     time_s: Option<f64>,
     z: Option<f64>,
@@ -155,6 +159,7 @@ impl From<Stored> for Check {
             },
             clause: stored.clause,
             reason: stored.reason,
+            accepted: stored.accepted,
             input: stored.input,
             note: stored.note,
             time_s: stored.time_s,
@@ -194,6 +199,7 @@ impl Check {
             unit: dimension.si_symbol().into(),
             clause: clause.into(),
             reason: String::new(),
+            accepted: None,
             input: None,
             note: note.into(),
             time_s: None,
@@ -218,6 +224,7 @@ impl Check {
             unit: String::new(),
             clause: state.clause.clone(),
             reason: reason.into(),
+            accepted: None,
             input: input.map(str::to_owned),
             note: String::new(),
             time_s: None,
@@ -287,6 +294,15 @@ impl Check {
     }
 }
 
+/// Who accepts a gap, and when.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Approval {
+    /// Name.
+    pub by: String,
+    /// Date, year-month-day.
+    pub date: String,
+}
+
 /// A gap that the user accepts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Accepted {
@@ -294,6 +310,8 @@ pub struct Accepted {
     pub check: String,
     /// Why.
     pub reason: String,
+    /// Who, and when.
+    pub approval: Approval,
 }
 
 impl Accepted {

@@ -159,6 +159,26 @@ pub(super) fn csv(results: &Results) -> String {
     text
 }
 
+/// Accepted gaps: who, when and why; empty without one.
+pub(super) fn accepted(results: &Results) -> String {
+    let gaps = &results.verdict.accepted;
+    let mut text = String::new();
+    if gaps.is_empty() {
+        return text;
+    }
+    let _ = writeln!(text, "{} ({}):", words::verdict::GAPS, gaps.len());
+    for gap in gaps {
+        let check = &gap.check;
+        let approval = words::verdict::approval(check);
+        let _ = writeln!(
+            text,
+            "  {} ({}), {approval}: {}",
+            check.limit_state, gap.method, check.reason
+        );
+    }
+    style::sentence(&text) + "\n"
+}
+
 /// Checks, verdict and exceeded limits.
 pub(super) fn verdict(results: &Results) -> String {
     checks::tables(results) + &style::sentence(&sentences(results))

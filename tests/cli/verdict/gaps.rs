@@ -120,6 +120,16 @@ fn deciding() -> Vec<Tank> {
 /// Bad input.
 fn input() -> Vec<Tank> {
     let refused = |name, why, path, change| Tank::new(name, why, Expected::Input(path), vec![change]);
+    let accepting = |name, key: &'static str, value: Value| {
+        let mut gap = gap("sliding");
+        merge(&mut gap, &json!({ key: value }));
+        refused(
+            name,
+            "a gap is accepted with a reason of several words, a name and a date",
+            key,
+            json!({ "accepted": [gap] }),
+        )
+    };
     vec![
         refused(
             "behaviour-factor-out-of-range",
@@ -139,17 +149,21 @@ fn input() -> Vec<Tank> {
             "site.api650.site_class",
             json!({ "site": { "api650": { "site_class": "F" } } }),
         ),
-        refused(
-            "accepted-without-reason",
-            "a gap is accepted with a reason",
-            "accepted[0].reason",
-            json!({ "accepted": [{ "check": "sliding", "reason": " " }] }),
-        ),
+        accepting("accepted-without-reason", "reason", json!(" ")),
+        accepting("accepted-with-a-letter", "reason", json!("x")),
+        accepting("accepted-with-a-word", "reason", json!("accepted")),
+        accepting("accepted-with-a-word-twice", "reason", json!("ok, ok")),
+        accepting("accepted-by-nobody", "by", json!("-")),
+        accepting("accepted-without-a-name", "by", Value::Null),
+        accepting("accepted-without-a-date", "date", Value::Null),
+        accepting("accepted-on-no-day", "date", json!("2026-02-30")),
+        accepting("accepted-on-a-german-date", "date", json!("14.03.2026")),
+        accepting("accepted-on-a-stamp", "date", json!("2026-03-14T00:00:00Z")),
         refused(
             "accepted-twice",
             "each limit state once",
             "accepted[1].check",
-            json!({ "accepted": [{ "check": "sliding", "reason": "a" }, { "check": "sliding", "reason": "b" }] }),
+            json!({ "accepted": [gap("sliding"), gap("sliding")] }),
         ),
         refused(
             "overfull",

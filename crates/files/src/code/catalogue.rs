@@ -352,7 +352,7 @@ catalogue! {
     UnusedAcceptance "T0904" Warning "an accepted gap that is none"
         "`accepted` names a limit state that was checked, fails, is not required or does not exist. Only what was not checked \
          can be accepted."
-        "\"accepted\": [ { \"check\": \"slidding\", \"reason\": \"…\" } ]"
+        "\"accepted\": [ { \"check\": \"slidding\", \"reason\": \"…\", \"by\": \"…\", \"date\": \"…\" } ]"
 
     LimitExceeded "T0905" Warning "a run that left the limits of its theory"
         "The results were computed, and a response is beyond what the theory of the engine covers, such as a wave that breaks \

@@ -75,7 +75,14 @@ fn row(check: &Check) -> Row {
     };
     let place = words::verdict::place(check);
     let error = words::verdict::error(check);
-    let remarks = [capital(&check.reason), capital(&check.note), place, capital(&error)];
+    let approval = capital(&words::verdict::approval(check));
+    let remarks = [
+        approval,
+        capital(&check.reason),
+        capital(&check.note),
+        place,
+        capital(&error),
+    ];
     let remarks: Vec<String> = remarks.into_iter().filter(|r| !r.is_empty()).collect();
     Row {
         name: capital(&check.name),

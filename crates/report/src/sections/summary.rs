@@ -30,6 +30,8 @@ struct Verdict {
     class: &'static str,
     sign: &'static str,
     headline: String,
+    /// Accepted gaps, before everything else.
+    accepted: Vec<Missing>,
     /// Methods that decide.
     deciding: String,
     missing: Vec<Missing>,
@@ -43,6 +45,8 @@ struct Missing {
     name: String,
     method: String,
     reason: String,
+    /// Who accepts the gap, and when; empty where nobody does.
+    approval: String,
 }
 
 #[derive(Serialize)]
@@ -98,6 +102,7 @@ fn verdict(results: &Results) -> Verdict {
     let v = &results.verdict;
     let (class, sign) = match v.status {
         _ if v.unfinished => ("fail", "✗"),
+        VerdictStatus::Holds if !v.complete() => ("open", "!"),
         VerdictStatus::Holds if v.counts.within_error > 0 => ("open", "✓"),
         VerdictStatus::Holds => ("ok", "✓"),
         VerdictStatus::Fails => ("fail", "✗"),
@@ -105,21 +110,12 @@ fn verdict(results: &Results) -> Verdict {
         VerdictStatus::NotAssessed => ("none", "–"),
     };
     let input = v.missing.iter().any(|gap| gap.check.input.is_some());
-    // Checks that are open for one reason stand in one line.
-    let mut open: Vec<Missing> = Vec::new();
-    for gap in v.missing.iter().map(missing) {
-        match open
-            .iter_mut()
-            .find(|m| m.method == gap.method && m.reason == gap.reason)
-        {
-            Some(same) => same.name = format!("{}, {}", same.name, gap.name),
-            None => open.push(gap),
-        }
-    }
+    let open = together(&v.missing);
     Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
+        accepted: v.accepted.iter().map(missing).collect(),
         deciding: deciding(results),
         supply: match (open.is_empty(), input) {
             (true, _) => "",
@@ -133,6 +129,19 @@ fn verdict(results: &Results) -> Verdict {
             .map(|aside| record(aside, results.record_set.is_some()))
             .collect(),
     }
+}
+
+/// Gaps, those of a method with the same reason in one line.
+fn together(gaps: &[results::Governing]) -> Vec<Missing> {
+    let mut all: Vec<Missing> = Vec::new();
+    for gap in gaps.iter().map(missing) {
+        let same = |m: &&mut Missing| m.method == gap.method && m.reason == gap.reason;
+        match all.iter_mut().find(same) {
+            Some(same) => same.name = format!("{}, {}", same.name, gap.name),
+            None => all.push(gap),
+        }
+    }
+    all
 }
 
 /// The deciding methods by their titles.
@@ -153,6 +162,7 @@ fn missing(gap: &results::Governing) -> Missing {
         name: capital(&gap.check.name),
         method: gap.method.clone(),
         reason: gap.check.reason.clone(),
+        approval: words::verdict::approval(&gap.check),
     }
 }
 

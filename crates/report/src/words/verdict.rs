@@ -32,9 +32,11 @@ pub fn headline(verdict: &Verdict) -> String {
         VerdictStatus::Holds => match (compared, counts.accepted) {
             (1, 0) => format!("Holds: the one required limit state was checked{within}"),
             (all, 0) => format!("Holds: all {all} required limit states were checked{within}"),
-            (all, accepted) => format!(
-                "Holds: {all} limit {} checked{within}, {accepted} accepted without a check",
-                plural(all, "state was", "states were")
+            (checked, accepted) => format!(
+                "Holds, with {accepted} {} accepted: {checked} of {} required limit states {} checked{within}",
+                plural(accepted, "gap", "gaps"),
+                checked + accepted,
+                plural(checked, "was", "were")
             ),
         },
         VerdictStatus::Fails => format!(
@@ -78,6 +80,17 @@ pub fn deciding(verdict: &Verdict) -> String {
 pub const SUPPLY: &str = "Supply the missing input, or accept a gap with its reason in `accepted` of the tank file.";
 /// What can be done about gaps of which none is for want of input.
 pub const ACCEPT: &str = "A gap can be accepted with its reason in `accepted` of the tank file.";
+
+/// Title of the list of accepted gaps.
+pub const GAPS: &str = "Accepted without a check";
+
+/// Who accepts a gap, and when; empty where nobody does.
+pub fn approval(check: &Check) -> String {
+    match &check.accepted {
+        Some(accepted) => format!("accepted by {} on {}", accepted.by, accepted.date),
+        None => String::new(),
+    }
+}
 
 /// What the assessments under the record amount to.
 pub fn record(aside: &Aside, set: bool) -> String {

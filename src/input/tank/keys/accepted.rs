@@ -1,26 +1,45 @@
 //! `accepted`: gaps of the deciding codes that the user accepts.
 
-use ::tank::check;
+use std::collections::BTreeSet;
+
+use ::tank::check::{self, Approval};
 use files::code::Code;
 
+use super::project::is_date;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 
 object! {
-    /// A limit state that is not checked and accepted all the same. It is printed with its reason.
+    /// A limit state that is not checked and accepted all the same. It is printed before everything else, with who accepts it, when and why.
     Accepted {
         /// Id of the limit state, as `check` prints it; of one code only with its id, such as "ec8-2006/sliding".
         check ("sliding"): Field<String>,
-        /// Why the gap is acceptable, who says so.
-        reason ("keyed foundation, sheet 12 of the statics, J. Doe 2026"): Field<String>,
+        /// Why the gap is acceptable, in several words.
+        reason ("keyed foundation, sheet 12 of the statics"): Field<String>,
+        /// Who accepts it.
+        by ("J. Doe"): Field<String>,
+        /// When, year-month-day.
+        date ("2026-03-14"): Field<String>,
     }
 }
 
-/// Accepted gaps, each once and with a reason.
+/// Fewest different words of a reason.
+const WORDS: usize = 2;
+
+/// Whether a text has several words, of two letters or more each.
+fn has_words(text: &str) -> bool {
+    let words = text.split(|c: char| !c.is_alphanumeric());
+    let words = words.filter(|word| word.chars().filter(|c| c.is_alphabetic()).count() >= 2);
+    words.map(str::to_lowercase).collect::<BTreeSet<_>>().len() >= WORDS
+}
+
+/// Accepted gaps, each once, with a reason, a name and a date.
 pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>) -> Vec<check::Accepted> {
     let mut all: Vec<check::Accepted> = Vec::new();
     for given in option.value().into_iter().flatten().filter_map(|g| g.value.as_ref()) {
-        let (Some(check), Some(reason)) = (r.text(&given.check), r.text(&given.reason)) else {
+        let (check, reason) = (r.text(&given.check), r.text(&given.reason));
+        let (by, date) = (r.text(&given.by), r.text(&given.date));
+        let (Some(check), Some(reason), Some(by), Some(date)) = (check, reason, by, date) else {
             continue;
         };
         if all.iter().any(|a| a.check == check) {
@@ -31,15 +50,27 @@ pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>)
                 "each limit state once",
             ));
         }
-        if reason.trim().is_empty() {
-            r.faults.push(range_fault(
-                Code::Incomplete,
-                &given.reason,
-                "the reason is empty",
-                "a sentence",
-            ));
+        if !has_words(&reason) {
+            let found = format!("the reason `{reason}`");
+            let expected = "why the gap is acceptable, in several words";
+            r.faults
+                .push(range_fault(Code::BadForm, &given.reason, &found, expected));
         }
-        all.push(check::Accepted { check, reason });
+        if !by.chars().any(char::is_alphabetic) {
+            let found = format!("the name `{by}`");
+            r.faults
+                .push(range_fault(Code::BadForm, &given.by, &found, "who accepts the gap"));
+        }
+        if !is_date(&date) {
+            let found = format!("the date `{date}`");
+            r.faults
+                .push(range_fault(Code::BadForm, &given.date, &found, "a date as 2026-03-14"));
+        }
+        all.push(check::Accepted {
+            check,
+            reason,
+            approval: Approval { by, date },
+        });
     }
     all
 }

@@ -53,6 +53,11 @@ choice! {
     }
 }
 
+/// Whether a text is a date, year-month-day.
+pub(super) fn is_date(text: &str) -> bool {
+    text.len() == 10 && humantime::parse_rfc3339(&format!("{text}T00:00:00Z")).is_ok()
+}
+
 /// The block, if given.
 pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> Option<::tank::Project> {
     let given = option.value()?;
@@ -70,7 +75,7 @@ pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> 
         units: r.word(&given.units),
     };
     if let (Some(field), Some(date)) = (&given.date.given, &found.date)
-        && (date.len() != 10 || humantime::parse_rfc3339(&format!("{date}T00:00:00Z")).is_err())
+        && !is_date(date)
     {
         r.faults.push(range_fault(
             Code::BadForm,
