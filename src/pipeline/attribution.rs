@@ -47,6 +47,7 @@ pub(super) fn attribute(
         liquid_mass: job.case.liquid_mass(),
         spectrum: &of_record,
         held: held(&simulation.result),
+        hoop_height: simulation.result.hoop_height,
     };
     let mut found = Vec::new();
     for quantity in Quantity::ALL {

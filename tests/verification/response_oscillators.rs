@@ -39,6 +39,7 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
         rotation: None,
         probes: Vec::new(),
         lines: Vec::new(),
+        level: 1.0,
         shear: None,
         structure: None,
         dashpots: Vec::new(),

@@ -78,16 +78,24 @@ impl State<'_> {
 
     /// What the membrane stresses are made of.
     pub(super) fn ingredients(&self, vertical: bool) -> Stresses {
-        let (z, zeta) = (self.hoop_at, self.zeta(self.hoop_at));
-        let per_pressure = self.radius / self.tank.course_at(z).net_thickness();
-        let wetted = |below: bool, coefficient: f64| if below { coefficient * per_pressure } else { 0.0 };
+        let z = self.hoop_at;
+        let per_pressure = |z: f64| self.radius / self.tank.course_at(z).net_thickness();
+        let at = |z: f64| {
+            let (zeta, per_pressure) = (self.zeta(z), per_pressure(z));
+            let wetted = |below: bool, coefficient: f64| if below { coefficient * per_pressure } else { 0.0 };
+            let impulsive = wetted(zeta < 1.0, self.impulsive_coefficient(zeta));
+            (impulsive, wetted(zeta <= 1.0, self.convective_coefficient(zeta)))
+        };
         let (horizontal, factor) = self.governing(z, vertical);
+        let (impulsive, convective) = at(z);
+        let heights = self.tank.profile_heights(self.liquid.fill_height).into_iter();
         Stresses {
-            impulsive: wetted(zeta < 1.0, self.impulsive_coefficient(zeta)),
-            convective: wetted(zeta <= 1.0, self.convective_coefficient(zeta)),
+            impulsive,
+            convective,
+            along: heights.map(|z| (z, at(z).0, at(z).1)).collect(),
             vertical: vertical.then(|| Vertical {
                 horizontal,
-                value: factor * self.pressure_vertical(z) * per_pressure,
+                value: factor * self.pressure_vertical(z) * per_pressure(z),
                 combination: Combination::Abs,
             }),
             axial: 1.0 / (PI * self.radius * self.radius * self.tank.courses[0].net_thickness()),

@@ -118,6 +118,8 @@ pub(super) struct Stresses {
     pub impulsive: f64,
     /// Convective hoop stress.
     pub convective: f64,
+    /// Heights [m] with both hoop stresses there.
+    pub along: Vec<(f64, f64, f64)>,
     /// Hoop stress of the vertical motion.
     pub vertical: Option<Vertical>,
     /// 1/(π R² s).
@@ -138,6 +140,7 @@ pub(super) fn stresses(work: &mut Work, motion: &Motion, stresses: &Stresses) {
             (convective, stresses.convective),
             work.case.procedures.ec8_combination,
         )
+        .along(&stresses.along)
     };
     let all = &mut work.out.ingredients;
     let moment = all.iter().find(|i| i.quantity == Quantity::BaseMoment);

@@ -187,7 +187,7 @@ impl Run<'_> {
 
     /// Heights of the profiles: 48 steps over the depth, the bottom of the sloshing part, and both sides of every joint of
     /// courses below the surface.
-    fn heights(&self) -> Vec<f64> {
+    pub(super) fn heights(&self) -> Vec<f64> {
         let depth = self.input.depth;
         let mut z: Vec<f64> = (0..=48).map(|i| depth * f64::from(i) / 48.0).collect();
         let mut breaks = vec![self.response.rigid_depth];

@@ -48,19 +48,23 @@ fn wave(run: &Run) -> Ingredients {
 
 /// Hoop stress where it is largest: both pressures are in proportion to their accelerations.
 fn hoop(run: &Run, radius: f64) -> Ingredients {
-    let (r, z, p) = (&run.response, run.hoop_place(), run.pressures());
-    let thickness = run.case.tank.course_at(z).thickness;
-    let per = |pressure: f64, acceleration: f64| match acceleration > 0.0 {
-        true => stress::hoop(pressure, radius, thickness) / acceleration,
+    let (r, p) = (&run.response, run.pressures());
+    let per = |z: f64, pressure: f64, acceleration: f64| match acceleration > 0.0 {
+        true => stress::hoop(pressure, radius, run.case.tank.course_at(z).thickness) / acceleration,
         false => 0.0,
     };
-    let impulsive = per(p.impulsive(z), run.motion.ground);
-    let convective = per(p.convective(z), r.acceleration);
+    let at = |z: f64| {
+        let impulsive = per(z, p.impulsive(z), run.motion.ground);
+        (z, impulsive, per(z, p.convective(z), r.acceleration))
+    };
+    let (_, impulsive, convective) = at(run.hoop_place());
+    let heights: Vec<_> = run.heights().into_iter().map(at).collect();
     let response = Response::hoop(
         (run.motion.ground_ordinate(), impulsive),
         (run.motion.sloshing_ordinate(r.period, r.acceleration), convective),
         run.combination,
     );
+    let response = response.along(&heights);
     Ingredients::response(Quantity::HoopStress, response)
 }
 

@@ -240,6 +240,11 @@ impl Search<'_> {
         }
     }
 
+    /// Height above the base [m].
+    pub(super) fn height(&self) -> f64 {
+        self.at.place.z
+    }
+
     /// Number of the course, from 0.
     pub(super) fn course(&self) -> usize {
         self.at.place.course

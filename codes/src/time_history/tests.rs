@@ -503,6 +503,22 @@ fn the_deciding_code_gives_the_capacities() {
     assert_eq!(ids(&case, &["api650-2020", "fe"]), ["hoop_stress"]);
 }
 
+/// The hoop stress of the codes is that of a pressure: above the surface at 8.5 m the equivalent stress alone judges the rim.
+#[test]
+fn the_rim_has_no_hoop_stress_of_the_codes() {
+    let mut case = steel_tank();
+    case.site.api650 = Some(api_site());
+    case.site.ec8 = Some(crate::ec8::example::site());
+    let ids = |z: f64| -> Vec<&'static str> {
+        let checks = assessed(&case, &shaken(5).demands(z, 1)).checks;
+        let wanted = ["hoop_yield", "hoop_stress", "equivalent_stress"];
+        let compared = |id: &&str| checks.iter().any(|c| c.id == *id && c.demand.is_some());
+        wanted.into_iter().filter(compared).collect()
+    };
+    assert_eq!(ids(8.5), ["hoop_yield", "hoop_stress", "equivalent_stress"]);
+    assert_eq!(ids(9.0), ["equivalent_stress"]);
+}
+
 /// The same forces in what corrosion leaves of the wall: a wall of 14 mm less 2 mm is judged as one of 12 mm whose stresses are 14/12 times,
 /// in bending (14/12)² times as large. Both sides have one floating-point operation more or less: 1e-12.
 #[test]

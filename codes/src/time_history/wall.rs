@@ -143,7 +143,7 @@ fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
         let e = site.joint_efficiency;
         let allowed = (case.tank.courses.iter()).map(|course| hoop_check::allowable(&course.material, e));
         match allowed.collect::<Result<Vec<f64>, String>>() {
-            Ok(_) => all.push(api_hoop(e)),
+            Ok(_) => all.push(api_hoop(case, e)),
             Err(input) => missing.push((API_HOOP, input)),
         }
         match (carbon_steel(case), without) {
@@ -157,6 +157,12 @@ fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
         work.without(id, CheckStatus::NotChecked, &reason, Some(&input));
     }
     all
+}
+
+/// The search at a place up to the surface at rest: the hoop stress of the codes is that of a pressure. The rim above it is judged by the
+/// equivalent stress.
+fn wetted<'s, 'p>(case: &Case, at: &'s Search<'p>) -> Option<&'s Search<'p>> {
+    (at.height() <= case.liquid.fill_height * (1.0 + 1e-9)).then_some(at)
 }
 
 /// f_y, which [`asked`] has seen to be given [Pa].
@@ -197,7 +203,7 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64, ready: &'a Ready<'a>)
         name: "Hoop stress below yield",
         clause: clause("10.3"),
         of: &[Quantity::HoopStress],
-        find: Box::new(|at, course, above| at.hoop_tension(strength(course), above)),
+        find: Box::new(|at, course, above| wetted(case, at)?.hoop_tension(strength(course), above)),
     });
     all.push(Asked {
         id: ELASTIC,
@@ -240,7 +246,7 @@ fn compression(
 }
 
 /// Hoop stress of API 650, whose strengths [`asked`] has seen to be given.
-fn api_hoop<'a>(efficiency: f64) -> Asked<'a> {
+fn api_hoop<'a>(case: &'a Case, efficiency: f64) -> Asked<'a> {
     Asked {
         id: API_HOOP,
         name: "Hoop stress of the shell",
@@ -248,7 +254,7 @@ fn api_hoop<'a>(efficiency: f64) -> Asked<'a> {
         of: &[Quantity::HoopStress],
         find: Box::new(move |at, course, above| {
             let allowable = hoop_check::allowable(&course.material, efficiency).unwrap_or_default();
-            at.hoop_tension(allowable, above)
+            wetted(case, at)?.hoop_tension(allowable, above)
         }),
     }
 }

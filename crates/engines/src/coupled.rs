@@ -30,6 +30,8 @@ pub struct Coupled {
     pub probes: Vec<Probe>,
     /// Outputs over the height: `pressure`, `hoop_stress`, `axial_membrane_stress`, `bending_stress`, `radial_displacement`.
     pub lines: Vec<ProbeLine>,
+    /// Height of the surface at rest [m].
+    pub level: f64,
     /// Membrane shear force n_zθ [N/m] at the places of the hoop stress, as the amplitude of sin θ; none where it is not computed.
     pub shear: Option<ProbeLine>,
     /// Liquid mass [kg] and wall plus roof mass [kg] in the model (for the balance of masses).

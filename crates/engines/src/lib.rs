@@ -18,6 +18,7 @@ pub mod nonlinear;
 
 mod floor_pressure;
 mod histories;
+mod hoop;
 mod impulsive;
 mod linear;
 mod out_of_round;

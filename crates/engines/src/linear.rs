@@ -4,7 +4,6 @@ pub(crate) mod analysis;
 mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
-mod hoop;
 pub(crate) mod isolation;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
@@ -34,7 +33,6 @@ use around::Around;
 
 pub(crate) use analysis::Extent;
 use analysis::{Analysis, LineExtremes, analyse_on};
-use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
 
@@ -308,8 +306,8 @@ fn report(
         (options, linear.extent, linear.known, linear.states),
     );
     let held = analysis.values(model, round);
-    let fill = case.liquid.fill_height;
-    let held_hoop = Hoop::of(&analysis, model, fill);
+    // Where the hoop stress of the wall held down is largest: there are those of its modes.
+    let hoop_place = analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst);
     let moving = match &isolated {
         Some(found) => Some(found.model(model)),
         None => free.moved().map(|moved| moved.model(model)),
@@ -329,8 +327,7 @@ fn report(
     let seen = moving.as_ref().unwrap_or(model);
     let mut values = analysis.values(seen, round);
     if let Some(moved) = free.moved_mut() {
-        let hoop = Hoop::of(&analysis, seen, fill);
-        moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
+        moved.complete(&analysis, &mut values, &held);
     }
     if let Some(found) = &isolated {
         rocking::of_base(&found.result.quantities, &mut values);
@@ -359,7 +356,8 @@ fn report(
     if let Some(around) = &around {
         around.add(&mut histories);
     }
-    let soil = soil::outcome(case, model, &analysis, motion, options)?;
+    let (soil, fixed_place) = soil::outcome(case, model, &analysis, motion, options)?.unzip();
+    let hoop_place = fixed_place.flatten().or(hoop_place);
     notes.extend(soil::note(case, linear.engine, soil.is_some()));
     if let Some(found) = &isolated {
         isolation::push(found, &mut histories);
@@ -367,7 +365,6 @@ fn report(
     }
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
-    notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
     rocking::say(&free, options.heave.is_some(), &mut notes, &mut assumptions);
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
@@ -394,10 +391,8 @@ fn report(
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
-        modal: modal::parts(
-            &model.on_fixed_base(),
-            analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst),
-        ),
+        modal: modal::parts(&model.on_fixed_base(), hoop_place),
+        hoop_height: hoop_place.and_then(|place| demands::height(case, model, place)),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),

@@ -25,6 +25,7 @@ use fem::analysis::spectrum::{ModalRule, combined};
 use tank::Quantity;
 use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
 
+use crate::hoop;
 use crate::modes::Kind;
 use results::Channel;
 use results::channel::{OnWall, Side};
@@ -82,6 +83,8 @@ pub struct ModalUnits {
     pub scalars: Vec<(Channel, Unit)>,
     /// Lines over the height.
     pub lines: Vec<UnitLine>,
+    /// Height of the surface at rest [m].
+    pub level: f64,
     /// The same of vertical motion, whose axisymmetric modes are the breathing wall; none where the site does not ask for it.
     pub vertical: Option<Box<ModalUnits>>,
 }
@@ -188,8 +191,8 @@ impl ModalUnits {
                 values: line.units.iter().map(|unit| peak(unit, &forces)).collect(),
             })
             .collect();
-        if let Some(hoop) = lines.iter().find(|l| l.what == OnWall::Hoop && round) {
-            values.insert(Quantity::HoopStress, hoop.values.iter().copied().fold(0.0, f64::max));
+        if let Some(line) = lines.iter().find(|l| l.what == OnWall::Hoop && round) {
+            hoop::put(&mut values, (&line.z, self.level), |i| line.values[i]);
         }
         let axial = self.scalar(Channel::Base(OnWall::Axial)).filter(|_| round);
         Spectral {
@@ -238,9 +241,8 @@ impl ModalUnits {
                 *h = larger(*h, *v);
             }
         }
-        if let Some(hoop) = found.lines.iter().find(|l| l.what == OnWall::Hoop && round) {
-            let largest = hoop.values.iter().copied().fold(0.0, f64::max);
-            found.values.insert(Quantity::HoopStress, largest);
+        if let Some(line) = found.lines.iter().find(|l| l.what == OnWall::Hoop && round) {
+            hoop::put(&mut found.values, (&line.z, self.level), |i| line.values[i]);
         }
         if let (Some((peak, _)), Some((other, _))) = (&mut found.base_axial, vertical.base_axial) {
             *peak = larger(*peak, other);

@@ -68,6 +68,7 @@ pub fn quantity(quantity: Quantity) -> &'static str {
         Quantity::BaseMoment => "base moment",
         Quantity::OverturningMoment => "overturning moment",
         Quantity::HoopStress => "hoop stress",
+        Quantity::RimHoopStress => "rim hoop stress",
         Quantity::AxialMembraneStress => "axial membrane stress at the base",
         Quantity::BendingStress => "bending stress at the base",
         Quantity::Uplift => "uplift of the rim",

@@ -40,7 +40,7 @@ pub struct BaseRun {
     pub step: f64,
     /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `slip_path`,
     /// `anchor_force`,
-    /// `base_shear`, `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
+    /// `base_shear`, `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `rim_hoop_stress`, `axial_membrane_stress`.
     pub quantities: Vec<BaseQuantity>,
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,

@@ -130,6 +130,9 @@ pub struct Run {
     /// Response to horizontal motion mode by mode, of the linear engines.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub modal: Vec<ModalPart>,
+    /// Height of their hoop stresses [m]: where that of the wall on a base that is held is largest, up to the surface at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hoop_height: Option<f64>,
     /// Time integration, damping and number of modes, as label → text.
     pub integration: Vec<Labelled>,
     /// Damping ratios that result at the modes with more than 1 % of the mass (Rayleigh only).
@@ -189,6 +192,7 @@ impl Run {
             mesh: Vec::new(),
             modes: Vec::new(),
             modal: Vec::new(),
+            hoop_height: None,
             integration: Vec::new(),
             damping_table: Vec::new(),
             mesh_error: BTreeMap::new(),

@@ -35,6 +35,8 @@ pub enum Factor {
     ImpulsiveStress,
     /// Stress of the convective part per acceleration (hoop) or per moment (axial).
     ConvectiveStress,
+    /// The height of the engine's largest hoop stress is exchanged for that of the procedure's.
+    Place,
     /// The impulsive part moves with the ground (period zero).
     RigidWall,
     /// The impulsive part has the largest ordinate of a range of periods.
@@ -81,7 +83,7 @@ pub enum Factor {
 
 impl Factor {
     /// All of them in the order of exchange.
-    pub const ALL: [Factor; 35] = [
+    pub const ALL: [Factor; 36] = [
         Factor::Uplift,
         Factor::Isolators,
         Factor::Soil,
@@ -96,6 +98,7 @@ impl Factor {
         Factor::LeverArm,
         Factor::ImpulsiveStress,
         Factor::ConvectiveStress,
+        Factor::Place,
         Factor::RigidWall,
         Factor::Plateau,
         Factor::ImpulsivePeriod,

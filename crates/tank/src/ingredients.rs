@@ -12,7 +12,8 @@
 //! rise of the surface per acceleration [s²] and ε the term of finite angles of Housner's formula; ε is zero elsewhere.
 //!
 //! The scale `s` is 1 but for stresses. An axial stress is a base moment times s = 1/W [1/m³]; a hoop stress has Σ m a = 1, and
-//! s is the stress per acceleration, a pressure coefficient times R/t [Pa·s²/m].
+//! s is the stress per acceleration, a pressure coefficient times R/t [Pa·s²/m]. It depends on the height: s is that where the hoop
+//! stress of the procedure is largest, `along` has the others.
 
 use crate::case::Combination;
 use crate::factor::Factor;
@@ -141,6 +142,20 @@ impl Response {
         }
     }
 
+    /// The same with the stresses per acceleration of both parts at other heights.
+    ///
+    /// * `heights`: height [m], impulsive and convective stress per acceleration [Pa·s²/m]; ascending
+    #[must_use]
+    pub fn along(mut self, heights: &[(f64, f64, f64)]) -> Response {
+        if let Some(part) = &mut self.impulsive {
+            part.along = heights.iter().map(|&(z, impulsive, _)| (z, impulsive)).collect();
+        }
+        if let Some(part) = &mut self.convective {
+            part.along = heights.iter().map(|&(z, _, convective)| (z, convective)).collect();
+        }
+        self
+    }
+
     /// The value in SI.
     pub fn value(&self) -> f64 {
         let part = |part: &Option<Part>| part.as_ref().map_or(0.0, Part::value);
@@ -169,6 +184,8 @@ pub struct Part {
     pub finite_angle: f64,
     /// Stress per moment [1/m³] or per acceleration [Pa·s²/m]; 1 for all that is no stress.
     pub scale: f64,
+    /// Of a hoop stress: heights [m], ascending, with the stress per acceleration there.
+    pub along: Vec<(f64, f64)>,
 }
 
 impl Part {
@@ -182,7 +199,19 @@ impl Part {
             floor: Share::default(),
             finite_angle: 0.0,
             scale: 1.0,
+            along: Vec::new(),
         }
+    }
+
+    /// The scale at a height [m], linear between those given; `None` where none is positive.
+    pub fn scale_at(&self, z: f64) -> Option<f64> {
+        let above = self.along.partition_point(|(height, _)| *height <= z);
+        let (low, from) = *self.along.get(above.checked_sub(1)?)?;
+        let scale = match self.along.get(above) {
+            Some((high, to)) => from + (z - low) / (high - low) * (to - from),
+            None => from,
+        };
+        (scale > 0.0).then_some(scale)
     }
 
     /// The value in SI.
@@ -326,6 +355,18 @@ mod tests {
             .scaled(Quantity::AxialMembraneStress, 0.25)
             .and_then(|i| i.value());
         assert!((axial.unwrap() - 2.5).abs() < 1e-12);
+    }
+
+    /// By hand: 8 at 1 m and 4 at 3 m are 6 at 2 m; a joint at 3 m has both sides; a height below the first has none.
+    #[test]
+    fn scale_at_a_height() {
+        let at = |scale| (Ordinate::at(1.0, 0.05, 2.0), scale);
+        let heights = [(1.0, 8.0, 1.0), (3.0, 4.0, 1.0), (3.0, 7.0, 1.0), (4.0, 0.0, 1.0)];
+        let response = Response::hoop(at(8.0), at(1.0), Combination::Srss).along(&heights);
+        let part = response.impulsive.unwrap();
+        let found = [0.5, 1.0, 2.0, 3.0, 3.5, 4.0].map(|z| part.scale_at(z));
+        assert_eq!(found, [None, Some(8.0), Some(6.0), Some(7.0), Some(3.5), None]);
+        assert_eq!(response.convective.unwrap().scale_at(2.0), Some(1.0));
     }
 
     /// The order of exchange is that of the list.

@@ -32,8 +32,10 @@ pub enum Quantity {
     BaseMoment,
     /// Moment below the base plate [N·m] (including base pressure, "IBP").
     OverturningMoment,
-    /// Largest circumferential membrane stress over the height [Pa].
+    /// Largest circumferential membrane stress of the wall up to the surface at rest [Pa].
     HoopStress,
+    /// The same of the dry wall above it [Pa].
+    RimHoopStress,
     /// Axial membrane stress at the base of the wall [Pa].
     AxialMembraneStress,
     /// Meridional bending stress at the base of the wall [Pa].
@@ -56,7 +58,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// All quantities in report order.
-    pub const ALL: [Quantity; 20] = [
+    pub const ALL: [Quantity; 21] = [
         Quantity::SloshingPeriod,
         Quantity::SloshingHeight,
         Quantity::ImpulsivePeriod,
@@ -68,6 +70,7 @@ impl Quantity {
         Quantity::BaseMoment,
         Quantity::OverturningMoment,
         Quantity::HoopStress,
+        Quantity::RimHoopStress,
         Quantity::AxialMembraneStress,
         Quantity::BendingStress,
         Quantity::Uplift,
@@ -93,6 +96,7 @@ impl Quantity {
             Quantity::BaseMoment => "base_moment",
             Quantity::OverturningMoment => "overturning_moment",
             Quantity::HoopStress => "hoop_stress",
+            Quantity::RimHoopStress => "rim_hoop_stress",
             Quantity::AxialMembraneStress => "axial_membrane_stress",
             Quantity::BendingStress => "bending_stress",
             Quantity::Uplift => "uplift",
@@ -124,6 +128,7 @@ impl Quantity {
             Quantity::BaseMoment => "Base moment (above the base plate)",
             Quantity::OverturningMoment => "Overturning moment (below the base plate)",
             Quantity::HoopStress => "Hoop stress",
+            Quantity::RimHoopStress => "Rim hoop stress (above the surface)",
             Quantity::AxialMembraneStress => "Axial membrane stress at the base",
             Quantity::BendingStress => "Bending stress at the base",
             Quantity::Uplift => "Uplift of the rim",
@@ -150,6 +155,7 @@ impl Quantity {
             Quantity::BaseMoment => "M",
             Quantity::OverturningMoment => "M′",
             Quantity::HoopStress => "σ_θ",
+            Quantity::RimHoopStress => "σ_rim",
             Quantity::AxialMembraneStress => "σ_z",
             Quantity::BendingStress => "σ_b",
             Quantity::Uplift => "w",
@@ -191,7 +197,13 @@ impl Quantity {
             Quantity::OverturningMoment => {
                 "Moment just below the bottom plate; the pressure on the bottom is included (IBP). It loads the foundation."
             }
-            Quantity::HoopStress => "Largest circumferential membrane stress over the height of the wall.",
+            Quantity::HoopStress => {
+                "Largest circumferential membrane stress of the wall up to the surface at rest, where the liquid presses on it."
+            }
+            Quantity::RimHoopStress => {
+                "Largest circumferential membrane stress of the dry wall above the surface at rest, where a rim without a ring swings with \
+                 its roof. The procedures know hoop stress from pressure alone and give none."
+            }
             Quantity::AxialMembraneStress => "Largest vertical membrane stress at the foot of the wall.",
             Quantity::BendingStress => {
                 "Largest vertical bending stress at the foot of the wall, where the bottom clamps it."
@@ -220,7 +232,7 @@ impl Quantity {
     }
 
     /// Those of a base that is free to move: the last of [`Quantity::ALL`].
-    pub const OF_BASE: &'static [Quantity] = Quantity::ALL.split_at(13).1;
+    pub const OF_BASE: &'static [Quantity] = Quantity::ALL.split_at(14).1;
 
     /// Dimension of the value, which is always stored in SI.
     pub fn dimension(self) -> Dimension {
@@ -236,6 +248,7 @@ impl Quantity {
             Quantity::BaseShear | Quantity::AnchorForce => Dimension::Force,
             Quantity::BaseMoment | Quantity::OverturningMoment => Dimension::Moment,
             Quantity::HoopStress
+            | Quantity::RimHoopStress
             | Quantity::AxialMembraneStress
             | Quantity::BendingStress
             | Quantity::ToeAxialStress => Dimension::Stress,
@@ -265,6 +278,7 @@ mod tests {
                 "base_moment",
                 "overturning_moment",
                 "hoop_stress",
+                "rim_hoop_stress",
                 "axial_membrane_stress",
                 "bending_stress",
                 "uplift",

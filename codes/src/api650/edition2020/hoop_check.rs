@@ -53,6 +53,8 @@ pub(super) struct Largest {
     pub impulsive: f64,
     /// Convective stress per acceleration in g [Pa].
     pub convective: f64,
+    /// Heights [m] with both of them there.
+    pub along: Vec<(f64, f64, f64)>,
     /// Stress of the vertical acceleration.
     pub vertical: Option<Vertical>,
 }
@@ -136,10 +138,16 @@ impl Run<'_> {
         let b = &self.basis;
         let stations = self.stations(a);
         let at = largest(&stations, &Station::dynamic);
-        let unit = hoop_forces(b.h - at.z, b.d, b.h, b.g, 1.0, 1.0, a.a_v);
+        let unit = |at: &Station| hoop_forces(b.h - at.z, b.d, b.h, b.g, 1.0, 1.0, a.a_v);
+        let per = |at: &Station| {
+            let unit = unit(at);
+            (at.z, unit.impulsive / at.t, unit.convective / at.t)
+        };
+        let ((_, impulsive, convective), unit) = (per(at), unit(at));
         Largest {
-            impulsive: unit.impulsive / at.t,
-            convective: unit.convective / at.t,
+            impulsive,
+            convective,
+            along: stations.iter().map(per).collect(),
             vertical: (a.a_v > 0.0).then(|| Vertical {
                 horizontal: 1.0,
                 value: unit.vertical / at.t,

@@ -62,9 +62,12 @@ impl Run<'_> {
             (action.convective, largest.convective / g),
             Combination::Srss,
         );
+        let along: Vec<_> = (largest.along.iter())
+            .map(|&(z, impulsive, convective)| (z, impulsive / g, convective / g))
+            .collect();
         let hoop = Response {
             vertical: largest.vertical,
-            ..hoop
+            ..hoop.along(&along)
         };
         all.push(Ingredients::response(Quantity::HoopStress, hoop));
         all.push(wave(of_wave, 0.42 * basis.d / g));

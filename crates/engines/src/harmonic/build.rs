@@ -80,6 +80,7 @@ pub(crate) fn build_observed(
         rotation: None,
         probes,
         lines,
+        level: case.liquid.fill_height,
         shear,
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,

@@ -9,8 +9,10 @@ use tank::case::GroundMotion;
 use super::model::{Model, Scalar};
 use super::waves;
 use crate::FeError;
+use crate::hoop;
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
+use crate::probe::ProbeLine;
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History};
@@ -25,6 +27,10 @@ use tank::options::linear::Integrator;
 pub(crate) struct LineExtremes {
     /// Output.
     pub what: OnWall,
+    /// Heights, ascending [m].
+    pub z: Vec<f64>,
+    /// Number of places up to the surface at rest.
+    pub wetted: usize,
     /// At θ = 0, from the base up.
     pub front: Vec<Extreme>,
     /// At θ = 180°.
@@ -32,14 +38,30 @@ pub(crate) struct LineExtremes {
 }
 
 impl LineExtremes {
+    /// * `level`: height of the surface at rest [m]
+    pub(crate) fn new(line: &ProbeLine, level: f64, front: Vec<Extreme>, back: Vec<Extreme>) -> LineExtremes {
+        LineExtremes {
+            what: line.what,
+            z: line.z.clone(),
+            wetted: hoop::wetted(&line.z, level),
+            front,
+            back,
+        }
+    }
+
     /// Largest absolute value at place `i` on either side.
     pub(crate) fn peak(&self, i: usize) -> f64 {
         self.front[i].peak().0.max(self.back[i].peak().0)
     }
 
-    /// Place of the largest absolute value on either side.
+    /// Place of the largest absolute value on either side up to the surface at rest.
     pub(crate) fn worst(&self) -> usize {
-        (0..self.front.len()).fold(0, |w, i| if self.peak(i) > self.peak(w) { i } else { w })
+        hoop::worst(0..self.wetted, |i| self.peak(i)).unwrap_or(0)
+    }
+
+    /// The same above it; none of a wall that ends there.
+    pub(crate) fn rim(&self) -> Option<usize> {
+        hoop::worst(self.wetted..self.front.len(), |i| self.peak(i))
     }
 }
 
@@ -120,12 +142,14 @@ impl Analysis<'_> {
         ];
         if round {
             scalars.push(Channel::Base(OnWall::Axial));
-            put(Quantity::HoopStress, self.line(OnWall::Hoop).map(|l| l.peak(l.worst())));
         }
         for channel in scalars {
             if let Some(quantity) = channel.quantity() {
                 put(quantity, self.peak(channel));
             }
+        }
+        if let Some(line) = self.line(OnWall::Hoop).filter(|_| round) {
+            hoop::put(&mut values, (&line.z, model.horizontal.coupled.level), |i| line.peak(i));
         }
         values
     }
@@ -324,11 +348,7 @@ fn collect(model: &Model, found: &[Extreme], both_sides: bool, extent: Extent) -
         } else {
             front.iter().map(mirrored).collect()
         };
-        lines.push(LineExtremes {
-            what: line.what,
-            front,
-            back,
-        });
+        lines.push(LineExtremes::new(line, model.horizontal.coupled.level, front, back));
     }
     lines
 }

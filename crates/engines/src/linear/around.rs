@@ -426,7 +426,8 @@ fn results(analysis: &Analysis<'_>, items: &[Item<'_>], ends: &[Ends]) -> Vec<Di
             _ => Some(next),
         };
         let Some(line) = analysis.line(what) else { continue };
-        let places = on_line(items, ends, what).enumerate();
+        // The rim above the surface at rest is not compared.
+        let places = on_line(items, ends, what).take(line.wetted).enumerate();
         let worst = places.map(|(i, (z, ends))| (z, ends, line.peak(i))).fold(None, larger);
         let Some((z, ends, x)) = worst else { continue };
         let names = (what.id().to_owned(), what.title().to_owned());

@@ -281,6 +281,26 @@ fn course(case: &Case, z: &[f64], i: usize) -> usize {
     courses - 1
 }
 
+/// Height of place `i` of the hoop stress [m]; of the lower of two places at a joint of courses a little below it, as between
+/// [`tank::Tank::profile_heights`].
+pub(super) fn height(case: &Case, model: &Model, i: usize) -> Option<f64> {
+    let heights = &model.horizontal.coupled.line(OnWall::Hoop)?.z;
+    let z = *heights.get(i)?;
+    let below = course(case, heights, i) < course_above(case, z);
+    Some(if below { z - 2e-6 * case.liquid.fill_height } else { z })
+}
+
+/// The course at a height, at a joint the upper one.
+fn course_above(case: &Case, z: f64) -> usize {
+    let mut top = 0.0;
+    let courses = case.tank.courses.iter();
+    let below = courses.filter(|course| {
+        top += course.height;
+        top <= z + 1e-9 * case.tank.wall_height()
+    });
+    below.count().min(case.tank.courses.len() - 1)
+}
+
 /// Shares of the neighbours of height `z` in a line by linear interpolation; none above it.
 fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
     let last = line.len().checked_sub(1)?;

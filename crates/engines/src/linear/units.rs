@@ -88,6 +88,7 @@ fn of(harmonic: &Harmonic, model: &Model, options: &Options) -> Result<ModalUnit
         modes,
         scalars,
         lines,
+        level: coupled.level,
         vertical: None,
     })
 }

@@ -213,15 +213,13 @@ impl Direct for OwnUnknowns<'_> {
             None
         };
         let mut rest = transient.observed.extremes.iter().copied();
+        let level = self.model.horizontal.coupled.level;
         analysis.lines = lines
             .iter()
             .map(|line| {
                 let front: Vec<Extreme> = rest.by_ref().take(line.probes.len()).collect();
-                LineExtremes {
-                    what: line.what,
-                    back: front.iter().map(mirrored).collect(),
-                    front,
-                }
+                let back = front.iter().map(mirrored).collect();
+                LineExtremes::new(line, level, front, back)
             })
             .collect();
         analysis.energy = Some(balance(&transient.energy));

@@ -206,6 +206,7 @@ pub(super) fn new(
         rotation: rotation_part(case, tank, &basis)?,
         probes,
         lines,
+        level: case.liquid.fill_height,
         shear: None,
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,

@@ -74,6 +74,7 @@ fn by_hand() {
         modes: vec![mode(Kind::Sloshing, 1.0), mode(Kind::Structural, 4.0)],
         scalars: vec![(Channel::BaseShear, unit)],
         lines: Vec::new(),
+        level: 1.0,
         vertical: None,
     };
     // The structural period, 1.6 s, lies behind the maximum at 0.1 s: no rigid share.

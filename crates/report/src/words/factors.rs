@@ -19,6 +19,7 @@ pub fn name(factor: Factor) -> &'static str {
         Factor::LeverArm => "lever arms",
         Factor::ImpulsiveStress => "impulsive stress formula",
         Factor::ConvectiveStress => "sloshing stress formula",
+        Factor::Place => "height of the largest hoop stress",
         Factor::RigidWall => "rigid wall",
         Factor::Plateau => "plateau for the period",
         Factor::ImpulsivePeriod => "impulsive period",

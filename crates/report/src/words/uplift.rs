@@ -21,8 +21,8 @@ pub fn quantity(id: &str) -> &str {
         "base_moment" => "Moment above the base plate",
         "overturning_moment" => "Overturning moment",
         "sloshing_height" => "Wave height",
-        "hoop_stress" => "Largest hoop stress",
-        "wetted_hoop_stress" => "Largest hoop stress below the surface at rest",
+        "hoop_stress" => "Largest hoop stress up to the surface at rest",
+        "rim_hoop_stress" => "Largest hoop stress of the rim above it",
         "axial_membrane_stress" => "Axial stress at the foot without that at rest",
         other => other,
     }

@@ -23,11 +23,12 @@ const NAMED: usize = 2;
 const NAMED_FROM: f64 = 0.01;
 
 /// Forces and stresses, which a test measures alike.
-const FORCES: [Quantity; 6] = [
+const FORCES: [Quantity; 7] = [
     Quantity::BaseShear,
     Quantity::BaseMoment,
     Quantity::OverturningMoment,
     Quantity::HoopStress,
+    Quantity::RimHoopStress,
     Quantity::AxialMembraneStress,
     Quantity::BendingStress,
 ];

@@ -43,6 +43,8 @@ pub struct Engine<'a> {
     pub spectrum: Spectrum<'a>,
     /// The same run with its base held, of one whose base moves.
     pub held: Option<Held>,
+    /// Height of the hoop stresses of the modes [m]: where the engine's is largest on a base that is held; none without them.
+    pub hoop_height: Option<f64>,
 }
 
 /// A run with its base held.
@@ -189,8 +191,10 @@ impl Engine<'_> {
     fn exchange(&self, factor: Factor, state: &mut Response, target: &Response, split: bool) {
         if let (Some(own), Some(other)) = (&mut state.impulsive, &target.impulsive) {
             masses(factor, own, other, split);
-            if factor == Factor::ImpulsiveStress {
-                own.scale = other.scale;
+            match factor {
+                Factor::ImpulsiveStress => own.scale = self.scale_here(other),
+                Factor::Place => own.scale = other.scale,
+                _ => {}
             }
             self.exchange_ordinate(factor, &mut own.ordinate, &other.ordinate, true);
         }
@@ -202,7 +206,8 @@ impl Engine<'_> {
                     own.finite_angle = other.finite_angle;
                 }
                 Factor::LeverArm => own.liquid.arm = other.liquid.arm,
-                Factor::ConvectiveStress => own.scale = other.scale,
+                Factor::ConvectiveStress => own.scale = self.scale_here(other),
+                Factor::Place => own.scale = other.scale,
                 _ => {}
             }
             self.exchange_ordinate(factor, &mut own.ordinate, &other.ordinate, false);
@@ -212,6 +217,12 @@ impl Engine<'_> {
             Factor::Vertical => state.vertical = target.vertical,
             _ => {}
         }
+    }
+
+    /// Scale of a part of a procedure at the height of the modes' hoop stresses; where it gives none there, that of its own height.
+    fn scale_here(&self, part: &Part) -> f64 {
+        let here = self.hoop_height.and_then(|z| part.scale_at(z));
+        here.unwrap_or(part.scale)
     }
 
     fn exchange_ordinate(&self, factor: Factor, own: &mut Ordinate, other: &Ordinate, impulsive: bool) {

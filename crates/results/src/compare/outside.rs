@@ -14,6 +14,7 @@ pub fn depends(quantity: Quantity, why: Outside) -> bool {
         Quantity::BaseMoment,
         Quantity::OverturningMoment,
         Quantity::HoopStress,
+        Quantity::RimHoopStress,
         Quantity::AxialMembraneStress,
         Quantity::BendingStress,
         Quantity::Uplift,

@@ -18,12 +18,13 @@ use crate::response::motion::Grid;
 /// Points of the cycles that are kept, and their time on either side of the largest displacement [s].
 const CYCLES: (usize, f64) = (800, 5.0);
 /// Values that depend on how the base moves.
-const MOVING: [Quantity; 7] = [
+const MOVING: [Quantity; 8] = [
     Quantity::SloshingHeight,
     Quantity::BaseShear,
     Quantity::BaseMoment,
     Quantity::OverturningMoment,
     Quantity::HoopStress,
+    Quantity::RimHoopStress,
     Quantity::AxialMembraneStress,
     Quantity::BendingStress,
 ];

@@ -15,7 +15,6 @@ use tank::options::linear::Integrator;
 
 use super::super::analysis::Analysis;
 use super::super::demands::{combine, stride};
-use super::super::hoop::Hoop;
 use super::super::model::Model;
 use super::super::turned::Turned;
 use super::outcome::Moved;
@@ -24,18 +23,16 @@ use crate::histories::Histories;
 use crate::response::observe::Extreme;
 
 /// Values that depend on how the base moves.
-const MOVING: [Quantity; 7] = [
+const MOVING: [Quantity; 8] = [
     Quantity::SloshingHeight,
     Quantity::BaseShear,
     Quantity::BaseMoment,
     Quantity::OverturningMoment,
     Quantity::HoopStress,
+    Quantity::RimHoopStress,
     Quantity::AxialMembraneStress,
     Quantity::BendingStress,
 ];
-
-/// Id of the largest hoop stress below the surface at rest.
-const WETTED: &str = "wetted_hoop_stress";
 
 /// What a base that moves adds to the comparable values.
 pub(in crate::linear) fn of_base(found: &[BaseQuantity], values: &mut BTreeMap<Quantity, f64>) {
@@ -61,13 +58,11 @@ impl Moved {
     ///
     /// * `values`: those of `analysis`, on the moving base
     /// * `held`: those of the wall held down
-    /// * `hoop`: hoop stress on the moving base, and of the wall held down
     pub(in crate::linear) fn complete(
         &mut self,
         analysis: &Analysis<'_>,
         values: &mut BTreeMap<Quantity, f64>,
         held: &BTreeMap<Quantity, f64>,
-        hoop: [&Hoop; 2],
     ) {
         // The foot of the run is built in; that of the tank is the joint of the bottom plate.
         values.remove(&Quantity::BendingStress);
@@ -116,25 +111,13 @@ impl Moved {
                 },
                 time,
                 degrees: None,
-                z: (quantity == Quantity::HoopStress).then_some(hoop[0].largest.1),
+                z: place(analysis, quantity),
             };
             match self.result.quantities.iter_mut().find(|q| q.id == own.id) {
                 Some(same) => *same = own,
                 None => self.result.quantities.push(own),
             }
         }
-        let [moving, held] = hoop;
-        self.result.quantities.push(BaseQuantity {
-            id: WETTED.into(),
-            value: Value {
-                value: moving.wetted.0,
-                dimension: Quantity::HoopStress.dimension(),
-            },
-            time: None,
-            degrees: None,
-            z: Some(moving.wetted.1),
-        });
-        self.result.held.insert(WETTED.into(), held.wetted.0);
     }
 
     /// Largest axial stress of the motion at the foot [Pa], without that at rest, and its time [s].
@@ -303,6 +286,17 @@ fn is_bending_of_the_foot(channel: Channel) -> bool {
         Channel::Base(what) | Channel::BaseOn(what, _) | Channel::BaseAtAngle { what, .. } => bent(what),
         _ => false,
     }
+}
+
+/// Height of the largest hoop stress of the wall or of its rim [m]; none of other quantities.
+fn place(analysis: &Analysis<'_>, quantity: Quantity) -> Option<f64> {
+    let line = analysis.line(Line::Hoop)?;
+    let place = match quantity {
+        Quantity::HoopStress => line.worst(),
+        Quantity::RimHoopStress => line.rim()?,
+        _ => return None,
+    };
+    line.z.get(place).copied()
 }
 
 /// Time of the largest rise of the surface at the wall [s].

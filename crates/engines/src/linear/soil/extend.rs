@@ -212,6 +212,7 @@ pub(crate) fn on_soil(
             .chain(base)
             .collect(),
         lines: held.lines.iter().map(line).collect(),
+        level: held.level,
         shear: held.shear.as_ref().map(line),
         liquid_mass: held.liquid_mass,
         wall_mass: held.wall_mass,

@@ -16,8 +16,9 @@ use tank::units::Dimension;
 use super::extend::Rigid;
 use super::{Slab, words};
 use crate::FeError;
-use crate::linear::analysis::{Analysis, analyse};
+use crate::linear::analysis::{Analysis, LineExtremes, analyse};
 use crate::linear::model::Model;
+use results::channel::OnWall;
 
 /// The impulsive mode as a structure of one mass, with the arm about the underside of the slab; `None` without such a mode.
 pub(crate) fn impulsive(case: &Case, model: &Model, slab: &Slab) -> Option<Mode> {
@@ -64,7 +65,7 @@ pub(crate) fn outcome(
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
     options: &Options,
-) -> Result<Option<SoilRun>, FeError> {
+) -> Result<Option<(SoilRun, Option<usize>)>, FeError> {
     let (Some(slab), true) = (Slab::of(case)?, model.fixed.is_some()) else {
         return Ok(None);
     };
@@ -76,7 +77,9 @@ pub(crate) fn outcome(
     let on = OnSoil::new(structure, slab.disc).map_err(failed)?;
     let effective = effective(&on, &slab).map_err(failed)?;
     let fixed_model = model.on_fixed_base();
-    let fixed = analyse(&fixed_model, motion, options, &Silent)?.values(&fixed_model, true);
+    let found = analyse(&fixed_model, motion, options, &Silent)?;
+    let fixed = found.values(&fixed_model, true);
+    let hoop = found.line(OnWall::Hoop).map(LineExtremes::worst);
     let beside = analysis
         .values(model, true)
         .into_iter()
@@ -118,7 +121,7 @@ pub(crate) fn outcome(
     let stiffness = slab.disc.stiffness();
     let cones = slab.disc.cones();
     let soil = slab.disc.soil;
-    Ok(Some(SoilRun {
+    let run = SoilRun {
         shear_wave_velocity: soil.shear_wave_velocity,
         density: soil.density,
         poisson_ratio: soil.poisson_ratio,
@@ -139,5 +142,6 @@ pub(crate) fn outcome(
         quantities,
         beside: beside.collect(),
         assumptions: words::assumptions(&slab),
-    }))
+    };
+    Ok(Some((run, hoop)))
 }

@@ -24,6 +24,7 @@ use super::two;
 use super::watch::{Extremes, Watch};
 use crate::Simulation;
 use crate::histories::Histories;
+use crate::hoop;
 use crate::linear::both_directions;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{End, EventKind, Nonlinear};
@@ -242,27 +243,39 @@ fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
         of.max - of.rest
     };
     let sides = &watch.seen.sides;
-    let hoop = sides
-        .iter()
-        .flat_map(|s| s.hoop.iter().map(|e| e.swing().0))
-        .fold(0.0, f64::max);
+    let swing_of = |row: usize| {
+        let rows = sides.iter().filter_map(|s| s.hoop.get(row));
+        rows.map(|e| e.swing().0).fold(0.0, f64::max)
+    };
     let axial = sides
         .iter()
         .filter_map(|s| s.axial.first().map(|e| e.swing().0))
         .fold(0.0, f64::max);
-    let [hoop, axial] = watch.seen.two.along().unwrap_or([hoop, axial]);
+    let along = watch.seen.two.along();
     let mut out = BTreeMap::from([
         (Quantity::ImpulsivePeriod, TAU / tank.wall_omega),
         (Quantity::SloshingHeight, rise(WAVE_FRONT).max(rise(WAVE_BACK))),
         (Quantity::BaseShear, swing(BASE_SHEAR)),
         (Quantity::BaseMoment, swing(BASE_MOMENT)),
-        (Quantity::HoopStress, hoop),
-        (Quantity::AxialMembraneStress, axial),
+        (Quantity::AxialMembraneStress, along.map_or(axial, |along| along[2])),
     ]);
+    let middles = middles(tank);
+    let rows = sides.first().map_or(0, |s| s.hoop.len()).min(middles.len());
+    hoop::put(&mut out, (&middles[..rows], tank.depth), swing_of);
+    if let Some([wall, rim, _]) = along {
+        for (quantity, value) in [(Quantity::HoopStress, wall), (Quantity::RimHoopStress, rim)] {
+            out.entry(quantity).and_modify(|own| *own = value);
+        }
+    }
     if tank.sloshing_omega > 0.0 {
         out.insert(Quantity::SloshingPeriod, TAU / tank.sloshing_omega);
     }
     out
+}
+
+/// Heights of the middles of the rows [m].
+fn middles(tank: &CylinderModel) -> Vec<f64> {
+    tank.cells.z.windows(2).map(|z| 0.5 * (z[0] + z[1])).collect()
 }
 
 fn end(tank: &CylinderModel, run: &Run) -> End {
@@ -286,7 +299,7 @@ fn end(tank: &CylinderModel, run: &Run) -> End {
 }
 
 fn envelopes(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Envelope> {
-    let z: Vec<f64> = tank.cells.z.windows(2).map(|z| 0.5 * (z[0] + z[1])).collect();
+    let z = middles(tank);
     let front = &watch.seen.sides[0];
     [(OnWall::Hoop, &front.hoop), (OnWall::Axial, &front.axial)]
         .into_iter()

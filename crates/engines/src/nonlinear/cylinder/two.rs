@@ -161,7 +161,11 @@ pub(crate) struct TwoSeen {
     shear: Largest,
     moment: Largest,
     wave: Largest,
+    /// Up to the surface at rest.
     hoop: Stress,
+    /// Above it.
+    #[serde(default)]
+    rim: Stress,
     axial: Stress,
     /// Meridians of the fan but those of θ = 0 and 180°: of each diameter the two ends.
     pub meridians: Vec<Meridian>,
@@ -189,16 +193,22 @@ impl TwoSeen {
     }
 
     /// Looks at the hoop and axial stresses of all cells at a sample, by row and column [Pa].
-    pub(super) fn stresses(&mut self, cells: &Cells, [hoop, axial]: [&[f64]; 2], time: f64) {
-        self.hoop.see(cells, hoop, time);
+    ///
+    /// * `depth`: height of the surface at rest [m]
+    pub(super) fn stresses(&mut self, (cells, depth): (&Cells, f64), [hoop, axial]: [&[f64]; 2], time: f64) {
+        let wet = cells.columns() * cells.z.windows(2).filter(|z| z[1] <= depth * (1.0 + 1e-9)).count();
+        let (wall, rim) = hoop.split_at(wet.min(hoop.len()));
+        self.hoop.see(cells, wall, time);
+        self.rim.see(cells, rim, time);
         // At the base, as in the quantities of the run.
         self.axial.see(cells, &axial[..cells.columns()], time);
     }
 
-    /// Largest hoop stress and axial stress of the base along x [Pa], from the means of the cells on both sides of θ = 0 and 180°, in which
+    /// Largest hoop stress of the wall and of its rim, and axial stress of the base, along x [Pa], from the means of the cells on both sides of θ = 0 and 180°, in which
     /// the motion along y has no part; none with one component.
-    pub(super) fn along(&self) -> Option<[f64; 2]> {
-        self.rest.map(|_| [self.hoop.x.value, self.axial.x.value])
+    pub(super) fn along(&self) -> Option<[f64; 3]> {
+        self.rest
+            .map(|_| [self.hoop.x.value, self.rim.x.value, self.axial.x.value])
     }
 
     /// Largest rise of the surface at the wall.

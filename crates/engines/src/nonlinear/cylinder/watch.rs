@@ -304,7 +304,9 @@ impl<'a> Watch<'a> {
                 axial.push(along);
             }
         }
-        self.seen.two.stresses(cells, [&hoop, &axial], now.time);
+        self.seen
+            .two
+            .stresses((cells, self.tank.depth), [&hoop, &axial], now.time);
         Ok(())
     }
 

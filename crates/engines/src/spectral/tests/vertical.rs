@@ -69,6 +69,7 @@ fn components_are_combined() {
                 static_value: 0.0,
             }],
         }],
+        level: 1.0,
         vertical: None,
     };
     let one = |_: f64, _: f64| 1.0;

@@ -47,6 +47,7 @@ fn engine(modal: &[ModalPart]) -> Engine<'_> {
         liquid_mass: 140.0,
         spectrum: &spectrum,
         held: None,
+        hoop_height: None,
     }
 }
 
@@ -262,6 +263,52 @@ fn a_hoop_stress_by_hand() {
     }
     // An engine without the stresses of its modes attributes none.
     assert_eq!(of_stress(&modal(true), &ingredients, 21.0), None);
+}
+
+/// By hand: the same procedure has 6 and 1.5 at 2 m, where the modes of the engine have their hoop stresses: half of the stresses there, and twice
+/// them from there to its own place.
+#[test]
+fn stresses_are_exchanged_at_the_same_height() {
+    let modal = stressed();
+    let target = Response::hoop(
+        (Ordinate::ground(3.0), 12.0),
+        (Ordinate::at(4.0, 0.005, 0.5), 3.0),
+        Combination::Srss,
+    );
+    let target = target.along(&[(0.0, 12.0, 3.0), (2.0, 6.0, 1.5), (4.0, 0.0, 4.0)]);
+    let ingredients = Ingredients::response(Quantity::HoopStress, target);
+    let made = Made {
+        method: "x",
+        excitation: Excitation::Record,
+        ingredients: &ingredients,
+    };
+    let found = |hoop_height| {
+        let engine = Engine {
+            hoop_height,
+            ..engine(&modal)
+        };
+        let steps = list(&engine.attribute(&made, 21.0).unwrap());
+        let of = |which: Factor| steps.iter().find(|s| s.0 == which).map_or(1.0, |s| s.1);
+        [Factor::ImpulsiveStress, Factor::ConvectiveStress, Factor::Place].map(of)
+    };
+    let near = |found: [f64; 3], expected: [f64; 3]| {
+        for (a, b) in found.into_iter().zip(expected) {
+            assert!((a - b).abs() < 1e-12, "{found:?} {expected:?}");
+        }
+    };
+    let there = [
+        (148.0_f64 / 404.0).sqrt(),
+        (144.5625_f64 / 148.0).sqrt(),
+        (578.25_f64 / 144.5625).sqrt(),
+    ];
+    near(found(Some(2.0)), there);
+    let own = [(580.0_f64 / 404.0).sqrt(), (578.25_f64 / 580.0).sqrt(), 1.0];
+    near(found(None), own);
+    // Where it gives no impulsive stress it is taken at its own place: the sloshing part alone is exchanged there.
+    near(
+        found(Some(4.0)),
+        [own[0], (584.0_f64 / 580.0).sqrt(), (578.25_f64 / 584.0).sqrt()],
+    );
 }
 
 /// An engine whose axial stresses are its moments over one section modulus has the factors of the base moment; a procedure with
