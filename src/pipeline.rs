@@ -17,6 +17,7 @@ use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::Procedure;
+use codes::base_state;
 use codes::procedure::CodeError;
 use codes::time_history::{self, Codes, Findings, Ready};
 use fem::progress::Progress;
@@ -140,7 +141,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
                 .as_ref()
                 .is_some_and(|demands| demands.base.is_none())
             {
-                time_history::overstressed(&mut findings.checks);
+                base_state::overstressed(&mut findings.checks);
             }
             if ground_motion::asked(job, column) {
                 let records = match &design {

@@ -72,6 +72,7 @@ mod work;
 use demand::{Demand, Edition};
 use work::Work;
 
+use crate::base_state::BaseState;
 use crate::hazard;
 use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
@@ -198,9 +199,9 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         mass: 0.0,
         wave: None,
         uncovered: None,
-        uplift: match case.tank.support {
-            Support::Anchored => Some(0.0),
-            Support::Unanchored => None,
+        base: match case.tank.support {
+            Support::Anchored => BaseState::Bears,
+            Support::Unanchored => BaseState::Unknown("the uplift of the wall is not computed".into()),
         },
         out: Assessment::default(),
     };
@@ -213,7 +214,10 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
     if let Some(refusal) = work.uncovered {
         return Err(refusal);
     }
-    let Work { sheet, mut out, .. } = work;
+    let Work {
+        sheet, mut out, base, ..
+    } = work;
+    base.follow(&mut out.checks);
     out.steps = sheet.into_steps()?;
     Ok(out)
 }

@@ -16,6 +16,7 @@
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
+pub mod base_state;
 pub mod bessel;
 mod corrosion;
 pub mod deformability;

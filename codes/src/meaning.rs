@@ -37,7 +37,7 @@ const fn part(
 }
 
 /// Names of the checks in which limit states end.
-const NAMES: [(&str, &str); 14] = [
+const NAMES: [(&str, &str); 16] = [
     (
         "wall_tension_and_bending_horizontal",
         "Tension and bending of the wall, horizontal section",
@@ -51,6 +51,8 @@ const NAMES: [(&str, &str); 14] = [
     ("uplift_width", "Lifted length of the bottom plate"),
     ("uplift_equilibrium", "Moment that weight and bottom plate hold"),
     ("sliding_api", "Sliding on the foundation, API 650"),
+    ("bearing_ring", "Pressure under the ring wall at the toe"),
+    ("bearing_toe", "Force of the toe on the ground under the bottom plate"),
     ("piping_uplift", "Pipes, upward displacement"),
     ("piping_settlement", "Pipes, downward displacement"),
     ("piping_horizontal", "Pipes, horizontal displacement"),
@@ -300,8 +302,20 @@ pub const ALL: &[Meaning] = &[
     state(
         "bearing",
         "pressure of the foundation on the ground",
+        "bearing resistance of the ground, given; of a wall that lifts also bearing_ring or bearing_toe",
+        Stress,
+    ),
+    part(
+        ("bearing_ring", "bearing"),
+        "pressure of a ring wall on the ground at the toe of a wall that lifts",
         "bearing resistance of the ground, given",
         Stress,
+    ),
+    part(
+        ("bearing_toe", "bearing"),
+        "compression of a wall that lifts at its toe, on soil",
+        "force that the ground bears over the width to which the bottom plate spreads it",
+        LineForce,
     ),
     state(
         "ground_motion",

@@ -48,9 +48,10 @@ use tank::outside::Outside;
 use tank::units::{Dimension, display};
 
 use crate::sheet::Sheet;
-use limit_states::{ANCHORAGE, ANCHORS, API, COMPRESSED, FREEBOARD, OTHER_WALL, PLATES, ROOF};
+use limit_states::{ANCHORS, API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
+pub(crate) use limit_states::{ANCHORAGE, COMPRESSED};
 pub use limit_states::{Codes, ground_motion, limit_states};
 pub use ready::Ready;
 
@@ -189,25 +190,6 @@ const SCATTERS: &str = "the rocking base does not repeat: motions 0.1 % apart or
 
 /// Why nothing holds where anchors break.
 const BROKEN: &str = "anchors break: the engine holds the tank in place along the ground all the same, and does not follow one that slides";
-
-/// Why the compression of a wall that is held down does not hold.
-const LIFTS_OFF: &str =
-    "its anchors are overstressed: the wall lifts, and its compression grows beyond that of a wall held down";
-
-/// Where anchors fail, the compression of a wall that is held down does not hold.
-///
-/// * `checks`: of a procedure, or of an engine that holds the wall down
-pub fn overstressed(checks: &mut [Check]) {
-    let fails = |check: &Check| ANCHORAGE.contains(&check.limit_state.as_str()) && check.status == CheckStatus::Fails;
-    if !checks.iter().any(fails) {
-        return;
-    }
-    for check in checks {
-        if COMPRESSED.contains(&check.limit_state.as_str()) {
-            leave_open(check, LIFTS_OFF);
-        }
-    }
-}
 
 /// A check that holds is not checked, and keeps its numbers.
 fn leave_open(check: &mut Check, reason: &str) {

@@ -77,8 +77,7 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
         true => check.left_open(ON_ISOLATORS.into()),
         false => check,
     };
-    let mut checks: Vec<Check> = checks.into_iter().filter(compared).map(known).collect();
-    time_history::overstressed(&mut checks);
+    let checks: Vec<Check> = checks.into_iter().filter(compared).map(known).collect();
     accept(procedure.id(), job, check::complete(&states, checks))
 }
 

@@ -15,6 +15,7 @@
 //!
 //! The appendix does not cover base shear, moment with base pressure, wave height and vertical motion.
 
+use crate::base_state::BaseState;
 use crate::lifted;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
@@ -139,6 +140,7 @@ impl Procedure for Api6501993 {
             out.values.insert(Quantity::RoofMass, basis.w_r / g);
         }
         out.ingredients = ingredients(&basis, excitation, &masses, &c, shell_height);
+        BaseState::on_anchors(&out.checks).follow(&mut out.checks);
         out.steps = sheet.into_steps()?;
         Ok(out)
     }

@@ -43,6 +43,7 @@ mod upper_courses;
 
 use crate::api650::ground_motion::DesignSpectrum;
 use crate::api650::site_specific::SiteSpecific;
+use crate::base_state::BaseState;
 use crate::hazard;
 use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
@@ -54,7 +55,6 @@ use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
-use self::piping::Lift;
 use super::basis::Basis;
 
 /// Edition as cited.
@@ -75,8 +75,8 @@ struct Run<'a> {
     excitation: Excitation,
     sheet: Sheet,
     out: Assessment,
-    /// Whether the shell lifts.
-    lift: Lift,
+    /// What the base does.
+    base: BaseState,
     /// Compression of the bottom course σ_c [Pa], where it was computed.
     compression: Option<f64>,
 }
@@ -208,7 +208,7 @@ impl Procedure for Api6502020 {
             excitation,
             sheet: Sheet::new(),
             out: Assessment::default(),
-            lift: Lift::Held,
+            base: BaseState::Bears,
             compression: None,
         };
         basis.assumptions(&mut run.out, true);
@@ -224,6 +224,7 @@ impl Procedure for Api6502020 {
         run.piping();
         run.foundation(&a, &forces);
         run.soil(&periods, &forces);
+        run.base.follow(&mut run.out.checks);
 
         let g = case.gravity;
         run.out.ingredients = run.ingredients(&periods, &a, &forces);

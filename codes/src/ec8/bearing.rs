@@ -13,14 +13,21 @@
 //! whose resultant leaves its plan has not failed: it is not checked. The resistance is a given design value
 //! (EN 1998-5 annex F, EN 1997-1).
 //!
+//! A wall that lifts presses with its toe, beside that of the rigid base ([`toe`]). A slab spreads it, so that force and moment of the whole decide.
+//!
 //! Source: EN 1998-5:2004 5.4.1.1, recalled; formulas derived here (no tension, plane distribution).
+
+mod toe;
 
 use std::f64::consts::PI;
 
-use super::limit_states::{BEARING, OVERTURNING};
+use self::toe::Toe;
+
+use super::limit_states::BEARING;
 use super::work::Work;
+use crate::base_state::BaseState;
 use crate::sheet::{Sheet, Term, number};
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 use tank::{Shape, Support};
@@ -160,7 +167,9 @@ pub(crate) fn base_lines(
 type Factors = (f64, f64);
 
 /// Writes the check, or that the resistance is missing. Needs the moment below the base plate.
-pub(super) fn assess(work: &mut Work) {
+///
+/// * `at_toe`: largest pressure of the liquid at the foot of the wall [Pa], of a tank that may lift
+pub(super) fn assess(work: &mut Work, at_toe: f64) {
     let Some(moment) = work.out.values.get(&Quantity::OverturningMoment).copied() else {
         return;
     };
@@ -182,12 +191,12 @@ pub(super) fn assess(work: &mut Work) {
         .copied()
         .max_by(|a, b| pressure(*a).total_cmp(&pressure(*b)));
     if let Some(factors) = worst {
-        lines(work, factors, mass, (moment, resistance));
+        lines(work, factors, mass, (moment, resistance, at_toe));
     }
 }
 
 /// Lines of the governing combination, and the check.
-fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64, f64)) {
+fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_toe): (f64, f64, f64)) {
     let case = work.case;
     let shape = case.tank.shape;
     let mut terms: Vec<Term> = vec![
@@ -217,23 +226,32 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
         ),
         false => "rigid base without tension; floor slab and foundation are left out and add their weight".to_string(),
     };
-    // Beyond half of what overturns it a ring lifts ([`super::uplift`]).
-    let lifts = |check: &Check| check.limit_state == OVERTURNING && check.ratio().is_some_and(|ratio| ratio > 0.5);
-    let lifts = work.out.checks.iter().any(lifts);
     let anchored = case.tank.support == Support::Anchored;
     let sheet = &mut work.sheet;
-    match base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms)) {
-        Bears::Pressure(pressure) if pressure <= resistance && lifts => {
-            work.without_comparison(BEARING, CheckStatus::NotChecked, LIFTS, None);
+    let bears = base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms));
+    match (bears, work.base.clone()) {
+        (Bears::Pressure(pressure), BaseState::Unknown(reason)) if pressure <= resistance => {
+            work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, None);
         }
-        Bears::Pressure(pressure) if pressure > resistance && anchored && leaves_kern(shape, normal, x * moment) => {
+        (Bears::Pressure(pressure), BaseState::Lifts(lift)) if pressure <= resistance => {
+            let toe = Toe {
+                force: lift.toe,
+                pressure: at_toe,
+            };
+            if toe::assess(work, toe, resistance) {
+                work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+            }
+        }
+        (Bears::Pressure(pressure), _)
+            if pressure > resistance && anchored && leaves_kern(shape, normal, x * moment) =>
+        {
             work.without_comparison(BEARING, CheckStatus::NotChecked, BEYOND_KERN, None);
         }
-        Bears::Pressure(pressure) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
-        Bears::Leaves { .. } if case.tank.support == Support::Anchored => {
+        (Bears::Pressure(pressure), _) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
+        (Bears::Leaves { .. }, _) if anchored => {
             work.without_comparison(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
         }
-        Bears::Leaves { limit } => {
+        (Bears::Leaves { limit }, _) => {
             let note = format!("the resultant leaves the base; {note}");
             let name = "Moment that a base without tension carries";
             work.check(BEARING, name, x * moment, limit, Moment, CLAUSE, &note);

@@ -7,6 +7,7 @@ use super::limit_states::{ANCHORS, OVERTURNING};
 use super::plate_uplift;
 use super::uplift::{self, Compression};
 use super::work::Work;
+use crate::base_state::{BaseState, Lift};
 use crate::sheet::with_unit;
 use tank::assessment::CheckStatus;
 use tank::case::Components;
@@ -65,6 +66,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
             work.without_comparison(ANCHORS, CheckStatus::NotApplicable, reason, None);
         }
     }
+    work.base = BaseState::on_anchors(&work.out.checks);
 }
 
 /// Compression at the base of an unanchored wall over that of an anchored one.
@@ -92,7 +94,7 @@ fn missing(state: &State) -> Option<String> {
     }
 }
 
-/// Factor by which uplift raises the compression at the base, estimated by equilibrium.
+/// What the base does, and the factor by which uplift raises the compression there, estimated by equilibrium.
 pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let clause = work.edition.clause("9");
     work.out.notes.push(format!(
@@ -126,7 +128,8 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     if let Some(input) = missing(state) {
         let reason = format!("`{input}` is missing");
         work.without_comparison(OVERTURNING, CheckStatus::NotChecked, &reason, Some(&input));
-        plate_uplift::assess(work, state, weight);
+        let _ = strips(work, state, weight);
+        work.base = BaseState::Unknown(reason);
         return Amplification::Missing(input);
     }
     let hold_down = hold_down(work, state, diameter, &clause);
@@ -159,14 +162,21 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let name = "largest compression with uplift";
     let Some(how) = uplift::compression(x) else {
         // Beyond the overturning limit the plate has no equilibrium either.
-        plate_uplift::assess(work, state, weight);
+        let _ = strips(work, state, weight);
+        work.base = BaseState::Unknown("the unanchored tank overturns".into());
         return Amplification::Overturns;
     };
     let compression = match how {
         Compression::Linear => {
             let formula = "w_t + 4·M/(π·D²)";
-            work.sheet
-                .calc("N_u", name, formula, &terms, LineForce, "equilibrium, no uplift yet")
+            work.sheet.calc(
+                "N_u",
+                name,
+                formula,
+                &terms,
+                LineForce,
+                "equilibrium of a ring, all of which bears",
+            )
         }
         Compression::Arc(y) => {
             let (what, source) = (
@@ -179,7 +189,12 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
             work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium")
         }
     };
-    let toe = plate_uplift::assess(work, state, weight);
+    let strips = strips(work, state, weight);
+    let toe = match &strips {
+        Some(Ok(lift)) => Some(lift.toe),
+        _ => None,
+    };
+    work.base = standing(how, compression, strips);
     let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
     let name = "the same if anchored";
     let anchored = work
@@ -198,6 +213,26 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         .sheet
         .calc("N_u/N_a", name, formula, &terms, Dimensionless, &clause);
     Amplification::Factor(factor)
+}
+
+/// Strips of the bottom plate; none under a wall of concrete, whose slab turns as a whole.
+fn strips(work: &mut Work, state: &State, weight: f64) -> Option<Result<Lift, String>> {
+    state.tank.is_metal().then(|| plate_uplift::assess(work, state, weight))
+}
+
+/// What the base does: it bears where both estimates say so, and its toe presses with the larger of them.
+///
+/// * `compression`: largest by the equilibrium of a ring [N/m]
+fn standing(how: Compression, compression: f64, strips: Option<Result<Lift, String>>) -> BaseState {
+    match strips {
+        None => BaseState::Bears,
+        Some(Err(reason)) => BaseState::Unknown(reason),
+        Some(Ok(lift)) if lift.uplift <= 0.0 && how == Compression::Linear => BaseState::Bears,
+        Some(Ok(lift)) => BaseState::Lifts(Lift {
+            toe: lift.toe.max(compression),
+            ..lift
+        }),
+    }
 }
 
 /// Hold-down of the bottom plate per length [N/m]; zero under a wall of concrete whose bottom is not of metal.

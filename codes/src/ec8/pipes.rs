@@ -41,9 +41,12 @@ pub(super) fn assess(work: &mut Work) {
     let Some((factor, clause, [ag, soil, t_c, t_d])) = ground(work) else {
         return missing(work, "site.ec8");
     };
-    let Some(uplift) = work.uplift else {
-        let reason = "the uplift of the wall is not known";
-        return work.without_comparison(PIPES, CheckStatus::NotChecked, reason, None);
+    let uplift = match work.base.uplift() {
+        Ok(uplift) => uplift,
+        Err(reason) => {
+            let reason = format!("the uplift is not known: {reason}");
+            return work.without_comparison(PIPES, CheckStatus::NotChecked, &reason, None);
+        }
     };
     let main = work.edition.main("4.5.1.3");
     work.sheet.section("Displacement of pipes");

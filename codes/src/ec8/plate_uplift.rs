@@ -19,6 +19,7 @@ use ::base::{Base, Stand};
 use super::cylinder_stress::State;
 use super::limit_states::UPLIFT;
 use super::work::Work;
+use crate::base_state::Lift;
 use crate::lifted::{self, Ground};
 use crate::sheet::{Term, with_unit};
 use tank::Bottom;
@@ -27,33 +28,27 @@ use tank::units::Dimension::{self, *};
 
 /// Largest plastic rotation of the joint of wall and bottom [rad], EN 1998-4:2006 A.9.
 pub const ROTATION: f64 = 0.20;
-/// Writes lines and checks; returns the largest compression at the toe [N/m] where it was computed.
+/// Writes lines and checks; returns the largest uplift and compression at the toe, or why they are not known.
 ///
 /// * `weight`: of wall and roof, less overpressure and vertical motion [N/m]
-pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Option<f64> {
-    if !state.tank.is_metal() {
-        // The limit state is not applicable: a slab turns as a whole.
-        work.uplift = Some(0.0);
-        return None;
-    }
+pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift, String> {
     let missing = |work: &mut Work, input: &str| {
         let reason = format!("`{input}` is missing");
         work.without_comparison(UPLIFT, CheckStatus::NotChecked, &reason, Some(input));
+        Err(reason)
     };
     let Some(bottom) = &state.tank.bottom else {
-        missing(work, "tank.bottom");
-        return None;
+        return missing(work, "tank.bottom");
     };
     let Some(f_y) = bottom.material.yield_strength else {
-        missing(work, &format!("materials.{}.yield_strength", bottom.material.name));
-        return None;
+        return missing(work, &format!("materials.{}.yield_strength", bottom.material.name));
     };
     work.sheet
         .section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
     let Some(grounds) = lifted::grounds(work.case) else {
         let reason = "the uplift is computed for bottom plates of metal";
         work.without_comparison(UPLIFT, CheckStatus::NotChecked, reason, Some("tank.bottom"));
-        return None;
+        return Err(reason.into());
     };
     let mut rims = Vec::new();
     for ground in &grounds {
@@ -61,7 +56,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Option<f64>
             rims.push(ground_lines(work, state, ground, &stand));
         } else if ground.decides {
             no_equilibrium(work, state, &ground.base, weight);
-            return None;
+            return Err("the lifted rim has no equilibrium".into());
         } else {
             work.out.notes.push(format!(
                 "{}: for information, ground of {} does not hold the moment.",
@@ -71,10 +66,11 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Option<f64>
         }
     }
     let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
-    work.uplift = Some(largest(|r| r.uplift));
-    let compression = largest(|r| r.compression);
     checks(work, state, bottom, f_y, &rims);
-    Some(compression)
+    Ok(Lift {
+        uplift: largest(|r| r.uplift),
+        toe: largest(|r| r.compression),
+    })
 }
 
 /// What the rim does on one ground.

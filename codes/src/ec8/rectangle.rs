@@ -55,7 +55,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     damage::assess(work, None, false);
     stability::assess(work, half, breadth);
     wall_checks(work, gamma, (length, breadth), strip, (a_i, a_c));
-    bearing::assess(work);
+    bearing::assess(work, 0.0);
     pipes::assess(work);
     if !case.tank.pressure.is_none() {
         work.out.notes.push(

@@ -14,6 +14,7 @@
 
 use super::limit_states::{ANCHORS, OVERTURNING};
 use super::work::Work;
+use crate::base_state::BaseState;
 use crate::sheet::with_unit;
 use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
@@ -59,9 +60,11 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
             let note = "rigid body about the toe of the wall, without the weight of the bottom";
             let name = "Overturning of the unanchored tank";
             work.check(OVERTURNING, name, moment, resisted, Moment, &clause, note);
-            if !work.case.tank.is_metal() {
+            if moment > resisted {
+                work.base = BaseState::Unknown("the unanchored tank overturns".into());
+            } else if !work.case.tank.is_metal() {
                 // A slab; the bottom plate of a metal box may lift, which is not implemented.
-                work.uplift = Some(0.0);
+                work.base = BaseState::Bears;
             }
         }
         Support::Anchored if moment <= resisted => {
@@ -72,7 +75,10 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
             );
             work.without_comparison(ANCHORS, CheckStatus::NotApplicable, &reason, None);
         }
-        Support::Anchored => anchors(work, (half, breadth), moment, resisted),
+        Support::Anchored => {
+            anchors(work, (half, breadth), moment, resisted);
+            work.base = BaseState::on_anchors(&work.out.checks);
+        }
     }
 }
 

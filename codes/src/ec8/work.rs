@@ -2,6 +2,7 @@
 
 use super::demand::{Demand, Edition};
 use super::limit_states;
+use crate::base_state::BaseState;
 use crate::mechanical::Lumped;
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term};
@@ -23,8 +24,8 @@ pub(super) struct Work<'a> {
     pub mass: f64,
     /// Wave height that the freeboard has to hold [m], once it is known.
     pub wave: Option<f64>,
-    /// Largest uplift of the wall [m], once it is known; zero where it is anchored.
-    pub uplift: Option<f64>,
+    /// What the base does, once it is known.
+    pub base: BaseState,
     /// Why the user's spectrum does not cover the tank.
     pub uncovered: Option<CodeError>,
 }

@@ -8,10 +8,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use tank::Support;
 use tank::assessment::{Check, CheckStatus};
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Acceleration, Force, Mass, Moment, Stress, Time};
+use tank::{FoundationKind, Support};
 
 use super::limit_states::BEARING;
 use super::search::Found;
@@ -83,7 +83,9 @@ pub(super) fn assess(work: &mut Work<'_>) {
     }
     if let Bears::Pressure(pressure) = bears {
         let lifts = work.demands.base.as_ref().is_some_and(|base| base.lifts);
-        if pressure <= resistance && lifts && case.tank.support == Support::Unanchored {
+        // A slab spreads the toe.
+        let slab = case.tank.foundation.is_some_and(|f| f.kind == FoundationKind::Slab);
+        if pressure <= resistance && lifts && !slab {
             return work.without(BEARING, CheckStatus::NotChecked, LIFTS, None);
         }
         let leaves = leaves_kern(case.tank.shape, normal(k), moment(k));

@@ -119,6 +119,7 @@ impl Sample {
             shear_wave_velocity: None,
             soil_density: 1900.0,
             soil_poisson_ratio: 1.0 / 3.0,
+            width: None,
             thickness: None,
             friction: None,
         });

@@ -2,7 +2,7 @@
 //!
 //! | displacement | mechanically anchored | self-anchored |
 //! |---|---|---|
-//! | upwards | 25 mm (1 in.) | 25 mm (1 in.) for J ≤ 0.785, 100 mm (4 in.) above |
+//! | upwards, while the anchors hold | 25 mm (1 in.) | 25 mm (1 in.) for J ≤ 0.785, 100 mm (4 in.) above |
 //! | downwards | 13 mm (1/2 in.) | 13 mm (1/2 in.) on a ring wall or mat, 25 mm (1 in.) on a berm |
 //! | horizontal, radial and tangential | 13 mm (1/2 in.) | 50 mm (2 in.) |
 //!
@@ -15,6 +15,7 @@ use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::units::Dimension::Length;
 
 use super::{Run, limit_states};
+use crate::base_state::BaseState;
 
 const TABLE_E8: &str = "API 650:2020 E.7.3, table E.8";
 
@@ -22,17 +23,6 @@ const TABLE_E8: &str = "API 650:2020 E.7.3, table E.8";
 fn least(millimetres: f64, inches: f64) -> f64 {
     const INCH: f64 = 0.0254;
     f64::min(millimetres / 1e3, inches * INCH)
-}
-
-/// Whether the shell lifts.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Lift {
-    /// It does not.
-    Held,
-    /// It lifts by y_u [m].
-    Lifts(f64),
-    /// Not known, for this reason.
-    Unknown(String),
 }
 
 /// Least displacements of table E.8 [m].
@@ -47,16 +37,16 @@ pub(super) struct Displacements {
 }
 
 /// The displacements that the pipes must allow; `stiff`: on a ring wall or mat.
-pub(super) fn required(anchored: bool, stiff: bool, lift: &Lift) -> Displacements {
+pub(super) fn required(anchored: bool, stiff: bool, base: &BaseState) -> Displacements {
     let (half, one) = (least(13.0, 0.5), least(25.0, 1.0));
-    let up = match lift {
-        Lift::Held => Some(one),
-        Lift::Lifts(uplift) => Some(uplift.max(least(100.0, 4.0))),
-        Lift::Unknown(_) => None,
+    let up = match base {
+        BaseState::Bears => Some(one),
+        BaseState::Lifts(lift) => Some(lift.uplift.max(least(100.0, 4.0))),
+        BaseState::Unknown(_) => None,
     };
     match anchored {
         true => Displacements {
-            up: Some(one),
+            up,
             down: half,
             horizontal: half,
         },
@@ -77,11 +67,13 @@ impl Run<'_> {
         let anchored = self.basis.anchored();
         let foundation = self.basis.case.tank.foundation.as_ref().map(|f| f.kind);
         let stiff = foundation.is_some_and(|kind| kind != FoundationKind::Soil);
-        let required = required(anchored, stiff, &self.lift);
+        let required = required(anchored, stiff, &self.base);
         self.sheet.section("Displacements of the pipes");
-        let up = match &self.lift {
-            Lift::Lifts(uplift) if *uplift > least(100.0, 4.0) => "y_u, which is more than the 100 mm of table E.8",
-            Lift::Lifts(_) => "J above 0.785",
+        let up = match &self.base {
+            BaseState::Lifts(lift) if lift.uplift > least(100.0, 4.0) => {
+                "y_u, which is more than the 100 mm of table E.8"
+            }
+            BaseState::Lifts(_) => "J above 0.785",
             _ => "no uplift",
         };
         let down = match (anchored, stiff) {
@@ -113,8 +105,8 @@ impl Run<'_> {
         for (symbol, key, name, demand, capacity, note) in parts {
             let path = format!("tank.pipes.{key}");
             if let Some(demand) = demand {
-                let source = match (&self.lift, key) {
-                    (Lift::Lifts(uplift), "uplift") if *uplift >= demand => "y_u of the shell",
+                let source = match (&self.base, key) {
+                    (BaseState::Lifts(lift), "uplift") if lift.uplift >= demand => "y_u of the shell",
                     _ => "table E.8, the lesser of its values in mm and in inches",
                 };
                 let line = format!("{name} that the pipes must allow");
@@ -133,7 +125,7 @@ impl Run<'_> {
                     open.get_or_insert((reason, Some(path)));
                 }
                 (None, _) => {
-                    if let Lift::Unknown(reason) = &self.lift {
+                    if let BaseState::Unknown(reason) = &self.base {
                         open.get_or_insert((format!("the uplift is not known: {reason}"), None));
                     }
                 }

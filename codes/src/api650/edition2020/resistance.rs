@@ -7,8 +7,8 @@ use super::super::basis::is_aluminium;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
-use super::piping::Lift;
 use super::{Run, limit_states};
+use crate::base_state::{BaseState, Lift};
 use crate::lifted;
 
 const E6_2_1_1: &str = "API 650:2020 E.6.2.1.1";
@@ -46,11 +46,12 @@ impl Run<'_> {
         if b.anchored() {
             self.compression_linear(&load);
             self.anchor_uplift(&load);
+            self.base = BaseState::on_anchors(&self.out.checks);
         } else {
             match b.bottom() {
                 Ok((thickness, f_y)) => self.self_anchored(&load, thickness, f_y),
                 Err(input) if !self.weight_alone(&load) => {
-                    self.lift = Lift::Unknown(format!("`{input}` is missing"));
+                    self.base = BaseState::Unknown(format!("`{input}` is missing"));
                     self.missing(limit_states::ANCHORAGE, &input);
                     self.missing(limit_states::ANNULUS, &input);
                     self.missing(limit_states::COMPRESSION, &input);
@@ -107,7 +108,7 @@ impl Run<'_> {
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
             let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
-            self.lift = Lift::Unknown(reason.clone());
+            self.base = BaseState::Unknown(reason.clone());
             for id in [
                 limit_states::ANCHORAGE,
                 limit_states::ANNULUS,
@@ -183,7 +184,7 @@ impl Run<'_> {
         } else if j <= hd::NOT_SELF_ANCHORED {
             self.compression_lifting(load, w_a, j);
         } else {
-            self.lift = Lift::Unknown("the tank is not stable, J is above 1.54".into());
+            self.base = BaseState::Unknown("the tank is not stable, J is above 1.54".into());
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
             self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
             let reason = "no width holds down a shell with J above 1.54: the tank is not stable";
@@ -238,7 +239,8 @@ impl Run<'_> {
             };
             let name = "uplift of the shell for the flexibility of piping";
             let uplift = self.sheet.calc("y_u", name, formula, &terms, Length, E7_3);
-            self.lift = Lift::Lifts(uplift);
+            let toe = self.compression.unwrap_or_default() * self.basis.t_s;
+            self.base = BaseState::Lifts(Lift { uplift, toe });
         }
         width
     }

@@ -12,8 +12,9 @@ use tank::{Case, Foundation, FoundationKind, Pipes, Roof, RoofKind, Support};
 use super::super::example::{case, close, line};
 use super::super::hold_down::{allowable, allowable_compression};
 use super::Api6502020;
-use super::piping::{Lift, required};
+use super::piping::required;
 use crate::Procedure;
+use crate::base_state::{BaseState, Lift};
 use crate::ec8::En2006;
 
 fn assess(case: &Case) -> Assessment {
@@ -68,19 +69,23 @@ fn design_pressure_stresses_the_dry_wall() {
 /// so 1/2 in. = 12.7 mm does, and of the others, whose inches are the longer, the millimetres.
 #[test]
 fn table_e8() {
-    let on = |stiff: bool, anchored, lift| {
+    let on = |stiff: bool, anchored, lift: BaseState| {
         let d = required(anchored, stiff, &lift);
         (d.up, d.down, d.horizontal)
     };
-    let of = |anchored, lift| on(false, anchored, lift);
+    let of = |anchored, lift: BaseState| on(false, anchored, lift);
+    let lifts = |uplift: f64| BaseState::Lifts(Lift { uplift, toe: 0.0 });
+    let unknown = || BaseState::Unknown(String::new());
     // On a ring wall or mat 13 mm (1/2 in.) downwards, anchored or not.
-    assert_eq!(on(true, false, Lift::Held), (Some(0.025), 0.0127, 0.05));
-    assert_eq!(on(true, true, Lift::Held), of(true, Lift::Held));
-    assert_eq!(of(true, Lift::Held), (Some(0.025), 0.0127, 0.0127));
-    assert_eq!(of(false, Lift::Held), (Some(0.025), 0.025, 0.05));
-    assert_eq!(of(false, Lift::Lifts(0.03)), (Some(0.1), 0.025, 0.05));
-    assert_eq!(of(false, Lift::Lifts(0.3)), (Some(0.3), 0.025, 0.05));
-    assert_eq!(of(false, Lift::Unknown(String::new())).0, None);
+    assert_eq!(on(true, false, BaseState::Bears), (Some(0.025), 0.0127, 0.05));
+    assert_eq!(on(true, true, BaseState::Bears), of(true, BaseState::Bears));
+    assert_eq!(of(true, BaseState::Bears), (Some(0.025), 0.0127, 0.0127));
+    assert_eq!(of(false, BaseState::Bears), (Some(0.025), 0.025, 0.05));
+    assert_eq!(of(false, lifts(0.03)), (Some(0.1), 0.025, 0.05));
+    assert_eq!(of(false, lifts(0.3)), (Some(0.3), 0.025, 0.05));
+    assert_eq!(of(false, unknown()).0, None);
+    // Nor do anchors that fail hold the shell down.
+    assert_eq!(of(true, unknown()).0, None);
 }
 
 /// The shell of the example lifts by y_u = 210.8 mm, more than the 100 mm of the table.
@@ -113,6 +118,7 @@ fn pipes_follow_the_uplift() {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: None,
     });
@@ -278,4 +284,30 @@ fn demands_on_the_foundation() {
         1e-12,
         "ring wall",
     );
+}
+
+/// Anchors that fail hold nothing down: neither the compression of a wall held down nor pipes without uplift hold.
+#[test]
+fn anchors_that_fail_leave_the_base_unknown() {
+    let mut case = case();
+    case.tank.support = tank::Support::Anchored;
+    case.tank.pipes = Some(Pipes {
+        uplift: Some(0.0255),
+        settlement: Some(0.025),
+        horizontal: Some(0.05),
+        ..Pipes::default()
+    });
+    for (capacity, known) in [(1e3, false), (1e9, true)] {
+        case.tank.anchors = Some(tank::Anchors {
+            count: 40,
+            capacity: Some(capacity),
+            ..tank::Anchors::default()
+        });
+        let out = assess(&case);
+        let held = |id: &str| out.checks.iter().any(|c| c.id == id && c.holds());
+        for id in ["shell_compression", "upper_compression", "piping_uplift"] {
+            assert_eq!(held(id), known, "{id} {capacity}");
+        }
+        assert_eq!(out.checks.iter().any(|c| c.reason.contains("overstressed")), !known);
+    }
 }

@@ -93,6 +93,7 @@ mod tests {
             shear_wave_velocity: Some(v),
             soil_density: 1900.0,
             soil_poisson_ratio: 1.0 / 3.0,
+            width: None,
             thickness: None,
             friction: None,
         });

@@ -152,6 +152,7 @@ fn a_foundation_without_stiffness_is_assumed() {
         shear_wave_velocity: velocity,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: None,
     };

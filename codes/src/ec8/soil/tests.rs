@@ -23,6 +23,7 @@ fn on_slab(velocity: f64) -> Case {
         shear_wave_velocity: Some(velocity),
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
+        width: None,
         thickness: None,
         friction: None,
     });

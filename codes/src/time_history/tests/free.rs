@@ -4,6 +4,7 @@ use tank::demand::{Footing, FreeBase};
 use tank::outside::Outside;
 
 use super::*;
+use crate::base_state::overstressed;
 use crate::samples::bottom_plate;
 
 fn free(base: FreeBase) -> Demands {

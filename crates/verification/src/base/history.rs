@@ -250,6 +250,7 @@ fn oil(roof: f64, modulus: f64, peak: f64, friction: Option<f64>) -> Case {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
+        width: None,
         thickness: None,
         friction,
     });

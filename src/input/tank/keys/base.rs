@@ -222,7 +222,23 @@ pub(super) fn foundation(
     let soil_poisson_ratio = r.or_default(&given.soil_poisson_ratio);
     let thickness = r.optional(&given.thickness);
     let friction = r.optional(&given.friction);
+    // Asked of a ring wall alone.
+    let width = match (given.kind.value, &given.width.given) {
+        (Some(FoundationKind::RingWall), _) | (_, Some(_)) => r.optional(&given.width),
+        _ => None,
+    };
     let kind = given.kind.value?;
+    if let Some(field) = &given.width.given
+        && kind != FoundationKind::RingWall
+    {
+        let message = "width does not apply to this foundation";
+        r.faults.push(range_fault(
+            Code::DoesNotApply,
+            field,
+            message,
+            "\"kind\": \"ring_wall\"",
+        ));
+    }
     if let Some(field) = &given.thickness.given
         && kind == FoundationKind::Soil
     {
@@ -237,7 +253,8 @@ pub(super) fn foundation(
         (FoundationKind::Slab, None) => {
             Some("the mass of a slab counts together with shear_wave_velocity or isolators alone")
         }
-        (FoundationKind::RingWall, _) => Some("no engine or procedure needs the thickness of a ring wall"),
+        (FoundationKind::RingWall, _) if width.is_some() => None,
+        (FoundationKind::RingWall, _) => Some("the thickness of a ring wall counts together with its width alone"),
     };
     if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {
         r.warnings.push(Warning::new(
@@ -251,6 +268,7 @@ pub(super) fn foundation(
         shear_wave_velocity,
         soil_density,
         soil_poisson_ratio,
+        width,
         thickness,
         friction,
     })

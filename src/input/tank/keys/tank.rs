@@ -139,8 +139,11 @@ object! {
         /// Poisson's ratio of the soil.
         soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
             = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
-        /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate. Without it the
-        /// slab has no mass. No engine or procedure uses that of a ring wall.
+        /// Width of a ring wall, with the wall of the tank in its middle: the toe of a tank that lifts presses on the ground over it.
+        width ("0.6 m"): Opt<Length> [Limits::above(0.0).to(10.0)]
+            = without("the bearing of the ground under the toe of a tank that lifts on a ring wall is not checked, EN 1998-5:2004 5.4.1.1"),
+        /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate; without it the
+        /// slab has no mass. Of a ring wall its height, for its weight on the ground.
         thickness ("0.6 m"): Opt<Length> [THICKNESS],
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),

@@ -42,6 +42,7 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: None,
     });

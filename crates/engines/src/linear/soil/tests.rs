@@ -30,6 +30,7 @@ fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
         shear_wave_velocity: velocity,
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
+        width: None,
         thickness,
         friction: None,
     });

@@ -84,6 +84,7 @@ fn slender(variant: &Variant) -> Case {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: Some(0.4),
     });

@@ -38,6 +38,7 @@ fn oil(yield_strength: f64) -> Case {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: None,
     });

@@ -41,6 +41,7 @@ pub(super) fn slender() -> Case {
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
+        width: None,
         thickness: None,
         friction: None,
     });

@@ -1,0 +1,157 @@
+//! Bearing of the ground under the toe of a wall that lifts.
+//!
+//! The whole weight of the wall, the moment and the pull of the lifted bottom plate press at the toe with n_t a length ([`crate::base_state`]).
+//!
+//! ```text
+//! ring wall, b wide and h high        σ_t = n_t/b + p + ρ_c g h ≤ R_d                      the wall in its middle, ρ_c = 2500 kg/m³
+//! bottom plate on soil                n_t ≤ n_Rd = (R_d − p) c_i + R_d (s + c_o)
+//!                                     c_i = s_b √(f_y/(3 (R_d − p)))      c_o = min(projection, s_b √(f_y/(3 R_d)))
+//! slab                                spreads the toe: the rigid base decides
+//! ```
+//!
+//! p is the pressure of the liquid at the toe, p_0 + p_h with the vertical motion, also on the half of a ring wall that lies outside. The
+//! plate spreads the toe as far as its ends, cantilevers under R_d less the liquid on them, do not yield: m = (R_d − p) c²/2 = f_y s_b²/6, as
+//! a base plate by EN 1993-1-8 6.2.5(4).
+//!
+//! Source: EN 1998-5:2004 5.4.1.1 with equilibrium, derived here; EN 1993-1-8:2005 6.2.5(4), recalled.
+
+use super::super::limit_states::BEARING;
+use super::super::work::Work;
+use super::CLAUSE;
+use tank::FoundationKind;
+use tank::assessment::{Check, CheckStatus};
+use tank::units::Dimension::*;
+
+/// Density of the concrete of a ring wall [kg/m³].
+const CONCRETE: f64 = 2500.0;
+/// Path of the foundation.
+const PATH: &str = "tank.foundation";
+/// Clause of the spread of the plate.
+const PLATE: &str = "EN 1993-1-8:2005 6.2.5(4)";
+
+/// The toe of a wall that lifts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Toe {
+    /// Its compression [N/m].
+    pub force: f64,
+    /// Largest pressure of the liquid there [Pa].
+    pub pressure: f64,
+}
+
+/// Adds the check; returns false where it is open.
+///
+/// * `resistance`: R_d [Pa]
+pub(super) fn assess(work: &mut Work, toe: Toe, resistance: f64) -> bool {
+    let missing = |work: &mut Work, input: &str| {
+        let reason = format!("the wall lifts and its toe presses on a narrow ring: `{input}` is missing");
+        work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(input));
+        false
+    };
+    let Some(foundation) = work.case.tank.foundation else {
+        return missing(work, PATH);
+    };
+    match foundation.kind {
+        FoundationKind::Slab => {}
+        FoundationKind::Soil => on_soil(work, toe, resistance),
+        FoundationKind::RingWall => match (foundation.width, foundation.thickness) {
+            (Some(width), Some(height)) => on_ring(work, toe, resistance, (width, height)),
+            (None, _) => return missing(work, "tank.foundation.width"),
+            (_, None) => return missing(work, "tank.foundation.thickness"),
+        },
+    }
+    true
+}
+
+/// Lines of the force at the toe and of the pressure of the liquid there.
+fn inputs(work: &mut Work, toe: Toe) {
+    let sheet = &mut work.sheet;
+    sheet.section("Bearing under the toe of the lifted wall");
+    let name = "compression at the toe, the larger of both estimates";
+    sheet.input("n_T", name, toe.force, LineForce, "uplift");
+    sheet.input(
+        "p_T",
+        "largest pressure of the liquid at the toe",
+        toe.pressure,
+        Stress,
+        CLAUSE,
+    );
+}
+
+fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f64)) {
+    inputs(work, toe);
+    let terms = [
+        ("n_T", toe.force, LineForce),
+        ("b_R", width, Length),
+        ("p_T", toe.pressure, Stress),
+        ("ρ_c", CONCRETE, Density),
+        ("g", work.case.gravity, Acceleration),
+        ("h_R", height, Length),
+    ];
+    let sheet = &mut work.sheet;
+    sheet.input("b_R", "width of the ring wall", width, Length, "tank.foundation.width");
+    sheet.input(
+        "h_R",
+        "height of the ring wall",
+        height,
+        Length,
+        "tank.foundation.thickness",
+    );
+    sheet.input("ρ_c", "density of concrete", CONCRETE, Density, "assumption");
+    let name = "pressure under the ring wall at the toe";
+    let formula = "n_T/b_R + p_T + ρ_c·g·h_R";
+    let demand = sheet.calc("σ_T", name, formula, &terms, Stress, CLAUSE);
+    let name = "Pressure under the ring wall at the toe";
+    let note = "the wall lifts; the wall in the middle of the ring, the liquid on its whole width";
+    part(work, ("bearing_ring", name), demand, resistance, Stress, note);
+}
+
+fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
+    let plate = work.case.tank.bottom.as_ref();
+    let plate = plate.and_then(|plate| Some((plate.net_thickness(), plate.material.yield_strength?, plate.projection)));
+    // A wall that lifts has a plate of known strength.
+    let (Some((thickness, f_y, projection)), Some(course)) = (plate, work.case.tank.courses.first()) else {
+        return;
+    };
+    inputs(work, toe);
+    let name = "Force of the toe on the ground under the bottom plate";
+    let note = "the wall lifts; the plate spreads its toe as far as it does not yield";
+    if toe.pressure >= resistance {
+        return part(work, ("bearing_toe", name), toe.force, 0.0, LineForce, note);
+    }
+    let mut terms = vec![
+        ("R_d", resistance, Stress),
+        ("p_T", toe.pressure, Stress),
+        ("s_b", thickness, Length),
+        ("f_y", f_y, Stress),
+        ("c_P", projection, Length),
+        ("s", course.net_thickness(), Length),
+    ];
+    let sheet = &mut work.sheet;
+    for (symbol, title, formula) in [
+        ("c_i", "spread inside the wall", "s_b·√(f_y/(3·(R_d - p_T)))"),
+        ("c_o", "spread outside the wall", "min(c_P, s_b·√(f_y/(3·R_d)))"),
+    ] {
+        let spread = sheet.calc(symbol, title, formula, &terms, Length, PLATE);
+        terms.push((symbol, spread, Length));
+    }
+    let title = "force of the toe that the ground bears";
+    let formula = "(R_d - p_T)·c_i + R_d·(s + c_o)";
+    let capacity = sheet.calc("n_Rd", title, formula, &terms, LineForce, CLAUSE);
+    part(work, ("bearing_toe", name), toe.force, capacity, LineForce, note);
+}
+
+/// Adds a check of the limit state.
+fn part(
+    work: &mut Work,
+    (id, name): (&str, &str),
+    demand: f64,
+    capacity: f64,
+    dimension: tank::units::Dimension,
+    note: &str,
+) {
+    let check = Check::new(id, name, demand, capacity, dimension, CLAUSE, note);
+    work.out.checks.push(check.of(BEARING));
+}
+
+#[cfg(test)]
+mod tests;
