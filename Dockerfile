@@ -1,7 +1,9 @@
 # A static program in an empty image: `docker build -t tankcheck .`, then
 # `docker run --rm --user "$(id -u):$(id -g)" -v "$PWD:/work" tankcheck check tank.json`.
 
-FROM rust:1-alpine AS build
+# A tag: images of Rust are rebuilt under their tags, and a digest is one build. To pin it: --build-arg RUST=rust@sha256:…
+ARG RUST=rust:1-alpine
+FROM ${RUST} AS build
 RUN apk add --no-cache musl-dev python3
 WORKDIR /source
 # rust-toolchain.toml asks for components that a build does not need.
