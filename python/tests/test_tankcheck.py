@@ -276,6 +276,22 @@ class Hook(Folders):
         self.assertEqual(self.run_hook().returncode, 2)
         self.assertIn("usage: python -m tankcheck.hook", self.run_hook("--help").stdout)
 
+    def test_names_are_files_and_print_one_line(self) -> None:
+        home = Path(self.file(TANK)).parent
+        for name in ("--out=x.json", "-h", "a\n::error::b.json", "##[stop]\u202e.json", "\x1b[31m.json"):
+            (home / name).write_text(json.dumps(TANK), encoding="utf-8")
+            command = [sys.executable, "-m", "tankcheck.hook", "--", name]
+            done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=home)
+            self.assertEqual(done.returncode, 4, (name, done.stderr))
+            for line in (done.stdout + done.stderr).splitlines():
+                self.assertFalse(line.lstrip().startswith("::"), line)
+                self.assertTrue("##[" not in line and line.isprintable(), line)
+        doubtful = [sys.executable, "-m", "tankcheck.hook", "--out=x.json", "tank.json"]
+        done = subprocess.run(doubtful, capture_output=True, text=True, check=False, cwd=home)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("write -- before the files", done.stderr)
+        self.assertFalse((home / "x.json").exists())
+
 
 class Balanced(HTMLParser):
     """Every tag that opens closes."""
