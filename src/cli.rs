@@ -195,7 +195,7 @@ fn refused(answer: &clap::Error) -> u8 {
     if answer.use_stderr() {
         let _ = anstream::stderr()
             .lock()
-            .write_all(coded(text.ansi().to_string()).as_bytes());
+            .write_all(text::without_commands(&coded(text.ansi().to_string())).as_bytes());
         return EXIT_INPUT;
     }
     let styled = anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never;

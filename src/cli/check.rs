@@ -9,7 +9,7 @@ use crate::cli::inputs::{self, Inputs};
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
 use crate::cli::style::{self, StyleArg};
-use crate::cli::terminal::say;
+use crate::cli::terminal::{print_coloured, say};
 use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
@@ -199,7 +199,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         )?,
         (CheckFormat::Junit, _) => print(&findings::junit(&results.name, &found()))?,
         (CheckFormat::Sarif, _) => print(&findings::sarif(&place, &found())?)?,
-        _ => print(&findings::github(&place, &found()))?,
+        _ => print_coloured(&findings::github(&place, &found()))?,
     }
     compare::late_warnings(&job, &results);
     if let Some(run) = results

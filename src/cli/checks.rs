@@ -8,6 +8,7 @@ use tank::units;
 use crate::cli::style;
 use crate::cli::table::{Mark, Table};
 use crate::cli::terminal::width;
+use files::text;
 use report::words::{self, terminal};
 use results::{Method, Results};
 
@@ -97,7 +98,6 @@ pub(crate) fn csv(results: &Results) -> String {
     let mut text = String::new();
     text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason,accepted_by,accepted_on,time_s,z_m,theta_rad,error\n");
     let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:?}"));
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     for method in &results.methods {
         for check in &method.checks {
             let largest = check
@@ -124,9 +124,9 @@ pub(crate) fn csv(results: &Results) -> String {
                 converted(check.capacity),
                 symbol,
                 number(check.utilisation),
-                quoted(&check.clause),
-                quoted(&check.reason),
-                approval.map_or(String::new(), |a| quoted(&a.by)),
+                text::cell(&check.clause),
+                text::cell(&check.reason),
+                approval.map_or(String::new(), |a| text::cell(&a.by)),
                 approval.map_or("", |a| a.date.as_str()),
                 number(check.time_s),
                 number(check.z),

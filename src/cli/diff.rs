@@ -8,7 +8,7 @@ use serde_json::json;
 
 use crate::cli::findings::{self, Finding, Outcome};
 use crate::cli::table::{Mark, Table};
-use crate::cli::terminal::{print_marked, say, width};
+use crate::cli::terminal::{print_coloured, print_marked, say, width};
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use files::code::Code;
@@ -154,7 +154,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         DiffFormat::Csv => print(&csv(&report))?,
         DiffFormat::Junit => print(&findings::junit("tankcheck diff", &findings()))?,
         DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
-        DiffFormat::Github => print(&findings::github(&place(), &findings()))?,
+        DiffFormat::Github => print_coloured(&findings::github(&place(), &findings()))?,
     }
     // The other forms say it in their text.
     if !(matches!(args.format, DiffFormat::Json | DiffFormat::Human) || report.not_compared.is_empty()) {
@@ -520,13 +520,12 @@ fn json(report: &Report, changes: Option<&Changes>) -> String {
 fn csv(report: &Report) -> String {
     let mut text = String::from("path,old,new,change\n");
     for d in &report.moved {
-        let quote = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
         let _ = writeln!(
             text,
             "{},{},{},{:e}",
-            quote(&d.path),
-            quote(&d.old),
-            quote(&d.new),
+            visible::cell(&d.path),
+            visible::cell(&d.old),
+            visible::cell(&d.new),
             d.change
         );
     }
@@ -536,7 +535,7 @@ fn csv(report: &Report) -> String {
 /// Copies NEW over OLD and appends the reason with what moved to `accepted.json`.
 fn bless(args: &Args, report: &Report) -> Result<(), Error> {
     let accepted = args.old.join(ACCEPTED_FILE);
-    let mut history: Vec<serde_json::Value> = match std::fs::read_to_string(&accepted) {
+    let mut history: Vec<serde_json::Value> = match files::read_text(&accepted) {
         Ok(text) => serde_json::from_str(&text).map_err(|e| {
             Error::Files(files::error::Error::File {
                 code: Code::NotResults,

@@ -18,6 +18,7 @@ use tank::assessment::{Check, CheckStatus};
 
 use crate::error::Error;
 use files::code::{Code, Warning};
+use files::text::{self, workflow_property, workflow_value, xml};
 use report::words::{self, terminal};
 use results::{Method, Results, VerdictStatus};
 
@@ -115,21 +116,9 @@ fn of_warning(warning: &Warning) -> Finding {
     }
 }
 
-/// Text of XML 1.0: what is not allowed there is a blank.
-fn xml(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\n' | '\t' => out.push(' '),
-            c if c.is_control() || ('\u{fffe}'..='\u{ffff}').contains(&c) => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
+/// The value of an attribute: a reader makes blanks of line feeds that are not references.
+fn attribute(text: &str) -> String {
+    xml(text).replace('\n', "&#10;").replace('\t', "&#9;")
 }
 
 /// JUnit XML: a suite a method.
@@ -144,7 +133,7 @@ pub(crate) fn junit(name: &str, findings: &[Finding]) -> String {
     let _ = writeln!(
         text,
         "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">",
-        xml(name),
+        attribute(name),
         every.len(),
         count(&every, Outcome::Fails),
         count(&every, Outcome::NotChecked)
@@ -153,14 +142,14 @@ pub(crate) fn junit(name: &str, findings: &[Finding]) -> String {
         let _ = writeln!(
             text,
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\">",
-            xml(group),
+            attribute(group),
             all.len(),
             count(&all, Outcome::Fails),
             count(&all, Outcome::NotChecked)
         );
         for finding in all {
-            let (id, message) = (xml(&finding.id), xml(&finding.message));
-            let _ = write!(text, "    <testcase classname=\"{}\" name=\"{id}\"", xml(group));
+            let (id, message) = (attribute(&finding.id), attribute(&finding.message));
+            let _ = write!(text, "    <testcase classname=\"{}\" name=\"{id}\"", attribute(group));
             let _ = match finding.outcome {
                 Outcome::Fails => writeln!(text, "><failure message=\"{message}\"/></testcase>"),
                 Outcome::NotChecked => {
@@ -232,7 +221,7 @@ pub(crate) fn sarif(place: &str, findings: &[Finding]) -> Result<String, Error> 
         }],
     });
     serde_json::to_string_pretty(&document)
-        .map(|text| format!("{text}\n"))
+        .map(|text| format!("{}\n", text::json(&text)))
         .map_err(|e| Error::report(e.to_string()))
 }
 
@@ -250,10 +239,8 @@ fn uri(path: &str) -> String {
     out
 }
 
-/// Annotations of GitHub workflows; percent signs and line ends are escaped as its runner reads them.
+/// Annotations of GitHub workflows, a line each: no text of the user begins one.
 pub(crate) fn github(place: &str, findings: &[Finding]) -> String {
-    let value = |text: &str| text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A");
-    let property = |text: &str| value(text).replace(':', "%3A").replace(',', "%2C");
     let mut text = String::new();
     for finding in findings {
         let word = match finding.outcome {
@@ -262,12 +249,12 @@ pub(crate) fn github(place: &str, findings: &[Finding]) -> String {
             Outcome::NotChecked => "warning",
             Outcome::Warns => "notice",
         };
-        let title = property(&format!("{} {}", finding.group, finding.id));
+        let title = workflow_property(&format!("{} {}", finding.group, finding.id));
         let _ = writeln!(
             text,
             "::{word} file={},title={title}::{}",
-            property(place),
-            value(&finding.message)
+            workflow_property(place),
+            workflow_value(&finding.message)
         );
     }
     text
@@ -304,7 +291,7 @@ mod tests {
         let passed = document.descendants().find(|n| n.has_tag_name("system-out")).unwrap();
         assert_eq!(passed.text(), Some("0.5"));
         let failure = document.descendants().find(|n| n.has_tag_name("failure")).unwrap();
-        assert_eq!(failure.attribute("message"), Some("σ < \"R\" & 110 % line"));
+        assert_eq!(failure.attribute("message"), Some("σ < \"R\" & 110 %\nline"));
     }
 
     #[test]

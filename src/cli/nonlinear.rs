@@ -135,6 +135,11 @@ fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     if !path.exists() {
         return Ok(None);
     }
+    if let Some(what) = files::special(path).map_err(fault)? {
+        return Err(fault(std::io::Error::other(format!(
+            "found {what}, expected a checkpoint"
+        ))));
+    }
     let mut head = Vec::new();
     let file = std::fs::File::open(path).map_err(fault)?;
     file.take(MAGIC.len() as u64).read_to_end(&mut head).map_err(fault)?;

@@ -227,7 +227,7 @@ impl Page {
         }
         let program = browser::find()?;
         let page = args.folder.join(REPORT_FILE);
-        let html = std::fs::read_to_string(&page).map_err(|e| files::error::Error::unreadable(&page, &e))?;
+        let html = files::read_text(&page).map_err(|e| files::error::Error::unreadable(&page, &e))?;
         results::put(&file, &browser::print(&program, &html)?)?;
         print(&format!("{}\n", file.display()))?;
         Ok(EXIT_OK)

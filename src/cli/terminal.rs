@@ -17,7 +17,7 @@ use results::describe;
 ///
 /// Errors: [`Error::Output`] if the text cannot be written, for instance because a device is full.
 pub(crate) fn print(text: &str) -> Result<(), Error> {
-    print_coloured(&text::visible(text))
+    print_coloured(&text::printed(text))
 }
 
 /// Writes a result that does not contain text of the user to standard output; see [`print`].
@@ -35,7 +35,7 @@ pub(crate) fn print_coloured(text: &str) -> Result<(), Error> {
 ///
 /// Errors: as [`print`].
 pub(crate) fn print_marked(text: &str) -> Result<(), Error> {
-    let text = text::visible(text);
+    let text = text::printed(text);
     if anstream::AutoStream::choice(&std::io::stdout()) == anstream::ColorChoice::Never {
         return print_coloured(&text);
     }
@@ -75,7 +75,7 @@ pub(crate) fn message(text: impl Display) {
 /// Writes a line with escaped user text to standard error, in colour where [`anstream`] allows it.
 pub(crate) fn coloured(text: &str) {
     // One write, so that lines of several threads do not mix.
-    let line = format!("{text}\n");
+    let line = format!("{}\n", text::without_commands(text));
     let mut messages = anstream::stderr().lock();
     let _ = messages.write_all(line.as_bytes()).and_then(|()| messages.flush());
 }

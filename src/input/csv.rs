@@ -3,6 +3,7 @@
 //! Columns are separated by commas, or by semicolons if the first line has one and no comma. A cell in double quotes may contain
 //! separators, line breaks and doubled quotes (RFC 4180).
 
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
@@ -11,11 +12,14 @@ use crate::input::diagnostic::{Fault, Faults, Source};
 use crate::input::stdin;
 use files::code::Code;
 use files::error::Error;
+use files::text::uncelled;
 
 /// Largest file that is read [bytes].
 const MAX_BYTES: u64 = 1 << 20;
 /// Largest number of rows.
 const MAX_ROWS: usize = 10_000;
+/// Largest number of columns.
+const MAX_COLUMNS: usize = 1000;
 
 /// A cell and its place in the file, without quotes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,20 +60,17 @@ pub fn read(path: &Path) -> Result<Table, Error> {
 
 /// Reads a file that another one names.
 ///
-/// Errors: a file that cannot be read, is not a file (a pipe has no end), is larger than 1 MiB or is not UTF-8; with its name.
+/// Errors: a file that cannot be read, is not a file, is larger than 1 MiB or is not UTF-8; with its name.
 pub(crate) fn text(path: &Path) -> Result<Source, String> {
     let named = |what: String| format!("{}: {what}", path.display());
-    match std::fs::metadata(path) {
-        Ok(data) if !data.is_file() && !data.is_dir() => Err(named("found a pipe or device, expected a file".into())),
-        _ => bytes(path).map_err(named),
-    }
+    bytes(path).map_err(named)
 }
 
 /// The text of a file, or why it cannot be read.
 fn bytes(path: &Path) -> Result<Source, String> {
     let unreadable = |e: std::io::Error| format!("cannot read the table: {}", files::error::describe(&e));
-    if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
-        return Err("found a folder, expected a CSV file".into());
+    if let Some(what) = files::special(path).map_err(unreadable)? {
+        return Err(format!("found {what}, expected a CSV file"));
     }
     limited(std::fs::File::open(path).map_err(unreadable)?, path)
 }
@@ -97,26 +98,31 @@ pub(crate) fn rows(source: &Source) -> Result<Vec<Vec<Cell>>, String> {
     }
 }
 
-/// Reads the text of a table. All faults are returned at once: a table without columns or rows, a name that is empty or occurs twice,
+/// Reads the text of a table. All faults are returned at once: a table without columns or rows or with too many, a name that is empty or occurs twice,
 /// a row with another number of cells, a quote that is not closed.
 pub fn parse(source: &Source) -> Result<Table, Faults> {
     let mut faults = Faults::new();
     let mut lines = records(&source.text, &mut faults).into_iter();
     let head = lines.next().unwrap_or_default();
-    for (i, cell) in head.iter().enumerate() {
+    let mut seen = BTreeSet::new();
+    for cell in &head {
         if cell.text.is_empty() {
             faults.push(
                 Fault::new(Code::TableColumn, "a column without a name")
                     .at(cell.span.clone())
                     .allowed("a name; in a table of tanks a path of the tank file, such as liquid.fill_height"),
             );
-        } else if head[..i].iter().any(|other| other.text == cell.text) {
+        } else if !seen.insert(cell.text.as_str()) {
             faults.push(
                 Fault::new(Code::TableColumn, format!("the column `{}` occurs twice", cell.text))
                     .at(cell.span.clone())
                     .allowed("each path once"),
             );
         }
+    }
+    if head.len() > MAX_COLUMNS {
+        let fault = Fault::new(Code::TableShape, "too many columns").found(format!("{} columns", head.len()));
+        return Err(fault.allowed(format!("at most {MAX_COLUMNS} columns")).into());
     }
     let rows: Vec<Vec<Cell>> = lines.collect();
     for row in rows.iter().filter(|row| row.len() != head.len()) {
@@ -198,8 +204,8 @@ fn cell(text: &str, place: Range<usize>) -> Cell {
     let bare = raw.trim();
     let span = start..start + bare.len();
     let text = match bare.strip_prefix('"').and_then(|t| t.strip_suffix('"')) {
-        Some(inner) => inner.replace("\"\"", "\""),
-        None => bare.to_owned(),
+        Some(inner) => uncelled(&inner.replace("\"\"", "\"")).to_owned(),
+        None => uncelled(bare).to_owned(),
     };
     Cell { text, span }
 }

@@ -120,14 +120,19 @@ pub struct Source {
     pub name: String,
     /// Text.
     pub text: String,
+    /// Bytes at which lines begin.
+    starts: Vec<usize>,
 }
 
 impl Source {
     /// A file of this name and text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Source {
+        let text = text.into();
+        let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
         Source {
             name: name.into(),
-            text: text.into(),
+            starts: starts.collect(),
+            text,
         }
     }
 
@@ -143,21 +148,18 @@ impl Source {
 
     /// Bytes of a line (counted from 1) without its line break; the end of the file beyond the last line.
     pub fn line_span(&self, line: usize) -> Range<usize> {
-        let mut start = 0;
-        for (i, part) in self.text.split_inclusive('\n').enumerate() {
-            if i + 1 == line {
-                return start..start + part.trim_end_matches(['\n', '\r']).len();
-            }
-            start += part.len();
-        }
-        self.text.len()..self.text.len()
+        let end = self.text.len();
+        let start = line.checked_sub(1).and_then(|i| self.starts.get(i)).map_or(end, |s| *s);
+        let next = self.starts.get(line).map_or(end, |s| *s);
+        start..start + self.text[start..next.max(start)].trim_end_matches(['\n', '\r']).len()
     }
 
     /// Line and column (in characters) of a byte, both counted from 1.
     pub fn line_column(&self, byte: usize) -> (usize, usize) {
-        let before = &self.text[..floor(&self.text, byte)];
-        let start = before.rfind('\n').map_or(0, |i| i + 1);
-        (before.matches('\n').count() + 1, before[start..].chars().count() + 1)
+        let byte = floor(&self.text, byte);
+        let line = self.starts.partition_point(|start| *start <= byte);
+        let start = self.starts[line - 1];
+        (line, self.text[start..byte].chars().count() + 1)
     }
 }
 

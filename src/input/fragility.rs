@@ -1,5 +1,6 @@
 //! Tables of data for fragility curves, and hazard curves: CSV with named columns.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use ::fragility::cloud::Run;
@@ -12,6 +13,9 @@ use files::error::Error;
 
 /// Name of the state of a table without the column `damage_state`.
 pub const STATE: &str = "damage";
+
+/// Largest number of damage states of a table.
+const MAX_STATES: usize = 100;
 
 /// Data by damage state, in the order in which the states first stand in the table.
 pub type ByState<T> = Vec<(String, Vec<T>)>;
@@ -83,13 +87,19 @@ impl Reader {
         let state = self.column("damage_state");
         let rows = std::mem::take(&mut self.table.rows);
         let mut all: ByState<T> = Vec::new();
+        let mut places: BTreeMap<&str, usize> = BTreeMap::new();
         for row in &rows {
             let name = state.map_or(STATE, |i| row[i].text.as_str());
             let found = item(&mut self, row);
-            match all.iter_mut().find(|(known, _)| known == name) {
+            let place = *places.entry(name).or_insert(all.len());
+            match all.get_mut(place) {
                 Some((_, items)) => items.push(found),
                 None => all.push((name.to_owned(), vec![found])),
             }
+        }
+        if all.len() > MAX_STATES {
+            let fault = Fault::new(Code::TableShape, "too many damage states").found(format!("{} states", all.len()));
+            self.faults.push(fault.allowed(format!("at most {MAX_STATES} states")));
         }
         self.finish(all)
     }

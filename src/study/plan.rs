@@ -390,7 +390,7 @@ pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
     };
     let load = |name: &str| {
         let path = folder.join(name);
-        std::fs::read_to_string(&path).map_err(|e| {
+        files::read_text(&path).map_err(|e| {
             let what = match e.kind() {
                 std::io::ErrorKind::NotFound => {
                     "no plan here; `tankcheck study plan STUDY --out FOLDER` makes one".into()

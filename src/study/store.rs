@@ -233,14 +233,14 @@ pub fn clear(folder: &Path, key: &str) -> Result<(), Error> {
 
 /// The recorded failure of a task.
 pub fn failure(folder: &Path, key: &str) -> Option<Failure> {
-    let text = fs::read(path(folder, key, ".err.json")).ok()?;
+    let text = files::read(&path(folder, key, ".err.json")).ok()?;
     serde_json::from_slice(&text).ok()
 }
 
 /// State of the result of a task; its bytes are read and hashed.
 pub fn state(folder: &Path, key: &str) -> State {
     let file = path(folder, key, LINES);
-    match fs::read(&file) {
+    match files::read(&file) {
         Ok(bytes) if whole(&bytes).is_some() => State::Done,
         Ok(_) => State::Torn,
         Err(_) if path(folder, key, ".err.json").is_file() => State::Failed,
@@ -263,7 +263,7 @@ fn whole(bytes: &[u8]) -> Option<&[u8]> {
 /// Errors: a line that this program did not write.
 pub fn read(folder: &Path, key: &str) -> Result<Option<Vec<Line>>, Error> {
     let file = path(folder, key, LINES);
-    let Ok(bytes) = fs::read(&file) else { return Ok(None) };
+    let Ok(bytes) = files::read(&file) else { return Ok(None) };
     let Some(lines) = whole(&bytes) else { return Ok(None) };
     let mut all = Vec::new();
     for line in BufReader::new(lines).lines() {

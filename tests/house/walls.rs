@@ -11,7 +11,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fourier", &[]),
     ("materials", &[]),
     ("files", &[]),
-    ("fragility", &[]),
+    ("fragility", &["files"]),
     ("tank", &["oscillator"]),
     ("base", &["tank"]),
     ("soil", &["oscillator"]),

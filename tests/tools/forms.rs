@@ -379,6 +379,65 @@ pub(crate) fn the_workbook_has_the_values(python: &Path) {
     }
 }
 
+/// Parts of a workbook as XML, its texts, and that none is a formula.
+const PARTS: &str = r#"
+import json, sys, zipfile
+from xml.etree import ElementTree as E
+M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+z = zipfile.ZipFile(sys.argv[1])
+assert z.testzip() is None
+parts = {n: E.fromstring(z.read(n)) for n in z.namelist() if n.endswith((".xml", ".rels"))}
+formulas = [n for n, p in parts.items() for _ in p.iter(M + "f")]
+print(json.dumps({"formulas": formulas, "texts": ["".join(t.text or "" for t in s.iter(M + "t")) for s in parts["xl/sharedStrings.xml"]]}))
+"#;
+
+/// A workbook whose names are formulas, controls, marks that are not characters, or longer than a cell.
+pub(crate) fn the_workbook_takes_every_text(python: &Path) {
+    let tank = fs::read_to_string(root("examples/05_oil_tank/tank.json")).expect("a tank");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let home = folder.path();
+    let long = "x".repeat(40_000);
+    let texts = [
+        "=1+1",
+        "@SUM(A1)",
+        "\0\u{1}\u{b}\u{1f}\u{85}",
+        "\u{202e}\u{200b}\u{feff}",
+        "a\u{fffe}\u{ffff}",
+        "_x0041_<&>\"'",
+        &long,
+    ];
+    for text in texts {
+        let mut given: Value = serde_json::from_str(&tank).expect("plain JSON");
+        given["name"] = text.into();
+        given["project"]["client"] = text.into();
+        fs::write(home.join("tank.json"), given.to_string()).expect("writable");
+        for arguments in [
+            &["check", "tank.json", "--out", "out"][..],
+            &["report", "out", "--format", "xlsx"],
+        ] {
+            let run = tankcheck(home, arguments, &[]);
+            assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", said(&run));
+        }
+        let read = Command::new(python)
+            .args(["-c", PARTS, "out/report.xlsx"])
+            .current_dir(home)
+            .output()
+            .expect("python starts");
+        assert!(read.status.success(), "{text:?}: {}", said(&read));
+        let parts: Value = serde_json::from_slice(&read.stdout).expect("JSON");
+        assert_eq!(parts["formulas"], serde_json::json!([]));
+        let shown = files::text::visible(text);
+        let cells = parts["texts"].as_array().expect("texts");
+        let own = |cell: &Value| match cell.as_str().unwrap_or_default() {
+            // A cell holds 32 767 characters.
+            cut if text.len() > 32_767 => cut.len() > 32_000 && cut.trim_end_matches('…').trim_matches('x').is_empty(),
+            // The form writes `_x0041_`, which stands for a character there, with its first sign as such a code.
+            cell => cell.replace("_x005F_", "_") == *shown,
+        };
+        assert!(cells.iter().any(own), "{text:?} is no cell");
+    }
+}
+
 /// SI value of a unit, by its symbol; independent of the program's table.
 fn factor(unit: &str) -> f64 {
     let of = |symbol: &str| -> f64 {

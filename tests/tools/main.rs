@@ -53,6 +53,11 @@ fn main() -> ExitCode {
             forms::the_workbook_has_the_values,
         ),
         trial(
+            "forms::the_workbook_takes_every_text",
+            python,
+            forms::the_workbook_takes_every_text,
+        ),
+        trial(
             "forms::libreoffice_opens_the_workbook",
             libreoffice,
             forms::libreoffice_opens_the_workbook,

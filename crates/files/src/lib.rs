@@ -18,6 +18,7 @@ pub mod code;
 pub mod error;
 mod folder;
 mod manifest;
+mod regular;
 mod staging;
 #[cfg(test)]
 mod tests;
@@ -26,6 +27,7 @@ mod work;
 
 pub use folder::{Kind, OutputFolder, edited, kept_complete, settle};
 pub use manifest::MANIFEST_FILE;
+pub use regular::{read, read_text, special};
 pub use staging::discard_unfinished;
 pub use work::WorkFolder;
 

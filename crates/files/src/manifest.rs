@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::{files_below, unwritten};
+use super::{files_below, read, read_text, unwritten};
 use crate::error::Error;
 
 /// Name of the manifest in a folder of results.
@@ -54,7 +54,7 @@ impl Manifest {
 
     /// Reads the manifest of a folder.
     pub(crate) fn find(folder: &Path) -> Found {
-        match std::fs::read_to_string(folder.join(MANIFEST_FILE)) {
+        match read_text(&folder.join(MANIFEST_FILE)) {
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Found::None,
             Err(_) => Found::Foreign,
             Ok(text) => match serde_json::from_str::<Manifest>(&text) {
@@ -107,6 +107,6 @@ pub(crate) fn path(key: &str) -> PathBuf {
 
 /// SHA-256 of a file, hexadecimal.
 fn hash(path: &Path) -> std::io::Result<String> {
-    let hash = Sha256::digest(std::fs::read(path)?);
+    let hash = Sha256::digest(read(path)?);
     Ok(hash.iter().map(|byte| format!("{byte:02x}")).collect())
 }

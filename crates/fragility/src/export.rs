@@ -9,6 +9,8 @@
 
 use std::fmt::Write;
 
+use files::text::{cell, xml};
+
 use crate::Lognormal;
 
 /// The curves of a component from mild to severe, by name.
@@ -20,28 +22,9 @@ pub struct Component {
     pub states: Vec<(String, Lognormal)>,
 }
 
-/// A text within an XML attribute or element.
-fn xml(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
-/// A cell of CSV.
-fn cell(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.into(),
-    }
+/// A name in a list separated by blanks.
+fn word(name: &str) -> String {
+    xml(&name.split_whitespace().collect::<Vec<_>>().join("_"))
 }
 
 /// Components for pelicun. All have the columns of the one with the most states.
@@ -88,7 +71,7 @@ pub fn nrml(components: &[Component], imt: &str, scale: f64, range: [f64; 2]) ->
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<nrml xmlns=\"http://openquake.org/xmlns/nrml/0.5\">\n  <fragilityModel id=\"tanks\" \
          assetCategory=\"structures\" lossCategory=\"structural\">\n    <description>Liquid storage tanks</description>\n",
     );
-    let names: Vec<String> = states.iter().map(|s| xml(&s.replace(' ', "_"))).collect();
+    let names: Vec<String> = states.iter().map(|s| word(s)).collect();
     let _ = writeln!(text, "    <limitStates>{}</limitStates>", names.join(" "));
     for component in components {
         let _ = writeln!(
@@ -104,7 +87,7 @@ pub fn nrml(components: &[Component], imt: &str, scale: f64, range: [f64; 2]) ->
             let _ = writeln!(
                 text,
                 "      <params ls=\"{}\" mean=\"{}\" stddev=\"{}\"/>",
-                xml(&name.replace(' ', "_")),
+                word(name),
                 curve.mean() * scale,
                 curve.standard_deviation() * scale
             );

@@ -101,7 +101,7 @@ fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), 
             if !path.is_file() || !(file.ends_with(".html") || sources.contains_key(&name)) {
                 continue;
             }
-            let text = std::fs::read_to_string(&path).map_err(|e| fault(&path, e))?;
+            let text = files::read_text(&path).map_err(|e| fault(&path, e))?;
             replaced += usize::from(sources.insert(name, text).is_some());
         }
     }

@@ -25,6 +25,18 @@ use files::error::Error;
 use files::text::visible;
 use results::{Method, Results, Series, SeriesInfo};
 
+/// Longest text of a cell that spreadsheets take, and one sign for what was cut [characters].
+const LONGEST_TEXT: usize = 32_766;
+
+/// A text as a cell has it, which is never a formula.
+fn shown(text: &str) -> String {
+    let text = visible(text);
+    match text.char_indices().nth(LONGEST_TEXT) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into_owned(),
+    }
+}
+
 /// Longest name of a sheet that spreadsheets take.
 const LONGEST: usize = 31;
 
@@ -52,7 +64,7 @@ impl Page<'_> {
             .set_border_bottom(FormatBorder::Thin);
         for (column, head) in (0..).zip(heads) {
             self.sheet
-                .write_string_with_format(self.row, column, visible(head), &format)?;
+                .write_string_with_format(self.row, column, shown(head), &format)?;
         }
         self.row += 1;
         self.sheet.set_freeze_panes(self.row, frozen)?;
@@ -64,7 +76,7 @@ impl Page<'_> {
         for (column, cell) in (0..).zip(cells) {
             match cell {
                 None => {}
-                Some(Cell::Text(text)) => drop(self.sheet.write_string(self.row, column, visible(text))?),
+                Some(Cell::Text(text)) => drop(self.sheet.write_string(self.row, column, shown(text))?),
                 Some(Cell::Number(value)) if value.is_finite() => {
                     let format = Format::new().set_num_format(digits(value));
                     self.sheet.write_number_with_format(self.row, column, value, &format)?;
@@ -121,7 +133,7 @@ fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
     book.set_properties(
         &DocProperties::new()
-            .set_title(visible(&results.name))
+            .set_title(shown(&results.name))
             .set_creation_datetime(&created),
     );
     let mut names = Vec::new();
@@ -178,8 +190,7 @@ fn page<'b>(book: &'b mut Workbook, name: &str, names: &mut Vec<String>) -> Resu
 fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     page.widths(&[18.0, 60.0, 70.0])?;
     let bold = Format::new().set_bold().set_font_size(14);
-    page.sheet
-        .write_string_with_format(0, 0, visible(&results.name), &bold)?;
+    page.sheet.write_string_with_format(0, 0, shown(&results.name), &bold)?;
     page.row = 2;
     let project = results.project.clone().unwrap_or_default();
     let given = [

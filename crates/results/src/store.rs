@@ -79,7 +79,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             });
         }
     }
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::unreadable(&path, &e))?;
+    let text = files::read_text(&path).map_err(|e| Error::unreadable(&path, &e))?;
     let no_results = |e: serde_json::Error| fault(format!("not a results file: {e}"));
     #[derive(Deserialize)]
     struct Head {
@@ -110,11 +110,9 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         path: path.clone(),
         what,
     };
+    let bytes = files::read(&path).map_err(|e| fault(e.to_string()))?;
     // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
-    let mut reader = csv::ReaderBuilder::new()
-        .quoting(false)
-        .from_path(&path)
-        .map_err(|e| fault(e.to_string()))?;
+    let mut reader = csv::ReaderBuilder::new().quoting(false).from_reader(bytes.as_slice());
     let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
     if header.get(0) != Some("time_s") {
         return Err(fault(format!(
@@ -227,7 +225,7 @@ pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what
         path: path.into(),
         what,
     };
-    let text = std::fs::read_to_string(path).map_err(|e| Error::unreadable(path, &e))?;
+    let text = files::read_text(path).map_err(|e| Error::unreadable(path, &e))?;
     let value: serde_json::Value =
         serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
     match value.get("format").and_then(serde_json::Value::as_str) {

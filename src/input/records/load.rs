@@ -22,28 +22,21 @@ pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Error> {
     if path == Path::new("-") {
         return read_limited(stdin::take()?, path);
     }
-    let metadata = std::fs::metadata(path).map_err(|e| {
-        fail(
-            Code::FileUnreadable,
-            format!("cannot read the record: {}", files::error::describe(&e)),
-        )
-    })?;
-    if metadata.is_dir() {
+    let unreadable = |e: std::io::Error| {
+        let what = format!("cannot read the record: {}", files::error::describe(&e));
+        fail(Code::FileUnreadable, what)
+    };
+    if let Some(what) = files::special(path).map_err(unreadable)? {
         return Err(fail(
             Code::FileUnreadable,
-            "found a folder, expected a record file (CSV, two-column text, PEER .AT2)".into(),
+            format!("found {what}, expected a record file (CSV, two-column text, PEER .AT2)"),
         ));
     }
-    if metadata.len() > MAX_BYTES {
-        return Err(fail(Code::TooLarge, too_large(metadata.len())));
+    let size = std::fs::metadata(path).map_err(unreadable)?.len();
+    if size > MAX_BYTES {
+        return Err(fail(Code::TooLarge, too_large(size)));
     }
-    let file = File::open(path).map_err(|e| {
-        fail(
-            Code::FileUnreadable,
-            format!("cannot read the record: {}", files::error::describe(&e)),
-        )
-    })?;
-    read_limited(file, path)
+    read_limited(File::open(path).map_err(unreadable)?, path)
 }
 
 fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {

@@ -28,9 +28,8 @@ pub(in crate::input) fn read(path: &Path) -> Result<(Source, String), Error> {
             .read_to_end(&mut bytes)
             .map_err(|e| fail(format!("standard input cannot be read ({e})")))?;
     } else {
-        let metadata = std::fs::metadata(path).map_err(|e| fail(missing(path, &e)))?;
-        if metadata.is_dir() {
-            return Err(fail("found a folder, expected a tank file such as tank.json".into()));
+        if let Some(what) = files::special(path).map_err(|e| fail(missing(path, &e)))? {
+            return Err(fail(format!("found {what}, expected a tank file such as tank.json")));
         }
         std::fs::File::open(path)
             .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))

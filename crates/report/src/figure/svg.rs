@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use files::text::visible;
+pub use files::text::xml as escape;
 
 /// Horizontal anchor of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -215,22 +215,6 @@ fn tenths(value: i64) -> String {
 /// A coordinate with one decimal.
 pub fn n(value: f64) -> String {
     tenths(tenth(value))
-}
-
-/// Text or attribute value of XML; characters that act instead of being seen stand as `\u{…}`.
-pub fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in visible(text).chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c => out.push(c),
-        }
-    }
-    out
 }
 
 #[cfg(test)]

@@ -2,8 +2,10 @@
 //!
 //! Decimal factors shift the exponent of the text, so `"2.03 mm"` is exactly `0.00203`, correctly rounded.
 
+use std::collections::BTreeSet;
+
 use super::fraction::fraction;
-use super::table::canonical;
+use super::table::{SPELLINGS, canonical};
 use super::{Dimension, Unit};
 
 /// Reason why a text is not a quantity of the expected dimension.
@@ -195,10 +197,12 @@ fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit
     if let Some(unit) = Unit::find(spelling, dimension) {
         return Ok(unit);
     }
-    let found: Vec<Dimension> = Dimension::ALL
-        .into_iter()
-        .filter(|d| *d != dimension && Unit::find(spelling, *d).is_some())
-        .collect();
+    let wanted = canonical(spelling);
+    let others = SPELLINGS
+        .iter()
+        .filter(|s| s.text == wanted && s.unit.dimension != dimension);
+    let others: BTreeSet<Dimension> = others.map(|s| s.unit.dimension).collect();
+    let found: Vec<Dimension> = others.into_iter().collect();
     if found.is_empty() {
         Err(UnitError::UnknownUnit {
             unit: spelling.into(),
@@ -217,15 +221,18 @@ fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit
 fn nearest(spelling: &str, dimension: Dimension) -> Option<&'static str> {
     let wanted = canonical(spelling);
     let folded = wanted.to_lowercase();
-    dimension
-        .units()
-        .flat_map(|u| u.spellings().map(move |s| (u, canonical(s))))
-        .map(|(u, s)| {
-            let distance = strsim::osa_distance(&wanted, &s);
+    let length = wanted.chars().count();
+    SPELLINGS
+        .iter()
+        .filter(|s| s.unit.dimension == dimension && !s.unit.text.is_empty())
+        // The distance is at least the difference of the lengths, so long texts are not compared.
+        .filter(|s| s.text.chars().count().abs_diff(length) * 2 <= length)
+        .map(|s| {
+            let distance = strsim::osa_distance(&wanted, &s.text);
             // A difference in case only is the likeliest mistake.
-            (if s.to_lowercase() == folded { 0 } else { distance }, distance, u)
+            (if s.folded == folded { 0 } else { distance }, distance, s.unit)
         })
-        .filter(|(slip, _, u)| *slip * 2 <= wanted.chars().count() && !u.text.is_empty())
+        .filter(|(slip, ..)| *slip * 2 <= length)
         .min_by_key(|(slip, distance, _)| (*slip, *distance))
         .map(|(_, _, u)| u.text)
 }

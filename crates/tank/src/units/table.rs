@@ -1,5 +1,7 @@
 //! The table of units.
 
+use std::sync::LazyLock;
+
 use super::Dimension as D;
 use crate::STANDARD_GRAVITY;
 
@@ -219,11 +221,34 @@ pub const UNITS: &[Unit] = &[
     by("klb·ft²", "klb*ft2", D::RotationalInertia, 1000.0 * POUND * FOOT * FOOT),
 ];
 
+/// A spelling of a unit, written once: a file has thousands of quantities.
+pub(super) struct Spelling {
+    pub unit: &'static Unit,
+    /// [`canonical`].
+    pub text: String,
+    /// In lower case.
+    pub folded: String,
+}
+
+/// All spellings, in the order of the table.
+pub(super) static SPELLINGS: LazyLock<Vec<Spelling>> = LazyLock::new(|| {
+    let of = |unit: &'static Unit| unit.spellings().map(move |text| (unit, canonical(text)));
+    let spelled = UNITS.iter().flat_map(of).map(|(unit, text)| Spelling {
+        unit,
+        folded: text.to_lowercase(),
+        text,
+    });
+    spelled.collect()
+});
+
 impl Unit {
     /// The unit of this dimension with this spelling.
     pub fn find(spelling: &str, dimension: D) -> Option<&'static Unit> {
         let wanted = canonical(spelling);
-        dimension.units().find(|u| u.is_spelled(&wanted))
+        let found = SPELLINGS
+            .iter()
+            .find(|s| s.unit.dimension == dimension && s.text == wanted);
+        found.map(|s| s.unit)
     }
 
     /// Value of one such unit in SI.
@@ -245,10 +270,6 @@ impl Unit {
             .into_iter()
             .chain(self.aliases.iter().copied())
             .filter(|s| !s.is_empty())
-    }
-
-    fn is_spelled(&self, canonical_spelling: &str) -> bool {
-        self.spellings().any(|s| canonical(s) == canonical_spelling)
     }
 
     /// The value in SI of `number` of these units; `number` is a decimal literal.
@@ -291,6 +312,9 @@ pub(super) fn canonical(spelling: &str) -> String {
             }
             c => out.push(c),
         }
+    }
+    if !out.contains(['·', ' ']) {
+        return out;
     }
     // "kN m" and "kN·m" are "kNm"; "m s" is not changed and is not a unit.
     for force in ["N", "lbf", "kip"] {

@@ -36,13 +36,14 @@ fn has_words(text: &str) -> bool {
 /// Accepted gaps, each once, with a reason, a name and a date.
 pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>) -> Vec<check::Accepted> {
     let mut all: Vec<check::Accepted> = Vec::new();
+    let mut seen = BTreeSet::new();
     for given in option.value().into_iter().flatten().filter_map(|g| g.value.as_ref()) {
         let (check, reason) = (r.text(&given.check), r.text(&given.reason));
         let (by, date) = (r.text(&given.by), r.text(&given.date));
         let (Some(check), Some(reason), Some(by), Some(date)) = (check, reason, by, date) else {
             continue;
         };
-        if all.iter().any(|a| a.check == check) {
+        if !seen.insert(check.clone()) {
             r.faults.push(range_fault(
                 Code::Repeated,
                 &given.check,
