@@ -7,7 +7,7 @@ use crate::cli::style::StyleArg;
 use crate::cli::terminal::{say, warn};
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
-use crate::study::plan;
+use crate::study::folder;
 use files::code::{Code, Warning};
 use files::text::line;
 use files::{self, OutputFolder};
@@ -186,7 +186,7 @@ impl Page {
             folder.join(file).is_file().then_some(Page { what, command })
         };
         let known = [
-            (plan::PLAN, "a study", "study merge"),
+            (folder::PLAN, "a study", "study merge"),
             (results::IDA_FILE, "an incremental dynamic analysis", "ida"),
             (results::PUSH_FILE, "a pushover", "push"),
         ];

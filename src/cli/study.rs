@@ -1,31 +1,30 @@
 //! `tankcheck study`: many tanks under many records.
 
+mod check;
+mod departure;
+mod merge;
 mod status;
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
-use crate::cli::compare::stamp;
 use crate::cli::progress::{self, Watch};
-use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, print};
-use crate::curves::runs::Method;
+use crate::cli::{Global, print};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::input::study as input;
-use crate::study::keep;
 use crate::study::pilot::{self, Class};
-use crate::study::plan::{self, Plan, Task};
+use crate::study::plan;
 use crate::study::rule::RuleFound;
 use crate::study::run::{self, Which};
 use crate::study::scripts::{self, Scheduler};
-use crate::study::store::{self, State};
-use crate::study::{merge, rows::RowStatus};
+use crate::study::{changes, folder, store};
+use departure::{study_of, unchanged};
 use engines::estimate::span;
 use files::code::Code;
-use files::{OutputFolder, text, write_whole};
-use report::{Level, REPORT_FILE};
+use files::text;
+use status::size;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -34,6 +33,7 @@ Examples:
   tankcheck study plan study.json --out farm/
   tankcheck study run farm/ --jobs 8
   tankcheck study status farm/
+  tankcheck study check farm/
   tankcheck study merge farm/
   tankcheck study plan study.json --out farm/ --for slurm --scheduler-args \"--account=x --time=2:00:00\"
   tankcheck study run farm/ --shard 3/16
@@ -41,8 +41,8 @@ Examples:
 A study is state in files: run it again, anywhere, and only what is missing is computed. A failing check, a collapse and a refused tank are
 rows, not errors.
 
-Exit codes: 0 done; 2 bad input, or results missing at merge; 3 a task could not be computed, results could not be written, or the run was
-interrupted; 130 ended by a second Ctrl-C.")]
+Exit codes: 0 done; 2 bad input, or results missing or damaged at merge; 3 a task could not be computed, results could not be written, the run was
+interrupted, or `check` found damage; 130 ended by a second Ctrl-C.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,
@@ -55,10 +55,12 @@ enum Command {
     /// Compute the tasks that have no result.
     #[command(alias = "resume")]
     Run(RunArgs),
-    /// Count tasks that are done, missing, cut off or failed.
-    Status(StatusArgs),
+    /// Count tasks that are done, missing, damaged or failed.
+    Status(status::StatusArgs),
+    /// Read every result whole and compare it with the plan; `study run` repairs what is damaged.
+    Check(status::StatusArgs),
     /// Write rows.csv, tanks.csv, farm.csv, fragility.json and report.html.
-    Merge(MergeArgs),
+    Merge(merge::MergeArgs),
 }
 
 #[derive(clap::Args)]
@@ -105,60 +107,33 @@ struct RunArgs {
     retry: bool,
 }
 
-#[derive(clap::Args)]
-struct StatusArgs {
-    /// Folder of the study.
-    #[arg(value_name = "FOLDER")]
-    folder: PathBuf,
-    /// Form of the output.
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-}
-
-#[derive(clap::Args)]
-struct MergeArgs {
-    /// Folder of the study.
-    #[arg(value_name = "FOLDER")]
-    folder: PathBuf,
-    /// Merge although tasks are missing; shares and curves get bounds.
-    #[arg(long)]
-    partial: bool,
-    /// Run rows again with histories and a report of their own, in `kept/`.
-    #[arg(long, value_enum, value_name = "ROWS")]
-    keep: Option<Keep>,
-    #[command(flatten)]
-    style: StyleArg,
-}
-
-/// Rows that are kept whole.
-#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-enum Keep {
-    /// Of each tank the row with the largest demand over the limit of the worst damage state.
-    Worst,
-}
-
-/// Folder of the rows that are kept whole.
-const KEPT: &str = "kept";
-
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     match args.command {
         Command::Plan(args) => make(&args, global),
         Command::Run(args) => compute(&args, global),
         Command::Status(args) => status::status(&args, global),
-        Command::Merge(args) => merged(&args, global),
+        Command::Check(args) => check::check(&args, global),
+        Command::Merge(args) => merge::merged(&args, global),
     }
 }
 
 fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
+    // They become a line of a script.
+    if args.scheduler_args.contains(|c: char| c.is_control()) {
+        return Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "--scheduler-args: found `{}`, expected one line without control characters",
+                text::line(&args.scheduler_args)
+            ),
+        ));
+    }
     let watch = Watch::new(global, "reading tanks and records");
     let study = input::read(&args.study)?;
     let (plan, tasks) = plan::make(&study, &args.study, &args.out)?;
-    plan::write(&args.out, &plan, &tasks)?;
-    if let Some(scheduler) = args.scheduler {
-        let script = scheduler.script(tasks.len(), &args.scheduler_args);
-        write_whole(&args.out.join(scheduler.file()), script.as_bytes())?;
-    }
+    let script = |scheduler: Scheduler| (scheduler.file(), scheduler.script(tasks.len(), &args.scheduler_args));
+    folder::write(&args.out, &plan, &tasks, args.scheduler.map(script))?;
     watch.finish();
     let mut said = String::new();
     let _ = writeln!(said, "{}", text::line(&plan.name));
@@ -174,7 +149,7 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     let _ = writeln!(said, "  rows     {:>9}", plan.rows);
     let done = tasks
         .iter()
-        .filter(|t| store::state(&args.out, &t.key) == State::Done)
+        .filter(|t| store::find(&args.out, &plan, t).whole())
         .count();
     let _ = writeln!(said, "  tasks    {:>9}  {done} of them have a result", plan.tasks);
     if let Some(rule) = &plan.rule {
@@ -205,7 +180,7 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
         say!("script: {}", args.out.join(scheduler.file()).display());
     }
     if !global.quiet {
-        let whole = tasks.iter().all(|t| store::state(&args.out, &t.key) == State::Done);
+        let whole = tasks.iter().all(|t| store::find(&args.out, &plan, t).whole());
         let next = if whole { "merge" } else { "run" };
         say!("next: tankcheck study {next} {}", args.out.display());
     }
@@ -262,80 +237,9 @@ fn cost(classes: &[Class]) -> String {
     said
 }
 
-/// A size of files.
-fn size(bytes: f64) -> String {
-    match bytes {
-        b if b < 1e6 => format!("{:.0} KB", b / 1e3),
-        b if b < 1e9 => format!("{:.1} MB", b / 1e6),
-        b => format!("{:.1} GB", b / 1e9),
-    }
-}
-
-/// How the input of a study departs from its plan.
-enum Departure {
-    /// What changed.
-    Changed(String),
-    /// The first fault of input that was right.
-    Faulty(String),
-}
-
-impl Departure {
-    fn clause(&self) -> String {
-        match self {
-            Departure::Changed(what) => plan::since(what),
-            Departure::Faulty(fault) => format!("the input of the study is faulty since the plan: {fault}"),
-        }
-    }
-
-    fn error(&self) -> Error {
-        match self {
-            Departure::Changed(what) => plan::changed_since(what),
-            Departure::Faulty(_) => Error::input(
-                Code::StudyChanged,
-                format!(
-                    "{}\n  help: correct the file; `tankcheck study plan` lists all faults",
-                    self.clause()
-                ),
-            ),
-        }
-    }
-}
-
-/// What the input of a study has that its plan has not; none where nothing changed, or the input is not here (results that were taken to another machine),
-/// which is said. Input that was right when the plan was made and is faulty now has changed.
-fn departure(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Option<Departure> {
-    let compared = study_of(folder, planned.0).and_then(|study| plan::departure(&study, planned, folder));
-    let compared = compared.map(|found| found.map(Departure::Changed));
-    compared.unwrap_or_else(|error| {
-        let message = error.message();
-        let first = message.lines().next().unwrap_or_default();
-        let absent = Code::FileUnreadable.head();
-        if !first.starts_with(&absent) {
-            // The place stands in the line below.
-            let place = message.lines().nth(1).and_then(|line| line.trim().strip_prefix("--> "));
-            let place = place.map_or(String::new(), |place| format!(", {place}"));
-            return Some(Departure::Faulty(format!("{first}{place}")));
-        }
-        if !quiet {
-            say!("note: the input of the study is not compared with its plan: {first}");
-        }
-        None
-    })
-}
-
-/// Errors: input that changed since the plan.
-fn unchanged(folder: &Path, planned: (&Plan, &[Task]), quiet: bool) -> Result<(), Error> {
-    departure(folder, planned, quiet).map_or(Ok(()), |found| Err(found.error()))
-}
-
-/// The study file of a plan.
-fn study_of(folder: &Path, plan: &Plan) -> Result<input::StudyInput, Error> {
-    Ok(input::read(&folder.join(&plan.study))?)
-}
-
 fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
-    let (plan, tasks) = plan::read(&args.folder)?;
+    let (plan, tasks) = folder::read(&args.folder)?;
     let which = which(args, tasks.len())?;
     // A task compares its own input.
     if !matches!(which, Which::One(_)) {
@@ -351,7 +255,9 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         let study = study_of(&args.folder, &plan)?;
         match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
             true => Ok(study),
-            false => Err(plan::changed_since("the number of tanks or records of the study file")),
+            false => Err(changes::changed_since(
+                "the number of tanks or records of the study file",
+            )),
         }
     };
     let done = run::run(
@@ -371,6 +277,9 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
             done.left,
             started.elapsed().as_secs_f64()
         );
+        if done.damaged > 0 {
+            say!("damaged results, computed again: {}", done.damaged);
+        }
         if done.left > 0 {
             say!("interrupted: what was computed is kept; the same command goes on from there");
         }
@@ -410,104 +319,4 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
             ),
         )),
     }
-}
-
-fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
-    let _style = args.style.apply();
-    let (plan, tasks) = plan::read(&args.folder)?;
-    unchanged(&args.folder, (&plan, &tasks), global.quiet)?;
-    let watch = Watch::new(global, "merging");
-    let found = merge::merge(&args.folder, &plan, &tasks, args.partial, &watch)?;
-    if let Some(study) = &found.study {
-        let page = report::study::report(study)?;
-        write_whole(&args.folder.join(REPORT_FILE), page.html.as_bytes())?;
-    }
-    watch.finish();
-    if args.keep == Some(Keep::Worst) {
-        keep_worst(&args.folder, &plan, &found, global)?;
-    }
-    let mut said = format!("{}\n", text::line(&plan.name));
-    let _ = writeln!(said, "  rows      {:>9}", found.rows);
-    for (status, count) in &found.by_status {
-        if *status != RowStatus::Ok.word() || found.by_status.len() > 1 {
-            let _ = writeln!(said, "  {status:<10}{count:>9}");
-        }
-    }
-    if found.missing > 0 {
-        let _ = writeln!(
-            said,
-            "  {} tasks have no result: the curves are of the others, with bounds",
-            found.missing
-        );
-    }
-    let (mut all, mut fitted) = (0, 0);
-    for (title, [own, of]) in CURVES.into_iter().zip(curves(&found)) {
-        if of > 0 {
-            let _ = writeln!(said, "  {title:<10}{own:>9}  of {of} identified");
-        }
-        (all, fitted) = (all + of, fitted + own);
-    }
-    let _ = writeln!(said, "  sha256    {}", found.sha256);
-    print(&said)?;
-    if fitted < all && !global.quiet {
-        let method = match plan.method {
-            Method::Capacities => "",
-            Method::Stripes | Method::Cloud => OTHER_METHOD,
-        };
-        say!("help: {IDENTIFY}{method} identify more");
-    }
-    if !global.quiet {
-        for file in merge::FILES.iter().copied().chain([REPORT_FILE]) {
-            say!("{}", args.folder.join(file).display());
-        }
-    }
-    Ok(EXIT_OK)
-}
-
-/// What identifies more curves.
-const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records";
-/// The same, where another method was used.
-const OTHER_METHOD: &str = ", or `\"method\": \"capacities\"` in the study file";
-
-/// Titles of [`curves`].
-const CURVES: [&str; 2] = ["curves", "of farm"];
-
-/// Curves of the tanks and of the farm: those that the data identify, and all.
-fn curves(found: &merge::Merged) -> [[usize; 2]; 2] {
-    let count = |curves: &[results::StudyCurve]| {
-        let fitted = curves.iter().filter(|curve| curve.fit.is_some());
-        [fitted.count(), curves.len()]
-    };
-    let study = found.study.as_ref();
-    [
-        study.map_or([0; 2], |study| count(&study.curves)),
-        study.map_or([0; 2], |study| count(&study.system)),
-    ]
-}
-
-/// Runs the worst row of each tank again, with all that `compare` writes.
-fn keep_worst(folder: &Path, plan: &Plan, found: &merge::Merged, global: &Global) -> Result<(), Error> {
-    let study = study_of(folder, plan)?;
-    for (tank, row) in &found.worst {
-        let started = Instant::now();
-        let watch = Watch::new(global, "worst rows");
-        let mut outcome = keep::run(&study, plan, tank, row, &watch)?;
-        stamp(&mut outcome.results, started);
-        let home = folder.join(KEPT);
-        std::fs::create_dir_all(&home).map_err(|e| {
-            Error::Files(files::error::Error::Unwritten {
-                path: home.clone(),
-                what: files::error::describe(&e),
-            })
-        })?;
-        let out = OutputFolder::prepare(&home.join(keep::folder(plan, tank)), results::COMPARE)?;
-        results::write(&out.path(), &outcome.results, &outcome.series)?;
-        report::render(&out.path(), None, Level::Standard)?;
-        out.commit()?;
-        watch.finish();
-        if !global.quiet {
-            say!("{}", home.join(keep::folder(plan, tank)).join(REPORT_FILE).display());
-        }
-    }
-    Ok(())
 }

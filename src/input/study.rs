@@ -4,6 +4,7 @@
 //! record it names, so that a plan reports all faults at once; a task reads its own tank and records alone.
 
 mod keys;
+mod pattern;
 mod records;
 mod rule;
 mod sample;
@@ -22,6 +23,7 @@ use crate::input::tank::{schema, syntax};
 use files::code::Code;
 use files::error::Error;
 use keys::{CurveMethod, StudyEngine, StudyFile};
+use pattern::Refused;
 use results::EngineId;
 
 pub use records::{RecordEntry, Shaking};
@@ -75,6 +77,8 @@ pub struct StudyInput {
     pub hazard: Option<PathBuf>,
     /// Records of a task.
     pub block: usize,
+    /// The file.
+    pub source: Source,
     /// SHA-256 of the file.
     pub sha256: String,
 }
@@ -190,6 +194,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
         rule,
         hazard,
         block,
+        source: source.clone(),
         sha256: String::new(),
     })
 }
@@ -255,42 +260,38 @@ fn damage(r: &mut Resolver<'_>, given: &Field<Vec<Field<keys::Damage>>>) -> Vec<
 fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<PathBuf> {
     let Some(text) = r.text(field) else { return Vec::new() };
     let path = folder.join(&text);
-    if !text.contains(['*', '?', '[']) {
-        if !path.is_file() {
-            r.faults.push(range_fault(
+    let mut fault = |code: Code, message: &str, allowed: &str| {
+        r.faults.push(range_fault(code, field, message, allowed));
+        Vec::new()
+    };
+    if !pattern::is_pattern(&text) {
+        return match path.is_file() {
+            true => vec![path],
+            false => fault(
                 Code::FileUnreadable,
-                field,
                 "no such file",
                 "a file relative to the study file",
-            ));
-            return Vec::new();
-        }
-        return vec![path];
+            ),
+        };
     }
-    let pattern = path.to_string_lossy().into_owned();
-    match glob::glob(&pattern) {
-        Ok(found) => {
-            let mut files: Vec<PathBuf> = found.flatten().filter(|path| path.is_file()).collect();
-            files.sort();
-            if files.is_empty() {
-                r.faults.push(range_fault(
-                    Code::FileUnreadable,
-                    field,
-                    "no file matches",
-                    "a pattern that matches files",
-                ));
-            }
-            files
-        }
-        Err(error) => {
-            r.faults.push(range_fault(
-                Code::BadForm,
-                field,
-                &format!("a faulty pattern: {error}"),
-                "a pattern with * and ?",
-            ));
-            Vec::new()
-        }
+    match pattern::files(folder, &text) {
+        Ok(files) if files.is_empty() => fault(Code::FileUnreadable, "no file matches", "a pattern that matches files"),
+        Ok(files) => files,
+        Err(Refused::Faulty(error)) => fault(
+            Code::BadForm,
+            &format!("a faulty pattern: {error}"),
+            "a pattern with * and ?",
+        ),
+        Err(Refused::Files) => fault(
+            Code::TooLarge,
+            "the pattern matches too many files",
+            &format!("at most {} files", pattern::MOST_FILES),
+        ),
+        Err(Refused::Entries) => fault(
+            Code::TooLarge,
+            "the pattern looks at too many files and folders",
+            &format!("a pattern that looks at no more than {} of them", pattern::MOST_ENTRIES),
+        ),
     }
 }
 

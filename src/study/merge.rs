@@ -1,7 +1,7 @@
 //! Results to tables: `rows.csv`, `tanks.csv`, `farm.csv`, `fragility.json`.
 //!
 //! Results are read twice, once for the columns and once for the rows, so that memory does not grow with the study. Rows stand in the order
-//! of the plan. The files have no times, paths or names of machines in them.
+//! of the plan. The caller moves the files as a set. The files have no times, paths or names of machines in them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -17,7 +17,7 @@ use super::damage::{Gathered, Judged, Worst, judged};
 use super::page::{Tanks, page};
 use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
-use super::store::{self, Rolling};
+use super::store::{self, Found, Rolling};
 use crate::error::Error;
 use files::code::Code;
 use files::error::describe;
@@ -35,6 +35,11 @@ pub const FILES: &[&str] = &[
     "fragility.json",
 ];
 
+/// Whether a merge writes a file of this name, the report and those of programs with other features included.
+pub fn writes(name: &str) -> bool {
+    FILES.contains(&name) || ["rows.parquet", "report.html"].contains(&name)
+}
+
 /// What was merged.
 #[derive(Clone, Debug, Default)]
 pub struct Merged {
@@ -44,6 +49,8 @@ pub struct Merged {
     pub by_status: BTreeMap<&'static str, usize>,
     /// Tasks without a result.
     pub missing: usize,
+    /// Those of them that have a damaged one.
+    pub damaged: usize,
     /// Hash of rows.csv.
     pub sha256: String,
     /// What the report shows.
@@ -55,17 +62,18 @@ pub struct Merged {
 /// Merges the results of a study.
 ///
 /// * `partial`: whether missing tasks are admitted
+/// * `out`: where the files are written
 ///
-/// Errors: missing tasks, unless they are admitted; results that this program did not write; files that cannot be written.
+/// Errors: missing or damaged results, unless they are admitted; results that change meanwhile; files that cannot be written.
 pub fn merge(
     folder: &Path,
-    plan: &Plan,
-    tasks: &[Task],
+    (plan, tasks): (&Plan, &[Task]),
     partial: bool,
+    out: &Path,
     progress: &dyn Progress,
 ) -> Result<Merged, Error> {
     progress.stage("reading results", tasks.len() as u64);
-    let (mut columns, missing) = survey(folder, tasks, progress)?;
+    let (mut columns, missing) = survey(folder, (plan, tasks), progress)?;
     if !partial && !missing.is_empty() {
         return Err(Error::input(
             Code::StudyIncomplete,
@@ -73,16 +81,6 @@ pub fn merge(
         ));
     }
     progress.stage("writing rows", tasks.len() as u64);
-    let path = folder.join("rows.csv");
-    let part = folder.join(format!("rows.csv{}", files::PART));
-    let unwritten = |e: std::io::Error| {
-        let _ = std::fs::remove_file(&part);
-        Error::Files(files::error::Error::Unwritten {
-            path: path.clone(),
-            what: describe(&e),
-        })
-    };
-    let mut out = BufWriter::new(File::create(&part).map_err(unwritten)?);
     let mut all = Gathering {
         plan,
         tanks: tank_head(&columns.tanks),
@@ -96,44 +94,14 @@ pub fn merge(
         last: None,
         merged: Merged {
             missing: missing.len(),
+            damaged: missing.iter().filter(|(_, damage)| damage.is_some()).count(),
             ..Merged::default()
         },
     };
-    let mut hash = Rolling::new();
-    let mut text = head(&all.columns.values, &all.columns.checks);
-    std::thread::scope(|scope| {
-        // The next result is read while this one is written. A merge that fails takes no more, which ends the reader.
-        let (send, results) = std::sync::mpsc::sync_channel(1);
-        scope.spawn(move || {
-            for task in tasks {
-                if send.send(store::read(folder, &task.key)).is_err() {
-                    return;
-                }
-            }
-        });
-        for lines in results {
-            for line in lines?.unwrap_or_default() {
-                all.line(&line, &mut text);
-            }
-            hash.add(text.as_bytes());
-            out.write_all(text.as_bytes()).map_err(unwritten)?;
-            text.clear();
-            progress.advance(1);
-        }
-        Ok::<(), Error>(())
-    })
-    .inspect_err(|_| {
-        // It may be gone already; the error says more.
-        let _ = std::fs::remove_file(&part);
-    })?;
-    let file = out.into_inner().map_err(|e| unwritten(e.into_error()))?;
-    file.sync_all().map_err(unwritten)?;
-    drop(file);
-    std::fs::rename(&part, &path).map_err(unwritten)?;
+    all.rows(folder, tasks, &missing, out, progress)?;
     #[cfg(feature = "parquet")]
-    super::parquet::write(&path, &folder.join(super::parquet::FILE))?;
-    all.merged.sha256 = hash.hex();
-    all.write(folder)
+    super::parquet::write(&out.join("rows.csv"), &out.join(super::parquet::FILE))?;
+    all.write(out)
 }
 
 /// Columns of the tables.
@@ -157,16 +125,19 @@ impl Columns {
     }
 }
 
+/// A task without a result, and what is damaged about the one that it has.
+type Missing<'a> = (&'a Task, Option<String>);
+
 /// Columns of a part of the tasks, and the tasks of it without a result.
-type Part<'a> = (Columns, Vec<&'a Task>);
+type Part<'a> = (Columns, Vec<Missing<'a>>);
 
 /// Reads all results once: their columns, and the tasks without one.
-fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<Part<'a>, Error> {
-    let part = |tasks: &&'a [Task]| vec![survey_part(folder, tasks, progress)];
+fn survey<'a>(folder: &Path, planned: (&Plan, &'a [Task]), progress: &dyn Progress) -> Result<Part<'a>, Error> {
+    let (plan, tasks) = planned;
+    let part = |tasks: &&'a [Task]| vec![survey_part(folder, (plan, tasks), progress)];
     let parts: Vec<&[Task]> = tasks.chunks(SURVEYED).collect();
     let mut found = Part::default();
-    for part in beside_each_other(&parts, part) {
-        let (columns, missing) = part?;
+    for (columns, missing) in beside_each_other(&parts, part) {
         found.0 = found.0.with(columns);
         found.1.extend(missing);
     }
@@ -176,12 +147,13 @@ fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Resu
 /// Tasks that one core surveys at a time.
 const SURVEYED: usize = 16;
 
-fn survey_part<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<Part<'a>, Error> {
+fn survey_part<'a>(folder: &Path, (plan, tasks): (&Plan, &'a [Task]), progress: &dyn Progress) -> Part<'a> {
     let (mut columns, mut missing) = Part::default();
     for task in tasks {
-        match store::read(folder, &task.key)? {
-            None => missing.push(task),
-            Some(lines) => {
+        match store::find(folder, plan, task) {
+            Found::Missing | Found::Failed => missing.push((task, None)),
+            Found::Damaged(what) => missing.push((task, Some(what))),
+            Found::Whole(lines) => {
                 for line in &lines {
                     match line {
                         Line::Row(row) => {
@@ -196,7 +168,7 @@ fn survey_part<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) ->
         }
         progress.advance(1);
     }
-    Ok((columns, missing))
+    (columns, missing)
 }
 
 /// What is gathered line by line.
@@ -213,6 +185,56 @@ struct Gathering<'a> {
 }
 
 impl Gathering<'_> {
+    /// Writes `rows.csv`.
+    fn rows(
+        &mut self,
+        folder: &Path,
+        tasks: &[Task],
+        missing: &[Missing<'_>],
+        out: &Path,
+        progress: &dyn Progress,
+    ) -> Result<(), Error> {
+        let unwritten = |e: std::io::Error| {
+            Error::Files(files::error::Error::Unwritten {
+                path: folder.join("rows.csv"),
+                what: describe(&e),
+            })
+        };
+        let mut file = BufWriter::new(File::create(out.join("rows.csv")).map_err(unwritten)?);
+        let mut hash = Rolling::new();
+        let mut text = head(&self.columns.values, &self.columns.checks);
+        let without: BTreeSet<usize> = missing.iter().map(|(task, _)| task.task).collect();
+        let plan = self.plan;
+        std::thread::scope(|scope| {
+            // The next result is read while this one is written. A merge that fails takes no more, which ends the reader.
+            let (send, results) = std::sync::mpsc::sync_channel(1);
+            let with = tasks.iter().filter(|task| !without.contains(&task.task));
+            scope.spawn(move || {
+                for task in with {
+                    if send.send((task, store::find(folder, plan, task))).is_err() {
+                        return;
+                    }
+                }
+            });
+            for (task, found) in results {
+                let Found::Whole(lines) = found else {
+                    return Err(changed(&task.key));
+                };
+                for line in lines {
+                    self.line(&line, &mut text);
+                }
+                hash.add(text.as_bytes());
+                file.write_all(text.as_bytes()).map_err(unwritten)?;
+                text.clear();
+                progress.advance(1);
+            }
+            Ok(())
+        })?;
+        file.flush().map_err(unwritten)?;
+        self.merged.sha256 = hash.hex();
+        Ok(())
+    }
+
     /// Takes a line; a row is added to the text of `rows.csv`.
     fn line(&mut self, line: &Line, text: &mut String) {
         match line {
@@ -239,16 +261,16 @@ impl Gathering<'_> {
     }
 
     /// Writes the tables beside `rows.csv`.
-    fn write(mut self, folder: &Path) -> Result<Merged, Error> {
+    fn write(mut self, out: &Path) -> Result<Merged, Error> {
         write_whole(
-            &folder.join("rows.sha256"),
+            &out.join("rows.sha256"),
             format!("{}  rows.csv\n", self.merged.sha256).as_bytes(),
         )?;
-        write_whole(&folder.join("tanks.csv"), self.tanks.as_bytes())?;
-        write_whole(&folder.join("farm.csv"), farm(&self.gathered, &self.volumes).as_bytes())?;
+        write_whole(&out.join("tanks.csv"), self.tanks.as_bytes())?;
+        write_whole(&out.join("farm.csv"), farm(&self.gathered, &self.volumes).as_bytes())?;
         let fragility = super::curves::fragility(self.plan, &self.gathered, &self.volumes, self.merged.missing);
         let text = serde_json::to_string_pretty(&fragility).map_err(|e| Error::report(e.to_string()))?;
-        write_whole(&folder.join("fragility.json"), format!("{text}\n").as_bytes())?;
+        write_whole(&out.join("fragility.json"), format!("{text}\n").as_bytes())?;
         let study = page(self.plan, &self.merged, &self.gathered, &fragility, self.units);
         self.merged.study = Some(study);
         self.merged.worst = self.gathered.worst;
@@ -268,19 +290,38 @@ fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String> + 
     }
 }
 
-fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
+/// The error of a result that was whole when the columns were read.
+fn changed(key: &str) -> Error {
+    Error::input(
+        Code::StudyIncomplete,
+        format!("{} changed while it was merged\n  help: merge again", store::name(key)),
+    )
+}
+
+/// Most damaged or failed results that a message names.
+const NAMED: usize = 5;
+
+fn refusal(folder: &Path, tasks: usize, missing: &[Missing<'_>]) -> String {
     let mut text = format!("{} of {tasks} tasks have no result", missing.len());
+    let damaged = missing.iter().filter_map(|(task, what)| Some((task, what.as_ref()?)));
+    for (task, what) in damaged.clone().take(NAMED) {
+        let _ = write!(text, "\n  task {}: {} {what}", task.task, store::name(&task.key));
+    }
     let failed: Vec<_> = missing
         .iter()
-        .filter_map(|task| store::failure(folder, &task.key))
+        .filter_map(|(task, _)| store::failure(folder, &task.key))
         .collect();
-    for failure in failed.iter().take(5) {
+    for failure in failed.iter().take(NAMED) {
         let _ = write!(text, "\n  task {}: {}", failure.task, failure.message);
     }
-    if failed.len() > 5 {
-        let _ = write!(text, "\n  and {} more failed tasks", failed.len() - 5);
+    for (what, count) in [("damaged results", damaged.count()), ("failed tasks", failed.len())] {
+        if count > NAMED {
+            let _ = write!(text, "\n  and {} more {what}", count - NAMED);
+        }
     }
-    text.push_str("\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is");
+    text.push_str(
+        "\n  help: `tankcheck study run` computes what is missing or damaged; `--partial` merges what there is",
+    );
     text
 }
 

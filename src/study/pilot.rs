@@ -47,7 +47,7 @@ pub fn run(folder: &Path, study: &StudyInput, plan: &Plan, tasks: &[Task]) -> Re
             row: None,
         });
         class.tasks[0] += 1;
-        if store::state(folder, &task.key) == store::State::Done {
+        if store::find(folder, plan, task).whole() {
             class.tasks[1] += 1;
             continue;
         }

@@ -3,7 +3,7 @@
 //! A task is a block of records of one tank and sample: mesh, modes and code periods are made once. Codes alone have tasks of several
 //! tanks, so that no file holds few rows.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -13,24 +13,19 @@ use serde_json::json;
 
 use super::damage::{DamageState, default_set, states};
 use super::key;
-use super::rows::kept;
+use super::rows::{kept, plain};
 use super::rule::{self, RuleFound};
 use crate::curves::runs::Method;
 use crate::error::Error;
 use crate::input::TankFile;
+use crate::input::diagnostic::{Fault, Faults};
 use crate::input::study::{self, Shaking, StudyInput};
 use files::code::Code;
-use files::error::describe;
-use files::write_whole;
 use results::EngineId;
 use tank::Shape;
 
 /// Format of the files of a plan.
-pub const FORMAT: &str = "tankcheck-study/1";
-/// Name of the plan.
-pub const PLAN: &str = "plan.json";
-/// Name of the list of tasks.
-pub const TASKS: &str = "tasks.jsonl";
+pub const FORMAT: &str = "tankcheck-study/2";
 /// Most rows of a study.
 const MOST_ROWS: usize = 10_000_000;
 /// Fewest rows of a task of codes alone.
@@ -100,6 +95,9 @@ pub struct Plan {
     pub rows: usize,
     /// Number of tasks.
     pub tasks: usize,
+    /// SHA-256 of their list.
+    #[serde(default)]
+    pub tasks_sha256: String,
     /// Damage states, in the order of severity.
     pub damage: Vec<DamageState>,
     /// Hazard curve: points (im, rate a year).
@@ -146,6 +144,20 @@ impl Task {
 /// Errors: the faults of all tanks and records together; a study without rows or with too many.
 pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
     let samples = study.sampling.as_ref().map_or(1, |s| s.n);
+    let scales = study.scales.levels.len().max(study.scales.factors.len()).max(1);
+    let per_tank = match study.records.len() {
+        0 => 1,
+        n => n * scales,
+    };
+    let rows = study.tanks.len() * samples as usize * per_tank;
+    if rows == 0 || rows > MOST_ROWS {
+        return Err(Error::input(
+            Code::ItemCount,
+            format!(
+                "the study has {rows} rows, expected 1 to {MOST_ROWS}\n  help: rows are tanks × samples × records × scales"
+            ),
+        ));
+    }
     let mut faults = Vec::new();
     let (tanks, nominal) = planned_tanks(study, samples, &mut faults);
     let (records, along) = planned_records(study, &mut faults);
@@ -164,20 +176,6 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
         Some(rule) if !along.is_empty() => Some(rule::ask(rule, &nominal, &along)?),
         _ => None,
     };
-    let scales = study.scales.levels.len().max(study.scales.factors.len()).max(1);
-    let per_tank = match records.len() {
-        0 => 1,
-        n => n * scales,
-    };
-    let rows = tanks.len() * samples as usize * per_tank;
-    if rows == 0 || rows > MOST_ROWS {
-        return Err(Error::input(
-            Code::ItemCount,
-            format!(
-                "the study has {rows} rows, expected 1 to {MOST_ROWS}\n  help: rows are tanks × samples × records × scales"
-            ),
-        ));
-    }
     let damage = study.damage.as_ref().map_or_else(default_set, |given| states(given));
     let mut plan = Plan {
         format: FORMAT.into(),
@@ -192,6 +190,7 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
         samples,
         rows,
         tasks: 0,
+        tasks_sha256: String::new(),
         damage,
         hazard,
         method: study.method,
@@ -202,6 +201,7 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
     };
     let tasks = tasks(study, &plan, scales);
     plan.tasks = tasks.len();
+    plan.tasks_sha256 = key::hex(list(&tasks)?.as_bytes());
     Ok((plan, tasks))
 }
 
@@ -214,6 +214,7 @@ fn planned_tanks(
     let mut tanks = Vec::new();
     let mut nominal = Vec::new();
     let mut tables = Vec::new();
+    let mut sampled = Sampled::default();
     for entry in &study.tanks {
         // The tank of the file itself has to be right; a sample that is not possible is a row.
         let Some(tank) = entry.nominal(&mut tables) else {
@@ -228,10 +229,17 @@ fn planned_tanks(
         if study.rule.is_some() {
             nominal.push((entry.id.clone(), tank));
         }
-        let key = |sample| of_sample(&entry.tank(study.sampling.as_ref(), sample));
+        let mut keys = Vec::new();
+        let mut refused = Vec::new();
+        for sample in 0..samples {
+            let tank = entry.tank(study.sampling.as_ref(), sample);
+            keys.push(of_sample(&tank));
+            refused.extend(tank.err());
+        }
+        sampled.take(&entry.id, &refused, refused.len() == keys.len());
         tanks.push(PlannedTank {
             id: entry.id.clone(),
-            keys: (0..samples).map(key).collect(),
+            keys,
             size: Some(size),
             round,
             volume: Some(kept(volume)),
@@ -239,7 +247,47 @@ fn planned_tanks(
         });
     }
     faults.extend(tables.into_iter().map(|(source, found)| found.into_error(&source)));
+    if !sampled.faults.is_empty() {
+        faults.push(sampled.faults.into_error(&study.source));
+    }
     (tanks, nominal)
+}
+
+/// Faults of the sampling itself.
+#[derive(Default)]
+struct Sampled {
+    faults: Faults,
+    /// Kind and place of those that were found.
+    known: BTreeSet<(&'static str, Option<usize>)>,
+}
+
+impl Sampled {
+    /// Takes the faults of a tank's samples that no other draw mends: those of a path, a unit or a form, and all where no sample is possible.
+    ///
+    /// * `none`: whether no sample is possible
+    fn take(&mut self, tank: &str, refused: &[Faults], none: bool) {
+        for fault in refused.iter().flat_map(Faults::list) {
+            let place = fault.span.as_ref().map(|span| span.start);
+            if (none || !of_the_value(fault.code)) && self.known.insert((fault.code.id(), place)) {
+                self.faults.push(Fault {
+                    message: match none {
+                        true => format!("no sample of the tank `{tank}` is possible: {}", fault.message),
+                        false => format!("the tank `{tank}`: {}", fault.message),
+                    },
+                    ..fault.clone()
+                });
+            }
+        }
+    }
+}
+
+/// Whether another value in the same place may be right.
+fn of_the_value(code: Code) -> bool {
+    use Code::{Contradiction, LiquidAboveWall, NotFinite, OutOfRange, Unsupported};
+    matches!(
+        code,
+        OutOfRange | NotFinite | Contradiction | LiquidAboveWall | Unsupported
+    )
 }
 
 /// The records of a plan and, where a rule asks for them, the records along x.
@@ -261,11 +309,20 @@ fn planned_records(study: &StudyInput, faults: &mut Vec<files::error::Error>) ->
 }
 
 /// The key of a tank with the values of a sample: that of the tank, or of the faults of an impossible one.
-pub(super) fn of_sample(tank: &Result<TankFile, files::error::Error>) -> String {
+pub(super) fn of_sample(tank: &Result<TankFile, Faults>) -> String {
     match tank {
         Ok(tank) => key::of_tank(tank),
-        Err(error) => key::hash(json!({ "refused": super::task::plain(&error.to_string()) })),
+        Err(faults) => key::hash(json!({ "refused": refusal(faults) })),
     }
+}
+
+/// Why a sample is not possible: its faults without their places, which are no part of the tank.
+pub(super) fn refusal(faults: &Faults) -> String {
+    let one = |fault: &Fault| match &*fault.found {
+        "" => fault.message.clone(),
+        found => format!("{}; found {found}, expected {}", fault.message, fault.allowed),
+    };
+    plain(&faults.list().iter().map(one).collect::<Vec<_>>().join("; "))
 }
 
 fn planned(id: &str, shaking: &Shaking) -> PlannedRecord {
@@ -324,6 +381,16 @@ fn key_of(study: &StudyInput, plan: &Plan, tanks: &[(usize, u32)], records: Rang
     key::hash(json!({ "study": key::of_study(study), "tanks": tanks, "records": records }))
 }
 
+/// The list of the tasks as text.
+pub(super) fn list(tasks: &[Task]) -> Result<String, Error> {
+    let mut text = String::new();
+    for task in tasks {
+        text.push_str(&serde_json::to_string(task).map_err(|e| Error::report(e.to_string()))?);
+        text.push('\n');
+    }
+    Ok(text)
+}
+
 /// Path of the study file from the folder of the plan.
 fn relative(file: &Path, folder: &Path) -> String {
     let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
@@ -340,180 +407,56 @@ fn relative(file: &Path, folder: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 
-/// Writes a plan into its folder. Results there are kept: those whose keys are unchanged count.
-///
-/// Errors: a folder with files of something else; those of the file system.
-pub fn write(folder: &Path, plan: &Plan, tasks: &[Task]) -> Result<(), Error> {
-    let file = folder.join(PLAN);
-    let taken = |what: &str| {
-        Error::Files(files::error::Error::Taken {
-            path: folder.into(),
-            what: what.into(),
-            help: "name another folder with --out".into(),
-        })
-    };
-    if file.is_file() {
-        let earlier = read(folder).map(|(plan, _)| plan);
-        match earlier {
-            Ok(earlier) if earlier.name != plan.name => {
-                return Err(taken(&format!("has the study `{}`", earlier.name)));
-            }
-            _ => {}
-        }
-    } else if folder.is_dir() && std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) {
-        return Err(taken("is not empty and has no study"));
-    }
-    std::fs::create_dir_all(folder).map_err(|e| {
-        Error::Files(files::error::Error::Unwritten {
-            path: folder.into(),
-            what: describe(&e),
-        })
-    })?;
-    let mut text = String::new();
-    for task in tasks {
-        text.push_str(&serde_json::to_string(task).map_err(|e| Error::report(e.to_string()))?);
-        text.push('\n');
-    }
-    write_whole(&folder.join(TASKS), text.as_bytes())?;
-    let text = serde_json::to_string_pretty(plan).map_err(|e| Error::report(e.to_string()))?;
-    write_whole(&file, format!("{text}\n").as_bytes())?;
-    Ok(())
-}
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::study::rows::{Line, Row, RowStatus, TankRow};
 
-/// Reads a plan and its tasks.
-///
-/// Errors: a folder without a plan; files that are not a plan, or do not belong together.
-pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
-    let fault = |path: PathBuf, what: String| {
-        let code = Code::NotResults;
-        Error::Files(files::error::Error::File { code, path, what })
-    };
-    let load = |name: &str| {
-        let path = folder.join(name);
-        files::read_text(&path).map_err(|e| {
-            let what = match e.kind() {
-                std::io::ErrorKind::NotFound => {
-                    "no plan here; `tankcheck study plan STUDY --out FOLDER` makes one".into()
-                }
-                _ => describe(&e),
-            };
-            fault(path, what)
-        })
-    };
-    let broken =
-        |name: &str, e: serde_json::Error| fault(folder.join(name), format!("not a plan of this program: {e}"));
-    let plan: Plan = serde_json::from_str(&load(PLAN)?).map_err(|e| broken(PLAN, e))?;
-    if plan.format != FORMAT {
-        return Err(fault(
-            folder.join(PLAN),
-            format!("found the format `{}`, expected `{FORMAT}`", plan.format),
-        ));
+    /// Two tanks under two records at one factor, a task each.
+    pub(crate) fn plan() -> Plan {
+        let records = ["r", "s"].map(|id| json!({ "id": id, "key": id, "samples": 2, "dt": 0.01, "pga": 1.0 }));
+        let tanks = ["a", "b"].map(|id| json!({ "id": id, "keys": [id] }));
+        let plan = json!({
+            "format": FORMAT, "study": "study.json", "name": "two", "engine": null, "im": "PGA", "im_unit": "m/s2", "levels": [],
+            "factors": [0.3], "samples": 1, "rows": 4, "tasks": 2, "damage": [], "hazard": null,
+            "records": records, "tanks": tanks,
+        });
+        serde_json::from_value(plan).unwrap()
     }
-    let lines = load(TASKS)?;
-    let tasks: Vec<Task> = lines
-        .lines()
-        .map(|line| serde_json::from_str(line).map_err(|e| broken(TASKS, e)))
-        .collect::<Result<_, _>>()?;
-    if tasks.len() != plan.tasks {
-        let what = format!("{} tasks, {} in {PLAN}; plan again", tasks.len(), plan.tasks);
-        return Err(fault(folder.join(TASKS), what));
-    }
-    Ok((plan, tasks))
-}
 
-/// What changed since the plan, of a task: the tanks and records whose keys are others now.
-pub(super) fn changed(
-    plan: &Plan,
-    tanks: &BTreeMap<(usize, u32), String>,
-    records: &BTreeMap<usize, String>,
-) -> Option<String> {
-    for (&(tank, sample), key) in tanks {
-        if plan.tanks[tank].keys.get(sample as usize) != Some(key) {
-            return named("tank", &[&plan.tanks[tank].id]);
+    /// The task of a tank by its number from 1.
+    pub(crate) fn task(number: usize) -> Task {
+        Task {
+            task: number,
+            tanks: vec![(number - 1, 0)],
+            records: [0, 2],
+            rows: 2,
+            key: format!("{number}bcd"),
         }
     }
-    for (&record, key) in records {
-        if &plan.records[record].key != key {
-            return named("record", &[&plan.records[record].id]);
-        }
+
+    /// Its result.
+    pub(crate) fn lines(plan: &Plan, task: &Task) -> Vec<Line> {
+        let tank = &plan.tanks[task.tanks[0].0].id;
+        let head = TankRow {
+            tank: tank.clone(),
+            sample: 0,
+            periods: [None, None],
+            volume: None,
+            verdict: "holds".into(),
+            governing: None,
+            open: Vec::new(),
+            gaps: Default::default(),
+            message: None,
+            values: Default::default(),
+        };
+        let row = |record: &PlannedRecord| {
+            Line::Row(Box::new(Row {
+                factor: 0.3,
+                ..Row::blank(tank, 0, &record.id, RowStatus::Ok)
+            }))
+        };
+        let rows = plan.records.iter().map(row);
+        std::iter::once(Line::Tank(Box::new(head))).chain(rows).collect()
     }
-    None
-}
-
-/// What the input of a study has that its plan has not: another tank, record or study file. None where nothing changed.
-///
-/// Errors: as [`make`].
-pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &Path) -> Result<Option<String>, Error> {
-    let (now, tasks_now) = make(study, &folder.join(&plan.study), folder)?;
-    if tasks
-        .iter()
-        .map(|task| &task.key)
-        .eq(tasks_now.iter().map(|task| &task.key))
-    {
-        return Ok(None);
-    }
-    let tank = |before: &PlannedTank| {
-        now.tanks
-            .iter()
-            .any(|tank| tank.id == before.id && tank.keys != before.keys)
-    };
-    let record = |before: &PlannedRecord| {
-        now.records
-            .iter()
-            .any(|record| record.id == before.id && record.key != before.key)
-    };
-    let tanks: Vec<&str> = plan.tanks.iter().filter(|t| tank(t)).map(|t| t.id.as_str()).collect();
-    let records: Vec<&str> = plan
-        .records
-        .iter()
-        .filter(|r| record(r))
-        .map(|r| r.id.as_str())
-        .collect();
-    let same_tanks = plan
-        .tanks
-        .iter()
-        .map(|tank| &tank.id)
-        .eq(now.tanks.iter().map(|tank| &tank.id));
-    let same_records = (plan.records.iter().map(|record| &record.id)).eq(now.records.iter().map(|record| &record.id));
-    let parts = [named("tank", &tanks), named("record", &records)];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    Ok(Some(match parts.is_empty() {
-        false => parts.join(" and "),
-        true if !same_tanks => "the list of tanks".into(),
-        true if !same_records => "the list of records".into(),
-        true => "the study file, or the program's methods,".into(),
-    }))
-}
-
-/// Most tanks or records that a message names.
-const NAMED: usize = 5;
-
-/// "the tank `a`", "the tanks `a`, `b` and 3 more"; none without ids.
-fn named(what: &str, ids: &[&str]) -> Option<String> {
-    let names: Vec<String> = ids.iter().take(NAMED).map(|id| format!("`{id}`")).collect();
-    let names = names.join(", ");
-    match ids.len() {
-        0 => None,
-        1 => Some(format!("the {what} {names}")),
-        n if n > NAMED => Some(format!("the {what}s {names} and {} more", n - NAMED)),
-        _ => Some(format!("the {what}s {names}")),
-    }
-}
-
-/// The error of input that is not as it was when the plan was made.
-///
-/// * `what`: as [`departure`] says it
-pub fn changed_since(what: &str) -> Error {
-    Error::input(
-        Code::StudyChanged,
-        format!(
-            "{}\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept",
-            since(what)
-        ),
-    )
-}
-
-/// The same as a clause.
-pub fn since(what: &str) -> String {
-    format!("{what} changed since the plan")
 }

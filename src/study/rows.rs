@@ -150,6 +150,29 @@ pub enum Line {
     Row(Box<Row>),
 }
 
+/// Record of the only row of a tank without records: its design spectra.
+pub(super) const SITE: &str = "site";
+
+/// Longest message of a row [characters].
+const MESSAGE: usize = 300;
+
+/// A message on one line, without colours, cut.
+pub(super) fn plain(message: &str) -> String {
+    let mut text = String::new();
+    let mut escape = false;
+    for c in message.chars() {
+        match c {
+            '\u{1b}' => escape = true,
+            'm' if escape => escape = false,
+            _ if escape => {}
+            c if c.is_control() => text.push(' '),
+            c => text.push(c),
+        }
+    }
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ").chars().take(MESSAGE).collect()
+}
+
 /// A number with the ten digits that files keep.
 pub(super) fn kept(value: f64) -> f64 {
     format!("{value:.9e}").parse().unwrap_or(value)

@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use fem::progress::Progress;
 
 use super::plan::{Plan, Task};
-use super::store::{self, State};
+use super::rows::plain;
+use super::store::{self, Found};
 use super::task;
 use crate::error::Error;
 use crate::input::study::StudyInput;
@@ -46,6 +47,8 @@ pub struct Done {
     pub kept: usize,
     /// Tasks that were computed.
     pub computed: usize,
+    /// Damaged results that were found; their tasks are computed again.
+    pub damaged: usize,
     /// Tasks that failed earlier and were left alone.
     pub failed_before: usize,
     /// Tasks that failed now.
@@ -69,9 +72,13 @@ pub fn run(
     let mut done = Done::default();
     let mut todo: Vec<&Task> = Vec::new();
     for task in tasks.iter().filter(|t| which.takes(t.task)) {
-        match store::state(folder, &task.key) {
-            State::Done => done.kept += 1,
-            State::Failed if !retry => done.failed_before += 1,
+        match store::find(folder, plan, task) {
+            Found::Whole(_) => done.kept += 1,
+            Found::Failed if !retry => done.failed_before += 1,
+            Found::Damaged(_) => {
+                done.damaged += 1;
+                todo.push(task);
+            }
             _ => todo.push(task),
         }
     }
@@ -97,7 +104,7 @@ pub fn run(
                 // Input that changed since the plan is the same for all tasks; nothing is recorded.
                 Err(error) if error.exit_code() == crate::error::EXIT_INPUT => Err(error),
                 Err(error) => {
-                    let message = task::plain(&error.message());
+                    let message = plain(&error.message());
                     store::fail(folder, &task.key, task.task, &message).map(|()| failed.fetch_add(1, Ordering::SeqCst))
                 }
             });

@@ -1,19 +1,21 @@
 //! Results of tasks: `results/ab/<key>.jsonl`.
 //!
-//! A result is written to a temporary file, synchronised and renamed. Its last line has the number of lines before it and their
-//! SHA-256; a file without it was cut off, or is of another program, and counts as missing. An error is a file `<key>.err.json` beside it.
+//! A result is written to a temporary file, synchronised and renamed. Its last line has the key of the task, the number of lines before it and their
+//! SHA-256. A file without it was cut off, one with another key is the result of another task, one whose rows are not those of the plan is neither: all
+//! are damaged, and count as missing. An error is a file `<key>.err.json` beside it.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader, Write};
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::belongs;
+use super::plan::{Plan, Task};
 use super::rows::Line;
 use crate::error::Error;
-use files::code::Code;
 use files::error::describe;
 
 /// End of the name of a result.
@@ -25,6 +27,7 @@ pub const RESULTS: &str = "results";
 /// The last line of a result.
 #[derive(Serialize, Deserialize)]
 struct Closing {
+    key: String,
     lines: usize,
     sha256: String,
 }
@@ -40,17 +43,29 @@ pub struct Failure {
     pub host: String,
 }
 
-/// State of the result of a task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
-    /// Whole.
-    Done,
-    /// Not there.
+/// What stands where the result of a task belongs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Found {
+    /// Its result.
+    Whole(Vec<Line>),
+    /// Nothing.
     Missing,
-    /// There, and not whole: cut off or changed.
-    Torn,
-    /// The task failed, and nobody asked to try again.
+    /// Nothing: the task failed, and nobody asked to try again.
     Failed,
+    /// Something else, and why.
+    Damaged(String),
+}
+
+impl Found {
+    /// Whether it is the result.
+    pub fn whole(&self) -> bool {
+        matches!(self, Found::Whole(_))
+    }
+}
+
+/// Path of the result of a task in the folder of the study, with `/` between its parts.
+pub fn name(key: &str) -> String {
+    format!("{RESULTS}/{}/{key}{LINES}", key.get(..2).unwrap_or("00"))
 }
 
 fn path(folder: &Path, key: &str, end: &str) -> PathBuf {
@@ -114,12 +129,14 @@ pub struct Survey {
     pub elsewhere: BTreeSet<String>,
     /// Size of all files [bytes].
     pub bytes: u64,
-    /// Marks of processes of this machine that have ended.
+    /// Keys of the files of results, of this plan and of earlier ones.
+    pub results: BTreeSet<String>,
+    /// Marks and half-written files of processes of this machine that have ended.
     ended: Vec<PathBuf>,
 }
 
 impl Survey {
-    /// Removes the marks of processes that have ended.
+    /// Removes what processes left that have ended.
     pub fn tidy(&self) {
         for path in &self.ended {
             // Another process may have removed it, and no result depends on it.
@@ -136,19 +153,24 @@ pub fn survey(folder: &Path) -> Survey {
     for entry in parts.flat_map(|part| fs::read_dir(part.path()).into_iter().flatten().flatten()) {
         found.bytes += entry.metadata().map_or(0, |m| m.len());
         let name = entry.file_name().to_string_lossy().into_owned();
-        let Some(mark) = name.strip_suffix(RUNNING) else {
+        if let Some(key) = name.strip_suffix(LINES) {
+            found.results.insert(key.into());
+        }
+        let runs = name.strip_suffix(RUNNING);
+        let Some(mark) = runs.or_else(|| name.strip_suffix(files::PART)) else {
             continue;
         };
-        let mut words = mark.split('.');
-        let (Some(key), Some(machine), Some(process)) = (words.next(), words.next(), words.next()) else {
+        let mut words = mark.rsplit('.').skip(1);
+        let (Some(process), Some(machine)) = (words.next(), words.next()) else {
             continue;
         };
-        if machine != here || !tells {
-            found.elsewhere.insert(key.into());
-        } else if Path::new("/proc").join(process).exists() {
-            found.here.insert(key.into());
-        } else {
-            found.ended.push(entry.path());
+        let key = mark.split('.').next().unwrap_or_default();
+        let ended = machine == here && tells && !Path::new("/proc").join(process).exists();
+        match (ended, runs) {
+            (true, _) => found.ended.push(entry.path()),
+            (false, None) => {}
+            (false, Some(_)) if machine == here && tells => drop(found.here.insert(key.into())),
+            (false, Some(_)) => drop(found.elsewhere.insert(key.into())),
         }
     }
     found
@@ -197,6 +219,7 @@ pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<usize, Error> {
         text.push(b'\n');
     }
     let closing = Closing {
+        key: key.into(),
         lines: lines.len(),
         sha256: super::key::hex(&text),
     };
@@ -237,48 +260,50 @@ pub fn failure(folder: &Path, key: &str) -> Option<Failure> {
     serde_json::from_slice(&text).ok()
 }
 
-/// State of the result of a task; its bytes are read and hashed.
-pub fn state(folder: &Path, key: &str) -> State {
-    let file = path(folder, key, LINES);
-    match files::read(&file) {
-        Ok(bytes) if whole(&bytes).is_some() => State::Done,
-        Ok(_) => State::Torn,
-        Err(_) if path(folder, key, ".err.json").is_file() => State::Failed,
-        Err(_) => State::Missing,
+/// Reads what stands where the result of a task belongs.
+pub fn find(folder: &Path, plan: &Plan, task: &Task) -> Found {
+    let found = match files::read(&path(folder, &task.key, LINES)) {
+        Ok(bytes) => whole(&bytes, &task.key),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            return match failure(folder, &task.key) {
+                Some(_) => Found::Failed,
+                None => Found::Missing,
+            };
+        }
+        Err(error) => Err(describe(&error)),
+    };
+    match found {
+        Ok(lines) => match belongs::stranger(plan, task, &lines) {
+            None => Found::Whole(lines),
+            Some(what) => Found::Damaged(what),
+        },
+        Err(what) => Found::Damaged(what),
     }
 }
 
-/// The lines before the closing one; none of a file that is not whole.
-fn whole(bytes: &[u8]) -> Option<&[u8]> {
-    let body = bytes.strip_suffix(b"\n")?;
-    let start = body.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
-    let closing: Closing = serde_json::from_slice(&body[start..]).ok()?;
-    let lines = &bytes[..start];
-    let count = lines.iter().filter(|b| **b == b'\n').count();
-    (count == closing.lines && super::key::hex(lines) == closing.sha256).then_some(lines)
-}
-
-/// The lines of the result of a task; none if it is missing or not whole.
+/// The lines before the closing one.
 ///
-/// Errors: a line that this program did not write.
-pub fn read(folder: &Path, key: &str) -> Result<Option<Vec<Line>>, Error> {
-    let file = path(folder, key, LINES);
-    let Ok(bytes) = files::read(&file) else { return Ok(None) };
-    let Some(lines) = whole(&bytes) else { return Ok(None) };
-    let mut all = Vec::new();
-    for line in BufReader::new(lines).lines() {
-        let line = line.map_err(|e| unreadable(&file, &e.to_string()))?;
-        all.push(serde_json::from_str(&line).map_err(|e| unreadable(&file, &e.to_string()))?);
+/// Errors: why the file is not the whole result of the task.
+fn whole(bytes: &[u8], key: &str) -> Result<Vec<Line>, String> {
+    let torn = || "is cut off or changed".to_owned();
+    let body = bytes.strip_suffix(b"\n").ok_or_else(torn)?;
+    let start = body.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+    let closing: Closing = serde_json::from_slice(&body[start..]).map_err(|_| torn())?;
+    let lines = &bytes[..start];
+    if super::key::hex(lines) != closing.sha256 {
+        return Err(torn());
     }
-    Ok(Some(all))
-}
-
-fn unreadable(file: &Path, what: &str) -> Error {
-    Error::Files(files::error::Error::File {
-        code: Code::NotResults,
-        path: file.into(),
-        what: format!("not a result of this program: {what}"),
-    })
+    if closing.key != key {
+        return Err(format!("is the result of another task, {}", closing.key));
+    }
+    let all = serde_json::Deserializer::from_slice(lines).into_iter();
+    let all: Vec<Line> = all
+        .collect::<Result<_, _>>()
+        .map_err(|e| format!("is not a result of this program: {e}"))?;
+    match all.len() == closing.lines {
+        true => Ok(all),
+        false => Err(torn()),
+    }
 }
 
 /// Hash of the merged rows.
@@ -301,36 +326,55 @@ impl Rolling {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::rows::{Row, RowStatus};
-
-    fn line() -> Line {
-        Line::Row(Box::new(Row {
-            factor: 0.1 + 0.2,
-            ..Row::blank("a", 0, "r", RowStatus::Ok)
-        }))
-    }
+    use crate::study::plan::tests::{lines, plan, task};
 
     #[test]
-    fn a_result_is_whole_or_ignored() {
+    fn a_result_is_whole_or_damaged() {
         let folder = tempfile::tempdir().unwrap();
-        let (folder, key) = (folder.path(), "abcd");
-        assert_eq!(state(folder, key), State::Missing);
-        write(folder, key, &[line(), line()]).unwrap();
-        assert_eq!(state(folder, key), State::Done);
-        assert_eq!(read(folder, key).unwrap().unwrap(), [line(), line()]);
-        let file = folder.join("results/ab/abcd.jsonl");
+        let (folder, plan, task) = (folder.path(), plan(), task(1));
+        let found = || find(folder, &plan, &task);
+        assert_eq!(found(), Found::Missing);
+        write(folder, &task.key, &lines(&plan, &task)).unwrap();
+        assert_eq!(found(), Found::Whole(lines(&plan, &task)));
+        let file = folder.join(name(&task.key));
         let bytes = fs::read(&file).unwrap();
         // Cut anywhere, or with a flipped digit, it does not count.
         for end in 0..bytes.len() {
             fs::write(&file, &bytes[..end]).unwrap();
-            assert_eq!(state(folder, key), State::Torn, "cut at {end}");
-            assert_eq!(read(folder, key).unwrap(), None);
+            assert_eq!(found(), Found::Damaged("is cut off or changed".into()), "cut at {end}");
         }
         let mut changed = bytes.clone();
         let at = bytes.windows(3).position(|w| w == b"0.3").unwrap();
         changed[at + 2] = b'4';
         fs::write(&file, &changed).unwrap();
-        assert_eq!(state(folder, key), State::Torn);
+        assert!(matches!(found(), Found::Damaged(_)));
+    }
+
+    /// A file copied over that of another task, one whose lines are those of another task, a folder and a pipe: each says what it is.
+    #[test]
+    fn a_result_belongs_to_its_task() {
+        let folder = tempfile::tempdir().unwrap();
+        let (folder, plan) = (folder.path(), plan());
+        let [one, two] = [task(1), task(2)];
+        for task in [&one, &two] {
+            write(folder, &task.key, &lines(&plan, task)).unwrap();
+        }
+        let damage = || match find(folder, &plan, &two) {
+            Found::Damaged(what) => what,
+            other => panic!("{other:?}"),
+        };
+        let file = folder.join(name(&two.key));
+        fs::copy(folder.join(name(&one.key)), &file).unwrap();
+        assert_eq!(damage(), format!("is the result of another task, {}", one.key));
+        write(folder, &two.key, &lines(&plan, &one)).unwrap();
+        assert!(damage().contains("expected the tank `b`"), "{}", damage());
+        let mut short = lines(&plan, &two);
+        short.pop();
+        write(folder, &two.key, &short).unwrap();
+        assert!(damage().contains("ends at line 2, expected"), "{}", damage());
+        fs::remove_file(&file).unwrap();
+        fs::create_dir(&file).unwrap();
+        assert!(damage().contains("is a folder"), "{}", damage());
     }
 
     /// A mark of this process is running, one of a process that cannot be (numbers end at 2²²) has ended, one of another machine is told apart.
@@ -340,26 +384,28 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
         let mark = begin(folder, "abcd").unwrap();
-        let ended = folder.join(format!("results/ab/abce.{}.4194999.1.run", host()));
-        fs::write(&ended, "").unwrap();
+        let ended = ["run", "part"].map(|end| folder.join(format!("results/ab/abce.jsonl.{}.4194999.1.{end}", host())));
+        for path in &ended {
+            fs::write(path, "").unwrap();
+        }
         fs::write(folder.join("results/ab/abcf.other-machine-x.1.1.run"), "").unwrap();
         let found = survey(folder);
         assert!(found.here.contains("abcd") && found.here.len() == 1);
         assert!(found.elsewhere.contains("abcf") && found.elsewhere.len() == 1);
         found.tidy();
-        assert!(!ended.exists());
+        assert!(ended.iter().all(|path| !path.exists()));
         drop(mark);
         assert!(survey(folder).here.is_empty());
-        assert_eq!(state(folder, "abcd"), State::Missing);
     }
 
     #[test]
     fn a_failure_is_kept_until_it_is_cleared() {
         let folder = tempfile::tempdir().unwrap();
-        fail(folder.path(), "abcd", 3, "no equilibrium").unwrap();
-        assert_eq!(state(folder.path(), "abcd"), State::Failed);
-        assert_eq!(failure(folder.path(), "abcd").unwrap().task, 3);
-        clear(folder.path(), "abcd").unwrap();
-        assert_eq!(state(folder.path(), "abcd"), State::Missing);
+        let (folder, plan, task) = (folder.path(), plan(), task(1));
+        fail(folder, &task.key, 3, "no equilibrium").unwrap();
+        assert_eq!(find(folder, &plan, &task), Found::Failed);
+        assert_eq!(failure(folder, &task.key).unwrap().task, 3);
+        clear(folder, &task.key).unwrap();
+        assert_eq!(find(folder, &plan, &task), Found::Missing);
     }
 }

@@ -19,9 +19,10 @@ use tank::case::GroundMotion;
 use tank::check::Decision;
 use tank::demand::{Demands, Footing};
 
+use super::changes::{changed, changed_since};
 use super::key;
-use super::plan::{Plan, Task, changed, changed_since, of_sample};
-use super::rows::{Line, Row, RowStatus, TankRow, kept};
+use super::plan::{Plan, Task, of_sample, refusal};
+use super::rows::{Line, Row, RowStatus, SITE, TankRow, kept, plain};
 use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::records::plausible;
@@ -32,26 +33,6 @@ use engines::{FeError, Prepared, Response, engine};
 use results::nonlinear::End;
 use results::{EngineId, FE, Method, VerdictStatus};
 use values::{checks_of, gaps_of, put, utilisations, values_of};
-
-/// Longest message of a row [characters].
-const MESSAGE: usize = 300;
-
-/// A message on one line, without colours, cut.
-pub(super) fn plain(message: &str) -> String {
-    let mut text = String::new();
-    let mut escape = false;
-    for c in message.chars() {
-        match c {
-            '\u{1b}' => escape = true,
-            'm' if escape => escape = false,
-            _ if escape => {}
-            c if c.is_control() => text.push(' '),
-            c => text.push(c),
-        }
-    }
-    let words: Vec<&str> = text.split_whitespace().collect();
-    words.join(" ").chars().take(MESSAGE).collect()
-}
 
 /// The lines of a task: each tank, then its rows.
 ///
@@ -86,7 +67,7 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         };
         match found {
             Ok(found) => unit.rows(found, &mut lines)?,
-            Err(error) => unit.refused(&plain(&error.to_string()), &mut lines),
+            Err(faults) => unit.refused(&refusal(&faults), &mut lines),
         }
     }
     Ok(lines)
@@ -121,7 +102,7 @@ pub(super) fn single(
         &[(unit, of_sample(&found))].into(),
         &[(record, key::of_shaking(&raw))].into(),
     )?;
-    let tank = found?;
+    let tank = found.map_err(|faults| Error::Files(faults.into_error(&study.source)))?;
     let shaking = raw.processed(&tank.record)?;
     let of = Unit {
         study,
@@ -187,7 +168,7 @@ impl Unit<'_> {
         if self.records.is_empty() {
             lines.push(Line::Row(Box::new(Row {
                 message: Some(message.into()),
-                ..Row::blank(self.id, self.sample, "site", RowStatus::Refused)
+                ..Row::blank(self.id, self.sample, SITE, RowStatus::Refused)
             })));
         }
     }
@@ -229,7 +210,7 @@ impl Unit<'_> {
         let first = lines.len();
         lines.push(Line::Tank(Box::new(self.tank_row(&job, periods, &methods, &verdict))));
         if self.records.is_empty() {
-            let mut row = Row::blank(self.id, self.sample, "site", RowStatus::Ok);
+            let mut row = Row::blank(self.id, self.sample, SITE, RowStatus::Ok);
             values_of(&methods, Excitation::Site, &mut row.values);
             utilisations(&methods, &mut row.checks);
             lines.push(Line::Row(Box::new(row)));

@@ -40,6 +40,7 @@ mod streams;
 mod study;
 mod study_machines;
 mod study_results;
+mod study_sets;
 mod tank_file;
 mod templates;
 mod texts;

@@ -127,7 +127,7 @@ pub(crate) fn a_full_disk_loses_nothing(unshare: &Path) {
         .expect("a status")
         .expect("JSON");
     let done = status["done"].as_u64().expect("a number");
-    assert!((1..16).contains(&done) && status["torn"] == 0, "{status}");
+    assert!((1..16).contains(&done) && status["damaged"] == 0, "{status}");
     let run = tankcheck(path, &["study", "run", "kept"]);
     let wanted = format!("{} tasks computed, {done} kept", 16 - done);
     assert!(said(&run).contains(&wanted), "{wanted}: {}", said(&run));
@@ -172,7 +172,11 @@ with LocalCluster() as cluster:
     let count = || -> u64 {
         let status = tankcheck(path, &["study", "status", "hq", "--format", "json"]);
         let status: serde_json::Value = serde_json::from_slice(&status.stdout).expect("JSON");
-        assert_eq!((&status["torn"], &status["failed"]), (&0.into(), &0.into()), "{status}");
+        assert_eq!(
+            (&status["damaged"], &status["failed"]),
+            (&0.into(), &0.into()),
+            "{status}"
+        );
         status["done"].as_u64().expect("a number")
     };
     let mut cluster = start();

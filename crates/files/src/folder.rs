@@ -1,6 +1,7 @@
 //! The output folder of a command.
 
 use std::collections::BTreeSet;
+use std::fs::File;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -39,12 +40,36 @@ impl OutputFolder {
     /// target is a file, or contains results of another kind, or foreign or changed files at the paths of the
     /// results; a folder that cannot be created.
     pub fn prepare(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
+        OutputFolder::make(target, kind, false)
+    }
+
+    /// As [`OutputFolder::prepare`] for a run with a checkpoint, which two runs must not share.
+    ///
+    /// Errors: as there; another run that writes into the same folder.
+    pub fn prepare_alone(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
+        OutputFolder::make(target, kind, true)
+    }
+
+    fn make(target: &Path, kind: Kind, alone: bool) -> Result<OutputFolder, Error> {
         let fault = |code: Code, what: String| Error::File {
             code,
             path: target.into(),
             what,
         };
-        settle(target);
+        // Files are compared with their manifest: not while another run moves them.
+        let _lock = Lock::exclusive(target);
+        staging::sweep(target);
+        staging::sweep(&parent(target));
+        if let Some(process) = alone
+            .then(|| staging::owner([target.to_path_buf(), parent(target)], target))
+            .flatten()
+        {
+            return Err(Error::Taken {
+                path: target.into(),
+                what: format!("is in use by another run (process {process})"),
+                help: format!("wait for it, or name another folder with {}", kind.option),
+            });
+        }
         let exists = target.symlink_metadata().is_ok();
         if exists && !target.is_dir() {
             return Err(fault(Code::FileTaken, "is a file, expected an output folder".into()));
@@ -95,21 +120,6 @@ impl OutputFolder {
         }
     }
 
-    /// As [`OutputFolder::prepare`] for a run with a checkpoint, which two runs must not share.
-    ///
-    /// Errors: as there; another run that writes into the same folder.
-    pub fn prepare_alone(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
-        settle(target);
-        match staging::owner([target.to_path_buf(), parent(target)], target) {
-            Some(process) => Err(Error::Taken {
-                path: target.into(),
-                what: format!("is in use by another run (process {process})"),
-                help: format!("wait for it, or name another folder with {}", kind.option),
-            }),
-            None => OutputFolder::prepare(target, kind),
-        }
-    }
-
     /// Where to write.
     pub fn path(&self) -> PathBuf {
         self.staging.files()
@@ -136,11 +146,11 @@ impl OutputFolder {
         let files = self.path();
         let mut manifest = Manifest::of(&files, self.kind.id)?;
         let new: Vec<PathBuf> = files_below(&files).map_err(|e| unwritten(&files, &e))?;
+        // One commit at a time; one that was killed while others waited for it is finished first.
+        let _lock = Lock::exclusive(&self.target);
+        staging::sweep(&self.target);
         // An ending process waits until everything is in its place.
         let mut ledger = staging::ledger();
-        // One commit at a time: the folder itself is the lock, if the file system supports locks.
-        let lock = std::fs::File::open(&self.target).ok();
-        let _ = lock.as_ref().map(std::fs::File::lock);
         let mut stale = Vec::new();
         let exists = self.target.is_dir();
         if exists {
@@ -170,7 +180,7 @@ impl OutputFolder {
             }
         };
         ledger.kept |= moved.is_ok();
-        staging::clear(&self.staging.folder);
+        self.staging.release();
         moved.map_err(|e| unwritten(&self.target, &e))
     }
 
@@ -189,7 +199,7 @@ impl Drop for OutputFolder {
     fn drop(&mut self) {
         if !self.committed {
             // The staging folder first: it may be inside one of them.
-            staging::discard(&self.staging.folder);
+            self.staging.discard();
             unmake(&self.made);
         }
     }
@@ -215,12 +225,60 @@ pub fn kept_complete(folder: &Path) -> String {
     )
 }
 
-/// Finishes or removes the leftovers of killed runs in and next to a results folder. Call before reading results.
-pub fn settle(folder: &Path) {
-    if folder.is_dir() {
-        staging::sweep(folder);
+/// The lock of a results folder: its files are compared with their manifest, moved, and read as a set, one after the other. The folder itself is
+/// locked, or its parent while it does not exist. Without effect on file systems without locks.
+#[derive(Debug)]
+pub struct Lock {
+    _folder: Option<File>,
+}
+
+impl Lock {
+    fn exclusive(target: &Path) -> Lock {
+        Lock::take(target, File::lock)
     }
-    staging::sweep(&parent(folder));
+
+    fn take(target: &Path, lock: fn(&File) -> std::io::Result<()>) -> Lock {
+        loop {
+            let exists = target.is_dir();
+            let parent = parent(target);
+            let folder = File::open(if exists { target } else { &parent }).ok();
+            let _ = folder.as_ref().map(lock);
+            // It may have been made by the run that had the lock.
+            if target.is_dir() == exists {
+                return Lock { _folder: folder };
+            }
+        }
+    }
+}
+
+/// Finishes or removes the leftovers of killed runs in and next to a results folder. Call before reading results. While the value that it returns
+/// lives, no run replaces them.
+pub fn settle(folder: &Path) -> Lock {
+    let parent = parent(folder);
+    if staging::leftover(folder) || staging::leftover(&parent) {
+        let _lock = Lock::exclusive(folder);
+        staging::sweep(folder);
+        staging::sweep(&parent);
+    }
+    Lock::take(folder, File::lock_shared)
+}
+
+/// The first file of a folder that was changed or removed since it was written, among those that `counts` accepts. None without a manifest.
+pub fn differing(folder: &Path, counts: fn(&str) -> bool) -> Option<String> {
+    match Manifest::find(folder) {
+        Found::Own(manifest) => {
+            let missing = |name: &&String| counts(name) && folder.join(name).symlink_metadata().is_err();
+            let changed = manifest.changed(folder, counts).map(str::to_owned);
+            changed.or_else(|| manifest.files.keys().find(missing).cloned())
+        }
+        Found::None => None,
+        Found::Foreign => Some(MANIFEST_FILE.into()),
+    }
+}
+
+/// Folders in a folder that have the name of a staging folder and no marker of this program: they are nobody's to remove.
+pub fn unmarked(folder: &Path) -> Vec<PathBuf> {
+    staging::unmarked(folder)
 }
 
 /// Whether results of a kind may be written into an existing folder; the manifest of those that are there.

@@ -25,7 +25,7 @@ mod tests;
 pub mod text;
 mod work;
 
-pub use folder::{Kind, OutputFolder, edited, kept_complete, settle};
+pub use folder::{Kind, Lock, OutputFolder, differing, edited, kept_complete, settle, unmarked};
 pub use manifest::MANIFEST_FILE;
 pub use regular::{read, read_text, special};
 pub use staging::discard_unfinished;

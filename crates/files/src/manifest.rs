@@ -1,6 +1,7 @@
 //! The list of files written by this program into a folder: `manifest.json`.
 
 use std::collections::BTreeMap;
+use std::io::BufRead;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -54,10 +55,10 @@ impl Manifest {
 
     /// Reads the manifest of a folder.
     pub(crate) fn find(folder: &Path) -> Found {
-        match read_text(&folder.join(MANIFEST_FILE)) {
+        match super::read(&folder.join(MANIFEST_FILE)) {
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Found::None,
             Err(_) => Found::Foreign,
-            Ok(text) => match serde_json::from_str::<Manifest>(&text) {
+            Ok(text) => match serde_json::from_slice::<Manifest>(&text) {
                 Ok(manifest) if manifest.format == FORMAT && manifest.inside() => Found::Own(manifest),
                 _ => Found::Foreign,
             },
@@ -107,6 +108,16 @@ pub(crate) fn path(key: &str) -> PathBuf {
 
 /// SHA-256 of a file, hexadecimal.
 fn hash(path: &Path) -> std::io::Result<String> {
-    let hash = Sha256::digest(read(path)?);
-    Ok(hash.iter().map(|byte| format!("{byte:02x}")).collect())
+    let mut hash = Sha256::new();
+    let mut file = std::io::BufReader::new(super::regular::open(path)?);
+    loop {
+        let part = file.fill_buf()?;
+        if part.is_empty() {
+            break;
+        }
+        hash.update(part);
+        let read = part.len();
+        file.consume(read);
+    }
+    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
 }

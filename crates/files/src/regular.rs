@@ -1,7 +1,7 @@
 //! Regular files only: a pipe or a device has no end, and opening a pipe waits for its writer.
 
-use std::fs::{FileType, Metadata};
-use std::io::{Error, ErrorKind, Result};
+use std::fs::{File, FileType, Metadata};
+use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
 
 /// What is at a path instead of a file that can be read to its end, with its article; none for such a file.
@@ -20,17 +20,26 @@ pub fn special(path: &Path) -> Result<Option<&'static str>> {
     })
 }
 
-/// Bytes of a regular file.
+/// Opens a regular file.
 ///
-/// Errors: as [`std::fs::read`]; what is not a regular file.
-pub fn read(path: &Path) -> Result<Vec<u8>> {
+/// Errors: as [`std::fs::File::open`]; what is not a regular file.
+pub(crate) fn open(path: &Path) -> Result<File> {
     match kind(&std::fs::metadata(path)?) {
-        None => std::fs::read(path),
+        None => File::open(path),
         Some(what) => Err(Error::new(
             ErrorKind::InvalidInput,
             format!("found {what}, expected a file"),
         )),
     }
+}
+
+/// Bytes of a regular file.
+///
+/// Errors: as [`std::fs::read`]; what is not a regular file.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// Text of a regular file.

@@ -102,6 +102,8 @@ pub(super) struct Staging {
     pub folder: PathBuf,
     /// Keeps the lock.
     _marker: File,
+    /// Whether the folder is gone, or left to the next run. Its name may be that of another run by then.
+    released: bool,
 }
 
 impl Staging {
@@ -143,6 +145,7 @@ impl Staging {
                     Ok(Staging {
                         folder,
                         _marker: marker,
+                        released: false,
                     })
                 }
                 Err(error) => {
@@ -162,7 +165,7 @@ impl Staging {
     /// Moves the files to the target. Once started, the commit is finished by this process or by the next run.
     ///
     /// Errors: those of the file system.
-    pub(crate) fn move_on(&self, commit: &Commit) -> std::io::Result<()> {
+    pub(crate) fn move_on(&mut self, commit: &Commit) -> std::io::Result<()> {
         let text = serde_json::to_vec(commit)?;
         let path = self.folder.join(COMMIT);
         let beside = self.folder.join("commit.part");
@@ -172,13 +175,29 @@ impl Staging {
         drop(file);
         std::fs::rename(beside, path)?;
         sync(&self.folder)?;
-        moves(&self.folder, commit)
+        moves(&self.folder, commit)?;
+        self.released = true;
+        Ok(())
+    }
+
+    /// Removes the folder, unless its commit is incomplete. The caller has the ledger.
+    pub(crate) fn release(&mut self) {
+        if !std::mem::replace(&mut self.released, true) {
+            clear(&self.folder);
+        }
+    }
+
+    /// The same for a caller without the ledger.
+    pub(crate) fn discard(&mut self) {
+        if !std::mem::replace(&mut self.released, true) {
+            discard(&self.folder);
+        }
     }
 }
 
 impl Drop for Staging {
     fn drop(&mut self) {
-        discard(&self.folder);
+        self.discard();
     }
 }
 
@@ -253,62 +272,75 @@ fn remove(folder: &Path) {
 /// Sweeps the staging folders in `home` whose process is gone: started commits are finished, the others are removed.
 /// Folders without a marker of this program are untouched.
 pub(super) fn sweep(home: &Path) {
-    let Ok(entries) = std::fs::read_dir(home) else {
-        return;
-    };
-    for entry in entries.flatten() {
+    for folder in named(home) {
+        sweep_one(&folder);
+    }
+}
+
+/// Folders in `home` with the name of a staging folder.
+fn named(home: &Path) -> impl Iterator<Item = PathBuf> {
+    let entries = std::fs::read_dir(home).into_iter().flatten().flatten();
+    let staging = |entry: &std::fs::DirEntry| {
         let name = entry.file_name();
         let name = name.to_string_lossy();
-        if name.starts_with('.') && name.ends_with(PARTIAL) && entry.file_type().is_ok_and(|t| t.is_dir()) {
-            sweep_one(&entry.path());
-        }
-    }
+        name.starts_with('.') && name.ends_with(PARTIAL) && entry.file_type().is_ok_and(|t| t.is_dir())
+    };
+    entries.filter(staging).map(|entry| entry.path())
+}
+
+/// Whether a run of another process writes in `home`, or was killed there.
+pub(super) fn leftover(home: &Path) -> bool {
+    named(home).next().is_some()
+}
+
+/// Those without a marker of this program.
+pub(super) fn unmarked(home: &Path) -> Vec<PathBuf> {
+    named(home).filter(|folder| marker(folder).is_none()).collect()
+}
+
+/// The marker of a staging folder.
+fn marker(folder: &Path) -> Option<Marker> {
+    let marker: Marker = serde_json::from_slice(&super::read(&folder.join(MARKER)).ok()?).ok()?;
+    (marker.format == FORMAT).then_some(marker)
 }
 
 /// The live process of another staging folder in one of `homes` that writes to `target`.
 pub(super) fn owner(homes: [PathBuf; 2], target: &Path) -> Option<u32> {
     let target = std::path::absolute(target).ok()?;
-    let entries = homes
+    let markers = homes
         .iter()
-        .filter_map(|home| std::fs::read_dir(home).ok())
-        .flatten()
-        .flatten();
-    let markers = entries
-        .filter(|entry| entry.file_name().to_string_lossy().ends_with(PARTIAL))
-        .filter_map(|entry| std::fs::read(entry.path().join(MARKER)).ok());
+        .flat_map(|home| named(home))
+        .filter_map(|folder| marker(&folder));
     // Folders of dead processes have been swept.
     markers
-        .filter_map(|text| serde_json::from_slice::<Marker>(&text).ok())
-        .find(|marker| marker.format == FORMAT && marker.target == target)
+        .filter(|marker| marker.target == target)
         .map(|marker| marker.process)
+        .next()
 }
 
 fn sweep_one(folder: &Path) {
-    let marker = match File::open(folder.join(MARKER)) {
-        Ok(file) => file,
-        Err(_) => {
-            // Ended before the marker was written or after it was removed: empty, or not ours.
-            let _ = std::fs::remove_dir(folder);
-            return;
-        }
+    let path = folder.join(MARKER);
+    let Ok(text) = super::read(&path) else {
+        // Ended before the marker was written or after it was removed: empty, or not ours.
+        let _ = std::fs::remove_dir(folder);
+        return;
     };
-    let text = std::fs::read(folder.join(MARKER)).unwrap_or_default();
-    let found = serde_json::from_slice::<Marker>(&text).ok();
-    match (&found, text.is_empty()) {
-        (Some(marker), _) if marker.format == FORMAT => {}
-        // Ended while the marker was written.
-        (None, true) => {}
-        _ => return,
+    let found = marker(folder);
+    // Empty: ended while the marker was written.
+    if found.is_none() && !text.is_empty() {
+        return;
     }
-    let lives = match marker.try_lock() {
-        Ok(()) => false,
-        Err(TryLockError::WouldBlock) => true,
-        Err(TryLockError::Error(_)) => found.is_none_or(|m| process_lives(m.process)),
+    // Open, and so locked, until the folder is gone.
+    let file = File::open(path);
+    let lives = match file.as_ref().map(File::try_lock) {
+        Ok(Ok(())) => false,
+        Ok(Err(TryLockError::WouldBlock)) => true,
+        _ => found.is_none_or(|m| process_lives(m.process)),
     };
     if lives {
         return;
     }
-    let commit = std::fs::read(folder.join(COMMIT)).ok();
+    let commit = super::read(&folder.join(COMMIT)).ok();
     match commit.and_then(|text| serde_json::from_slice::<Commit>(&text).ok()) {
         // The next run moves the rest.
         Some(commit) => drop(moves(folder, &commit)),

@@ -249,6 +249,81 @@ fn a_commit_that_was_cut_off_anywhere_is_finished() {
     }
 }
 
+/// Eight runs at once into one folder, new or with results: none fails, and the files are those of one of them.
+#[test]
+fn runs_at_once_replace_each_other_as_sets() {
+    let home = tempfile::tempdir().unwrap();
+    for round in 0..6 {
+        let out = home.path().join(format!("out{}", round / 3));
+        std::thread::scope(|scope| {
+            for k in 0..8 {
+                let (out, text) = (&out, format!("{round} {k}"));
+                scope.spawn(move || {
+                    let names = ["figures/a.svg", "report.html", "results.json"];
+                    write_as(KIND, out, &names.map(|name| (name, text.as_str())));
+                });
+            }
+        });
+        let one = text(&out.join("report.html"));
+        assert!(one.starts_with(&round.to_string()), "{one}");
+        assert_eq!(
+            (text(&out.join("results.json")), text(&out.join("figures/a.svg"))),
+            (one.clone(), one)
+        );
+        assert_eq!(super::differing(&out, |_| true), None);
+        assert_eq!(tree(&out).len(), 4);
+    }
+    assert_eq!(fs::read_dir(home.path()).unwrap().count(), 2);
+}
+
+/// A reader that holds the lock sees files of one set, whatever is written meanwhile.
+#[test]
+fn a_reader_sees_one_set() {
+    let home = tempfile::tempdir().unwrap();
+    let out = &home.path().join("out");
+    write_as(KIND, out, &[("report.html", "0"), ("results.json", "0")]);
+    std::thread::scope(|scope| {
+        let writer = scope.spawn(move || {
+            for k in 1..40 {
+                let text = k.to_string();
+                write_as(KIND, out, &[("report.html", &text), ("results.json", &text)]);
+            }
+        });
+        while !writer.is_finished() {
+            let _reading = settle(out);
+            assert_eq!(text(&out.join("report.html")), text(&out.join("results.json")));
+        }
+    });
+}
+
+/// A pipe in the place of a result, of the manifest or of a marker is not waited for.
+#[cfg(unix)]
+#[test]
+fn pipes_are_not_read() {
+    let home = tempfile::tempdir().unwrap();
+    let out = home.path().join("out");
+    write_as(KIND, &out, &[("report.html", "x")]);
+    let pipe = |path: &Path| {
+        let _ = fs::remove_file(path);
+        assert!(
+            std::process::Command::new("mkfifo")
+                .arg(path)
+                .status()
+                .unwrap()
+                .success()
+        );
+    };
+    fs::create_dir(out.join(".out.7.partial")).unwrap();
+    pipe(&out.join(".out.7.partial/staging.json"));
+    write_as(KIND, &out, &[("report.html", "y")]);
+    assert_eq!(super::unmarked(&out), [out.join(".out.7.partial")]);
+    pipe(&out.join("report.html"));
+    assert_eq!(super::differing(&out, |_| true), Some("report.html".into()));
+    assert!(OutputFolder::prepare(&out, KIND).is_err());
+    pipe(&out.join(MANIFEST_FILE));
+    assert!(OutputFolder::prepare(&out, KIND).is_err());
+}
+
 #[test]
 fn an_interrupted_process_leaves_a_started_commit_to_the_next() {
     let home = tempfile::tempdir().unwrap();

@@ -58,7 +58,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
         path: path.clone(),
         what,
     };
-    settle(folder);
+    let _reading = settle(folder);
     if !folder.is_dir() {
         return Err(Error::File {
             code: Code::NotResults,

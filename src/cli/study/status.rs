@@ -1,15 +1,26 @@
 //! `tankcheck study status`: what is done, and what is not.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::{StatusArgs, departure, size};
+use super::departure::departure;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_OK, Error};
-use crate::study::plan::{self, Plan, Task};
-use crate::study::store::{self, State};
+use crate::study::folder;
+use crate::study::plan::{Plan, Task};
+use crate::study::store::{self, Found};
 use files::code::Code;
 use files::text;
+
+#[derive(clap::Args)]
+pub(super) struct StatusArgs {
+    /// Folder of the study.
+    #[arg(value_name = "FOLDER")]
+    pub(super) folder: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub(super) format: Format,
+}
 
 #[derive(serde::Serialize)]
 struct Status {
@@ -20,7 +31,8 @@ struct Status {
     running: usize,
     /// Marked by another machine, which may have ended.
     running_elsewhere: usize,
-    torn: usize,
+    /// There, and not their result.
+    damaged: usize,
     failed: usize,
     rows: usize,
     rows_done: usize,
@@ -34,13 +46,13 @@ struct Status {
 }
 
 pub(super) fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
-    let (plan, tasks) = plan::read(&args.folder)?;
+    let (plan, tasks) = folder::read(&args.folder)?;
     let survey = store::survey(&args.folder);
     let mut found = Status {
         tasks: tasks.len(),
         done: 0,
         missing: 0,
-        torn: 0,
+        damaged: 0,
         failed: 0,
         running: 0,
         running_elsewhere: 0,
@@ -54,14 +66,14 @@ pub(super) fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
     for task in &tasks {
         found.running += usize::from(survey.here.contains(&task.key));
         found.running_elsewhere += usize::from(survey.elsewhere.contains(&task.key));
-        match store::state(&args.folder, &task.key) {
-            State::Done => {
+        match store::find(&args.folder, &plan, task) {
+            Found::Whole(_) => {
                 found.done += 1;
                 found.rows_done += task.rows;
             }
-            State::Missing => found.missing += 1,
-            State::Torn => found.torn += 1,
-            State::Failed => found.failed += 1,
+            Found::Missing => found.missing += 1,
+            Found::Damaged(_) => found.damaged += 1,
+            Found::Failed => found.failed += 1,
         }
         found.failures.extend(failure(&args.folder, task));
     }
@@ -103,8 +115,12 @@ fn human(plan: &Plan, found: &Status) -> String {
     ];
     let marked: Vec<String> = marked.into_iter().flatten().collect();
     row("missing", found.missing, &marked.join(", "));
-    if found.torn > 0 {
-        row("cut off", found.torn, "not whole; `study run` computes them again");
+    if found.damaged > 0 {
+        row(
+            "damaged",
+            found.damaged,
+            "`study check` names them, `study run` computes them again",
+        );
     }
     if found.failed > 0 {
         row("failed", found.failed, "`study run --retry` computes them again");
@@ -113,7 +129,7 @@ fn human(plan: &Plan, found: &Status) -> String {
     let remark = match earlier {
         0 => String::new(),
         _ => format!(
-            "{} of it not of this plan: earlier plans, or cut off",
+            "{} of it not of this plan: earlier plans, or half-written",
             size(earlier as f64)
         ),
     };
@@ -134,4 +150,13 @@ fn human(plan: &Plan, found: &Status) -> String {
         );
     }
     said
+}
+
+/// A size of files.
+pub(super) fn size(bytes: f64) -> String {
+    match bytes {
+        b if b < 1e6 => format!("{:.0} KB", b / 1e3),
+        b if b < 1e9 => format!("{:.1} MB", b / 1e6),
+        b => format!("{:.1} GB", b / 1e9),
+    }
 }

@@ -9,6 +9,8 @@
 //! Sample i does not depend on the number of samples. The first 2^k points of one dimension lie in 2^k equal parts, and so does every octave in the parts
 //! that are left: of the first 2^k samples each parameter has one in each part, a Latin hypercube that grows (Qian 2009).
 
+use std::ops::Range;
+
 use files::code::Code;
 use fragility::beta::Beta;
 use fragility::draw::Draw;
@@ -39,6 +41,8 @@ pub struct Sampled {
     pub distribution: Distribution,
     /// Unit of its values, as written; empty for a bare number.
     pub unit: String,
+    /// Its place in the study file [bytes].
+    pub place: Range<usize>,
 }
 
 /// The sampling of a study.
@@ -55,10 +59,9 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Path and text of every parameter of a sample.
-    pub fn draw(&self, sample: u32) -> Vec<(String, String)> {
-        let value = |(dimension, parameter): (usize, &Sampled)| {
-            let dimension = dimension as u32;
+    /// Text of every parameter of a sample.
+    pub fn draw(&self, sample: u32) -> Vec<(&Sampled, String)> {
+        let text = |dimension: u32, parameter: &Sampled| {
             let u = match self.latin {
                 // Seeds of the dimensions differ, so that their scrambles do.
                 true => sobol_burley::sample(shuffled(sample, dimension, self.seed), 0, mixed(dimension, self.seed)),
@@ -68,10 +71,11 @@ impl Sampling {
             let x = parameter
                 .distribution
                 .quantile(f64::from(u) + f64::from(f32::EPSILON) / 4.0);
-            let text = format!("{x:.9e} {}", parameter.unit);
-            (parameter.path.clone(), text.trim_end().to_owned())
+            format!("{x:.9e} {}", parameter.unit).trim_end().to_owned()
         };
-        self.parameters.iter().enumerate().map(value).collect()
+        let all = (0..).zip(&self.parameters);
+        all.map(|(dimension, parameter)| (parameter, text(dimension, parameter)))
+            .collect()
     }
 }
 
@@ -125,9 +129,20 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
     r.sized(&given.parameters, "parameters");
     let mut parameters = Vec::new();
     for item in given.parameters.value.iter().flatten() {
-        if let Some(parameter) = item.value.as_ref() {
-            parameters.extend(sampled(r, item, parameter));
+        let Some(parameter) = item.value.as_ref() else { continue };
+        let Some(found) = sampled(r, item, parameter) else {
+            continue;
+        };
+        if parameters.iter().any(|other: &Sampled| other.path == found.path) {
+            let fault = range_fault(
+                Code::Repeated,
+                &parameter.path,
+                "a parameter that is sampled twice",
+                "each path once",
+            );
+            r.faults.push(fault);
         }
+        parameters.push(found);
     }
     Some(Some(Sampling {
         n: n?,
@@ -193,6 +208,7 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
         path,
         distribution,
         unit,
+        place: given.path.span.clone(),
     })
 }
 
@@ -259,6 +275,7 @@ mod tests {
             path: path.into(),
             distribution,
             unit: unit.into(),
+            place: 0..0,
         };
         Sampling {
             n,
@@ -331,12 +348,12 @@ mod tests {
             let product: f64 = (0..256).map(|i| heights[i as usize] * strength(i)).sum();
             assert!((product / 256.0).abs() < 0.25, "{product} with the seed {seed}");
         }
-        let sobol = sampling(256).draw(5);
+        let sobol = sampling(256);
         let latin = Sampling {
             latin: true,
             ..sampling(256)
         };
-        assert_ne!(latin.draw(5), sobol);
+        assert_ne!(latin.draw(5), sobol.draw(5));
         assert_eq!(latin.draw(5), Sampling { n: 9, ..latin.clone() }.draw(5));
     }
 

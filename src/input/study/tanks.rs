@@ -1,12 +1,13 @@
 //! `tanks`: tank files, or a template with a table.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::keys::Tanks;
 use super::{Sampling, matching, name_of};
 use crate::input::csv::{self, Cell, Table};
-use crate::input::diagnostic::{Faults, Source};
+use crate::input::diagnostic::{Fault, Faults, Source};
 use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::variant::variant;
@@ -30,10 +31,19 @@ pub struct TankEntry {
 impl TankEntry {
     /// The tank of a sample; without sampling that of the file.
     ///
-    /// Errors: the faults of the tank with these values.
-    pub fn tank(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Error> {
-        self.variant(sampling, sample)
-            .map_err(|(faults, source)| faults.into_error(&source))
+    /// Errors: the faults of the tank with these values. The place of one that comes from a drawn value is in the study file, of any other none.
+    pub fn tank(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Faults> {
+        self.variant(sampling, sample).map_err(|(found, source)| {
+            let mut faults = Faults::new();
+            for fault in found.list() {
+                let place = fault.span.as_ref().filter(|span| span.start > source.text.len());
+                faults.push(Fault {
+                    span: place.map(|span| moved(span, |at| at - source.text.len() - 1)),
+                    ..fault.clone()
+                });
+            }
+            faults
+        })
     }
 
     /// As [`TankEntry::tank`] without sampling. The faults are added to those of the tanks before it, so that a table has one list of them; those of
@@ -86,18 +96,21 @@ impl TankEntry {
             Some((table, row)) => (table.source.clone(), table.head.clone(), table.rows[*row].clone()),
             None => (Source::new(self.id.as_str(), ""), Vec::new(), Vec::new()),
         };
-        // A sampled value stands at the row of its tank, in place of a value of the table.
-        let place = csv::span(&row);
-        for (path, text) in drawn {
-            let known = head.iter().position(|cell| cell.text == path);
+        // A sampled value takes the place of one of the table. Its own place, in the study file, is counted from the end of the table.
+        for (parameter, text) in drawn {
+            let span = moved(&parameter.place, |at| at + source.text.len() + 1);
+            let known = head.iter().position(|cell| cell.text == parameter.path);
             let cell = |text: String| Cell {
                 text,
-                span: place.clone(),
+                span: span.clone(),
             };
             match known {
-                Some(column) => row[column] = cell(text),
+                Some(column) => {
+                    head[column] = cell(parameter.path.clone());
+                    row[column] = cell(text);
+                }
                 None => {
-                    head.push(cell(path));
+                    head.push(cell(parameter.path.clone()));
                     row.push(cell(text));
                 }
             }
@@ -109,6 +122,22 @@ impl TankEntry {
         };
         variant(&self.base, &table, &row).map_err(|faults| (faults, table.source))
     }
+}
+
+/// Longest name of a tank [characters]: it is part of the name of a folder.
+const LONGEST_NAME: usize = 200;
+
+/// Why a name is not one of a tank.
+fn unfit(name: &str) -> Option<String> {
+    match name.chars().count() {
+        0 => Some("is empty".into()),
+        n if n > LONGEST_NAME => Some(format!("has {n} characters")),
+        _ => None,
+    }
+}
+
+fn moved(span: &Range<usize>, by: impl Fn(usize) -> usize) -> Range<usize> {
+    by(span.start)..by(span.end)
 }
 
 /// The tanks of the file; those that cannot be read are added to `broken`.
@@ -137,6 +166,18 @@ pub(super) fn tanks(
             }
         };
         for tank in found {
+            if let Some(what) = unfit(&tank.id) {
+                let place = tank.place().map_or_else(String::new, |place| format!(" at {place}"));
+                let message = format!("the name of a tank{place} {what}");
+                let fault = range_fault(
+                    Code::BadForm,
+                    item,
+                    &message,
+                    &format!("1 to {LONGEST_NAME} characters"),
+                );
+                r.faults.push(fault.found(tank.id.chars().take(40).collect::<String>()));
+                continue;
+            }
             if let Some(other) = all.iter().find(|other| other.id == tank.id) {
                 let places = match (other.place(), tank.place()) {
                     (Some(first), Some(second)) => format!(": {first} and {second}"),
@@ -185,6 +226,17 @@ fn from_table(
         return Vec::new();
     };
     let path: PathBuf = folder.join(&name);
+    // A pipe is a file for a command that reads it once, and none for a study, whose tasks read it again.
+    for file in [&folder.join(&template), &path] {
+        if file.exists() && !file.is_file() {
+            broken.push(Error::File {
+                code: Code::FileUnreadable,
+                path: file.clone(),
+                what: "is not a regular file".into(),
+            });
+            return Vec::new();
+        }
+    }
     let read = read_tank(&folder.join(template)).and_then(|base| Ok((base, csv::read(&path)?)));
     let (base, raw) = match read {
         Ok(found) => found,

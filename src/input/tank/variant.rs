@@ -82,7 +82,7 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
 
 /// A column that is not a place of the tank file.
 fn unknown(column: &Cell, message: &str) -> Fault {
-    Fault::new(Code::TableColumn, format!("the column `{}`: {message}", column.text))
+    Fault::new(Code::TableColumn, format!("the path `{}`: {message}", column.text))
         .found(column.text.clone())
         .allowed(
             "a path of the tank file, such as tank.radius, tank.courses[0].thickness or materials[\"A 283\"].density",
