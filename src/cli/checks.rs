@@ -126,7 +126,7 @@ pub(crate) fn csv(results: &Results) -> String {
                 number(check.utilisation),
                 text::cell(&check.clause),
                 text::cell(&check.reason),
-                approval.map_or(String::new(), |a| text::cell(&a.by)),
+                approval.map_or("".into(), |a| text::cell(&a.by)),
                 approval.map_or("", |a| a.date.as_str()),
                 number(check.time_s),
                 number(check.z),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::{files_below, read, read_text, unwritten};
+use super::{files_below, unwritten};
 use crate::error::Error;
 
 /// Name of the manifest in a folder of results.
