@@ -53,7 +53,7 @@ mod verify;
 mod wall;
 
 pub use global::{Format, Global, When};
-pub(crate) use global::{json, now, spinner, stamp};
+pub(crate) use global::{json, spinner, stamp};
 pub(crate) use terminal::print;
 
 /// Seismic verification of liquid storage tanks.
@@ -157,6 +157,7 @@ pub fn main() -> ExitCode {
 
 impl Cli {
     fn run(self) -> Result<u8, Error> {
+        global::fixed_time()?;
         match self.command {
             Command::Compare(args) => compare::run(args, &self.global),
             Command::Check(args) => check::run(args, &self.global),

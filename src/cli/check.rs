@@ -10,7 +10,7 @@ use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
 use crate::cli::style::{self, StyleArg};
 use crate::cli::terminal::{print_coloured, say};
-use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
+use crate::cli::{Format, Global, compare, findings, print, solve, stamp, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
@@ -173,7 +173,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let Outcome {
         mut results, series, ..
     } = pipeline::run(&job, &Silent)?;
-    compare::stamp(&mut results, started);
+    results.volatile = stamp(started);
     if let Some(folder) = folder {
         pipeline::draw(&job, &mut results)?;
         results::write(&folder.path(), &results, &series)?;

@@ -18,7 +18,7 @@ use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
 use crate::cli::style::{self, StyleArg};
 use crate::cli::terminal::{self as stream, say};
-use crate::cli::{Format, Global, nonlinear, now, set_table, solid};
+use crate::cli::{Format, Global, nonlinear, set_table, solid, stamp};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
@@ -234,7 +234,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         None => pipeline::run(&job, &watch)?,
         Some(set) => record_set::run(set, &watch)?,
     };
-    stamp(&mut results, started);
+    results.volatile = stamp(started);
     let interrupted = watch.interrupted() && results.verdict.unfinished;
     let mut stale = Vec::new();
     if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
@@ -388,18 +388,6 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
             ),
         )),
     }
-}
-
-/// Fills in the fields that differ between identical runs.
-pub(crate) fn stamp(results: &mut Results, started: Instant) {
-    results.volatile.created = now();
-    // The name of the command, without the path on this machine.
-    let arguments = std::env::args().skip(1);
-    results.volatile.command = std::iter::once("tankcheck".to_string())
-        .chain(arguments)
-        .collect::<Vec<_>>()
-        .join(" ");
-    results.volatile.seconds = started.elapsed().as_secs_f64();
 }
 
 fn write(

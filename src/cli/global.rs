@@ -1,5 +1,8 @@
 //! Shared by the subcommands: global options, form of the output, spinner, JSON, stamp of a run.
 
+use std::time::{Duration, Instant, SystemTime};
+
+use files::code::Code;
 use files::text;
 use results::{Volatile, finite};
 
@@ -62,20 +65,80 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
     Ok(format!("{}\n", text::json(&text)))
 }
 
-/// Fields that differ between identical runs.
-pub(crate) fn stamp(started: std::time::Instant) -> Volatile {
-    Volatile {
-        version: env!("CARGO_PKG_VERSION").into(),
-        created: now(),
-        command: std::iter::once("tankcheck".to_owned())
-            .chain(std::env::args().skip(1))
-            .collect::<Vec<_>>()
-            .join(" "),
-        seconds: started.elapsed().as_secs_f64(),
+/// Variable with the time that stands for the time of the run, in seconds since 1970 (<https://reproducible-builds.org/specs/source-date-epoch/>):
+/// with it the files of two runs of the same command are equal, wherever they are written.
+const SOURCE_DATE_EPOCH: &str = "SOURCE_DATE_EPOCH";
+
+/// Options that say where results go, how a run is watched and how it is divided, but not what is computed: with or without a value.
+const OF_THE_RUN: ([&str; 6], [&str; 4]) = (
+    ["--out", "-o", "--vtu", "--threads", "--color", "--checkpoint"],
+    ["--quiet", "-q", "--force", "--resume"],
+);
+
+/// The fixed time of [`SOURCE_DATE_EPOCH`], if it is set.
+///
+/// Errors: another text than a number of seconds, or one after the year 9999.
+pub(crate) fn fixed_time() -> Result<Option<SystemTime>, Error> {
+    let Some(given) = std::env::var_os(SOURCE_DATE_EPOCH).filter(|text| !text.is_empty()) else {
+        return Ok(None);
+    };
+    let given = given.to_string_lossy();
+    match given.parse::<u64>() {
+        Ok(seconds) if seconds <= 253_402_300_799 => Ok(Some(SystemTime::UNIX_EPOCH + Duration::from_secs(seconds))),
+        _ => Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "{SOURCE_DATE_EPOCH}: found `{}`, expected whole seconds since 1970, up to the year 9999",
+                text::line(&given)
+            ),
+        )),
     }
 }
 
-/// The time of day, UTC, as `2002-10-01T12:00:00Z`.
-pub(crate) fn now() -> String {
-    humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string()
+/// Fields that differ between identical runs, but for a fixed time.
+pub(crate) fn stamp(started: Instant) -> Volatile {
+    // It was read before the run.
+    let fixed = fixed_time().unwrap_or_default();
+    let created = humantime::format_rfc3339_seconds(fixed.unwrap_or_else(SystemTime::now));
+    Volatile {
+        version: env!("CARGO_PKG_VERSION").into(),
+        created: created.to_string(),
+        command: command(std::env::args().skip(1), fixed.is_some()),
+        seconds: match fixed {
+            Some(_) => 0.0,
+            None => started.elapsed().as_secs_f64(),
+        },
+    }
+}
+
+/// The command without the path of the program on this machine.
+///
+/// * `fixed`: also without the options [`OF_THE_RUN`]
+fn command(arguments: impl Iterator<Item = String>, fixed: bool) -> String {
+    let mut said = String::from("tankcheck");
+    let mut value_follows = false;
+    for argument in arguments {
+        let name = argument.split('=').next().unwrap_or_default();
+        let valued = OF_THE_RUN.0.contains(&name);
+        let left_out = fixed && (value_follows || valued || OF_THE_RUN.1.contains(&name));
+        value_follows = valued && !argument.contains('=');
+        if !left_out {
+            said.push(' ');
+            said.push_str(&argument);
+        }
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_and_cores_are_not_part_of_a_fixed_command() {
+        let words = "compare t.json --out a/b -q --quake r.csv --threads=2 -o c --color never --refine 2";
+        let told = |fixed| command(words.split(' ').map(str::to_owned), fixed);
+        assert_eq!(told(false), format!("tankcheck {words}"));
+        assert_eq!(told(true), "tankcheck compare t.json --quake r.csv --refine 2");
+    }
 }

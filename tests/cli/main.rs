@@ -32,6 +32,7 @@ mod push;
 mod push_resume;
 mod record_set;
 mod records;
+mod reproducible;
 mod select;
 mod sets;
 mod solid;

@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::departure::{study_of, unchanged};
-use crate::cli::compare::stamp;
 use crate::cli::progress::Watch;
 use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
-use crate::cli::{Global, print};
+use crate::cli::{Global, print, stamp};
 use crate::curves::runs::Method;
 use crate::error::{EXIT_OK, Error};
 use crate::study::plan::Plan;
@@ -132,7 +131,7 @@ fn keep_worst(folder: &Path, plan: &Plan, found: &merge::Merged, global: &Global
         let started = Instant::now();
         let watch = Watch::new(global, "worst rows");
         let mut outcome = keep::run(&study, plan, tank, row, &watch)?;
-        stamp(&mut outcome.results, started);
+        outcome.results.volatile = stamp(started);
         let home = folder.join(KEPT);
         std::fs::create_dir_all(&home).map_err(|e| {
             Error::Files(files::error::Error::Unwritten {

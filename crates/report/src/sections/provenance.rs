@@ -48,7 +48,12 @@ pub(crate) fn of(files: &[SourceFile], written: &str, v: &results::Volatile) -> 
             version: v.version.clone(),
             created: v.created.clone(),
             command: v.command.clone(),
-            seconds: fixed(v.seconds, 2),
+            // None where the time of the run is fixed.
+            seconds: if v.seconds > 0.0 {
+                fixed(v.seconds, 2)
+            } else {
+                String::new()
+            },
         },
     );
     section
