@@ -37,7 +37,7 @@ const fn part(
 }
 
 /// Names of the checks in which limit states end.
-const NAMES: [(&str, &str); 16] = [
+const NAMES: [(&str, &str); 17] = [
     (
         "wall_tension_and_bending_horizontal",
         "Tension and bending of the wall, horizontal section",
@@ -46,6 +46,7 @@ const NAMES: [(&str, &str); 16] = [
         "wall_tension_and_bending_vertical",
         "Tension and bending of the wall, vertical section",
     ),
+    ("wall_joint", "Shear along the joint at the base of the wall"),
     ("uplift_membrane", "Membrane stress of the lifted bottom plate"),
     ("uplift_rotation", "Rotation of the joint of wall and bottom plate"),
     ("uplift_width", "Lifted length of the bottom plate"),
@@ -159,6 +160,12 @@ pub const ALL: &[Meaning] = &[
         "wall_shear",
         "shear force of the wall across its thickness per length",
         "resistance without stirrups; axial tension lowers it",
+        LineForce,
+    ),
+    part(
+        ("wall_joint", "wall_shear"),
+        "shear of the earthquake along a sliding joint at the base of the wall, at the sides of the tank",
+        "friction under the weight of wall and roof",
         LineForce,
     ),
     state(

@@ -76,6 +76,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             courses,
             roof: Roof::default(),
             bottom: None,
+            wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
             anchors: None,

@@ -1,4 +1,5 @@
-//! Bending of a wall clamped at its base under a pressure that varies with the height: cylinder, strip, or wall of a box.
+//! Bending of a wall under a pressure that varies with the height: strip or wall of a box clamped at its base, cylinder on the joint with its
+//! base (clamped, hinged, or sliding against a bearing).
 //!
 //! Ritz' method minimises
 //!
@@ -12,10 +13,14 @@
 //! positive where they pull on the inner face. Clamping moment and shear at the base are the reactions of the base nodes, which
 //! are exact for strips; elsewhere the moments are those of the splines. A box wall is symmetric about ξ = 0.
 //!
+//! A cylinder of one thickness is Timoshenko's, w'''' + 4β⁴ w = p/D with β⁴ = 3(1−ν²)/(R² s²); the splines have courses of several
+//! thicknesses and a free upper edge besides. A hinge leaves the slope of the base node free, a bearing its deflection too, with the
+//! stiffness k beside it: the reaction is k w.
+//!
 //! Against the closed forms and published tables see the tests.
 
 use super::plate::{Element, elements, gauss, hermite};
-use tank::Course;
+use tank::{Course, WallBase};
 
 /// Plan of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +36,8 @@ pub(super) enum Plan {
     Cylinder {
         /// Radius R [m].
         radius: f64,
+        /// What holds its foot.
+        base: WallBase,
     },
 }
 
@@ -61,7 +68,7 @@ pub(super) struct State<'a> {
     wall: &'a Wall,
     /// Deflection and slope of each node from the base up, for each X.
     unknowns: Vec<f64>,
-    /// Clamping moment [N·m/m] and shear [N/m] of the base at ξ = 0.
+    /// Moment [N·m/m] and shear [N/m] with which the base holds the wall at ξ = 0; no moment of a hinge, k w of a bearing.
     pub base: (f64, f64),
 }
 
@@ -81,7 +88,7 @@ impl Wall {
         let height: f64 = courses.iter().map(|c| c.height).sum();
         let thinnest = courses.iter().map(|c| c.thickness).fold(f64::INFINITY, f64::min);
         let least = match plan {
-            Plan::Cylinder { radius } => {
+            Plan::Cylinder { radius, .. } => {
                 let fine = ACROSS_DISTURBANCE * height / (radius * thinnest).sqrt();
                 // No wall is so thin that more are needed for three digits.
                 fine.clamp(ELEMENTS, 2000.0)
@@ -157,7 +164,7 @@ impl Wall {
             + nu * (i02[j][i] * a[0] * b[2] + i02[i][j] * a[2] * b[0])
             + 2.0 * (1.0 - nu) * i11[i][j] * a[1] * b[1];
         let ring = match self.plan {
-            Plan::Cylinder { radius } => element.membrane / (radius * radius) * i00[i][j] * a[0] * b[0],
+            Plan::Cylinder { radius, .. } => element.membrane / (radius * radius) * i00[i][j] * a[0] * b[0],
             _ => 0.0,
         };
         d * plate + ring
@@ -180,9 +187,20 @@ impl Wall {
         k
     }
 
+    /// Number of unknowns that the base holds: deflection and slope of its node, the deflection alone, or none.
+    fn held(&self) -> usize {
+        match self.plan {
+            Plan::Cylinder { base, .. } => {
+                let (moves, turns) = base.holds();
+                usize::from(moves) + usize::from(turns)
+            }
+            _ => 2 * self.functions,
+        }
+    }
+
     fn factored(&self) -> Vec<Vec<f64>> {
-        let held = 2 * self.functions;
-        let n = 2 * self.functions * self.elements.len();
+        let held = self.held();
+        let n = 2 * self.functions * (self.elements.len() + 1) - held;
         let width = 4 * self.functions - 1;
         let mut band = vec![vec![0.0; width + 1]; n];
         for (e, element) in self.elements.iter().enumerate() {
@@ -196,6 +214,9 @@ impl Wall {
                     band[i][width + j - i] += value;
                 }
             }
+        }
+        if let (Plan::Cylinder { base, .. }, 0) = (self.plan, held) {
+            band[0][width] += base.stiffness();
         }
         for i in 0..n {
             let least = i.saturating_sub(width);
@@ -211,8 +232,7 @@ impl Wall {
 
     /// State under a pressure [Pa] over the height [m].
     pub(super) fn under(&self, pressure: impl Fn(f64) -> f64) -> State<'_> {
-        let held = 2 * self.functions;
-        let mut force = vec![0.0; held * (self.elements.len() + 1)];
+        let mut force = vec![0.0; 2 * self.functions * (self.elements.len() + 1)];
         for (e, element) in self.elements.iter().enumerate() {
             for (t, weight) in along_points() {
                 let load = weight * element.length * pressure(element.base + t * element.length);
@@ -223,7 +243,19 @@ impl Wall {
                 }
             }
         }
-        let mut unknowns = force.clone();
+        self.state(&force)
+    }
+
+    /// State of a cylinder under an outward line force of 1 N/m at a foot that can move.
+    pub(super) fn pulled(&self) -> State<'_> {
+        let mut force = vec![0.0; 2 * self.functions * (self.elements.len() + 1)];
+        force[0] = 1.0;
+        self.state(&force)
+    }
+
+    fn state(&self, force: &[f64]) -> State<'_> {
+        let held = self.held();
+        let mut unknowns = force.to_vec();
         unknowns[..held].fill(0.0);
         self.solve(&mut unknowns[held..]);
         // Reactions of the base: stiffness of the first element times its unknowns, less its load.
@@ -300,7 +332,7 @@ impl State<'_> {
 
     /// Hoop force of a cylinder E s w/R [N/m]; zero otherwise.
     pub(super) fn hoop(&self, z: f64) -> f64 {
-        let Plan::Cylinder { radius } = self.wall.plan else {
+        let Plan::Cylinder { radius, .. } = self.wall.plan else {
             return 0.0;
         };
         let holds = |e: &&Element| z < e.base + e.length;

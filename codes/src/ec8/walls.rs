@@ -5,7 +5,7 @@
 //!
 //! | wall | bending | axial force |
 //! |---|---|---|
-//! | cylinder | clamped at its base, pressure of the meridian all around (`wall_bending`) | hoop: the larger of p R and E s w/R; vertical: weight and n_z |
+//! | cylinder | shell on the joint with its base, pressure of the meridian all around (`wall_bending`) | hoop: E s w/R; vertical: weight and n_z |
 //! | box | plate clamped at base and sides, free at the top | reaction of the walls at its sides; vertical: weight and moment of the tank |
 //! | strip | cantilever in plane strain | weight |
 //!

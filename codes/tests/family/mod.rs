@@ -121,6 +121,7 @@ impl Draw {
                 ..Roof::default()
             },
             bottom: self.of(&[true, true, true, false]).then_some(plate),
+            wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
             anchors: self.yes().then(|| Anchors {

@@ -31,4 +31,6 @@ pub use wall::{NODAL, NODE, Output, Wall};
 pub use wall_mesh::wall_nodes;
 
 #[cfg(test)]
+mod foot_tests;
+#[cfg(test)]
 pub(crate) mod test_tanks;

@@ -3,7 +3,7 @@
 use fem::progress::Progress;
 use results::EngineId;
 use tank::refusal::{Place, Refusal};
-use tank::{PLANE_WALLS, Shape};
+use tank::{PLANE_WALLS, Shape, Support};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
@@ -28,6 +28,25 @@ fn plates(task: &Task<'_>) -> Option<Refusal> {
     let allowed = format!("a breadth of at least {PLANE_WALLS:.0} heights of the wall");
     let refusal = Refusal::new(Place::Shape, message, allowed).found(format!("{ratio:.2} heights"));
     Some(refusal.help("use --fe solid"))
+}
+
+/// A foot of the wall that turns or slides: the harmonic engine alone has one, on a base that does not move.
+fn joint(task: &Task<'_>, engine: EngineId) -> Option<Refusal> {
+    let tank = &task.case.tank;
+    if tank.wall_base.is_fixed() {
+        return None;
+    }
+    let ground = tank.foundation.and_then(|f| f.shear_wave_velocity).is_some();
+    let moves = tank.support == Support::Unanchored || tank.isolators.is_some() || ground;
+    let (message, help) = match engine {
+        EngineId::Harmonic if !moves => return None,
+        EngineId::Harmonic => (
+            "a foot that turns or slides is computed on a base that does not move: of an anchored tank without isolators and soil",
+            "use `tankcheck check` for the codes alone",
+        ),
+        _ => ("this engine clamps the foot of the wall", "use --fe harmonic"),
+    };
+    Some(Refusal::new(Place::WallBase, message, "\"kind\": \"fixed\"").help(help))
 }
 
 /// A rectangular tank has walls of its own along y, which only three dimensions have; a strip has none.
@@ -75,6 +94,7 @@ impl Engine for Harmonic {
         across_a_box(task, EngineId::Harmonic)
             .into_iter()
             .chain(plates(task))
+            .chain(joint(task, EngineId::Harmonic))
             .collect()
     }
 
@@ -110,6 +130,7 @@ impl Engine for Solid {
         all.extend(solid::unresolved(task));
         all.extend(across_a_box(task, EngineId::Solid));
         all.extend(across_imperfections(task));
+        all.extend(joint(task, EngineId::Solid));
         all
     }
 

@@ -59,6 +59,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             courses: courses.iter().map(course).collect(),
             roof: Roof::default(),
             bottom: None,
+            wall_base: crate::tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
             anchors: None,

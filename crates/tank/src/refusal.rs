@@ -9,6 +9,8 @@ pub enum Place {
     Shape,
     /// Its support.
     Support,
+    /// Joint between its wall and its base.
+    WallBase,
     /// Mass of its roof.
     Roof,
     /// A course, counted from 0.

@@ -3,6 +3,7 @@
 mod behaviour;
 mod foundation;
 mod isolators;
+mod joint;
 mod layers;
 mod parts;
 mod plane;
@@ -10,6 +11,7 @@ mod plane;
 pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
 pub use foundation::{Foundation, FoundationKind};
 pub use isolators::{Bearing, Isolators};
+pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;
@@ -196,6 +198,9 @@ pub struct Tank {
     pub support: Support,
     /// Courses from the base up; never empty.
     pub courses: Vec<Course>,
+    /// Joint between the wall and its base.
+    #[serde(default, skip_serializing_if = "WallBase::is_fixed")]
+    pub wall_base: WallBase,
     /// Roof.
     pub roof: Roof,
     /// Bottom plate, where given.
@@ -229,6 +234,13 @@ pub struct Liquid {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde calls")]
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
+}
+
+/// Whether courses are those of a metal shell, as [`Tank::is_metal`].
+pub fn is_metal(courses: &[Course]) -> bool {
+    courses
+        .iter()
+        .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= METAL)
 }
 
 impl Course {
@@ -287,9 +299,7 @@ impl Tank {
 
     /// Whether the wall is a metal shell throughout: E ≥ [`METAL`] and no layers. Concrete has at most 50 GPa, aluminium 69 GPa.
     pub fn is_metal(&self) -> bool {
-        self.courses
-            .iter()
-            .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= METAL)
+        is_metal(&self.courses)
     }
 
     /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across

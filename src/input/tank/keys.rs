@@ -14,6 +14,7 @@ mod grades;
 mod imperfections;
 mod instant;
 mod isolators;
+mod joint;
 mod linear;
 mod materials;
 mod nonlinear;

@@ -249,6 +249,7 @@ fn tank(kind: Kind) -> Tank {
             ..Roof::default()
         },
         bottom: None,
+        wall_base: tank::WallBase::Fixed,
         foundation: None,
         isolators: None,
         anchors: None,

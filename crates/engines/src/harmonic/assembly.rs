@@ -169,10 +169,14 @@ impl Assembly {
         }
     }
 
-    /// The base is clamped; a floating liquid keeps its volume.
+    /// The base holds the foot of the wall; a floating liquid keeps its volume.
     fn reduce(&self) -> Reduction {
         let mut held = vec![false; self.size];
-        self.node[0].iter().flatten().for_each(|&i| held[i] = true);
+        for (i, by_base) in self.node[0].iter().zip(self.wall.held) {
+            if let Some(i) = i {
+                held[*i] = by_base;
+            }
+        }
         let flux = self
             .liquid
             .domain
@@ -199,6 +203,9 @@ fn add_wall(wall: &Wall, node: &[[Option<usize>; NODE]], mass: &mut Matrix, stif
                 }
             }
         }
+    }
+    if let Some(w) = node[0][2].filter(|_| wall.foot > 0.0) {
+        stiffness.add(w, w, wall.factor * wall.foot);
     }
 }
 

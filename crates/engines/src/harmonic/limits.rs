@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 use tank::Case;
-use tank::{Shape, Support};
+use tank::{Shape, Support, WallBase};
 
 use crate::modes::Kind;
 use results::Mode;
@@ -19,6 +19,11 @@ const THICK: f64 = 0.1;
 
 /// The foot of a cylinder's wall.
 pub(crate) const CLAMPED: &str = "The wall is clamped at its base to rigid ground.";
+/// The foot of a wall of concrete that turns on its base.
+const HINGED: &str = "The foot of the wall turns freely on rigid ground.";
+/// The foot of one that slides.
+const SLIDING: &str = "The foot of the wall turns freely on rigid ground and moves along the radius against the stiffness of its bearing; \
+    along the circumference it is held. Friction of the joint is left out.";
 /// The foot of one on isolators.
 const ON_SLAB: &str = "The wall is clamped at its base to the rigid slab, which moves on its isolators.";
 /// The foot of an unanchored one.
@@ -41,7 +46,13 @@ pub(crate) fn assumptions(case: &Case, plates: bool, isolated: bool) -> Vec<Stri
     ];
     match case.tank.shape {
         Shape::Cylinder { .. } => {
-            out.push(if isolated { ON_SLAB } else { CLAMPED }.to_owned());
+            let foot = match case.tank.wall_base {
+                WallBase::Hinged => HINGED,
+                WallBase::Sliding { .. } => SLIDING,
+                WallBase::Fixed if isolated => ON_SLAB,
+                WallBase::Fixed => CLAMPED,
+            };
+            out.push(foot.to_owned());
             if case.tank.support == Support::Unanchored {
                 out.push(IN_CONTACT.to_owned());
             }

@@ -50,6 +50,9 @@ impl Static {
                 }
             }
         }
+        if let Some(foot) = index[0][2].filter(|_| wall.foot > 0.0) {
+            k.add(foot, foot, wall.factor * wall.foot);
+        }
         let top = index[index.len() - 1][NODE].expect("the top of the wall is free to move along the axis");
         load.add(top, 0, -roof_mass * case.gravity);
         SparseCholesky::factor(&k)?.solve(&mut load)?;
@@ -83,7 +86,7 @@ impl Static {
     }
 }
 
-/// Unknown of each element's local unknowns; the base is clamped.
+/// Unknown of each element's local unknowns; those that the base holds have none.
 fn number(wall: &Wall) -> (usize, Vec<[Option<usize>; LOCAL]>) {
     let mut next = 0;
     let mut take = |wanted: bool| {
@@ -93,7 +96,7 @@ fn number(wall: &Wall) -> (usize, Vec<[Option<usize>; LOCAL]>) {
         })
     };
     let mut index = Vec::with_capacity(wall.elements.len());
-    let mut lower = [None; NODE];
+    let mut lower: [Option<usize>; NODE] = std::array::from_fn(|k| take(wall.active[k] && !wall.held[k]));
     for _ in &wall.elements {
         let mut map = [None; LOCAL];
         map[..NODE].copy_from_slice(&lower);

@@ -32,6 +32,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
                 .collect(),
             roof: Roof::default(),
             bottom: None,
+            wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
             anchors: None,

@@ -105,6 +105,10 @@ pub struct Wall {
     pub wave: f64,
     /// Factor c of the integrals over z [m].
     pub factor: f64,
+    /// Which of u, v, w, w' the base holds.
+    pub held: [bool; NODE],
+    /// Radial stiffness of the base per length of the circumference, where it does not hold w [Pa].
+    pub foot: f64,
 }
 
 impl Wall {
@@ -130,6 +134,8 @@ impl Wall {
             curvature,
             wave,
             factor,
+            held: [true, true, tank.wall_base.holds().0, tank.wall_base.holds().1],
+            foot: tank.wall_base.stiffness(),
         };
         for (e, &course) in courses.iter().enumerate() {
             let course = &tank.courses[course];

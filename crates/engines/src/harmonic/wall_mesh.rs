@@ -92,6 +92,7 @@ mod tests {
             courses: vec![course(2.03e-3), course(1.27e-3)],
             roof: Roof::default(),
             bottom: None,
+            wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
             anchors: None,

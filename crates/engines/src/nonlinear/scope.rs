@@ -71,6 +71,10 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
             .help("a tank much broader than long is a strip: \"strip\": true in place of its breadth"),
         ),
     }
+    if !case.tank.wall_base.is_fixed() {
+        let message = "the nonlinear engine clamps the foot of the wall";
+        all.push(Refusal::new(Place::WallBase, message, "\"kind\": \"fixed\"").help("use --fe harmonic"));
+    }
     all.extend(imperfect(case, options, purpose));
     if purpose == Purpose::History {
         all.extend(two::refusals(case, options));

@@ -6,6 +6,7 @@ use tank::{FoundationKind, RoofKind, Shape, Support};
 
 use super::base;
 use super::isolators::isolators;
+use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
 use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS};
 use crate::input::tank::key::{Absent, Limits, default, without};
@@ -39,6 +40,8 @@ object! {
         support: Field<Support>,
         /// Rings of the wall with constant thickness, from the base up. Their heights add up to the height of the wall.
         courses: Field<Vec<Field<Course>>> [Limits::ANY.items(1, 200)],
+        /// Joint between the wall of a concrete cylinder and its base.
+        wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
         /// Mass on top of the wall.
         roof: Opt<Roof> = Absent::Follows("no mass"),
         /// Bottom plate under the wall, needed by the anchorage and uplift checks.
@@ -374,10 +377,13 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
             "\"support\": \"anchored\", or a tank without anchors",
         ));
     }
+    let metal = courses.as_ref().is_none_or(|courses| tank::is_metal(courses));
+    let wall_base = wall_base(r, &t.wall_base, shape, metal);
     let tank = tank::Tank {
         shape: shape?,
         support: support?,
         courses: courses?,
+        wall_base: wall_base?,
         roof,
         bottom,
         foundation,

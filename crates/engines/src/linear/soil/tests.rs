@@ -125,7 +125,12 @@ fn hard_soil_is_a_fixed_base() {
         assert_eq!(found.len(), expected.len());
         for (quantity, value) in &expected {
             let other = found[quantity];
-            assert!((other / value - 1.0).abs() < extreme, "{quantity:?}: {other} {value}");
+            // The rim swings with the higher modes, of which the default leaves out some: to the stress of the wall.
+            let scale = match quantity {
+                Quantity::RimHoopStress => expected[&Quantity::HoopStress],
+                _ => *value,
+            };
+            assert!((other - value).abs() < extreme * scale, "{quantity:?}: {other} {value}");
         }
     }
 }
