@@ -374,6 +374,8 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         profiles: assessment.profiles,
         assumptions,
         notes: assessment.notes,
+        beyond_scope: assessment.beyond_scope,
+        hold_down: assessment.hold_down,
         ..Method::new(procedure.id(), label.title, excitation)
     };
     Ok((method, ingredients))

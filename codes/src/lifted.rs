@@ -152,7 +152,7 @@ pub(crate) fn information(
     None
 }
 
-/// The base of a tank on one of its grounds, for figures; under the weight at rest.
+/// The base of a tank on one of its grounds, for figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// Modulus of the ground [N/m³].
@@ -168,17 +168,16 @@ pub struct Drawing {
 /// The bases of an unanchored tank under a moment, the softest ground first; empty without a metal bottom plate.
 ///
 /// * `moment`: just above the bottom plate [N·m]
-pub fn drawings(case: &Case, moment: f64) -> Vec<Drawing> {
+/// * `weight`: that holds the wall down, as the sheet of the moment takes it [N/m]
+pub fn drawings(case: &Case, moment: f64, weight: f64) -> Vec<Drawing> {
     let drawing = |ground: Ground| {
         let (base, decides) = (&ground.base, ground.decides);
-        let ends = SHARES
-            .iter()
-            .map(|share| (share, under(base, share * moment, base.weight)));
+        let ends = SHARES.iter().map(|share| (share, under(base, share * moment, weight)));
         let (share, end) = ends.into_iter().find_map(|(share, end)| Some((*share, end?)))?;
         // The moment grows with a root of the rotation: close steps at its begin.
         let step = |i: u32| end.turn.rotation * (f64::from(i) / f64::from(SAMPLES)).powi(2);
         let rotations: Vec<f64> = (0..=SAMPLES).map(step).collect();
-        let turns = asked(base, |stands| Some(stands.at(&rotations, base.weight)))?;
+        let turns = asked(base, |stands| Some(stands.at(&rotations, weight)))?;
         let plate = || asked(base, |stands| stands.plate(end.turn.uplift));
         Some(Drawing {
             modulus: base.modulus,

@@ -78,6 +78,9 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     if !base.yields() && !args.elastic {
         warn("", &Warning::new(Code::BaseModel, words::ELASTIC));
     }
+    if tank.case.tank.corrodes() {
+        warn("", &Warning::new(Code::BaseModel, words::AS_BUILT));
+    }
     if tank.case.tank.anchors.is_some() {
         warn("", &Warning::new(Code::BaseModel, words::ANCHORS));
     }

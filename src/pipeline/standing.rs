@@ -26,14 +26,18 @@ pub(super) fn standing(job: &Job, methods: &[Method]) -> Option<Standing> {
         computed.then_some((method, moment))
     });
     let (method, moment) = moments.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let drawn = drawings(&job.case, moment);
+    let tank = &job.case.tank;
+    let at_rest = || tank.mass_above(0.0).0 * job.case.gravity / tank.perimeter();
+    let weight = method.hold_down.unwrap_or_else(at_rest);
+    let drawn = drawings(&job.case, moment, weight);
     if drawn.is_empty() {
         return None;
     }
-    let wall = job.case.tank.courses.first()?.net_thickness();
+    let wall = tank.courses.first()?.net_thickness();
     Some(Standing {
         moment,
         method: method.id.clone(),
+        weight: Some(weight),
         plate: plate(&drawn),
         grounds: drawn.into_iter().map(|drawing| ground(drawing, wall)).collect(),
     })

@@ -177,6 +177,11 @@ impl<'a> Basis<'a> {
             out.assumptions.push("The shell carries the whole roof.".into());
         }
         out.assumptions.extend(roof::assumption(&self.case.tank));
+        if !self.case.tank.is_metal() {
+            let reason = "API 650 is for welded tanks of metal: its values of this wall stand in the tables alone";
+            out.beyond_scope = Some(reason.into());
+            out.notes.push(format!("{reason}."));
+        }
         let material = &self.case.tank.courses[0].material;
         let modulus = material.youngs_modulus;
         if scales && is_aluminium(material) {

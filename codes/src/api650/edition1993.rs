@@ -456,6 +456,7 @@ fn self_anchored(
             .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
         Some(_) => {}
     }
+    out.hold_down = Some(w_t);
     let note = lifted::information(sheet, basis.case, ("M", moment), w_t, E5_1);
     out.notes.extend(note);
     sheet.section("Resistance");

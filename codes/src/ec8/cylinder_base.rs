@@ -125,6 +125,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, &clause),
         formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, &clause),
     };
+    work.out.hold_down = Some(weight);
     if let Some(input) = missing(state) {
         let reason = format!("`{input}` is missing");
         work.without_comparison(OVERTURNING, CheckStatus::NotChecked, &reason, Some(&input));

@@ -203,6 +203,8 @@ impl Method {
             profiles: Vec::new(),
             assumptions: Vec::new(),
             notes: Vec::new(),
+            beyond_scope: None,
+            hold_down: None,
         }
     }
 
@@ -227,6 +229,13 @@ pub struct TankSummary {
     pub wall_mass: f64,
     /// Deformability parameter of the dissertation, eq. (3.1), with its remark.
     pub deformability: Option<Deformability>,
+}
+
+impl TankSummary {
+    /// Height of the wall above the still liquid, as [`tank::Case::freeboard`] [m].
+    pub fn freeboard(&self) -> f64 {
+        self.tank.wall_height() - self.liquid.fill_height - self.tank.roof.rim
+    }
 }
 
 /// Deformability parameter K = √(H/R) √(s/R).
@@ -365,6 +374,12 @@ pub struct Method {
     pub assumptions: Vec<String>,
     /// Warnings and remarks.
     pub notes: Vec<String>,
+    /// Why the tank is outside the scope of the procedure, which gives values all the same: they are no bars of a chart.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beyond_scope: Option<String>,
+    /// Weight that holds an unanchored wall down, as the sheet takes it [N/m]; not part of the file.
+    #[serde(skip)]
+    pub hold_down: Option<f64>,
 }
 
 /// Quantities × methods.

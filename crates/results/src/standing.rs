@@ -9,6 +9,10 @@ pub struct Standing {
     pub moment: f64,
     /// Id of its method.
     pub method: String,
+    /// Weight that holds the wall down, as the sheet of the method takes it [N/m]; none of results of earlier versions, which have that at
+    /// rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weight: Option<f64>,
     /// The grounds, the softest first.
     pub grounds: Vec<StandingGround>,
     /// The lifted plate on the ground that decides and lifts most.
@@ -16,7 +20,7 @@ pub struct Standing {
     pub plate: Option<StandingPlate>,
 }
 
-/// The base on one ground, under the weight at rest.
+/// The base on one ground.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StandingGround {
     /// Modulus k [N/m³].

@@ -95,6 +95,12 @@ pub struct Assessment {
     /// What the quantities are made of.
     #[serde(skip)]
     pub ingredients: Vec<Ingredients>,
+    /// Why the tank is outside the scope of the procedure, which gives values all the same.
+    #[serde(skip)]
+    pub beyond_scope: Option<String>,
+    /// Weight that holds an unanchored wall down, as the sheet takes it [N/m].
+    #[serde(skip)]
+    pub hold_down: Option<f64>,
 }
 
 /// Reason why a procedure does not apply.

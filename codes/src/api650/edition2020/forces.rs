@@ -142,6 +142,13 @@ impl Run<'_> {
                     metres(0.7 * delta),
                     metres(freeboard)
                 );
+                if 0.7 * delta > freeboard {
+                    self.out.notes.push(format!(
+                        "{E7_2}: the recommended freeboard of {} is more than the {} there are.",
+                        metres(0.7 * delta),
+                        metres(freeboard)
+                    ));
+                }
                 self.without_comparison(limit_states::FREEBOARD, CheckStatus::NotApplicable, &reason, None);
                 return delta;
             }

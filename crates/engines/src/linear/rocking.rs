@@ -347,6 +347,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     let delay = impulsive.map_or(0.0, |i| 2.0 * case.damping.impulsive / i.dominant.omega);
     Some(Setup {
         thorough: true,
+        corrodes: case.tank.corrodes(),
         delay,
         heave: options.heave,
         grounds: true,

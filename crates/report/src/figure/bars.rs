@@ -26,6 +26,8 @@ pub struct Bar {
     pub ratio: Option<f64>,
     /// Whether it depends on what the model of its engine cannot say.
     pub outside: bool,
+    /// Whether it is a wave higher than the freeboard.
+    pub overtops: bool,
 }
 
 /// Bars of one quantity, in the unit that suits `all` its values (SI): the same for each figure of the quantity; `None`
@@ -71,7 +73,10 @@ pub fn bars(
             ROW - 6.0,
             &format!("{class} {}", bar.look.class),
         );
-        let text = scale.text(bar.value);
+        let mut text = scale.text(bar.value);
+        if bar.overtops {
+            text.push('*');
+        }
         svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
         if bar.outside {
             svg.text((WIDTH, y + 10.5), Anchor::End, "vl", "✗");
@@ -100,7 +105,7 @@ pub fn bars(
     Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption: figures::by_methods(bars.iter().any(|b| b.look.site)).into(),
+        caption: figures::by_methods(bars.iter().any(|b| b.look.site), bars.iter().any(|b| b.overtops)),
         description,
         size: (WIDTH, height),
         markup: svg.into_markup(),

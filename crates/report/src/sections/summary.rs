@@ -296,9 +296,10 @@ fn standards(results: &Results) -> Vec<String> {
 fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
     let order: Vec<usize> = figure_order(results)
         .into_iter()
-        .filter(|&i| look(&results.methods[i]).site == site)
+        .filter(|&i| look(&results.methods[i]).site == site && results.methods[i].beyond_scope.is_none())
         .collect();
     let mut figures = Vec::new();
+    let freeboard = results.tank.freeboard();
     for quantity in HEADLINES {
         let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else {
             continue;
@@ -312,6 +313,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
                     value: cell.value,
                     ratio: cell.ratio,
                     outside: cell.outside,
+                    overtops: quantity == Quantity::SloshingHeight && cell.value > freeboard,
                 })
             })
             .collect();

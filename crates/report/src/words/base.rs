@@ -31,6 +31,10 @@ pub const STRIP_HEADS: &str = "uplift of the rim from the unloaded ground; hold-
 pub const TURN_HEADS: &str = "ψ: rotation of the base in 1e-3 rad; moment: overturning moment that turns it so far, on ground of k/3, k and 3k, as in \
      every cell; lift: uplift of the lifted side; toe stress: axial compression of the lowest course on the other side";
 
+/// Corrosion takes part of the plates or of the wall.
+pub const AS_BUILT: &str =
+    "plates and wall are those as built; the sheets of `check` and the report take them less corrosion, and lift more";
+
 /// The tank has anchors.
 pub const ANCHORS: &str = "`tank.anchors` are left out: this is the base without its anchors";
 

@@ -16,10 +16,18 @@ pub fn by_method(title: &str, values: &str, unit: &str) -> String {
 }
 
 /// Caption of bars under the spectrum of the `site`, or under the record.
-pub fn by_methods(site: bool) -> &'static str {
-    match site {
+///
+/// * `overtops`: whether a wave is higher than the freeboard
+pub fn by_methods(site: bool, overtops: bool) -> String {
+    let methods = match site {
         true => "By method, site.",
         false => "By method, record.",
+    };
+    match overtops {
+        true => format!(
+            "{methods} * Higher than the freeboard: no method follows a wave that strikes the roof or overtops the wall."
+        ),
+        false => methods.into(),
     }
 }
 

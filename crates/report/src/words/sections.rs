@@ -179,8 +179,8 @@ const ALL: &[Words] = &[
         title: "Base under the moments of the codes",
         sentences: &[(
             "about",
-            "The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane, under the weight at rest; \
-                 the sheets of the codes subtract vertical motion and overpressure from it. A given stiffness of the ground decides, of assumed \
+            "The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane; plates, \
+                 wall and weight are those of the sheet: less corrosion, vertical motion and overpressure. A given stiffness of the ground decides, of assumed \
                  ones the least favourable.",
         )],
     },

@@ -41,10 +41,14 @@ pub fn ground(modulus: f64, decides: bool) -> String {
 
 /// The moment and where it comes from.
 pub fn moment(standing: &Standing, label: &str) -> String {
-    format!(
-        "Under {}, the moment of {label}.",
-        with_unit(standing.moment, Dimension::Moment)
-    )
+    let moment = with_unit(standing.moment, Dimension::Moment);
+    match standing.weight {
+        Some(weight) => {
+            let weight = with_unit(weight, Dimension::LineForce);
+            format!("Under {moment}, the moment of {label}, with {weight} of wall and roof as on its sheet.")
+        }
+        None => format!("Under {moment}, the moment of {label}."),
+    }
 }
 
 /// A rotation in rad.

@@ -63,6 +63,8 @@ pub(super) struct Setup {
     pub shortened: bool,
     /// Whether there is a vertical record.
     pub vertical: bool,
+    /// Whether corrosion takes part of wall or plates, which are those as built.
+    pub corrodes: bool,
 }
 
 impl Setup {

@@ -138,6 +138,9 @@ pub(super) fn band_note(missed: &MissedBand) -> String {
     )
 }
 
+/// Thicknesses of a tank that corrodes.
+const AS_BUILT: &str = "Bottom plate and wall are those as built: the sheets of the codes take them less corrosion, and their uplift is larger for that.";
+
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
     let mut list: Vec<String> = [
@@ -154,6 +157,9 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
+    if setup.corrodes {
+        list.push(AS_BUILT.into());
+    }
     if let Some(heave) = &found.laws.heave {
         list.push(format!(
             "The foot lifts and drops the mass of wall and roof, {}; its bounce has {} % of critical damping while all of the rim is on the \
