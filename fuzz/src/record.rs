@@ -28,9 +28,9 @@ pub fn peer(bytes: &[u8]) {
 /// Target of the files of agencies: any channel, with and without the unit given.
 pub fn agencies(bytes: &[u8]) {
     check(bytes);
-    for channel in [1, 2] {
+    for channel in ["1", "2"] {
         let options = ReadOptions {
-            channel: Some(channel),
+            channel: Some(channel.into()),
             ..ReadOptions::default()
         };
         if let Some(found) = read(bytes, &options) {
@@ -56,7 +56,7 @@ fn check(bytes: &[u8]) {
         unit: Some(AccelerationUnit::Gal),
         dt: Some(0.01),
         allow_implausible: true,
-        channel: None,
+        ..ReadOptions::default()
     };
     for options in [ReadOptions::default(), given] {
         let Some(found) = read(bytes, &options) else { continue };

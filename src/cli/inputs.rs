@@ -9,6 +9,7 @@ use tank::refusal::Refusal;
 
 use crate::cli::terminal::{say, warn};
 use crate::error::Error;
+use crate::input::records::{AccelerationUnit, Columns};
 use crate::input::{self, TankFile, records};
 use crate::job::{self, Job};
 use engines::Task;
@@ -22,7 +23,7 @@ use results::{InputValue, SourceFile};
 pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
-    /// Horizontal ground acceleration: CSV, two-column text, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2. Three or more make a set (`compare`).
+    /// Horizontal ground acceleration, in a format of docs/records.md; FILE#CHANNEL takes a channel of a file with several. Three or more make a set (`compare`).
     #[arg(long, value_name = "RECORD")]
     pub quake: Vec<PathBuf>,
     /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder or of a box with --fe solid; scaled with the factor of --quake.
@@ -232,52 +233,37 @@ pub(crate) fn shaken(job: &Job) -> Result<(), Error> {
 /// Options for accelerograms whose format is ambiguous.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub(crate) struct Reading {
-    /// Unit of the accelerations, if the file does not give it.
-    #[arg(long, value_enum, value_name = "UNIT")]
-    pub units: Option<Unit>,
+    /// Unit of the accelerations, if the file does not give it: g, %g, mg, m/s2, gal (cm/s2), mm/s2, in/s2, ft/s2.
+    #[arg(long, value_name = "UNIT")]
+    pub units: Option<AccelerationUnit>,
     /// Time step [s] of a file without a time column.
     #[arg(long, value_name = "SECONDS")]
     pub dt: Option<f64>,
-    /// Channel of a CSMIP file with several, from 1.
-    #[arg(long, value_name = "N")]
-    pub channel: Option<u32>,
+    /// Channel of a file with several: its number, from 1, or a part of its name (`N-S`). FILE#CHANNEL goes first.
+    #[arg(long, value_name = "CHANNEL")]
+    pub channel: Option<String>,
+    /// Lines at the beginning of the file that are not read.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub skip_lines: usize,
+    /// Columns of a table, from 1: `1,3` for time and acceleration, `3` for the acceleration alone (with --dt), `all` for values in reading order (with
+    /// --dt).
+    #[arg(long, value_name = "COLUMNS")]
+    pub columns: Option<Columns>,
     /// Accept a peak ground acceleration above 5 g, before and after scaling; never above 1000 g.
     #[arg(long)]
     pub allow_implausible: bool,
-}
-
-/// Unit of accelerations on the command line.
-#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unit {
-    /// Standard gravity, 9.80665 m/s².
-    G,
-    /// cm/s².
-    #[value(alias = "cm/s2")]
-    Gal,
-    /// m/s².
-    #[value(name = "m/s2", alias = "mps2")]
-    MetrePerSecondSquared,
-}
-
-impl Unit {
-    /// In the vocabulary of the readers.
-    pub(crate) fn unit(self) -> records::AccelerationUnit {
-        match self {
-            Unit::G => records::AccelerationUnit::G,
-            Unit::Gal => records::AccelerationUnit::Gal,
-            Unit::MetrePerSecondSquared => records::AccelerationUnit::MetrePerSecondSquared,
-        }
-    }
 }
 
 impl Reading {
     /// In the vocabulary of the readers.
     pub(crate) fn options(&self) -> records::ReadOptions {
         records::ReadOptions {
-            unit: self.units.map(Unit::unit),
+            unit: self.units,
             dt: self.dt,
             allow_implausible: self.allow_implausible,
-            channel: self.channel,
+            channel: self.channel.clone(),
+            skip_lines: self.skip_lines,
+            columns: self.columns,
         }
     }
 }

@@ -49,9 +49,10 @@ Examples:
   tankcheck quake info elcentro.csv
   tankcheck quake info RSN6_IMPVALL.I_I-ELC180.AT2 --format json
   tankcheck quake info column.txt --dt 0.01 --units gal
+  tankcheck quake info station.V2 --channel 2
 
-Formats: CSV or plain text with one column (acceleration) or two (time, acceleration); PEER .AT2; ESM and ITACA;
-K-NET and KiK-net; USGS SMC; COSMOS; CSMIP volume 2 (--channel where there are several).
+Formats: CSV or plain text; PEER .AT2; ESM and ITACA; K-NET and KiK-net; USGS SMC; COSMOS; CSMIP, USC and Caltech; GeoNet; AFAD; CWA; UNAM; BHRC; SAC.
+docs/records.md describes them. Of a file with several channels, --channel or FILE#CHANNEL takes one.
 The unit comes from the header or from --units, never from the size of the numbers.")]
 struct Info {
     /// The record (`-` reads standard input).
@@ -71,6 +72,8 @@ struct Facts<'a> {
     format: &'a str,
     unit: String,
     unit_source: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    channel: Option<&'a str>,
     notes: &'a [String],
     low_cut_frequency_hz: Option<f64>,
     usable_period_s: Option<f64>,
@@ -133,6 +136,7 @@ fn facts(read: &ReadRecord) -> Facts<'_> {
         format: &read.format,
         unit: read.unit.to_string(),
         unit_source: &read.unit_source,
+        channel: read.channel.as_deref(),
         notes: &read.notes,
         low_cut_frequency_hz: read.low_cut_frequency,
         usable_period_s: read.usable_period(),
@@ -179,6 +183,9 @@ fn human(facts: &Facts) -> String {
     row("samples", format!("{}", facts.samples), "      ");
     let mut text = table.to_string();
     text.push_str(&format!("\nformat   {}\n", facts.format));
+    if let Some(channel) = facts.channel {
+        text.push_str(&format!("channel  {channel}\n"));
+    }
     text.push_str(&format!("unit     {}, from {}\n", facts.unit, facts.unit_source));
     text.push_str(&format!("sha256   {}\n", facts.sha256));
     if let (Some(corner), Some(longest)) = (facts.low_cut_frequency_hz, facts.usable_period_s) {

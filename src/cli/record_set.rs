@@ -147,7 +147,7 @@ fn listed(inputs: &Inputs) -> Result<SetInput, Error> {
         across,
         up,
         scale: 1.0,
-        options,
+        options: options.clone(),
     });
     Ok(SetInput {
         name: String::new(),
@@ -239,7 +239,7 @@ impl Given {
 fn components(entry: &SetEntry, allow_implausible: bool) -> Result<Components, files::error::Error> {
     let options = ReadOptions {
         allow_implausible,
-        ..entry.options
+        ..entry.options.clone()
     };
     let all = [
         ("x", Some(&entry.along)),
@@ -262,12 +262,15 @@ fn components(entry: &SetEntry, allow_implausible: bool) -> Result<Components, f
 /// Rejects a record that is there twice, and records of different components.
 fn distinct(read: &[(&SetEntry, Components)]) -> Result<(), Error> {
     let shown = |path: &Path| text::line(&path.display().to_string()).into_owned();
-    let all: Vec<(&PathBuf, &str)> = read
+    // A file may hold several components.
+    let content = |read: &ReadRecord| (read.sha256.clone(), read.channel.clone());
+    let all: Vec<(&PathBuf, _)> = read
         .iter()
-        .flat_map(|(_, found)| found.iter().map(|(_, path, read)| (path, read.sha256.as_str())))
+        .flat_map(|(_, found)| found.iter().map(|(_, path, read)| (path, content(read))))
         .collect();
-    for (i, (path, sha)) in all.iter().enumerate() {
-        if let Some((earlier, _)) = all[..i].iter().find(|(_, other)| other == sha) {
+    for (i, (path, one)) in all.iter().enumerate() {
+        let sha = &one.0;
+        if let Some((earlier, _)) = all[..i].iter().find(|(_, other)| other == one) {
             return Err(Error::input(
                 Code::Repeated,
                 format!(

@@ -2,38 +2,55 @@
 //!
 //! | file | format |
 //! |---|---|
-//! | [`columns`] | CSV and plain text: one column (acceleration) or two (time, acceleration) |
+//! | [`columns`] | CSV and plain text: a table, or values in reading order; `header`, `head`, `leading`, `separator` and `time` are its parts |
 //! | [`at2`] | PEER `.AT2`, headers of 1999 and NGA |
 //! | `esm` | ESM and ITACA ASCII |
 //! | `knet` | K-NET and KiK-net ASCII |
 //! | `smc` | USGS SMC |
 //! | `cosmos` | COSMOS v1.x |
-//! | `csmip` | CSMIP and CDMG volume 2 |
+//! | `csmip` | CSMIP, CDMG, USC and Caltech, volumes 1 and 2 |
+//! | `geonet` | GeoNet V1A and V2A |
+//! | `afad`, `cwa`, `unam` | stations of Turkey, Taiwan and Mexico; `keyed` is what they share |
+//! | `bhrc` | BHRC, Iran |
+//! | `sac` | SAC, binary and alphanumeric |
 //! | [`foreign`] | formats that are recognised but not supported |
 //! | `process` | scaling, time stretching, resampling |
 //!
 //! The unit of acceleration comes from the format, the header or [`ReadOptions::unit`], never from the size of the
 //! numbers. Every fault is an [`Error::Input`] with file, line, found and expected value.
 
+mod afad;
 pub mod at2;
+mod bhrc;
 mod block;
 pub mod columns;
 mod cosmos;
 mod csmip;
+mod cwa;
 mod draft;
 mod esm;
+mod filter;
 pub mod foreign;
+mod geonet;
+mod head;
+mod header;
+mod keyed;
 mod knet;
+mod leading;
 mod load;
 mod number;
 mod options;
 pub mod plausible;
 mod process;
+mod sac;
+mod separator;
 mod smc;
 mod time;
+mod unam;
 mod unit;
 
-use std::path::Path;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
 
 use oscillator::record::Record;
 
@@ -43,16 +60,38 @@ use files::code::Code;
 use files::error::Error;
 
 pub use columns::LOW_CUT;
-pub use options::{MAX_BYTES, MAX_PEAK, MAX_PLAUSIBLE, MAX_SAMPLES, MIN_PEAK, Processing, ReadOptions, ReadRecord};
+pub use options::{
+    Columns, MAX_BYTES, MAX_PEAK, MAX_PLAUSIBLE, MAX_SAMPLES, MIN_PEAK, Processing, ReadOptions, ReadRecord,
+};
 pub use process::process;
 pub use unit::AccelerationUnit;
 
-/// Reads an accelerogram (`-` reads standard input).
+/// Reads an accelerogram (`-` reads standard input). `FILE#CHANNEL` is a channel of a file, in place of that of the options.
 ///
 /// # Errors
 /// A file that cannot be read or is too large, and every fault of its contents, up to a limit all at once.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
-    read_bytes(&load::load(path)?, path, options)
+    let (file, channel) = located(path);
+    let options = ReadOptions {
+        channel: channel.or_else(|| options.channel.clone()),
+        ..options.clone()
+    };
+    read_bytes(&load::load(&file)?, &file, &options)
+}
+
+/// The file of a path, and the channel behind its `#`: `station.V2#2`. A file with that very name goes first.
+pub fn located(path: &Path) -> (PathBuf, Option<String>) {
+    let plain = || (path.to_path_buf(), None);
+    if path.exists() {
+        return plain();
+    }
+    let text = path.to_string_lossy();
+    match text.rsplit_once('#') {
+        Some((file, channel)) if !channel.is_empty() && Path::new(file).is_file() => {
+            (file.into(), Some(channel.into()))
+        }
+        _ => plain(),
+    }
 }
 
 /// Reads an accelerogram from the bytes of the file at `path` (for its name only).
@@ -69,9 +108,18 @@ pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Re
             ),
         ));
     }
-    let text = load::decode(bytes).map_err(|fault| Faults::from(fault).into_error(&Source::at(path, "")))?;
+    let at = |fault: Fault| Faults::from(fault).into_error(&Source::at(path, ""));
+    let (draft, text) = if sac::sniff_bytes(bytes) {
+        (sac::read_bytes(bytes, options), String::new())
+    } else if let Some(fault) = foreign::recognise(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)) {
+        return Err(at(fault));
+    } else {
+        let text = load::decode(bytes).map_err(at)?;
+        (draft(&text, options), text)
+    };
     let source = Source::at(path, text);
-    let draft = draft(&source.text, options).map_err(|faults| faults.into_error(&source))?;
+    let sound = draft.and_then(|draft| plausible(&draft, &source.text, options).map(|()| draft));
+    let draft = sound.map_err(|faults| faults.into_error(&source))?;
     let scale = draft.unit.si();
     let record = Record {
         name: draft.title.unwrap_or_else(|| stem(path)),
@@ -86,6 +134,7 @@ pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Re
         unit_source: draft.unit_source,
         notes: draft.notes,
         low_cut_frequency: draft.low_cut,
+        channel: draft.channel,
         sha256: load::sha256(bytes),
     })
 }
@@ -96,33 +145,43 @@ type Sniff = fn(&str) -> bool;
 type Reader = fn(&str, &ReadOptions) -> Result<Draft, Faults>;
 
 fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
-    let agencies: [(Sniff, Reader); 5] = [
+    let formats: [(Sniff, Reader); 12] = [
         (esm::sniff, esm::read),
         (knet::sniff, knet::read),
         (smc::sniff, smc::read),
         (cosmos::sniff, cosmos::read),
+        (geonet::sniff, geonet::read),
         (csmip::sniff, csmip::read),
+        (afad::sniff, afad::read),
+        (cwa::sniff, cwa::read),
+        (unam::sniff, unam::read),
+        (bhrc::sniff, bhrc::read),
+        (sac::sniff, sac::read),
+        (at2::sniff, at2::read),
     ];
-    let agency = agencies.into_iter().find(|(sniff, _)| sniff(text));
-    if let (Some(channel), true) = (options.channel, !csmip::sniff(text)) {
-        let fault = Fault::new(Code::RecordChannel, "--channel is for files with several channels")
-            .found(format!("--channel {channel}"));
-        return Err(fault.allowed("a CSMIP volume 2 file").into());
+    // Columns are those of a table.
+    let formats = if options.columns.is_some() {
+        &[][..]
+    } else {
+        &formats[..]
+    };
+    let text = without(text, options.skip_lines);
+    match formats.iter().find(|(sniff, _)| sniff(&text)) {
+        Some((_, read)) => read(&text, options),
+        None => columns::read(&text, options),
     }
-    let draft = match agency {
-        Some((_, read)) => read(text, options),
-        None => {
-            if let Some(fault) = foreign::recognise(text) {
-                return Err(fault.into());
-            }
-            match at2::sniff(text) {
-                true => at2::read(text, options),
-                false => columns::read(text, options),
-            }
+}
+
+/// The text without its first lines, which are blank, so that places stay valid.
+fn without(text: &str, lines: usize) -> Cow<'_, str> {
+    let skipped: usize = text.split_inclusive('\n').take(lines).map(str::len).sum();
+    match text.split_at_checked(skipped) {
+        Some((first, rest)) if skipped > 0 => {
+            let blank = |b: u8| if matches!(b, b'\n' | b'\r') { char::from(b) } else { ' ' };
+            Cow::Owned(first.bytes().map(blank).collect::<String>() + rest)
         }
-    }?;
-    plausible(&draft, text, options)?;
-    Ok(draft)
+        _ => Cow::Borrowed(text),
+    }
 }
 
 /// Rejects files that are not accelerograms: fewer than two samples, zero motion, peaks above 5 g (with the option:

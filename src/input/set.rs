@@ -9,10 +9,10 @@ use codes::record_set::standard::{Combine, Standard};
 use files::code::Code;
 
 use crate::input::diagnostic::{Faults, Source};
-use crate::input::records::{AccelerationUnit, ReadOptions};
+use crate::input::records::{self, ReadOptions};
 use crate::input::tank::bytes;
 use crate::input::tank::read::{Field, FromNode, Opt};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::{Resolver, range_fault, record_unit};
 use crate::input::tank::{schema, syntax};
 use crate::input::target;
 use files::error::Error;
@@ -145,10 +145,9 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Optio
 
 fn entry(r: &mut Resolver<'_>, given: &SetRecord, folder: &Path) -> Option<SetEntry> {
     let options = ReadOptions {
-        unit: unit(r, &given.units),
+        unit: record_unit(r, &given.units),
         dt: r.optional(&given.dt),
-        allow_implausible: false,
-        channel: None,
+        ..ReadOptions::default()
     };
     let along = file(r, &given.along, folder);
     let mut other = |option: &Opt<String>| option.given.as_ref().and_then(|field| file(r, field, folder));
@@ -163,35 +162,17 @@ fn entry(r: &mut Resolver<'_>, given: &SetRecord, folder: &Path) -> Option<SetEn
     })
 }
 
-/// A file relative to the set file.
+/// A file, or a channel of one, relative to the set file.
 fn file(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Option<PathBuf> {
     let path = folder.join(r.text(field)?);
-    if !path.is_file() {
+    if !records::located(&path).0.is_file() {
         r.faults.push(range_fault(
             Code::FileUnreadable,
             field,
             "no such file",
-            "a record, relative to the set file",
+            "a record, or FILE#CHANNEL, relative to the set file",
         ));
         return None;
     }
     Some(path)
-}
-
-fn unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> {
-    let field = option.given.as_ref()?;
-    match r.text(field)?.as_str() {
-        "g" => Some(AccelerationUnit::G),
-        "gal" | "cm/s2" => Some(AccelerationUnit::Gal),
-        "m/s2" => Some(AccelerationUnit::MetrePerSecondSquared),
-        _ => {
-            r.faults.push(range_fault(
-                Code::UnitUnknown,
-                field,
-                "an unknown unit",
-                "g, gal or m/s2",
-            ));
-            None
-        }
-    }
 }

@@ -9,6 +9,7 @@ mod codes;
 mod compare;
 mod corners;
 mod estimates;
+mod field;
 mod fragility;
 mod frequency;
 mod grades;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use crate::cli::inputs::{Reading, Unit};
+use crate::cli::inputs::Reading;
 use crate::cli::print;
 use crate::error::Error;
 use crate::input::records::{self, AccelerationUnit, LOW_CUT, ReadRecord};
@@ -26,8 +26,8 @@ pub(super) struct Convert {
     #[command(flatten)]
     reading: Reading,
     /// Unit of the output.
-    #[arg(long, value_enum, value_name = "UNIT", default_value = "m/s2")]
-    to: Unit,
+    #[arg(long, value_name = "UNIT", default_value = "m/s2")]
+    to: AccelerationUnit,
     /// File that is written; it must not exist. Standard output without it, or for `-`.
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -53,7 +53,7 @@ impl Convert {
             .record
             .file_name()
             .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let text = csv(&read, &source, self.to.unit());
+        let text = csv(&read, &source, self.to);
         match out {
             Some(path) => Ok(write_whole(path, text.as_bytes())?),
             None => print(&text),
@@ -69,6 +69,9 @@ fn csv(read: &ReadRecord, source: &str, unit: AccelerationUnit) -> String {
     comment("record", &read.record.name);
     comment("source", source);
     comment("format", &read.format);
+    if let Some(channel) = &read.channel {
+        comment("channel", channel);
+    }
     comment("source sha256", &read.sha256);
     comment("unit of the source", &read.unit.to_string());
     if let Some(corner) = read.low_cut_frequency {
@@ -77,12 +80,7 @@ fn csv(read: &ReadRecord, source: &str, unit: AccelerationUnit) -> String {
     for note in &read.notes {
         comment("note", note);
     }
-    let name = match unit {
-        AccelerationUnit::G => "acceleration_g",
-        AccelerationUnit::Gal => "acceleration_gal",
-        AccelerationUnit::MetrePerSecondSquared => "acceleration_m_s2",
-    };
-    let _ = writeln!(said, "time_s,{name}");
+    let _ = writeln!(said, "time_s,acceleration_{}", unit.to_string().replace('/', "_"));
     for (k, a) in read.record.acceleration.iter().enumerate() {
         // Twelve digits of the time are more than its origin has, and hide the rounding of the product.
         let time: f64 = format!("{:.11e}", k as f64 * read.record.dt)

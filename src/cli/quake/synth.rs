@@ -10,10 +10,11 @@ use oscillator::record::Record;
 use oscillator::synthetic::{Wanted, synthetic};
 
 use super::target::Target;
-use crate::cli::inputs::{Reading, Unit};
+use crate::cli::inputs::Reading;
 use crate::cli::print;
 use crate::cli::terminal::warn;
 use crate::error::{EXIT_OK, Error};
+use crate::input::records::AccelerationUnit;
 use crate::study::rule::{self, Answer, Question};
 use files::code::{Code, Warning};
 use files::{Kind, OutputFolder};
@@ -71,8 +72,8 @@ pub(super) struct Synth {
     #[arg(long, short, value_name = "FOLDER", default_value = "records")]
     out: PathBuf,
     /// Unit of the accelerations of a table that does not say it.
-    #[arg(long, value_enum, value_name = "UNIT")]
-    units: Option<Unit>,
+    #[arg(long, value_name = "UNIT")]
+    units: Option<AccelerationUnit>,
 }
 
 impl Synth {

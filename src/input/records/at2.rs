@@ -8,30 +8,54 @@
 //!    .9984852E-03   .9991426E-03   …
 //! ```
 //!
-//! The line with `NPTS` and `DT` ends the header; before NGA it was also written `5372 .0100 NPTS, DT`. The unit
-//! follows the word `UNITS`. The last line may be partial. NPTS must equal the number of values, so that truncated
-//! files are rejected.
+//! The line with `NPTS` ends the header, if numbers follow that are not a table of times; before NGA it was also written `5372 .0100 NPTS, DT`.
+//! `DT` may be followed by its unit: `.0100SEC`, `5.0 MSEC`, `200 HZ`. The unit of acceleration follows the word `UNITS`, or `IN` after the
+//! word acceleration. `HP` of `FILTER POINTS` is the corner of the low-cut filter. The last line may be partial. NPTS must equal the number of
+//! values, so that truncated files are rejected.
 
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::block::lines;
 use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit};
+use crate::input::records::filter::corner;
+use crate::input::records::header::{plain_step, unknown_time, unknown_unit};
 use crate::input::records::number::{parse, split_glued};
+use crate::input::records::separator::Separator;
+use crate::input::records::unit::{Step, step, with_unit};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
 use files::code::Code;
 
 /// The header ends within this many lines.
 const HEADER_LINES: usize = 30;
 
-/// Whether one of the first lines is the line with NPTS.
+/// Whether one of the first lines is the line with NPTS, and the samples follow it.
 pub fn sniff(text: &str) -> bool {
     header_end(text).is_some()
 }
 
 /// Number (from 0) of the line with NPTS.
 fn header_end(text: &str) -> Option<usize> {
-    text.lines()
-        .take(HEADER_LINES)
-        .position(|line| line.to_ascii_uppercase().contains("NPTS"))
+    let place = text.lines().take(HEADER_LINES).position(|line| {
+        let named = line.to_ascii_uppercase().contains("NPTS") && line.contains(|c: char| c.is_ascii_digit());
+        named && !line.trim_start().starts_with(['#', '%', '!', '/', ';', '|'])
+    })?;
+    let mut after = text.lines().skip(place + 1).filter(|line| !line.trim().is_empty());
+    let numbers = |line: Option<&str>| -> Option<Vec<f64>> {
+        Separator::Spaces
+            .cells(line?)
+            .iter()
+            .map(|(_, cell)| parse(cell).ok())
+            .collect()
+    };
+    let first = after.next();
+    // Times beside the accelerations: a table under a header of words.
+    let table = match (numbers(first), numbers(after.next())) {
+        (Some(one), Some(two)) => one.len() == 2 && two.len() == 2 && two[0] > one[0] && one[0] >= 0.0,
+        _ => false,
+    };
+    let words = first.is_some_and(|line| {
+        numbers(Some(line)).is_none() && line.contains(|c: char| c.is_ascii_alphabetic() && !"eEdDnN".contains(c))
+    });
+    (!table && !words).then_some(place)
 }
 
 /// Reads the text; call [`sniff`] before.
@@ -40,14 +64,29 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let last = header_end(text).unwrap_or(0);
     let header = &lines[..(last + 1).min(lines.len())];
     let (start, line) = header.last().copied().unwrap_or((0, ""));
-    let (samples, dt) = counts(line).map_err(|fault| fault.at(start..start + line.len()))?;
+    let at = |fault: Fault| fault.at(start..start + line.len());
+    let (samples, leading) = counts(line).map_err(at)?;
+    let dt = match header
+        .iter()
+        .rev()
+        .find_map(|(_, line)| dt_of(line))
+        .or(leading.map(Step::Bare))
+    {
+        None => None,
+        Some(Step::Seconds(dt)) => Some(dt),
+        Some(Step::Bare(dt)) if dt <= 0.0 => Some(dt),
+        Some(Step::Bare(dt)) => Some(plain_step(dt).map_err(at)?),
+        Some(Step::Unknown(unit)) => return Err(at(unknown_time(&unit)).into()),
+    };
+    if dt.is_some_and(|dt| !(dt > 0.0 && dt.is_finite())) {
+        return Err(at(Fault::new(Code::TimeStep, "DT must be greater than 0").found(line.trim())).into());
+    }
     let dt = settle_dt(dt, options)?.ok_or_else(|| {
-        Fault::new(Code::TimeStep, "the header does not give a time step")
-            .at(start..start + line.len())
+        at(Fault::new(Code::TimeStep, "the header does not give a time step"))
             .allowed("`NPTS= 4000, DT= .01000 SEC`, or --dt")
     })?;
     acceleration(header)?;
-    let (unit, unit_source) = settle_unit(unit_of(header), options, "a header line such as `IN UNITS OF G`")?;
+    let (unit, unit_source) = settle_unit(unit_of(header)?, options, "a header line such as `IN UNITS OF G`")?;
     let (values, places) = values(&lines[header.len()..], samples, text)?;
     Ok(Draft {
         title: title(header),
@@ -57,26 +96,44 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         dt,
         values,
         places,
+        channel: None,
         notes: Vec::new(),
-        low_cut: None,
+        low_cut: header.iter().find_map(|(_, line)| corner(line)),
     })
 }
 
-/// NPTS and DT of the line that names them; DT may be missing.
+/// The step behind the word DT of a line: `DT= .0100 SEC`, `DT(MS)=5`.
+fn dt_of(line: &str) -> Option<Step> {
+    let upper = line.to_ascii_uppercase();
+    let alone = |at: &usize| {
+        let (before, after) = (upper[..*at].chars().next_back(), upper[at + 2..].chars().next());
+        !before.is_some_and(char::is_alphanumeric) && !after.is_some_and(char::is_alphabetic)
+    };
+    let at = upper.match_indices("DT").map(|(at, _)| at).find(alone)?;
+    let rest = upper.get(at + 2..)?.trim_start();
+    let bracketed = rest
+        .strip_prefix(['(', '['])
+        .and_then(|rest| rest.split_once([')', ']']));
+    let (unit, rest) = bracketed.map_or((None, rest), |(unit, rest)| (Some(unit), rest));
+    match (step(rest.trim_start_matches([' ', '=', ':', '\t'])), unit) {
+        (Some(Step::Bare(value)), Some(unit)) => Some(with_unit(value, unit.trim())),
+        (found, _) => found,
+    }
+}
+
+/// NPTS of the line that names it, and the step that may follow a count in front of the word.
 fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
     let upper = line.to_ascii_uppercase();
-    let after = |word: &str| {
-        let place = upper.find(word)? + word.len();
-        let rest = upper.get(place..)?.trim_start_matches([' ', '=', ':', '\t']);
-        let token = rest.split([' ', ',', ';', '\t']).next()?;
-        parse(token).ok()
-    };
+    let behind = upper.split_once("NPTS").and_then(|(_, rest)| {
+        let rest = rest.trim_start_matches([' ', '=', ':', '\t']);
+        parse(rest.split([' ', ',', ';', '\t']).next()?).ok()
+    });
     let mut leading = upper
         .split([' ', ',', ';', '\t'])
         .filter(|t| !t.is_empty())
         .map_while(|t| parse(t).ok());
-    let (npts, dt) = match after("NPTS") {
-        Some(npts) => (Some(npts), after("DT")),
+    let (npts, dt) = match behind {
+        Some(npts) => (Some(npts), None),
         None => (leading.next(), leading.next()),
     };
     let shape = "`NPTS= 4000, DT= .01000 SEC` or `4000 .01000 NPTS, DT`";
@@ -92,9 +149,6 @@ fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
     }
     if npts > MAX_SAMPLES as f64 {
         return Err(fault(Code::TooLarge, "the record is too long").allowed(format!("up to {MAX_SAMPLES} samples")));
-    }
-    if dt.is_some_and(|dt| dt <= 0.0) {
-        return Err(fault(Code::TimeStep, "DT must be greater than 0"));
     }
     Ok((npts as usize, dt))
 }
@@ -114,27 +168,41 @@ fn acceleration(header: &[(usize, &str)]) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The unit after the word UNITS, with its source in words.
-fn unit_of(header: &[(usize, &str)]) -> Option<(AccelerationUnit, String)> {
-    header.iter().enumerate().find_map(|(i, (_, line))| {
+/// The unit after the word UNITS, or after IN or a bracket of a line on accelerations, with its source in words.
+///
+/// Errors: a unit that is not known.
+fn unit_of(header: &[(usize, &str)]) -> Result<Option<(AccelerationUnit, String)>, Fault> {
+    for (i, (start, line)) in header.iter().enumerate() {
         let upper = line.to_ascii_uppercase();
-        let mut rest = upper
-            .get(upper.find("UNIT")?..)?
-            .trim_start_matches(|c: char| c.is_alphabetic());
-        loop {
-            rest = rest.trim_start_matches([' ', '=', ':', '(', '[', '\t']);
-            match ["OF ", "ARE ", "IS ", "IN "]
-                .iter()
-                .find_map(|word| rest.strip_prefix(word))
-            {
-                Some(shorter) => rest = shorter,
-                None => break,
-            }
+        let behind = |word: &str| upper.get(upper.find(word)? + word.len()..);
+        let said = match (behind("UNITS").or_else(|| behind("UNIT ")), upper.contains("ACC")) {
+            (Some(rest), _) => Some(rest),
+            (None, true) => behind(" IN ").or_else(|| behind("(")).or_else(|| behind("[")),
+            (None, false) => None,
+        };
+        let Some(mut rest) = said else { continue };
+        while let Some(shorter) = ["OF ", "ARE ", "IS ", "IN ", " ", "=", ":", "(", "[", "\t"]
+            .iter()
+            .find_map(|word| rest.strip_prefix(word))
+        {
+            rest = shorter;
         }
-        let token = rest.split([' ', ',', ';', ')', ']', '\t']).next()?;
-        let unit = AccelerationUnit::parse(token.trim_end_matches('.'))?;
-        Some((unit, format!("header, line {} (`{}`)", i + 1, printable(line))))
-    })
+        let words: Vec<&str> = rest
+            .split([',', ';', ')', ']'])
+            .next()
+            .unwrap_or("")
+            .split_whitespace()
+            .collect();
+        let unit = (1..=words.len().min(3))
+            .rev()
+            .find_map(|n| AccelerationUnit::parse(&words[..n].join(" ")));
+        match (unit, words.first()) {
+            (Some(unit), _) => return Ok(Some((unit, format!("header, line {} (`{}`)", i + 1, printable(line))))),
+            (None, Some(word)) => return Err(unknown_unit(word).at(*start..start + line.len())),
+            (None, None) => {}
+        }
+    }
+    Ok(None)
 }
 
 /// Event, station and component: the second line of a PEER header.

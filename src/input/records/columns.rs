@@ -1,140 +1,61 @@
-//! CSV and plain text: one column (acceleration) or two (time and acceleration).
+//! CSV and plain text: a table with one column of accelerations, or values in reading order.
 //!
 //! * Columns are separated by `;`, `,`, tabs or spaces; the first line of numbers decides.
-//! * The decimal mark is a point; with `;` or tabs between columns it may be a comma, one mark throughout the file.
-//! * Lines in front of the numbers that do not begin with a number are titles; one of them may name the columns and
-//!   their units: `time_s,acceleration_m_s2`, `t [s]; a [g]`, `Time(s) Accel(g)`. Lines that begin with `#`, `%`, `!`
-//!   or `//` are comments; they too may name the columns.
+//! * The decimal mark is a point; with `;`, tabs or spaces between columns it may be a comma, one mark throughout the file.
+//! * Lines before the numbers are titles and comments (`#`, `%`, `!`, `//`, `;`); [`header`](super::header) says which of them are read.
+//! * The first line of numbers may give their number and the time step.
+//! * One column is the acceleration, two without a header are time and acceleration. Of more columns a header or `--columns` tells the meaning;
+//!   five or more without both are values in reading order, where the time step is known.
 //! * Time is in seconds unless the header has `ms`. Acceleration does not have a default unit.
 
 use crate::input::diagnostic::{Fault, Faults};
-use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit, token_at};
-use crate::input::records::number::{begins_like_number, parse, resolution};
-use crate::input::records::time::{Stamp, uniform_step};
-use crate::input::records::unit::{Head, head};
-use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+use crate::input::records::block::Line;
+use crate::input::records::draft::{Collector, Draft, choose, settle_dt, settle_unit, token_at};
+use crate::input::records::filter::corner;
+use crate::input::records::header::{self, Layout, MILLISECONDS, Stated, Title, Values, stated};
+use crate::input::records::leading::{Leading, leading};
+use crate::input::records::number::{NotANumber, begins_like_number, parse, resolution};
+use crate::input::records::options::Columns;
+use crate::input::records::separator::Separator;
+use crate::input::records::time::{Stamp, looks_like_time, uniform_step};
+use crate::input::records::{MAX_SAMPLES, ReadOptions};
 use files::code::Code;
-
-/// Step from which a time column without a unit is not read as seconds.
-const MILLISECONDS: f64 = 0.5;
-
-/// Separator of the columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Separator {
-    Semicolon,
-    Comma,
-    Tab,
-    Spaces,
-}
-
-impl Separator {
-    /// Decides by a line of numbers.
-    fn of(line: &str) -> Separator {
-        if line.contains(';') {
-            Separator::Semicolon
-        } else if line.trim().contains('\t') {
-            Separator::Tab
-        } else if line.contains(',') {
-            Separator::Comma
-        } else {
-            Separator::Spaces
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Separator::Semicolon => "`;`",
-            Separator::Comma => "`,`",
-            Separator::Tab => "tabs",
-            Separator::Spaces => "spaces",
-        }
-    }
-
-    /// Cells and the byte at which each begins; an empty cell at the end of a line is ignored.
-    fn cells<'a>(self, line: &'a str) -> Vec<(usize, &'a str)> {
-        let place = |cell: &'a str| {
-            let bare = cell.trim();
-            let start = bare.as_ptr() as usize - line.as_ptr() as usize;
-            match bare.strip_prefix('"').and_then(|c| c.strip_suffix('"')) {
-                Some(inner) => (start + 1, inner.trim()),
-                None => (start, bare),
-            }
-        };
-        let mut cells: Vec<(usize, &str)> = match self {
-            Separator::Semicolon => line.split(';').map(place).collect(),
-            Separator::Comma => line.split(',').map(place).collect(),
-            Separator::Tab => line
-                .trim()
-                .split('\t')
-                .filter(|c| !c.trim().is_empty())
-                .map(place)
-                .collect(),
-            Separator::Spaces => line.split_whitespace().map(place).collect(),
-        };
-        if cells.len() > 1 && cells.last().is_some_and(|c| c.1.is_empty()) {
-            cells.pop();
-        }
-        cells
-    }
-}
-
-/// Meaning of the columns.
-#[derive(Clone, Debug)]
-struct Layout {
-    time: Option<usize>,
-    acceleration: usize,
-    columns: usize,
-    /// Size of the unit of time [s]; `None` if the header does not name it.
-    time_unit: Option<f64>,
-    unit: Option<(AccelerationUnit, String)>,
-    header: Option<String>,
-}
 
 /// Beginning of the comment that gives the corner of the low-cut filter: `# low-cut filter: 0.2 Hz`.
 pub const LOW_CUT: &str = "low-cut filter";
-
-/// A line of text with the byte at which it begins.
-type Line<'a> = (usize, &'a str);
+/// Columns from which a table without a header is not a few components.
+const IN_ORDER: usize = 5;
+/// Rows that tell whether a column is a time.
+const TELLING: usize = 20;
 
 /// Reads the text.
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
-    let mut titles: Vec<(usize, Line)> = Vec::new();
-    let mut data: Option<(Separator, Layout)> = None;
-    let mut table = Table::default();
-    let mut faults = Collector::new();
-    let mut start = 0;
-    for (number, raw) in text.split_inclusive('\n').enumerate() {
-        let line: Line = (start, raw.trim_end_matches(['\n', '\r']));
-        start += raw.len();
-        let bare = line.1.trim();
-        let comment = comment_text(bare);
-        if bare.is_empty() || (comment.is_some() && data.is_some()) {
-            continue;
-        }
-        if data.is_none() && (comment.is_some() || !begins_like_number(bare)) {
-            titles.push((number + 1, (line.0, comment.unwrap_or(line.1))));
-            continue;
-        }
-        if data.is_none() {
-            let separator = Separator::of(line.1);
-            data = Some((separator, layout(&titles, separator, line)?));
-        }
-        if let Some((separator, layout)) = &data {
-            let stop = match table.add(line, *separator, layout) {
-                Ok(()) => table.values.len() > MAX_SAMPLES,
-                Err(fault) => faults.push(fault),
-            };
-            if stop {
-                break;
-            }
-        }
-    }
-    faults.finish()?;
-    let Some((separator, layout)) = data else {
+    let (titles, rows) = split(text);
+    let Some(&first) = rows.first() else {
         return Err(Fault::new(Code::EmptyFile, "the file does not contain numbers")
             .allowed("CSV, two-column text or PEER .AT2")
             .into());
     };
+    let said = stated(&titles)?;
+    let leading = leading(&rows);
+    let rows = &rows[leading.lines..];
+    let row = rows.first().copied().unwrap_or(first);
+    let separator = Separator::of(row.1);
+    let columns = separator.cells(row.1).len();
+    whole(&titles, separator, columns)?;
+    let layout = layout(&titles, separator, rows, (&said, &leading), options)?;
+    let mut table = Table::default();
+    let mut faults = Collector::new();
+    for (i, line) in rows.iter().enumerate() {
+        let stop = match table.add(*line, separator, &layout, i + 1 == rows.len()) {
+            Ok(()) => table.values.len() > MAX_SAMPLES,
+            Err(fault) => faults.push(fault),
+        };
+        if stop {
+            break;
+        }
+    }
+    faults.finish()?;
     if table.values.len() > MAX_SAMPLES {
         return Err(Fault::new(Code::TooLarge, "the record is too long")
             .found(format!("more than {MAX_SAMPLES} samples"))
@@ -142,11 +63,171 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             .help("cut the record to the strong motion")
             .into());
     }
-    let corner = titles.iter().find_map(|(_, line)| low_cut(line.1));
-    let draft = draft(table, separator, layout, text, options)?;
-    Ok(Draft {
-        low_cut: corner,
-        ..draft
+    leading.fits(table.values.len(), first)?;
+    let low_cut = titles.iter().find_map(|title| corner(title.text));
+    let draft = draft(table, separator, layout, (text, options), (&said, &leading))?;
+    Ok(Draft { low_cut, ..draft })
+}
+
+/// Lines before the first line of numbers, and from there on those that are neither empty nor comments, up to a few more than a record may have.
+fn split(text: &str) -> (Vec<Title<'_>>, Vec<Line<'_>>) {
+    let (mut titles, mut rows) = (Vec::new(), Vec::new());
+    let mut start = 0;
+    for (number, raw) in text.split_inclusive('\n').enumerate() {
+        let line: Line = (start, raw.trim_end_matches(['\n', '\r']));
+        start += raw.len();
+        let comment = comment_text(line.1);
+        let padding = line.1.chars().all(|c| c.is_whitespace() || matches!(c, ',' | ';'));
+        if padding || (comment.is_some() && !rows.is_empty()) {
+            continue;
+        }
+        if rows.is_empty() && (comment.is_some() || !is_row(line.1)) {
+            let text = comment.unwrap_or(line.1);
+            titles.push(Title {
+                number: number + 1,
+                start: line.0 + (line.1.len() - text.len()),
+                text,
+                comment: comment.is_some(),
+            });
+            continue;
+        }
+        rows.push(line);
+        if rows.len() > MAX_SAMPLES + 2 {
+            break;
+        }
+    }
+    (titles, rows)
+}
+
+/// The text of a comment line.
+fn comment_text(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let marked = ["#", "%", "!", "//"].iter().find_map(|mark| line.strip_prefix(mark));
+    // A line of cells may begin with an empty one.
+    marked.or_else(|| line.strip_prefix(';').filter(|rest| rest.contains(char::is_alphabetic)))
+}
+
+/// Whether a line is one of numbers and of nothing else.
+fn is_row(line: &str) -> bool {
+    let mut numbers = 0;
+    for (_, word) in Separator::Spaces.cells(&line.replace([';', '\t', '"'], " ")) {
+        for part in word.split(',').filter(|part| !part.is_empty()) {
+            match parse(part) {
+                Ok(_) | Err(NotANumber::NotFinite) => numbers += 1,
+                Err(NotANumber::Overflow) => {}
+                Err(NotANumber::Text) => return false,
+            }
+        }
+    }
+    numbers > 0
+}
+
+/// Rejects a damaged line of numbers among the titles, which must not get lost.
+fn whole(titles: &[Title], separator: Separator, columns: usize) -> Result<(), Fault> {
+    let number = |cell: &str| parse(&cell.replace(',', ".")).is_ok();
+    let damaged = titles.iter().find(|title| {
+        let cells = separator.cells(title.text);
+        let like = !title.comment && begins_like_number(title.text.trim()) && cells.len() == columns;
+        like && (columns == 1 || cells.iter().any(|c| number(c.1)))
+    });
+    let Some(title) = damaged else { return Ok(()) };
+    let cells = separator.cells(title.text);
+    let cell = cells.iter().find(|c| !number(c.1)).copied().unwrap_or((0, title.text));
+    Err(
+        Fault::new(Code::NotANumber, "a number before the record is not a number")
+            .at(title.start + cell.0..title.start + cell.0 + cell.1.len())
+            .found(cell.1)
+            .allowed("finite numbers; lines of text must begin with `#`")
+            .help("correct the number, or skip the lines before the record with --skip-lines"),
+    )
+}
+
+/// Finds the meaning of the columns.
+fn layout(
+    titles: &[Title],
+    separator: Separator,
+    rows: &[Line],
+    (said, leading): (&Stated, &Leading),
+    options: &ReadOptions,
+) -> Result<Layout, Fault> {
+    let first = rows.first().copied().unwrap_or((0, ""));
+    let cells = separator.cells(first.1);
+    let columns = cells.len();
+    let whole = first.0..first.0 + first.1.len();
+    if separator == Separator::Comma && cells.iter().any(|c| c.1.contains(char::is_whitespace)) {
+        return Err(Fault::new(Code::RecordFormat, "commas and spaces are mixed")
+            .at(whole)
+            .found(first.1.trim())
+            .allowed("columns separated by `;` or tabs where the comma is the decimal mark"));
+    }
+    if options.columns == Some(Columns::All) {
+        let unit = header::layout(titles, Separator::Semicolon, 1, options)
+            .ok()
+            .flatten()
+            .and_then(|l| l.unit);
+        return Ok(Layout {
+            unit,
+            ..Layout::plain(None, Values::All, columns)
+        });
+    }
+    if let Some(named) = header::layout(titles, separator, columns, options)? {
+        return Ok(named);
+    }
+    choose(&[String::from("acceleration")], options)?;
+    match columns {
+        1 => return Ok(Layout::plain(None, Values::Column(0), 1)),
+        2 => return Ok(Layout::plain(Some(0), Values::Column(1), 2)),
+        _ => {}
+    }
+    let fault = |help: &str| {
+        let fault = Fault::new(Code::RecordFormat, format!("{columns} columns without a header")).at(whole.clone());
+        fault
+            .found(first.1.trim())
+            .allowed("one column (acceleration), two (time, acceleration), or a header that names the columns")
+            .help(help)
+    };
+    let column = |k: usize| -> Vec<f64> {
+        let cell = |row: &Line| {
+            separator
+                .cells(row.1)
+                .get(k)
+                .and_then(|c| parse(&c.1.replace(',', ".")).ok())
+        };
+        rows.iter().take(TELLING).map_while(cell).collect()
+    };
+    let order: Vec<f64> = rows
+        .iter()
+        .take(TELLING)
+        .flat_map(|row| separator.cells(row.1))
+        .step_by(2)
+        .map_while(|c| parse(c.1).ok())
+        .collect();
+    if looks_like_time(&order) {
+        return Err(fault(
+            "the values look like pairs of time and acceleration: write one pair a line",
+        ));
+    }
+    if looks_like_time(&column(0)) {
+        return Err(fault(
+            "the first column looks like a time: give the columns of time and acceleration, such as --columns 1,2",
+        ));
+    }
+    let short = rows.last().is_some_and(|row| separator.cells(row.1).len() < columns);
+    if columns < IN_ORDER && !short && leading.count.is_none() {
+        return Err(fault(
+            "--columns 2 reads the second of several components, --columns all reads values in reading order",
+        ));
+    }
+    if options.dt.or(said.dt).or(leading.dt).is_none() {
+        return Err(fault(
+            "values in reading order need --dt; of a table, name the columns in a header or with --columns 1,2",
+        ));
+    }
+    // The name of all columns.
+    let unit = header::layout(titles, Separator::Semicolon, 1, options)?.and_then(|l| l.unit);
+    Ok(Layout {
+        unit,
+        ..Layout::plain(None, Values::All, columns)
     })
 }
 
@@ -154,13 +235,13 @@ fn draft(
     table: Table,
     separator: Separator,
     layout: Layout,
-    text: &str,
-    options: &ReadOptions,
+    (text, options): (&str, &ReadOptions),
+    (said, leading): (&Stated, &Leading),
 ) -> Result<Draft, Fault> {
     let mut notes = Vec::new();
     let named_dt = match layout.time {
-        Some(_) => Some(uniform_step(&table.stamps, text)?),
-        None => None,
+        Some(_) => Some(uniform_step(&table.stamps, text, options.dt.or(leading.dt))?),
+        None => leading.dt.or(said.dt),
     };
     if let (Some(step), None, Some(first)) = (named_dt, layout.time_unit, table.stamps.get(1))
         && step >= MILLISECONDS
@@ -191,25 +272,17 @@ fn draft(
         .allowed("--dt SECONDS, or a first column with the time")
     })?;
     let example = "a header such as `time_s,acceleration_m_s2` or `t [s]; a [g]`";
-    let (unit, unit_source) = settle_unit(layout.unit, options, example)?;
-    let columns = if layout.time.is_some() {
-        "time and acceleration"
-    } else {
-        "acceleration"
-    };
-    let kind = if matches!(separator, Separator::Semicolon | Separator::Comma) {
-        "CSV"
-    } else {
-        "text"
-    };
-    let header = layout.header.map_or("no header".into(), |h| format!("header `{h}`"));
-    let format = match layout.columns {
-        1 => format!("{kind}, {columns}, {header}"),
-        _ => format!("{kind}, {columns} separated by {}, {header}", separator.name()),
-    };
+    if let (Some((unit, source)), Some((other, line))) = (&layout.unit, &said.unit)
+        && unit != other
+    {
+        return Err(Fault::new(Code::RecordUnit, "the header gives two units")
+            .found(format!("{unit} in the {source}, {other} in {line}")));
+    }
+    let (unit, unit_source) = settle_unit(layout.unit.clone().or_else(|| said.unit.clone()), options, example)?;
     Ok(Draft {
         title: None,
-        format,
+        format: format(separator, &layout),
+        channel: layout.channel,
         unit,
         unit_source,
         dt,
@@ -220,143 +293,30 @@ fn draft(
     })
 }
 
-/// The corner [Hz] in a comment of `quake convert`.
-fn low_cut(comment: &str) -> Option<f64> {
-    let value = comment
-        .trim()
-        .strip_prefix(LOW_CUT)?
-        .strip_prefix(':')?
-        .trim()
-        .strip_suffix("Hz")?;
-    parse(value).ok().filter(|corner| *corner > 0.0)
-}
-
-/// The text of a comment line.
-fn comment_text(line: &str) -> Option<&str> {
-    ["#", "%", "!", "//"].iter().find_map(|mark| line.strip_prefix(mark))
-}
-
-/// Finds the meaning of the columns from the first line of numbers and the lines before it.
-fn layout(titles: &[(usize, Line)], separator: Separator, first: Line) -> Result<Layout, Fault> {
-    let cells = separator.cells(first.1);
-    let whole = first.0..first.0 + first.1.len();
-    let decimal_comma = separator == Separator::Comma && cells.iter().any(|c| c.1.contains(char::is_whitespace));
-    if decimal_comma {
-        return Err(Fault::new(Code::RecordFormat, "commas and spaces are mixed")
-            .at(whole)
-            .found(first.1.trim())
-            .allowed("columns separated by `;` or tabs where the comma is the decimal mark"));
-    }
-    if cells.len() > 2 {
-        return Err(Fault::new(Code::RecordFormat, format!("{} columns", cells.len()))
-            .at(whole)
-            .found(first.1.trim())
-            .allowed("one column (acceleration) or two (time, acceleration)")
-            .help("write one component per file; values in reading order need a PEER header with NPTS and DT"));
-    }
-    let plain = Layout {
-        time: (cells.len() == 2).then_some(0),
-        acceleration: cells.len() - 1,
-        columns: cells.len(),
-        time_unit: None,
-        unit: None,
-        header: None,
-    };
-    // The line nearest to the numbers that names columns is the header.
-    for (number, line) in titles.iter().rev() {
-        let heads = header_cells(line.1, separator).into_iter().find(|cells| {
-            cells.iter().any(|c| !matches!(head(c), Head::Unknown)) && cells.len() <= cells_limit(cells, plain.columns)
-        });
-        let Some(heads) = heads else { continue };
-        return named(&heads, &plain, *number, *line);
-    }
-    Ok(plain)
-}
-
-/// A header may have a wrong number of cells only if every cell names something.
-fn cells_limit(cells: &[String], columns: usize) -> usize {
-    if cells.iter().all(|c| !matches!(head(c), Head::Unknown)) {
-        usize::MAX
+/// The format in words.
+fn format(separator: Separator, layout: &Layout) -> String {
+    let kind = if matches!(separator, Separator::Semicolon | Separator::Comma) {
+        "CSV"
     } else {
-        columns
-    }
-}
-
-/// The ways to cut a header line into cells: like the numbers, then like any other table.
-fn header_cells(line: &str, separator: Separator) -> Vec<Vec<String>> {
-    let mut ways = Vec::new();
-    for way in [separator, Separator::Semicolon, Separator::Tab, Separator::Comma] {
-        if way != Separator::Spaces {
-            ways.push(way.cells(line).iter().map(|c| c.1.to_string()).collect::<Vec<_>>());
-        }
-    }
-    // Words; a word that begins with a bracket belongs to the one before.
-    let mut words: Vec<String> = Vec::new();
-    for word in line.split_whitespace() {
-        match words.last_mut() {
-            Some(last) if word.starts_with(['[', '(']) => last.push_str(word),
-            _ => words.push(word.to_string()),
-        }
-    }
-    ways.insert(usize::from(separator != Separator::Spaces) * ways.len(), words);
-    // Ways with the right number of columns first; the sort is stable.
-    ways.sort_by_key(|cells| cells.len() == 1);
-    ways
-}
-
-/// The layout that a header names.
-fn named(heads: &[String], plain: &Layout, number: usize, line: Line) -> Result<Layout, Fault> {
-    let span = line.0..line.0 + line.1.len();
-    let fault = |code: Code, what: &str| Fault::new(code, what).at(span.clone()).found(line.1.trim());
-    if heads.len() != plain.columns {
-        return Err(
-            fault(Code::RecordFormat, "the header does not match the numbers").allowed(format!(
-                "{} name(s), as there are {} column(s) of numbers",
-                plain.columns, plain.columns
-            )),
-        );
-    }
-    let mut layout = Layout {
-        header: Some(printable(line.1)),
-        ..plain.clone()
+        "text"
     };
-    let mut roles = [None, None];
-    for (i, cell) in heads.iter().enumerate() {
-        match head(cell) {
-            Head::Time(unit) => {
-                roles[i] = Some(true);
-                layout.time_unit = unit;
-            }
-            Head::Acceleration(unit) => {
-                roles[i] = Some(false);
-                layout.unit = unit.map(|u| {
-                    (
-                        u,
-                        format!("header, line {number}, column {} (`{}`)", i + 1, printable(cell)),
-                    )
-                });
-            }
-            Head::OtherMotion => {
-                return Err(
-                    fault(Code::NotAcceleration, "a column is neither time nor acceleration")
-                        .allowed("acceleration against time; velocities and displacements are not read"),
-                );
-            }
-            Head::Unknown => {}
-        }
-    }
-    match (plain.columns, roles) {
-        (1, [Some(true), _]) => {
-            return Err(fault(Code::NotAcceleration, "the only column is the time").allowed("accelerations"));
-        }
-        (2, [Some(a), Some(b)]) if a == b => {
-            return Err(fault(Code::RecordFormat, "both columns have the same name")
-                .allowed("one column of time, one of acceleration"));
-        }
-        (2, [Some(false), _] | [_, Some(true)]) => (layout.time, layout.acceleration) = (Some(1), 0),
-        _ => {}
-    }
-    Ok(layout)
+    let columns = match (layout.values, layout.time, layout.columns) {
+        (Values::All, ..) => format!("values in reading order, {} a line", layout.columns),
+        (Values::Column(_), None, 1) => "acceleration".into(),
+        (Values::Column(_), Some(_), 2) => format!("time and acceleration separated by {}", separator.name()),
+        (Values::Column(a), Some(t), n) => format!(
+            "columns {} and {} of {n} separated by {}",
+            t + 1,
+            a + 1,
+            separator.name()
+        ),
+        (Values::Column(a), None, n) => format!("column {} of {n} separated by {}", a + 1, separator.name()),
+    };
+    let header = layout
+        .header
+        .as_ref()
+        .map_or("no header".into(), |h| format!("header `{h}`"));
+    format!("{kind}, {columns}, {header}")
 }
 
 /// Numbers of the file.
@@ -370,10 +330,11 @@ struct Table {
 }
 
 impl Table {
-    /// Adds a line of numbers.
-    fn add(&mut self, line: Line, separator: Separator, layout: &Layout) -> Result<(), Fault> {
+    /// Adds a line of numbers; of values in reading order the last line may be shorter.
+    fn add(&mut self, line: Line, separator: Separator, layout: &Layout, last: bool) -> Result<(), Fault> {
         let cells = separator.cells(line.1);
-        if cells.len() != layout.columns {
+        let short = last && layout.values == Values::All && cells.len() < layout.columns;
+        if cells.len() != layout.columns && !short {
             return Err(Fault::new(Code::RecordFormat, "the line does not match the others")
                 .at(line.0..line.0 + line.1.len())
                 .found(format!("{} column(s)", cells.len()))
@@ -383,27 +344,33 @@ impl Table {
                     separator.name()
                 )));
         }
-        // Both cells are parsed before either is stored, so that the columns have the same length.
-        let value = self.number(line.0, cells[layout.acceleration], separator, "the acceleration")?;
-        if let Some(column) = layout.time {
-            let cell = cells[column];
-            let unit = layout.time_unit.unwrap_or(1.0);
-            let time = self.number(line.0, cell, separator, "the time")? * unit;
-            let rounding = 0.5 * unit * resolution(&cell.1.replace(',', "."));
-            self.stamps.push(Stamp {
-                time,
-                rounding,
-                place: place(line.0 + cell.0),
-            });
+        let columns = match layout.values {
+            Values::Column(column) => column..column + 1,
+            Values::All => 0..cells.len(),
+        };
+        for column in columns {
+            // Time and value are parsed before either is stored, so that the columns have the same length.
+            let value = self.number(line.0, cells[column], separator, "the acceleration")?;
+            if let Some(time) = layout.time {
+                let cell = cells[time];
+                let unit = layout.time_unit.unwrap_or(1.0);
+                let time = self.number(line.0, cell, separator, "the time")? * unit;
+                let rounding = 0.5 * unit * resolution(&cell.1.replace(',', "."));
+                self.stamps.push(Stamp {
+                    time,
+                    rounding,
+                    place: place(line.0 + cell.0),
+                });
+            }
+            self.values.push(value);
+            self.places.push(place(line.0 + cells[column].0));
         }
-        self.values.push(value);
-        self.places.push(place(line.0 + cells[layout.acceleration].0));
         Ok(())
     }
 
     fn number(&mut self, start: usize, cell: (usize, &str), separator: Separator, what: &str) -> Result<f64, Fault> {
         let span = start + cell.0..start + cell.0 + cell.1.len();
-        let comma = matches!(separator, Separator::Semicolon | Separator::Tab) && cell.1.contains(',');
+        let comma = separator != Separator::Comma && cell.1.contains(',');
         let mark = if comma {
             Some(true)
         } else {

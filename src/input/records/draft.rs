@@ -13,6 +13,8 @@ const MAX_FAULTS: usize = 20;
 pub(super) struct Draft {
     pub title: Option<String>,
     pub format: String,
+    /// The channel that was read of several.
+    pub channel: Option<String>,
     pub unit: AccelerationUnit,
     pub unit_source: String,
     pub dt: f64,
@@ -93,6 +95,49 @@ pub(super) fn settle_unit(
                 ))
                 .help("give the unit; it is never guessed from the size of the numbers"),
         ),
+    }
+}
+
+/// The channel that is wanted, from 0: the only one, or that of `--channel`, its number or a part of its name.
+///
+/// Errors: several without a choice; a choice that is none of them, or more than one.
+pub(super) fn choose(names: &[String], options: &ReadOptions) -> Result<usize, Fault> {
+    let listed = || {
+        let all: Vec<String> = names
+            .iter()
+            .enumerate()
+            .map(|(i, name)| format!("{}: {name}", i + 1))
+            .collect();
+        all.join("; ")
+    };
+    let Some(wanted) = &options.channel else {
+        if names.len() == 1 {
+            return Ok(0);
+        }
+        let fault = Fault::new(Code::RecordChannel, "the file has several channels").found(listed());
+        return Err(fault.allowed("--channel with the number or the name of one of them, or FILE#CHANNEL"));
+    };
+    let number = wanted
+        .parse::<usize>()
+        .ok()
+        .and_then(|n| n.checked_sub(1))
+        .filter(|i| *i < names.len());
+    let folded = |text: &str| printable(text).to_lowercase();
+    let all = |fits: &dyn Fn(&str) -> bool| -> Vec<usize> {
+        (0..names.len()).filter(|i| fits(&folded(&names[*i]))).collect()
+    };
+    let wanted_name = folded(wanted);
+    let equal = all(&|name| name == wanted_name);
+    let within = all(&|name| !wanted_name.is_empty() && name.contains(&wanted_name));
+    match (number, equal.as_slice(), within.as_slice()) {
+        (Some(i), ..) => Ok(i),
+        (_, [i], _) | (_, [], [i]) => Ok(*i),
+        (None, [], []) => Err(Fault::new(Code::RecordChannel, "the file has no such channel")
+            .found(format!("--channel {}", printable(wanted)))
+            .allowed(listed())),
+        _ => Err(Fault::new(Code::RecordChannel, "several channels have such a name")
+            .found(format!("--channel {}", printable(wanted)))
+            .allowed(listed())),
     }
 }
 

@@ -1,10 +1,11 @@
-//! ESM and ITACA ASCII (DYNA 1.2): 64 lines `KEY: value`, then a number a line.
+//! ESM and ITACA ASCII (DYNA 1.2), also of AFAD: 64 lines `KEY: value`, then a number a line.
 //!
 //! `SAMPLING_INTERVAL_S`, `NDATA` and `UNITS` are read; `DATA_TYPE` has to be an acceleration. `LOW_CUT_FREQUENCY_HZ` is the corner of the
 //! filter, beyond whose period the record says nothing. Licence and citation are passed on.
 
 use super::block::{Line, fields, line, lines, place};
-use super::draft::{Draft, printable, settle_dt, settle_unit};
+use super::draft::{Draft, choose, printable, settle_dt, settle_unit};
+use super::header::unknown_unit;
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
@@ -15,7 +16,8 @@ const HEADER: usize = 64;
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    text.starts_with("EVENT_NAME:")
+    text.get(..11)
+        .is_some_and(|key| key.eq_ignore_ascii_case("EVENT_NAME:"))
 }
 
 /// Reads the text; call [`sniff`] before.
@@ -24,7 +26,11 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
     let find = |key: &str| {
         let of = |&(start, line): &(usize, &'t str)| -> Option<(Line<'t>, &'t str)> {
-            Some(((start, line), line.strip_prefix(key)?.strip_prefix(':')?.trim()))
+            let (found, value) = line.split_once(':')?;
+            found
+                .trim()
+                .eq_ignore_ascii_case(key)
+                .then_some(((start, line), value.trim()))
         };
         header.iter().find_map(of)
     };
@@ -32,14 +38,17 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
         let (at, value) = find(key).ok_or_else(|| Fault::new(Code::CutOff, format!("the header has no `{key}`")))?;
         parse(value).map_err(|why| Fault::new(why.code(), why.message(key)).at(place(at)).found(value))
     };
-    if let Some((at, kind)) = find("DATA_TYPE").filter(|(_, kind)| *kind != "ACCELERATION") {
+    if let Some((at, kind)) = find("DATA_TYPE").filter(|(_, kind)| !kind.eq_ignore_ascii_case("ACCELERATION")) {
         let fault = Fault::new(Code::NotAcceleration, "this is not an acceleration record").at(place(at));
         return Err(fault.found(kind).allowed("DATA_TYPE: ACCELERATION").into());
     }
-    let unit = find("UNITS").and_then(|(_, value)| {
-        let unit = AccelerationUnit::parse(value)?;
-        Some((unit, format!("header, `UNITS: {}`", printable(value))))
-    });
+    let unit = match find("UNITS").filter(|(_, value)| !value.is_empty()) {
+        None => None,
+        Some((at, value)) => match AccelerationUnit::parse(value) {
+            Some(unit) => Some((unit, format!("header, `UNITS: {}`", printable(value)))),
+            None => return Err(unknown_unit(value).at(place(at)).into()),
+        },
+    };
     let (unit, unit_source) = settle_unit(unit, options, "a header line `UNITS: cm/s^2`")?;
     let dt = settle_dt(Some(number("SAMPLING_INTERVAL_S")?), options)?.unwrap_or_default();
     if dt <= 0.0 {
@@ -66,6 +75,7 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
         }
     }
     let text_of = |key: &str| find(key).map(|(_, v)| printable(v)).filter(|v| !v.is_empty());
+    choose(&[text_of("STREAM").unwrap_or_default()], options)?;
     let corner = number("LOW_CUT_FREQUENCY_HZ").ok().filter(|f| *f > 0.0);
     let mut notes = Vec::new();
     for (key, words) in [
@@ -84,6 +94,7 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     Ok(Draft {
         title: Some(title.join(", ")).filter(|t| !t.trim().is_empty()),
         format: format!("ESM ASCII (NDATA = {count}, interval {dt} s)"),
+        channel: None,
         unit,
         unit_source,
         dt,

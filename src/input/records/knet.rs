@@ -11,7 +11,7 @@
 //! of samples is duration times frequency.
 
 use super::block::{Line, at_end, lines, place};
-use super::draft::{Collector, Draft, printable, settle_dt, settle_unit};
+use super::draft::{Collector, Draft, choose, printable, settle_dt, settle_unit};
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
@@ -24,7 +24,8 @@ const KEY: usize = 18;
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    text.starts_with("Origin Time")
+    text.get(..11)
+        .is_some_and(|key| key.eq_ignore_ascii_case("Origin Time"))
 }
 
 /// Reads the text; call [`sniff`] before.
@@ -32,7 +33,9 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let lines = lines(text);
     let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
     let find = |key: &str| -> Result<(Line<'_>, &str), Fault> {
-        let found = header.iter().find(|(_, l)| l.starts_with(key));
+        let found = header
+            .iter()
+            .find(|(_, l)| l.get(..key.len()).is_some_and(|k| k.eq_ignore_ascii_case(key)));
         let missing =
             || Fault::new(Code::CutOff, format!("the header has no `{key}`")).help("the file may have been cut off");
         found
@@ -41,7 +44,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     };
     let positive = |key: &str, end: &str| -> Result<f64, Fault> {
         let (at, value) = find(key)?;
-        match parse(value.trim_end_matches(end)) {
+        let bare = value.to_lowercase();
+        match parse(bare.trim_end_matches(&end.to_lowercase())) {
             Ok(number) if number > 0.0 => Ok(number),
             _ => Err(
                 Fault::new(Code::NotANumber, format!("`{key}` is not a positive number"))
@@ -100,9 +104,11 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     values.iter_mut().for_each(|v| *v -= mean);
     let of = |key: &str| find(key).map(|(_, v)| printable(v)).unwrap_or_default();
+    choose(&[of("Dir.")], options)?;
     Ok(Draft {
         title: Some(format!("{} {} {}", of("Station Code"), of("Dir."), of("Origin Time"))),
         format: format!("K-NET ASCII ({} counts at {rate} Hz)", values.len()),
+        channel: None,
         unit,
         unit_source,
         dt,
@@ -118,7 +124,9 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
 
 /// Gal of a count, from `2000(gal)/8388608`.
 fn scale(text: &str) -> Option<f64> {
-    let (gal, counts) = text.split_once("(gal)/")?;
+    let (gal, counts) = text.split_once(")/")?;
+    let gal = gal.to_lowercase();
+    let (gal, counts) = (gal.strip_suffix("(gal")?, counts);
     let (gal, counts) = (parse(gal).ok()?, parse(counts).ok()?);
     (gal > 0.0 && counts > 0.0).then_some(gal / counts)
 }

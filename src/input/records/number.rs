@@ -93,8 +93,51 @@ pub(crate) fn begins_like_number(text: &str) -> bool {
 }
 
 /// Splits Fortran fields that touch: a sign that follows a digit or a point begins the next number, unless it belongs to
-/// an exponent (`E-02`, or three last digits without `E`).
+/// an exponent (`E-02`, or three last digits without `E`); numbers of a fixed number of decimals end with them.
 pub(crate) fn split_glued(token: &str) -> Vec<(usize, &str)> {
+    let signed = split_signs(token);
+    signed
+        .into_iter()
+        .flat_map(|(start, part)| {
+            split_decimals(part)
+                .into_iter()
+                .map(move |(at, number)| (start + at, number))
+        })
+        .collect()
+}
+
+/// The numbers of `613.648091920.41978`, each with as many decimals as the last one and a digit before its point; the part itself where it is
+/// not such a row.
+fn split_decimals(part: &str) -> Vec<(usize, &str)> {
+    let whole = vec![(0, part)];
+    let digits = part
+        .trim_start_matches(['+', '-'])
+        .bytes()
+        .all(|b| b.is_ascii_digit() || b == b'.');
+    let decimals = part.rfind('.').map_or(0, |point| part.len() - point - 1);
+    if !digits || decimals == 0 || part.matches('.').count() < 2 {
+        return whole;
+    }
+    let (mut numbers, mut start) = (Vec::new(), 0);
+    while start < part.len() {
+        let rest = &part[start..];
+        let end = rest
+            .find('.')
+            .map_or(usize::MAX, |point| point.saturating_add(decimals + 1));
+        match rest.get(..end) {
+            Some(number)
+                if number.matches('.').count() == 1 && !number.trim_start_matches(['+', '-']).starts_with('.') =>
+            {
+                numbers.push((start, number));
+                start += end;
+            }
+            _ => return whole,
+        }
+    }
+    numbers
+}
+
+fn split_signs(token: &str) -> Vec<(usize, &str)> {
     let bytes = token.as_bytes();
     let mut parts = Vec::new();
     let mut start = 0;
@@ -132,6 +175,24 @@ pub(crate) fn resolution(text: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fields_that_touch() {
+        for (token, numbers) in [
+            (
+                "613.648091920.419783227.25209",
+                &["613.64809", "1920.41978", "3227.25209"][..],
+            ),
+            ("-123.45678-123.45678", &["-123.45678", "-123.45678"]),
+            ("-1.5E-02-.25E-01", &["-1.5E-02", "-.25E-01"]),
+            ("1.2.3", &["1.2.3"]),
+            ("19.05.1940", &["19.05.1940"]),
+            ("12.34", &["12.34"]),
+        ] {
+            let found: Vec<&str> = split_glued(token).iter().map(|(_, number)| *number).collect();
+            assert_eq!(found, numbers, "{token}");
+        }
+    }
 
     #[test]
     fn fortran_and_others() {

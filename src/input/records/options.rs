@@ -38,8 +38,51 @@ impl Processing {
     }
 }
 
+/// Columns of a table, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// The column of the times, if there is one, and that of the accelerations.
+    Table {
+        /// Column of the times.
+        time: Option<usize>,
+        /// Column of the accelerations.
+        acceleration: usize,
+    },
+    /// Values in reading order.
+    All,
+}
+
+impl std::str::FromStr for Columns {
+    type Err = String;
+
+    /// `1,3` for time and acceleration, `3` for the acceleration alone, `all` for values in reading order.
+    fn from_str(text: &str) -> Result<Columns, String> {
+        let wrong = || {
+            "expected the columns of time and acceleration such as `1,3`, that of the acceleration such as `3`, or `all`".to_string()
+        };
+        if text.eq_ignore_ascii_case("all") {
+            return Ok(Columns::All);
+        }
+        let numbers: Option<Vec<usize>> = text
+            .split(',')
+            .map(|n| n.trim().parse::<usize>().ok()?.checked_sub(1))
+            .collect();
+        match numbers.ok_or_else(wrong)?.as_slice() {
+            [acceleration] => Ok(Columns::Table {
+                time: None,
+                acceleration: *acceleration,
+            }),
+            [time, acceleration] if time != acceleration => Ok(Columns::Table {
+                time: Some(*time),
+                acceleration: *acceleration,
+            }),
+            _ => Err(wrong()),
+        }
+    }
+}
+
 /// Options for reading a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Unit, needed if the format does not give it.
     pub unit: Option<AccelerationUnit>,
@@ -47,8 +90,12 @@ pub struct ReadOptions {
     pub dt: Option<f64>,
     /// Accept peaks above 5 g.
     pub allow_implausible: bool,
-    /// Channel of a file with several, from 1.
-    pub channel: Option<u32>,
+    /// Channel of a file with several: its number, from 1, or a part of its name.
+    pub channel: Option<String>,
+    /// Lines at the beginning that are not read.
+    pub skip_lines: usize,
+    /// Columns of a table; those of its header without it.
+    pub columns: Option<Columns>,
 }
 
 /// A record as read.
@@ -66,6 +113,8 @@ pub struct ReadRecord {
     pub notes: Vec<String>,
     /// Corner of the low-cut filter [Hz], where the file gives it.
     pub low_cut_frequency: Option<f64>,
+    /// The channel that was read of several.
+    pub channel: Option<String>,
     /// SHA-256 of the file.
     pub sha256: String,
 }

@@ -3,8 +3,8 @@
 //! Integer 16 is the number of comments and 17 that of the samples, real 2 the sampling rate; real 33 is the corner of the low-cut filter, where
 //! it is not real 1, which stands for what is not known.
 
-use super::block::{fields, line, lines, place};
-use super::draft::{Draft, printable, settle_dt, settle_unit};
+use super::block::{Line, fields, line, lines, place};
+use super::draft::{Draft, choose, printable, settle_dt, settle_unit};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
 use files::code::Code;
@@ -21,18 +21,35 @@ const RATE: usize = 1;
 const UNKNOWN: usize = 0;
 const LOW_CUT: usize = 32;
 
+/// Rates from which the times are not even: volume 1 states 1.7e38, which stands for what is not known.
+const NO_RATE: f64 = 1e6;
+
 /// Whether the text is one: a digit with the kind of the file, and a star.
 pub(super) fn sniff(text: &str) -> bool {
     let mut lines = text.lines();
-    let words: Vec<&str> = lines.next().unwrap_or_default().split_whitespace().collect();
-    let first =
-        matches!(words.as_slice(), [n, "CORRECTED" | "UNCORRECTED", "ACCELEROGRAM", ..] if n.parse::<u8>().is_ok());
-    first && lines.next().is_some_and(|l| l.trim() == "*")
+    kind(lines.next().unwrap_or_default()).is_some() && lines.next().is_some_and(|l| l.trim() == "*")
+}
+
+/// The kind in the first line.
+fn kind(line: &str) -> Option<&str> {
+    let (digit, kind) = line.trim().split_once(' ')?;
+    digit.parse::<u8>().ok()?;
+    let upper = kind.to_ascii_uppercase();
+    let known = ["ACCELEROGRAM", "VELOCITY", "DISPLACEMENT", "SPECTR"]
+        .iter()
+        .any(|word| upper.contains(word));
+    known.then_some(kind.trim())
 }
 
 /// Reads the text; call [`sniff`] before.
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let lines = lines(text);
+    let first = line(&lines, 0, "its first line")?;
+    if let Some(kind) = kind(first.1).filter(|kind| !kind.to_ascii_uppercase().contains("ACCELEROGRAM")) {
+        let fault = Fault::new(Code::NotAcceleration, "this SMC file is not an acceleration record").at(place(first));
+        return Err(fault.found(printable(kind)).allowed("2 CORRECTED ACCELEROGRAM").into());
+    }
+    choose(&[component(&lines)], options)?;
     let (integers, _, next) = fields(&lines, TEXT, INTEGERS, "an integer of the header")?;
     let (reals, _, next) = fields(&lines, next, REALS, "a real of the header")?;
     let whole = |i: usize, what: &str, most: usize| -> Result<usize, Fault> {
@@ -50,7 +67,20 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let comments = whole(COMMENTS, "the number of comments", 10_000)?;
     let samples = whole(SAMPLES, "the number of samples", MAX_SAMPLES)?;
     let rate = reals[RATE];
-    if !(rate > 0.0 && rate < 1e6) {
+    if rate >= NO_RATE || rate == reals[UNKNOWN] {
+        let fault = Fault::new(
+            Code::TimeStep,
+            "the record was digitised at uneven times, which is not read",
+        )
+        .at(place(first));
+        let fault = fault
+            .found(printable(first.1))
+            .allowed("a corrected record, which has a sampling rate");
+        return Err(fault
+            .help("take the corrected file of the same record, or interpolate it to equal steps")
+            .into());
+    }
+    if rate <= 0.0 || rate.is_nan() {
         let fault = Fault::new(
             Code::TimeStep,
             "real 2 of the header, the sampling rate, is out of range",
@@ -82,6 +112,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     Ok(Draft {
         title,
         format: format!("USGS SMC ({samples} samples at {rate} a second)"),
+        channel: None,
         unit,
         unit_source,
         dt,
@@ -90,4 +121,10 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         notes: Vec::new(),
         low_cut: told.then_some(corner),
     })
+}
+
+/// The component of the sixth line: `station = Somewhere    component=     65`.
+fn component(lines: &[Line<'_>]) -> String {
+    let told = lines.get(5).and_then(|l| l.1.split_once("component="));
+    told.map(|(_, name)| printable(name)).unwrap_or_default()
 }

@@ -25,8 +25,7 @@ fn gal() -> ReadOptions {
     ReadOptions {
         unit: Some(AccelerationUnit::Gal),
         dt: Some(0.02),
-        allow_implausible: false,
-        channel: None,
+        ..ReadOptions::default()
     }
 }
 

@@ -15,7 +15,71 @@ pub(crate) struct Stamp {
     pub place: u32,
 }
 
-/// The uniform step of the stamps [s].
+/// Relative error of a time that was stored in single precision.
+const SINGLE: f64 = 6e-8;
+
+/// Whether values increase in about equal steps, as times do.
+pub(crate) fn looks_like_time(values: &[f64]) -> bool {
+    let steps: Vec<f64> = values.windows(2).map(|p| p[1] - p[0]).collect();
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    steps.len() >= 2 && mean > 0.0 && steps.iter().all(|step| (step - mean).abs() < 0.2 * mean)
+}
+
+/// Whether every stamp agrees with a step within the rounding of its digits.
+fn agrees(stamps: &[Stamp], dt: f64) -> bool {
+    let Some(first) = stamps.first() else { return false };
+    stamps.iter().enumerate().all(|(k, stamp)| {
+        let rounding = (stamp.rounding + first.rounding) * (1.0 + 1e-6) + 2.0 * SINGLE * stamp.time.abs();
+        (stamp.time - first.time - k as f64 * dt).abs() <= rounding
+    })
+}
+
+/// The uniform step of the stamps [s]: the given one, where every stamp agrees with it within its rounding; else that of the stamps,
+/// stored in double or in single precision.
+///
+/// # Errors
+/// Those of stamps in double precision.
+pub(crate) fn uniform_step(stamps: &[Stamp], text: &str, given: Option<f64>) -> Result<f64, Fault> {
+    let stamps = &rounded(stamps);
+    let agreed = given.filter(|dt| stamps.len() > 1 && agrees(stamps, *dt));
+    match (step_within(stamps, text, 0.0), agreed) {
+        (Ok((dt, true)), _) | (Ok((dt, false)), None) => Ok(dt),
+        (_, Some(dt)) => Ok(dt),
+        (Err(fault), None) => step_within(stamps, text, SINGLE).map_or(Err(fault), |(dt, _)| Ok(dt)),
+    }
+}
+
+/// The stamps with the rounding of their file: where zeros at the end were left out, as in `0` or `0.1` among `0.12345`, the finest digit or the
+/// most digits of another stamp tell it.
+fn rounded(stamps: &[Stamp]) -> Vec<Stamp> {
+    let written = |s: &&Stamp| s.rounding > 0.0;
+    let finest = stamps
+        .iter()
+        .filter(written)
+        .map(|s| s.rounding)
+        .fold(f64::INFINITY, f64::min);
+    let magnitude = |time: f64| (time.abs() * (1.0 + 1e-12)).log10().floor() + 1.0;
+    let digits = |s: &Stamp| magnitude(s.time) - (2.0 * s.rounding).log10().round();
+    let most = stamps
+        .iter()
+        .filter(written)
+        .filter(|s| s.time != 0.0)
+        .map(digits)
+        .fold(1.0, f64::max);
+    let of = |s: &Stamp| match s.time == 0.0 {
+        true => finest,
+        false => finest.max(0.5 * 10f64.powf(magnitude(s.time) - most)),
+    };
+    stamps
+        .iter()
+        .map(|s| Stamp {
+            rounding: s.rounding.min(of(s)),
+            ..*s
+        })
+        .collect()
+}
+
+/// The uniform step of the stamps [s], each with a relative error beside its rounding; and whether the printed digits hold it exactly.
 ///
 /// Printed times are rounded. The step is the mean one, in as few decimals as the rounding of the first and the last
 /// time permits. If these decimals are among the printed ones, every printed step must be equal to it; if not
@@ -23,7 +87,7 @@ pub(crate) struct Stamp {
 ///
 /// # Errors
 /// Fewer than two times, times that do not increase, steps that differ.
-pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
+fn step_within(stamps: &[Stamp], text: &str, relative: f64) -> Result<(f64, bool), Fault> {
     let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
         return Err(Fault::new(Code::RecordLength, "a record needs at least two samples").found("0 samples"));
     };
@@ -34,7 +98,7 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     }
     if let Some(pair) = stamps.windows(2).find(|p| p[1].time <= p[0].time) {
         let help = if pair[1].time == pair[0].time && pair[1].rounding >= pair[0].rounding {
-            "if a comma is the decimal mark, separate the columns by `;`; if the times are rounded, print more digits"
+            "if a comma is the decimal mark, separate the columns by `;`; if the times are rounded, give their step with --dt"
         } else {
             "sort the samples by time"
         };
@@ -49,7 +113,9 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let median = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
     let count = (stamps.len() - 1) as f64;
     let mean = (last.time - first.time) / count;
-    let uncertainty = (first.rounding + last.rounding) / count * (1.0 + 1e-6) + 1e-12 * mean;
+    let uncertainty = (first.rounding + last.rounding) / count * (1.0 + 1e-6)
+        + 1e-12 * mean
+        + 2.0 * relative * last.time.abs() / count;
     // The finest printed digit: trailing zeros may have been dropped, so that `0.1` appears between `0.08` and
     // `0.12`.
     let finest = stamps
@@ -59,7 +125,8 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
         .fold(f64::INFINITY, f64::min);
     let digit = if finest.is_finite() { 2.0 * finest } else { 0.0 };
     let printable = |dt: f64| digit > 0.0 && ((dt / digit).round() * digit - dt).abs() < 1e-6 * dt;
-    let dt = match fewest_decimals(mean, 1e-9 * mean) {
+    let close = if relative > 0.0 { uncertainty } else { 1e-9 * mean };
+    let dt = match fewest_decimals(mean, close) {
         exact if printable(exact) => exact,
         _ => fewest_decimals(mean, uncertainty),
     };
@@ -70,7 +137,7 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
         } else {
             p[0].rounding + p[1].rounding
         };
-        rounding * (1.0 + 1e-6) + 1e-9 * p[1].time.abs() + 1e-6 * median
+        rounding * (1.0 + 1e-6) + (1e-9 + 2.0 * relative) * p[1].time.abs() + 1e-6 * median
     };
     let odd = |p: &&[Stamp]| ((p[1].time - p[0].time) - median).abs() > allowed(p);
     let mut strays = stamps.windows(2).filter(odd);
@@ -90,7 +157,7 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
             .allowed("equal steps")
             .help("resample the record, or correct the missing or displaced samples"));
     }
-    Ok(dt)
+    Ok((dt, printed_exactly))
 }
 
 /// The value within `uncertainty` of `x` with the fewest decimals.
@@ -118,7 +185,7 @@ mod tests {
                 place: 0,
             })
             .collect();
-        uniform_step(&stamps, "").map_err(|f| f.message)
+        uniform_step(&stamps, "", None).map_err(|f| f.message)
     }
 
     #[test]
@@ -131,6 +198,30 @@ mod tests {
         let times: Vec<String> = (0..2000).map(|k| format!("{:.4}", f64::from(k) / 256.0)).collect();
         let dt = step(&times.iter().map(String::as_str).collect::<Vec<_>>()).unwrap();
         assert!((dt - 1.0 / 256.0).abs() < 1e-4 / 2000.0, "{dt}");
+    }
+
+    /// 0.005 k in single precision, as a dump of SAC prints it; and times that were rounded to 0.01 s, for which the step is given.
+    #[test]
+    fn single_precision_and_rounded_times() {
+        let times: Vec<String> = (0..80_000)
+            .map(|k| format!("{}", (f64::from(k) * 0.005) as f32))
+            .collect();
+        assert_eq!(step(&times.iter().map(String::as_str).collect::<Vec<_>>()), Ok(0.005));
+        let printed = |decimals: usize, shift: f64| -> Vec<Stamp> {
+            let text = |k: i32| format!("{:.decimals$}", f64::from(k) * 0.005 + shift);
+            let stamp = |k: i32| Stamp {
+                time: text(k).parse().unwrap(),
+                rounding: 0.5 * resolution(&text(k)),
+                place: 0,
+            };
+            (0..5000).map(stamp).collect()
+        };
+        assert_eq!(uniform_step(&printed(2, 0.0), "", Some(0.005)).unwrap(), 0.005);
+        // Cut off instead of rounded.
+        assert_eq!(uniform_step(&printed(2, -0.0049), "", Some(0.005)).unwrap(), 0.005);
+        assert!(uniform_step(&printed(2, 0.0), "", None).is_err());
+        assert!(uniform_step(&printed(2, 0.0), "", Some(0.0051)).is_err());
+        assert_eq!(uniform_step(&printed(3, 0.0), "", Some(0.01)).unwrap(), 0.005);
     }
 
     #[test]

@@ -40,7 +40,7 @@ object! {
         across ("elcentro-ew.csv"): Opt<String>,
         /// The vertical component.
         up ("elcentro-up.csv"): Opt<String>,
-        /// Unit of the accelerations, where the files do not give it: g, gal or m/s2.
+        /// Unit of the accelerations, where the files do not give it: g, gal, m/s2 and others of `--units`.
         units ("g"): Opt<String>,
         /// Time step in seconds of files without a time column.
         dt (0.01): Opt<Number> [Limits::above(0.0).to(10.0)],

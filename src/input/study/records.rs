@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::keys::{Components, Records};
 use super::{matching, name_of};
-use crate::input::records::{self, AccelerationUnit, Processing, ReadOptions, ReadRecord};
+use crate::input::records::{self, Processing, ReadOptions, ReadRecord};
 use crate::input::tank::read::{Field, Opt};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::{Resolver, range_fault, record_unit};
 use files::code::Code;
 use files::error::Error;
 use oscillator::record::Record;
@@ -87,10 +87,9 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
     for item in field.value.iter().flatten() {
         let Some(given) = &item.value else { continue };
         let options = ReadOptions {
-            unit: unit(r, &given.units),
+            unit: record_unit(r, &given.units),
             dt: r.optional(&given.dt),
-            allow_implausible: false,
-            channel: None,
+            ..ReadOptions::default()
         };
         let paths = matching(r, &given.files, folder);
         let components = given.components.value();
@@ -115,7 +114,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
                 along: path,
                 across,
                 up,
-                options,
+                options: options.clone(),
             });
         }
     }
@@ -165,22 +164,4 @@ fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Optio
         Some(other)
     };
     Some((other(&parts.across), other(&parts.up)))
-}
-
-fn unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> {
-    let field = option.given.as_ref()?;
-    match r.text(field)?.as_str() {
-        "g" => Some(AccelerationUnit::G),
-        "gal" | "cm/s2" => Some(AccelerationUnit::Gal),
-        "m/s2" => Some(AccelerationUnit::MetrePerSecondSquared),
-        _ => {
-            r.faults.push(range_fault(
-                Code::UnknownChoice,
-                field,
-                "an unknown unit",
-                "g, gal or m/s2",
-            ));
-            None
-        }
-    }
 }

@@ -9,6 +9,7 @@ use super::key::{Absent, Limits};
 use super::read::{Field, FromNode, Opt, unit_of};
 use super::values::{Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::AccelerationUnit;
 use results::InputValue;
 
 /// Collects echo, remarks, warnings and faults.
@@ -238,6 +239,21 @@ fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
             option.path
         ),
     }
+}
+
+/// The unit of the accelerations of records, as `--units` takes it.
+pub(in crate::input) fn record_unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> {
+    let field = option.given.as_ref()?;
+    let unit = AccelerationUnit::parse(&r.text(field)?);
+    if unit.is_none() {
+        r.faults.push(range_fault(
+            Code::UnitUnknown,
+            field,
+            "an unknown unit",
+            AccelerationUnit::ALLOWED,
+        ));
+    }
+    unit
 }
 
 /// A fault about the value of a field.
