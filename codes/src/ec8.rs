@@ -20,11 +20,14 @@
 //! | `pipes` | displacement of pipes against their support | 4.5.2.3 |
 //! | `walls`, `wall_bending` | walls of concrete and of boxes: forces, bending, shear, crack width | EN 1992-1-1, EN 1992-3 |
 //! | `stability` | overturning and anchors of boxes | 4.5.1 |
+//! | `anchor_layout` | number and spacing of anchors | good practice |
+//! | `other_direction` | a box shaken along its breadth | EN 1998-1:2004 4.3.3.5.1 |
 //! | `sliding` | base shear against friction | EN 1998-5:2004 5.4.1.1 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
+mod anchor_layout;
 pub mod bearing;
 #[cfg(test)]
 mod boundaries;
@@ -44,6 +47,7 @@ pub mod flexible;
 mod ingredients;
 mod limit_states;
 mod modal;
+mod other_direction;
 #[cfg(test)]
 mod own_spectrum;
 mod pipes;
@@ -190,6 +194,26 @@ fn applies(case: &Case, excitation: Excitation, edition: Edition) -> Result<(), 
 }
 
 fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Assessment, CodeError> {
+    let mut work = worked(case, excitation, edition)?;
+    other_direction::assess(&mut work, excitation);
+    finished(work)
+}
+
+/// Shaken along the length of a box alone.
+fn assess_one(case: &Case, excitation: Excitation, edition: Edition) -> Result<Assessment, CodeError> {
+    finished(worked(case, excitation, edition)?)
+}
+
+fn finished(work: Work) -> Result<Assessment, CodeError> {
+    let Work {
+        sheet, mut out, base, ..
+    } = work;
+    base.follow(&mut out.checks);
+    out.steps = sheet.into_steps()?;
+    Ok(out)
+}
+
+fn worked(case: &Case, excitation: Excitation, edition: Edition) -> Result<Work<'_>, CodeError> {
     let demand = Demand::new(case, excitation, edition)?;
     let mut work = Work {
         case,
@@ -211,15 +235,11 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         Shape::Cylinder { radius } => cylinder::assess(&mut work, radius)?,
         Shape::Rectangle { length, breadth, strip } => rectangle::assess(&mut work, length, breadth, strip),
     }
-    if let Some(refusal) = work.uncovered {
-        return Err(refusal);
+    anchor_layout::assess(&mut work);
+    match work.uncovered.take() {
+        Some(refusal) => Err(refusal),
+        None => Ok(work),
     }
-    let Work {
-        sheet, mut out, base, ..
-    } = work;
-    base.follow(&mut out.checks);
-    out.steps = sheet.into_steps()?;
-    Ok(out)
 }
 
 /// Lines of the combination of actions.
@@ -294,8 +314,8 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
         out.push(match case.tank.shape {
             Shape::Cylinder { .. } => directions::assumption(work.demand.components).into(),
             Shape::Rectangle { .. } => {
-                "One horizontal component, along the length of the tank; for the other one exchange length and \
-                                        breadth."
+                "One horizontal component at a time: along the length of the tank, and along its breadth in the check of the other \
+                 direction (EN 1998-1:2004 4.3.3.5.1(8))."
                     .into()
             }
         });

@@ -182,9 +182,15 @@ pub const ALL: &[Meaning] = &[
     ),
     state(
         "wall_material",
-        "a wall of neither carbon steel nor aluminium",
-        "not compared: annex E is written for these",
+        "the family of the wall's materials",
+        "not compared: each code is written for some families",
         Dimensionless,
+    ),
+    state(
+        "vacuum",
+        "buckling of the shell by the vacuum above the liquid",
+        "not compared: API 650 annex V is not implemented",
+        Stress,
     ),
     state(
         "plane_walls",
@@ -223,6 +229,18 @@ pub const ALL: &[Meaning] = &[
         Force,
     ),
     state(
+        "anchor_count",
+        "least number of anchors, 4, and 6 where the earthquake pulls at them",
+        "number of anchors, given",
+        Dimensionless,
+    ),
+    state(
+        "connections",
+        "4 P_AB of an anchor, or the distance from the shell that connections through the bottom need, L + 300 mm",
+        "capacity of the attachment, or that distance, given",
+        Force,
+    ),
+    state(
         "anchor_spacing",
         "distance of the anchors along the shell",
         "largest spacing of the standard, 10 ft (printed as 3 m (10 ft); the larger counts)",
@@ -239,6 +257,24 @@ pub const ALL: &[Meaning] = &[
         "width of the annular plate that the hold-down needs",
         "width of the plate inside the shell, given",
         Length,
+    ),
+    state(
+        "annular_weld",
+        "lap welds between the annular plates, 1 or 0",
+        "none in seismic use group III from S_DS = 0.5 g on, nor in annular plates thicker than 10 mm",
+        Dimensionless,
+    ),
+    state(
+        "shell_support",
+        "supports of the shell on concrete that the clause excludes, 1 or 0",
+        "none: shims and grout of an anchored tank; grout, a pad or butt-welded plates of a self-anchored one",
+        Dimensionless,
+    ),
+    state(
+        "shear_transfer",
+        "shear stress of the welds between shell and bottom, 2 V/(π D) on two fillets",
+        "80 % of the yield strength of the weaker plate",
+        Stress,
     ),
     state(
         "stability",
@@ -323,6 +359,42 @@ pub const ALL: &[Meaning] = &[
         "compression of a wall that lifts at its toe, on soil",
         "force that the ground bears over the width to which the bottom plate spreads it",
         LineForce,
+    ),
+    state(
+        "soil_structure_interaction",
+        "what soft ground does to periods and damping",
+        "not compared: asked for below 100 m/s of shear waves, and not implemented",
+        Dimensionless,
+    ),
+    state(
+        "site_study",
+        "ground motion study that ASCE 7-16 asks for on soft sites",
+        "not compared: the user's spectrum or site coefficients stand for it",
+        Dimensionless,
+    ),
+    state(
+        "snow",
+        "share of the snow in the mass of the roof",
+        "not compared: answered by the tank file",
+        Mass,
+    ),
+    state(
+        "internals",
+        "equipment within the liquid that wall or bottom carry",
+        "not compared: answered by the tank file",
+        Force,
+    ),
+    state(
+        "adjacent_structures",
+        "displacements of structures that are connected to the tank",
+        "not compared: answered by the tank file",
+        Length,
+    ),
+    state(
+        "other_direction",
+        "largest utilisation of a box shaken along its breadth",
+        "1",
+        Dimensionless,
     ),
     state(
         "ground_motion",

@@ -9,6 +9,7 @@ use tank::{Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
 /// A material without strengths; modulus [Pa], density [kg/m³].
 pub(crate) fn material(name: &str, youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Material {
     Material {
+        family: tank::Family::inferred(youngs_modulus, density),
         name: name.into(),
         youngs_modulus,
         poisson_ratio,
@@ -71,6 +72,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
     Case {
         name: "test".into(),
         tank: Tank {
+            details: tank::Details::default(),
             shape,
             support: Support::Anchored,
             courses,

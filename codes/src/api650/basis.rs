@@ -4,7 +4,7 @@ use crate::sheet::{Sheet, with_unit};
 use tank::assessment::{Assessment, Check, CheckStatus, NotApplicable};
 use tank::case::Case;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
-use tank::{METAL, Material, Shape, Support};
+use tank::{Family, Material, Shape, Support};
 
 use super::hold_down;
 use super::masses::SQUAT;
@@ -13,14 +13,12 @@ use crate::{corrosion, roof};
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
 
-/// Modulus [Pa] by which the allowable compression of aluminium is scaled: 29 000 ksi.
+/// Modulus [Pa] by which the allowable compression of softer metals is scaled: 29 000 ksi.
 pub const REFERENCE_MODULUS: f64 = 200e9;
-/// Moduli of aluminium alloys end here [Pa]; metals between them and steel are not covered by the standard.
-const ALUMINIUM: f64 = 80e9;
 
-/// Whether a material is aluminium by its modulus.
-pub fn is_aluminium(material: &Material) -> bool {
-    (METAL..ALUMINIUM).contains(&material.youngs_modulus)
+/// Whether the allowable compression of a metal is scaled with its modulus: softer than steel, and not carbon steel.
+pub fn softer(material: &Material) -> bool {
+    material.is_metal() && !material.is(Family::CarbonSteel) && material.youngs_modulus < REFERENCE_MODULUS
 }
 
 /// Tank and product as the standard sees them; weights in N.
@@ -160,7 +158,7 @@ impl<'a> Basis<'a> {
 
     /// Assumptions common to both editions.
     ///
-    /// * `scales`: whether the edition scales the allowable compression of aluminium
+    /// * `scales`: whether the edition scales the allowable compression of softer metals
     pub fn assumptions(&self, out: &mut Assessment, scales: bool) {
         out.assumptions.extend([
             "Rigid wall and ground for the masses; the effective masses are those of the standard's charts in closed form."
@@ -184,10 +182,11 @@ impl<'a> Basis<'a> {
         }
         let material = &self.case.tank.courses[0].material;
         let modulus = material.youngs_modulus;
-        if scales && is_aluminium(material) {
+        if scales && softer(material) {
             out.assumptions.push(format!(
-                "The bottom course is aluminium: the allowable compression of steel is scaled by E/{}, which is on the safe side of \
-                 similarity. Yield strength and allowable stress must be those of annex AL, with the loss by welding.",
+                "The bottom course is {}: the allowable compression of steel is scaled by E/{}, which is on the safe side of similarity. \
+                 Yield strength and allowable stress must be those of annex S or AL at the design temperature, with the loss by welding.",
+                material.family.map_or("a softer metal", Family::name),
                 with_unit(REFERENCE_MODULUS, tank::units::Dimension::Stress)
             ));
         } else if (modulus / STEEL - 1.0).abs() > 0.1 {
@@ -202,7 +201,7 @@ impl<'a> Basis<'a> {
 
     /// Allowable compression of the bottom course with its lines, or the path of the missing input.
     ///
-    /// * `scales`: whether that of aluminium is scaled with its modulus
+    /// * `scales`: whether that of softer metals is scaled with its modulus
     pub fn allowable_compression(
         &self,
         sheet: &mut Sheet,
@@ -226,7 +225,7 @@ impl<'a> Basis<'a> {
             "pressure parameter of the shell, D and H in m, t_s in mm",
         );
         let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
-        let scaled = scales && is_aluminium(material);
+        let scaled = scales && softer(material);
         let Some(formula) = hold_down::allowable(ratio, f_ty.is_some(), scaled) else {
             return Err(format!("materials.{}.yield_strength", material.name));
         };

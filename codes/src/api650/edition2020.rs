@@ -18,12 +18,15 @@
 //!   history. The annex sizes tanks for reduced forces, so its checks are left out there; their terms are shown.
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
-//! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3),
+//! `anchors` (E.6.2.1.2, 5.12.2, 5.12.3), `foundation` (E.6.2.3), `details` (E.7.4, E.7.7, E.7.9),
 //! `upper_courses` (E.6.2.2 above the bottom course), `piping` (E.7.3), `combinations` (the factors of the loads), `soil` (ASCE 7 chapter 19).
 
 pub mod accelerations;
-mod anchors;
+pub(crate) mod anchors;
 mod combinations;
+#[cfg(test)]
+mod detail_tests;
+mod details;
 pub mod factors;
 pub mod forces;
 mod foundation;
@@ -55,6 +58,7 @@ use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
+use self::details::HoldDown;
 use super::basis::Basis;
 
 /// Edition as cited.
@@ -79,6 +83,8 @@ struct Run<'a> {
     base: BaseState,
     /// Compression of the bottom course σ_c [Pa], where it was computed.
     compression: Option<f64>,
+    /// Width of the bottom plate that holds the shell down.
+    hold_down: HoldDown,
 }
 
 impl Run<'_> {
@@ -210,6 +216,7 @@ impl Procedure for Api6502020 {
             out: Assessment::default(),
             base: BaseState::Bears,
             compression: None,
+            hold_down: HoldDown::Needless,
         };
         basis.assumptions(&mut run.out, true);
         run.combinations();
@@ -222,6 +229,9 @@ impl Procedure for Api6502020 {
         let axial = run.resistance(&a, &forces);
         run.upper_courses(&a, &forces);
         run.piping();
+        run.annular_weld();
+        run.shell_support();
+        run.bottom_connections();
         run.foundation(&a, &forces);
         run.soil(&periods, &forces);
         run.base.follow(&mut run.out.checks);

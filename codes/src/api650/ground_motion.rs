@@ -243,6 +243,7 @@ pub(crate) mod tests {
     /// A site with S_s and S_1 of the worked example (not of any place).
     pub(crate) fn site() -> Api650Site {
         Api650Site {
+            bearing_capacity: None,
             ss: 0.90,
             s1: 0.40,
             s0: None,

@@ -16,15 +16,15 @@ use super::limit_states::{ANCHORS, OVERTURNING};
 use super::work::Work;
 use crate::base_state::BaseState;
 use crate::sheet::with_unit;
+use tank::Support;
 use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
-use tank::{METAL, Support};
 
 /// Writes the check of a box with the half length L and the breadth b [m]. Needs the resultants.
 pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
     let tank = &work.case.tank;
-    let solid = (tank.bottom.as_ref()).is_some_and(|bottom| bottom.material.youngs_modulus < METAL);
+    let solid = (tank.bottom.as_ref()).is_some_and(|bottom| !bottom.material.is_metal());
     let monolithic = solid && !tank.is_metal();
     let quantity = match monolithic {
         true => Quantity::OverturningMoment,

@@ -60,11 +60,13 @@ impl Draw {
     }
 
     fn material(&mut self) -> Material {
+        let (youngs_modulus, density) = (self.of(&[210e9, 206e9, 69e9]), self.of(&[7850.0, 2700.0]));
         Material {
+            family: tank::Family::inferred(youngs_modulus, density),
             name: "steel".into(),
-            youngs_modulus: self.of(&[210e9, 206e9, 69e9]),
+            youngs_modulus,
             poisson_ratio: 0.3,
-            density: self.of(&[7850.0, 2700.0]),
+            density,
             yield_strength: self.of(&[Some(235e6), Some(235e6), Some(60e6), None]),
             allowable_stress: self.of(&[Some(160e6), Some(160e6), None]),
             behaviour: Behaviour::default(),
@@ -112,6 +114,7 @@ impl Draw {
             material: self.material(),
         };
         let tank = Tank {
+            details: tank::Details::default(),
             shape,
             support,
             courses,
@@ -165,6 +168,7 @@ impl Draw {
         let site_class = self.of(&[A, B, C, D, E, F]);
         let study = site_class == F || self.yes();
         Api650Site {
+            bearing_capacity: None,
             ss: self.of(&[0.1, 0.5, 1.4]),
             s1: self.of(&[0.03, 0.2, 0.6]),
             s0: self.of(&[None, Some(0.05), Some(0.8)]),

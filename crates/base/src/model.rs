@@ -89,7 +89,7 @@ impl Base {
             return Err(Missing::Cylinder);
         };
         let bottom = tank.bottom.as_ref().ok_or(Missing::Plate)?;
-        if bottom.material.youngs_modulus < tank::METAL {
+        if !bottom.material.is_metal() {
             return Err(Missing::Metal);
         }
         let bands = bands(bottom, if net { bottom.corrosion } else { 0.0 });

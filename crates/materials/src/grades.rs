@@ -20,7 +20,7 @@ mod plate;
 
 pub use bars::{BARS, BarGrade};
 pub use concrete::{CONCRETES, ConcreteGrade};
-pub use plate::{SteelGrade, Step};
+pub use plate::{PlateKind, SteelGrade, Step};
 
 /// An unknown name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -206,6 +206,9 @@ pub struct Api650Site {
     /// Weight of the foundation and of the soil on it, W_fd + W_g [N].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub foundation_weight: Option<f64>,
+    /// Allowable pressure on the ground in the seismic combination [Pa].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bearing_capacity: Option<f64>,
     /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); if absent, the zone method is not run.
     pub zone_factor: Option<f64>,
     /// 9th edition: site amplification S (1.0, 1.2, 1.5, 2.0).

@@ -41,6 +41,8 @@ pub enum Requirement {
     Required,
     /// It does, and the procedure does not implement the clause.
     NotImplemented,
+    /// Whether it does is not known without the input at this path of `tank.json`.
+    Missing(String),
     /// It does not, for this reason.
     NotApplicable(String),
 }
@@ -347,6 +349,10 @@ pub fn complete(states: &[LimitState], mut checks: Vec<Check>) -> Vec<Check> {
             Requirement::NotImplemented => {
                 let reason = format!("not implemented: {}", state.clause);
                 Check::without_comparison(state, CheckStatus::NotChecked, &reason, None)
+            }
+            Requirement::Missing(input) => {
+                let reason = format!("`{input}` is missing");
+                Check::without_comparison(state, CheckStatus::NotChecked, &reason, Some(input))
             }
             Requirement::Required => Check::without_comparison(
                 state,

@@ -32,6 +32,7 @@ pub fn slender(density: f64, depth: f64) -> Case {
 /// A material without strengths: E [Pa], ν, ρ_s [kg/m³].
 pub fn material(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Material {
     Material {
+        family: crate::Family::inferred(youngs_modulus, density),
         name: "wall".into(),
         youngs_modulus,
         poisson_ratio,
@@ -54,6 +55,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
     Case {
         name: "verification".into(),
         tank: Tank {
+            details: crate::Details::default(),
             shape,
             support: Support::Anchored,
             courses: courses.iter().map(course).collect(),

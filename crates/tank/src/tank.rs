@@ -1,6 +1,8 @@
 //! The tank and its contents.
 
 mod behaviour;
+mod details;
+mod family;
 mod foundation;
 mod isolators;
 mod joint;
@@ -9,6 +11,8 @@ mod parts;
 mod plane;
 
 pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
+pub use details::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
+pub use family::Family;
 pub use foundation::{Foundation, FoundationKind};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
@@ -71,6 +75,9 @@ pub enum Support {
 pub struct Material {
     /// Name in the input file.
     pub name: String,
+    /// Family, where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub family: Option<Family>,
     /// Young's modulus E [Pa].
     pub youngs_modulus: f64,
     /// Poisson's ratio ν [-].
@@ -186,7 +193,7 @@ impl Pressure {
     }
 }
 
-/// Young's modulus from which a wall counts as metal [Pa].
+/// Young's modulus from which a material of unknown family counts as metal [Pa].
 pub const METAL: f64 = 60e9;
 
 /// An upright tank.
@@ -219,6 +226,9 @@ pub struct Tank {
     /// Pipes, where given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pipes: Option<Pipes>,
+    /// Answers about the construction.
+    #[serde(default, skip_serializing_if = "Details::is_empty")]
+    pub details: Details,
 }
 
 /// The stored liquid.
@@ -240,7 +250,7 @@ fn is_zero(value: &f64) -> bool {
 pub fn is_metal(courses: &[Course]) -> bool {
     courses
         .iter()
-        .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= METAL)
+        .all(|c| c.layers.is_empty() && c.material.is_metal())
 }
 
 impl Course {
@@ -297,9 +307,19 @@ impl Tank {
         z
     }
 
-    /// Whether the wall is a metal shell throughout: E ≥ [`METAL`] and no layers. Concrete has at most 50 GPa, aluminium 69 GPa.
+    /// Whether the wall is a metal shell throughout, without layers.
     pub fn is_metal(&self) -> bool {
         is_metal(&self.courses)
+    }
+
+    /// Materials of the shells of the wall, from the base up.
+    pub fn wall_materials(&self) -> impl Iterator<Item = &Material> {
+        let layered = |course: &'_ Course| !course.layers.is_empty();
+        self.courses.iter().flat_map(move |course| {
+            let shells = course.layers.iter().filter(|layer| layer.kind == LayerKind::Shell);
+            let whole = (!layered(course)).then_some(&course.material);
+            shells.map(|layer| &layer.material).chain(whole)
+        })
     }
 
     /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across

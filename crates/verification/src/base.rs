@@ -114,12 +114,12 @@ impl Sample {
             material: steel,
         });
         case.tank.foundation = Some(Foundation {
+            width: None,
             kind: FoundationKind::Soil,
             stiffness: Some(1e8),
             shear_wave_velocity: None,
             soil_density: 1900.0,
             soil_poisson_ratio: 1.0 / 3.0,
-            width: None,
             thickness: None,
             friction: None,
         });

@@ -82,6 +82,10 @@ pub(in crate::input) struct Limits {
     pub values: &'static [f64],
     /// Fewest and most items of a list; the other limits are those of each item.
     pub items: (usize, usize),
+    /// Least and largest usual value: one outside is used, with a warning.
+    pub usual: (f64, f64),
+    /// Clause or reason of the range; empty without one.
+    pub clause: &'static str,
 }
 
 impl Limits {
@@ -93,6 +97,8 @@ impl Limits {
         high_allowed: true,
         values: &[],
         items: (0, usize::MAX),
+        usual: (f64::NEG_INFINITY, f64::INFINITY),
+        clause: "",
     };
 
     /// Greater than this.
@@ -120,6 +126,47 @@ impl Limits {
             high,
             high_allowed: false,
             ..self
+        }
+    }
+
+    /// Usual from this to this.
+    pub(crate) const fn usual(self, least: f64, most: f64) -> Limits {
+        Limits {
+            usual: (least, most),
+            ..self
+        }
+    }
+
+    /// With the clause or reason of the range.
+    pub(crate) const fn clause(self, clause: &'static str) -> Limits {
+        Limits { clause, ..self }
+    }
+
+    /// The usual range in words, where a value is outside of it; for a value that is allowed.
+    pub(crate) fn unusual(self, value: f64, dimension: Dimension) -> Option<String> {
+        let (least, most) = self.usual;
+        // Slack for quotients of decimal fractions.
+        let slack = 1e-9 * value.abs();
+        if value.is_nan() || (value >= least - slack && value <= most + slack) {
+            return None;
+        }
+        Some(format!("usual is {}{}", self.usually(dimension), self.source()))
+    }
+
+    /// The usual range: "0.8 to 1.6".
+    fn usually(self, dimension: Dimension) -> String {
+        match self.usual {
+            (least, most) if most.is_infinite() => format!("at least {}", shown(least, dimension)),
+            (least, most) if least.is_infinite() => format!("up to {}", shown(most, dimension)),
+            (least, most) => format!("{} to {}", shown(least, dimension), shown(most, dimension)),
+        }
+    }
+
+    /// The clause behind a range, with its separator.
+    fn source(self) -> String {
+        match self.clause {
+            "" => String::new(),
+            clause => format!(", {clause}"),
         }
     }
 
@@ -176,7 +223,16 @@ impl Limits {
             Dimension::Dimensionless => "a number",
             dimension => dimension.noun(),
         };
-        format!("{noun} {}", self.range(dimension))
+        format!("{noun} {}{}", self.range(dimension), self.source())
+    }
+
+    /// The range without the noun, with what is usual and the clause.
+    pub(crate) fn in_full(self, dimension: Dimension) -> String {
+        let usual = match self.usual {
+            (f64::NEG_INFINITY, f64::INFINITY) => String::new(),
+            _ => format!(", usually {}", self.usually(dimension)),
+        };
+        format!("{}{usual}{}", self.range(dimension), self.source())
     }
 
     /// The range without the noun: "greater than 0, at most 1000 m".

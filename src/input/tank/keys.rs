@@ -5,9 +5,11 @@
 mod accepted;
 mod after_record;
 mod base;
+mod contradictions;
 mod corrosion;
 mod cross;
 mod damping;
+mod details;
 mod file;
 mod frequency;
 mod grades;
@@ -86,20 +88,22 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     solid.initial_stress = analysis.and_then(|a| imperfections::initial_stress(&mut r, &a.initial_stress));
     let measured = reported::measured(&mut r, &file.measured);
     let published = reported::published(&mut r, &file.published);
+    let case = Case {
+        name: name?,
+        tank: tank?,
+        liquid: liquid?,
+        gravity,
+        ground_motion: None,
+        damping,
+        site,
+        procedures,
+        measured,
+        published,
+    };
+    contradictions::warn(&mut r, &case);
     let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);
     Some(Resolved {
-        case: Case {
-            name: name?,
-            tank: tank?,
-            liquid: liquid?,
-            gravity,
-            ground_motion: None,
-            damping,
-            site,
-            procedures,
-            measured,
-            published,
-        },
+        case,
         project,
         record,
         echo,

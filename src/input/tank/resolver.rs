@@ -66,6 +66,9 @@ impl<'f> Resolver<'f> {
         };
         if limits.values.is_empty() {
             if limits.hold(value.si()) {
+                if let Some(usual) = limits.unusual(value.si(), T::DIMENSION) {
+                    self.unusual(&field.path, &field.text, &usual);
+                }
                 return value.si();
             }
             let allowed = limits.describe(T::DIMENSION);
@@ -87,6 +90,21 @@ impl<'f> Resolver<'f> {
             &limits.words(),
         ));
         f64::NAN
+    }
+
+    /// Warns of a value that is allowed and unusual.
+    ///
+    /// * `usual`: what is usual, in words
+    pub(crate) fn unusual(&mut self, path: &str, found: &str, usual: &str) {
+        self.warnings.push(Warning::new(
+            Code::UnusualInput,
+            format!("{path}: unusual input; found {found}, {usual}"),
+        ));
+    }
+
+    /// Warns of values of the file that contradict each other.
+    pub(crate) fn inconsistent(&mut self, text: String) {
+        self.warnings.push(Warning::new(Code::Inconsistent, text));
     }
 
     /// A number, or its default.

@@ -202,7 +202,7 @@ impl KeyInfo {
             (fewest, most) => words.push(format!("{fewest} to {most} items")),
         }
         let values = match (self.limits.values, self.limits.bounded()) {
-            ([], true) => self.limits.range(dimension),
+            ([], true) => self.limits.in_full(dimension),
             ([], false) => String::new(),
             _ => self.limits.words(),
         };

@@ -30,6 +30,7 @@ declare (`limit_states` in `codes/src`).
 |---|---|
 | checked | Required and checked. It ends as *not checked* where its input is missing. |
 | **open** | Required and not implemented. The verdict is `incomplete`, unless the tank file accepts the gap with a reason. |
+| asked | Whether it is required follows from an input, without which it is *not checked*. |
 | – | Not required of this kind of tank. |
 
 How the verdict follows from this: [`docs/verdict.md`](../verdict.md).
@@ -113,6 +114,7 @@ fn table(
             let entry = match list.iter().find(|s| s.id == state.id).map(|s| &s.requirement) {
                 Some(Requirement::Required) => "checked",
                 Some(Requirement::NotImplemented) => "**open**",
+                Some(Requirement::Missing(_)) => "asked",
                 Some(Requirement::NotApplicable(_)) => "–",
                 None => "outside the scope",
             };

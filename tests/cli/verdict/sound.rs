@@ -18,6 +18,7 @@ pub(super) fn tanks() -> Vec<Tank> {
     let mut tanks = steel();
     tanks.extend(others());
     tanks.extend(api_rest::sound_tanks());
+    tanks.extend(details::sound_tanks());
     tanks.extend(unanchored::sound());
     tanks.extend(spectra::sound());
     tanks

@@ -16,7 +16,7 @@ fn own(spectrum: &Value) -> Value {
         "api650": null,
         "ec8": { "ground": null, "spectrum": null, "ag": null },
         "spectrum": spectrum
-    } })
+    }, "tank": { "foundation": { "kind": "soil", "shear_wave_velocity": "500 m/s" } } })
 }
 
 /// A table in g with 0.36 g at T_c1.

@@ -128,9 +128,15 @@ fn ground_and_pipes() -> Vec<Tank> {
         .open(&["bearing"]),
         tank(
             "bearing-box",
-            "4 m of water and walls of 16 MN on 200 m²: more than 39 kPa",
+            "4 m of water and walls on 100 m²: more than 39 kPa; a square box has one direction",
             (Fails, "bearing"),
-            vec![only_ec8(), concrete_box(), ground(30.0), accept(&["anchorage"])],
+            vec![
+                only_ec8(),
+                concrete_box(),
+                json!({ "tank": { "length": "10 m" } }),
+                ground(30.0),
+                accept(&["anchorage"]),
+            ],
         )
         .open(&["bearing"]),
         tank(

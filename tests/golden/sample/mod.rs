@@ -211,6 +211,7 @@ pub(crate) fn write(folder: &std::path::Path, kind: Kind, name: &str) {
 
 fn tank(kind: Kind) -> Tank {
     let material = |name: &str, e: f64, nu: f64, rho: f64, f: f64| Material {
+        family: tank::Family::inferred(e, rho),
         name: name.into(),
         youngs_modulus: e,
         poisson_ratio: nu,
@@ -240,6 +241,7 @@ fn tank(kind: Kind) -> Tank {
         (Shape::Cylinder { radius: 1.83 }, courses)
     };
     Tank {
+        details: tank::Details::default(),
         shape,
         support: Support::Anchored,
         courses,

@@ -1,5 +1,7 @@
-//! Attachment (E.6.2.1.2) and spacing (5.12.3) of the anchors.
+//! Attachment (E.6.2.1.2, E.7.4), number (5.12.2) and spacing (5.12.3) of the anchors.
 //!
+//! At least four anchors, six where the earthquake governs: taken as where it pulls at them. E.7.4 has 4 P_AB in place of 3 P_AB.
+//! 5.12.2 and 5.12.3 as in the public agenda text on tank anchorage (2011); E.7.4 recalled.
 //! The attachment to the shell and the embedment are designed for the lesser of 3 P_AB and the anchor's yield force as built.
 //! Where `yield_force` is not given, 3 P_AB is on the safe side. The spacing is measured along the inside of the shell.
 //! Clause numbers and the 3 m (10 ft) are recalled; the larger of both printed values counts, as who follows either follows the clause.
@@ -9,27 +11,43 @@ use tank::assessment::CheckStatus;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
 
 use super::{Run, limit_states};
+use tank::assessment::Check;
 
 const E6_2_1_2: &str = "API 650:2020 E.6.2.1.2";
 const SPACING: &str = "API 650:2020 5.12.3";
+const COUNT: &str = "API 650:2020 5.12.2";
+const E7_4: &str = "API 650:2020 E.7.4";
+/// Least number of anchors, and where the earthquake governs.
+pub(crate) const LEAST: [f64; 2] = [4.0, 6.0];
 /// Largest spacing of anchors [m]: printed as 3 m (10 ft), and 10 ft is the larger.
-pub(super) const LARGEST_SPACING: f64 = 10.0 * 0.3048;
+pub(crate) const LARGEST_SPACING: f64 = 10.0 * 0.3048;
 
 impl Run<'_> {
-    /// Three times the tension of an anchor against the capacity of its attachment.
+    /// Three times the tension of an anchor against the capacity of its attachment, and the connections.
     ///
     /// * `w_ab`: uplift per length of shell [N/m]
     pub(super) fn anchor_attachment(&mut self, w_ab: f64) {
         let id = limit_states::ATTACHMENT;
         if w_ab <= 0.0 {
             let reason = "the weight outweighs the uplift; the anchors carry no tension";
-            return self.without_comparison(id, CheckStatus::NotApplicable, reason, None);
+            for id in [id, limit_states::CONNECTIONS] {
+                self.without_comparison(id, CheckStatus::NotApplicable, reason, None);
+            }
+            return;
         }
-        let Some(anchors) = self.counted_anchors() else {
-            return self.missing(id, "tank.anchors");
+        let missing = match self.counted_anchors() {
+            None => Err("tank.anchors"),
+            Some(anchors) => match anchors.attachment_capacity {
+                None => Err("tank.anchors.attachment_capacity"),
+                Some(capacity) => Ok((anchors, capacity)),
+            },
         };
-        let Some(capacity) = anchors.attachment_capacity else {
-            return self.missing(id, "tank.anchors.attachment_capacity");
+        let (anchors, capacity) = match missing {
+            Ok(found) => found,
+            Err(input) => {
+                self.missing(id, input);
+                return self.missing(limit_states::CONNECTIONS, input);
+            }
         };
         let terms = [
             ("w_AB", w_ab, LineForce),
@@ -57,6 +75,48 @@ impl Run<'_> {
             );
         }
         self.check(id, name, force, capacity, Force, E6_2_1_2, note);
+        self.anchor_connection(w_ab, &anchors, capacity);
+    }
+
+    /// Connections of the anchors: four times the tension, or the yield force where that is less.
+    fn anchor_connection(&mut self, w_ab: f64, anchors: &Anchors, capacity: f64) {
+        let mut terms = vec![
+            ("w_AB", w_ab, LineForce),
+            ("D", self.basis.d, Length),
+            ("n_A", f64::from(anchors.count), Dimensionless),
+        ];
+        let (mut name, mut formula) = ("design force of a connection, 4 P_AB", "4·w_AB·π·D/n_A");
+        if let Some(yields) = anchors.yield_force {
+            terms.push(("P_y", yields, Force));
+            (name, formula) = (
+                "design force of a connection, 4 P_AB or the yield force of an anchor",
+                "min(4·w_AB·π·D/n_A, P_y)",
+            );
+        }
+        let force = self.sheet.calc("P_4", name, formula, &terms, Force, E7_4);
+        let name = "Connection of an anchor, 4 P_AB";
+        let note = "or the yield force of an anchor, where that is given and less";
+        self.check(limit_states::CONNECTIONS, name, force, capacity, Force, E7_4, note);
+    }
+
+    /// Number of the anchors against the least.
+    ///
+    /// * `w_ab`: uplift per length of shell [N/m]
+    pub(super) fn anchor_count(&mut self, w_ab: f64) {
+        let id = limit_states::COUNT;
+        let Some(anchors) = self.counted_anchors() else {
+            return self.missing(id, "tank.anchors");
+        };
+        let (least, note) = match w_ab > 0.0 {
+            true => (LEAST[1], "six where the earthquake pulls at them"),
+            false => (LEAST[0], "the earthquake does not pull at them"),
+        };
+        let (name, source) = ("least number of anchors", "4, and 6 where the earthquake governs");
+        let least = self.sheet.look_up("n_min", name, source, least, Dimensionless, COUNT);
+        let count = f64::from(anchors.count);
+        let name = "Least number of anchors over that given";
+        let check = Check::new(id, name, least, count, Dimensionless, COUNT, note);
+        self.out.checks.push(check);
     }
 
     /// Spacing of the anchors against the largest allowed.

@@ -3,9 +3,10 @@
 use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
-use super::super::basis::is_aluminium;
+use super::super::basis::softer;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
+use super::details::HoldDown;
 use super::forces::Forces;
 use super::{Run, limit_states};
 use crate::base_state::{BaseState, Lift};
@@ -52,6 +53,7 @@ impl Run<'_> {
                 Ok((thickness, f_y)) => self.self_anchored(&load, thickness, f_y),
                 Err(input) if !self.weight_alone(&load) => {
                     self.base = BaseState::Unknown(format!("`{input}` is missing"));
+                    self.hold_down = HoldDown::Unknown(format!("`{input}` is missing"), Some(input.clone()));
                     self.missing(limit_states::ANCHORAGE, &input);
                     self.missing(limit_states::ANNULUS, &input);
                     self.missing(limit_states::COMPRESSION, &input);
@@ -109,6 +111,7 @@ impl Run<'_> {
         if 1.0 - 0.4 * a_v <= 0.0 {
             let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
             self.base = BaseState::Unknown(reason.clone());
+            self.hold_down = HoldDown::Unknown(reason.clone(), None);
             for id in [
                 limit_states::ANCHORAGE,
                 limit_states::ANNULUS,
@@ -188,6 +191,7 @@ impl Run<'_> {
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
             self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
             let reason = "no width holds down a shell with J above 1.54: the tank is not stable";
+            self.hold_down = HoldDown::Unknown(reason.into(), None);
             self.without_comparison(limit_states::ANNULUS, CheckStatus::NotChecked, reason, None);
         }
         if j <= hd::NOT_SELF_ANCHORED {
@@ -198,6 +202,7 @@ impl Run<'_> {
                 let reason = "the weight alone keeps the shell down (J_0 ≤ 0.785): w_a is not needed";
                 self.without_comparison(limit_states::ANNULUS, CheckStatus::NotApplicable, reason, None);
             } else {
+                self.hold_down = HoldDown::Width(width);
                 self.annulus_width(width);
             }
         }
@@ -234,7 +239,7 @@ impl Run<'_> {
                 ("t_a", t_a, Length),
                 ("E", plate.map_or(0.0, |material| material.youngs_modulus), Stress),
             ];
-            let formula = match plate.is_some_and(is_aluminium) {
+            let formula = match plate.is_some_and(softer) {
                 true => hd::UPLIFT_ALUMINIUM,
                 false => hd::UPLIFT,
             };
@@ -327,6 +332,7 @@ impl Run<'_> {
                 Err((status, reason)) => self.without_comparison(limit_states::ANCHORS, status, &reason, None),
             }
             self.anchor_attachment(w_ab);
+            self.anchor_count(w_ab);
             self.anchor_spacing();
         }
     }
@@ -338,7 +344,8 @@ impl Run<'_> {
         self.sheet.section("Sliding");
         let terms = [("V", v, Force), ("D", b.d, Length)];
         let name = "largest tangential shear at the base per length";
-        self.sheet.calc("V_max", name, "2·V/(π·D)", &terms, LineForce, E7_7);
+        let v_max = self.sheet.calc("V_max", name, "2·V/(π·D)", &terms, LineForce, E7_7);
+        self.shear_transfer(v_max);
         let Some(site) = self.site else {
             return;
         };

@@ -17,7 +17,7 @@ use crate::Procedure;
 use crate::base_state::{BaseState, Lift};
 use crate::ec8::En2006;
 
-fn assess(case: &Case) -> Assessment {
+pub(super) fn assess(case: &Case) -> Assessment {
     Api6502020
         .assess(case, Excitation::Site)
         .expect("the example is admissible")
@@ -113,12 +113,12 @@ fn pipes_follow_the_uplift() {
     // On a ring wall 13 mm (1/2 in.) do downwards.
     let mut ring = case.clone();
     ring.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::RingWall,
         stiffness: None,
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
-        width: None,
         thickness: None,
         friction: None,
     });
@@ -158,11 +158,15 @@ fn pipes_follow_the_uplift() {
 #[test]
 fn aluminium() {
     let mut case = case();
+    let aluminium = |material: &mut tank::Material| {
+        material.youngs_modulus = 70e9;
+        material.family = Some(tank::Family::Aluminium);
+    };
     for course in &mut case.tank.courses {
-        course.material.youngs_modulus = 70e9;
+        aluminium(&mut course.material);
     }
     if let Some(plate) = &mut case.tank.bottom {
-        plate.material.youngs_modulus = 70e9;
+        aluminium(&mut plate.material);
     }
     let out = assess(&case);
     close(line(&out, "F_C"), 0.35 * 38.733e6, 200.0, "F_C");
@@ -176,6 +180,7 @@ fn aluminium() {
     assert!(matches!(of(&states), NotApplicable(_)));
     // Titanium is neither steel nor aluminium.
     case.tank.courses[3].material.youngs_modulus = 110e9;
+    case.tank.courses[3].material.family = Some(tank::Family::OtherMetal);
     assert_eq!(of(&Api6502020.limit_states(&case)), NotImplemented);
 }
 

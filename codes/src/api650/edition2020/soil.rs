@@ -88,12 +88,12 @@ mod tests {
         let mut case = case();
         case.tank.support = support;
         case.tank.foundation = velocity.map(|v| Foundation {
+            width: None,
             kind: FoundationKind::Slab,
             stiffness: None,
             shear_wave_velocity: Some(v),
             soil_density: 1900.0,
             soil_poisson_ratio: 1.0 / 3.0,
-            width: None,
             thickness: None,
             friction: None,
         });

@@ -16,7 +16,7 @@
 use tank::Course;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
-use super::super::basis::is_aluminium;
+use super::super::basis::softer;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
@@ -170,11 +170,7 @@ impl Run<'_> {
         let name = "pressure parameter with the depth H_z above z, D and H_z in m, t in mm";
         let slenderness = local(hd::SLENDERNESS);
         let ratio = sheet.calc("G·H_z·D²/t²", name, &slenderness, &terms, Dimensionless, E6_2_2_3);
-        let formula = local(hd::allowable(
-            ratio,
-            f_ty.is_some(),
-            is_aluminium(&edge.course.material),
-        )?);
+        let formula = local(hd::allowable(ratio, f_ty.is_some(), softer(&edge.course.material))?);
         let name = "allowable compression of the course";
         Some(sheet.calc("F_Cz", name, &formula, &terms, Stress, E6_2_2_3))
     }

@@ -147,12 +147,12 @@ fn ground_and_width_of_the_plate() {
 #[test]
 fn a_foundation_without_stiffness_is_assumed() {
     let foundation = |velocity| tank::Foundation {
+        width: None,
         kind: tank::FoundationKind::Soil,
         stiffness: None,
         shear_wave_velocity: velocity,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
-        width: None,
         thickness: None,
         friction: None,
     };

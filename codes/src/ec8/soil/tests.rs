@@ -18,12 +18,12 @@ fn on_slab(velocity: f64) -> Case {
     case.site.ec8 = Some(site());
     case.tank.support = Support::Anchored;
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Slab,
         stiffness: None,
         shear_wave_velocity: Some(velocity),
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
-        width: None,
         thickness: None,
         friction: None,
     });

@@ -69,6 +69,7 @@ fn asce_spectrum_stands_in_without_ec8() {
     case.site = Site {
         ec8: None,
         api650: Some(Api650Site {
+            bearing_capacity: None,
             ss: 0.9,
             s1: 0.3,
             s0: None,

@@ -7,6 +7,7 @@ use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 /// A case without ground motion.
 pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f64), liquid: (f64, f64)) -> Case {
     let material = Material {
+        family: tank::Family::inferred(material.0, material.2),
         name: "wall".into(),
         youngs_modulus: material.0,
         poisson_ratio: material.1,
@@ -18,6 +19,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
     Case {
         name: "test".into(),
         tank: Tank {
+            details: tank::Details::default(),
             shape,
             support: Support::Anchored,
             courses: courses

@@ -71,6 +71,7 @@ mod tests {
 
     fn tank() -> Tank {
         let material = Material {
+            family: Some(tank::Family::Aluminium),
             name: "aluminium".into(),
             youngs_modulus: 69e9,
             poisson_ratio: 0.32,
@@ -87,6 +88,7 @@ mod tests {
             layers: Vec::new(),
         };
         Tank {
+            details: tank::Details::default(),
             shape: Shape::Cylinder { radius: 1.83 },
             support: Support::Anchored,
             courses: vec![course(2.03e-3), course(1.27e-3)],

@@ -188,6 +188,7 @@ mod tests {
 
     fn material(behaviour: Behaviour, youngs_modulus: f64) -> Material {
         Material {
+            family: None,
             name: "m".into(),
             youngs_modulus,
             poisson_ratio: 0.2,

@@ -398,4 +398,14 @@ catalogue! {
          begins. Files of the earlier run that have no successor are removed, so that a folder \
          never mixes two runs. Name another folder to keep both."
         "tankcheck compare tank.json --no-report --out out/   # out/ had a report"
+
+    UnusualInput "T0914" Warning "an unusual input"
+        "The value is within the range of the code and was used; it is outside the range that the code recommends or that such tanks \
+         have. The report lists it in its summary."
+        "\"importance\": 0.7"
+
+    Inconsistent "T0915" Warning "inputs that contradict each other"
+        "Two values of the file describe the same thing and do not agree. Each was used where it stands. The report lists them in its \
+         summary."
+        "ground type B with 80 m/s"
 }

@@ -1,6 +1,6 @@
 //! Aluminium of plates.
 
-use super::plate::{SteelGrade, Step, step};
+use super::plate::{PlateKind, SteelGrade, Step, step};
 
 const O_5083: &[Step] = &[step(50.0, 125.0, 275.0)];
 const T6_6061: &[Step] = &[step(12.5, 240.0, 290.0)];
@@ -16,6 +16,7 @@ const fn alloy(
 ) -> SteelGrade {
     SteelGrade {
         name,
+        kind: PlateKind::Aluminium,
         aliases,
         young_modulus: 70e9,
         poisson_ratio: 0.3,

@@ -2,12 +2,13 @@
 //!
 //! API 650 4.2 limits the thickness and the quality of each; no limit of it is checked here.
 
-use super::plate::{SteelGrade, Step, api, step};
+use super::plate::{PlateKind, SteelGrade, Step, api, step};
 
 const TABLE: &str = "API 650, 11th edition, table 5-2a (minimum yield and tensile strength, S_d); ANSI/AISC 360 (E 29 000 ksi = 200 GPa, ν 0.3); E_T = \
      E/100 as in EN 1993-1-5:2006, C.6";
 const A240: &str = "ASTM A240/A240M (30 or 25 ksi, 75 or 70 ksi, metric edition); ASME BPVC II-D, table TM-1, group G (E); EN \
-     1993-1-4:2006, 2.1.3 (ν); EN 10088-1:2005 (ρ); E_T = E/100 as in EN 1993-1-5:2006, C.6";
+     1993-1-4:2006, 2.1.3 (ν); EN 10088-1:2005 (ρ); API 650, annex S, up to 40 °C (S_d, the lesser of 0.3 times the tensile and 0.9 times the yield \
+     strength: API agenda item 650-621); E_T = E/100 as in EN 1993-1-5:2006, C.6";
 /// 27.8·10⁶ psi.
 const NICKEL_MODULUS: f64 = 191.7e9;
 
@@ -15,6 +16,7 @@ const NICKEL_MODULUS: f64 = 191.7e9;
 const fn plate(name: &'static str, aliases: &'static [&'static str], steps: &'static [Step]) -> SteelGrade {
     SteelGrade {
         name,
+        kind: PlateKind::CarbonSteel,
         aliases,
         young_modulus: 200e9,
         poisson_ratio: 0.3,
@@ -34,6 +36,7 @@ const fn stainless(
 ) -> SteelGrade {
     SteelGrade {
         name,
+        kind: PlateKind::Stainless,
         aliases,
         young_modulus: 195e9,
         poisson_ratio: 0.3,
@@ -65,8 +68,8 @@ const W260: &[Step] = &[api(ANY, 260.0, 410.0, 164.0)];
 const W350: &[Step] = &[api(ANY, 350.0, 450.0, 180.0)];
 const WT350: &[Step] = &[api(65.0, 350.0, 480.0, 192.0), api(100.0, 320.0, 480.0, 192.0)];
 
-const Y205_U515: &[Step] = &[step(ANY, 205.0, 515.0)];
-const Y170_U485: &[Step] = &[step(ANY, 170.0, 485.0)];
+const Y205_U515: &[Step] = &[api(ANY, 205.0, 515.0, 155.0)];
+const Y170_U485: &[Step] = &[api(ANY, 170.0, 485.0, 145.0)];
 const A553: &[Step] = &[step(50.0, 585.0, 690.0)];
 
 /// The grades; a metric designation is an alias.
@@ -101,6 +104,7 @@ pub(super) const GRADES: &[SteelGrade] = &[
     plate("G40.21 350WT", &[], WT350),
     SteelGrade {
         name: "A553 I",
+        kind: PlateKind::NickelSteel,
         aliases: &["A553 1"],
         young_modulus: NICKEL_MODULUS,
         poisson_ratio: 0.3,

@@ -3,7 +3,7 @@
 //! `S355` is the steel of EN 1993-1-1 table 3.1, whose strengths change at 40 mm only; `S355JR` that of the product standard, which has
 //! more steps. EN 1993-1-1 3.2.1 allows either.
 
-use super::plate::{SteelGrade, Step, step};
+use super::plate::{PlateKind, SteelGrade, Step, step};
 
 const EUROCODE: &str = "EN 1993-1-1:2005 + AC:2009, table 3.1 (EN 10025-2: f_y, f_u) and 3.2.6 (E, ν); EN 1993-1-5:2006, C.6 (E_T = \
      E/100); EN 1993-1-2:2005, 3.2.2 (ρ)";
@@ -25,6 +25,7 @@ const fn steel(
 ) -> SteelGrade {
     SteelGrade {
         name,
+        kind: PlateKind::CarbonSteel,
         aliases,
         young_modulus: 210e9,
         poisson_ratio: 0.3,
@@ -44,6 +45,7 @@ const fn stainless(
 ) -> SteelGrade {
     SteelGrade {
         name,
+        kind: PlateKind::Stainless,
         aliases,
         young_modulus: 200e9,
         poisson_ratio: 0.3,

@@ -3,11 +3,26 @@
 use crate::LawError;
 use crate::von_mises::VonMises;
 
+/// What a plate is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlateKind {
+    /// Carbon and low-alloy steel.
+    CarbonSteel,
+    /// Stainless steel.
+    Stainless,
+    /// Aluminium alloy.
+    Aluminium,
+    /// Steel with nine per cent of nickel.
+    NickelSteel,
+}
+
 /// Steel or aluminium of plates. Its strengths depend on the nominal thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteelGrade {
     /// Name.
     pub name: &'static str,
+    /// What it is.
+    pub kind: PlateKind,
     /// Other names: qualities with the same strengths, numbers, metric designations.
     pub aliases: &'static [&'static str],
     /// Young's modulus E [Pa] > 0.
@@ -33,7 +48,7 @@ pub struct Step {
     pub yield_stress: f64,
     /// Ultimate tensile strength f_u [Pa] > f_y.
     pub ultimate_strength: f64,
-    /// Product design stress S_d [Pa] (API 650 table 5-2); `None` for a steel that is not in that table.
+    /// Product design stress S_d [Pa] (API 650 table 5-2, annex S for stainless steel); `None` for a plate that is in neither.
     pub allowable_stress: Option<f64>,
 }
 

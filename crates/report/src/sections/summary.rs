@@ -80,7 +80,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
     section.set("facts", &facts(source));
     section.set("warnings", &warnings(results));
-    section.set("unusual", &unusual(results));
+    let (input, unusual): (Vec<Warned>, Vec<Warned>) = unusual(results).into_iter().partition(of_input);
+    section.set("input", &input);
+    section.set("unusual", &unusual);
     section.set("has_fe", &source.fe().is_some());
     let mut cells = results
         .comparison
@@ -266,6 +268,14 @@ fn warnings(results: &Results) -> Vec<Warning> {
             note: capital(&l.note),
         })
         .collect()
+}
+
+/// Whether a warning is about values that are unusual or contradict each other.
+fn of_input(warning: &Warned) -> bool {
+    matches!(
+        warning.code(),
+        Some(Code::UnusualInput | Code::UnusualTank | Code::Inconsistent)
+    )
 }
 
 /// Warnings about the input and about values that are not to be used.

@@ -29,12 +29,12 @@ pub struct Foundation {
     pub soil_density: f64,
     /// Poisson's ratio ν_s of the soil.
     pub soil_poisson_ratio: f64,
-    /// Width of the ring wall [m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub width: Option<f64>,
     /// Thickness of the slab, or height of the ring wall [m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thickness: Option<f64>,
+    /// Width of a ring wall, or of the compacted pad under the shell, on the ground [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<f64>,
     /// Coefficient of friction between the bottom plate and the ground.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,

@@ -97,6 +97,7 @@ impl Course {
             height,
             thickness,
             material: Material {
+                family: None,
                 name: EQUIVALENT.into(),
                 youngs_modulus: membrane / thickness,
                 poisson_ratio: poisson / membrane,
@@ -214,6 +215,7 @@ mod tests {
             kind,
             thickness,
             material: Material {
+                family: None,
                 name: "m".into(),
                 youngs_modulus,
                 poisson_ratio: 0.2,

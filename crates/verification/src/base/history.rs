@@ -245,12 +245,12 @@ fn oil(roof: f64, modulus: f64, peak: f64, friction: Option<f64>) -> Case {
         material: steel,
     });
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Soil,
         stiffness: Some(modulus),
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
-        width: None,
         thickness: None,
         friction,
     });

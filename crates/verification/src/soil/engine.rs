@@ -48,12 +48,12 @@ fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
         (1000.0, 11.0),
     );
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Slab,
         stiffness: None,
         shear_wave_velocity: velocity,
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
-        width: None,
         thickness,
         friction: None,
     });

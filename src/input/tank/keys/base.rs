@@ -222,21 +222,21 @@ pub(super) fn foundation(
     let soil_poisson_ratio = r.or_default(&given.soil_poisson_ratio);
     let thickness = r.optional(&given.thickness);
     let friction = r.optional(&given.friction);
-    // Asked of a ring wall alone.
+    // Assumed to be left out of a ring wall alone.
     let width = match (given.kind.value, &given.width.given) {
         (Some(FoundationKind::RingWall), _) | (_, Some(_)) => r.optional(&given.width),
         _ => None,
     };
     let kind = given.kind.value?;
     if let Some(field) = &given.width.given
-        && kind != FoundationKind::RingWall
+        && kind == FoundationKind::Slab
     {
         let message = "width does not apply to this foundation";
         r.faults.push(range_fault(
             Code::DoesNotApply,
             field,
             message,
-            "\"kind\": \"ring_wall\"",
+            "\"kind\": \"ring_wall\" or \"soil\"",
         ));
     }
     if let Some(field) = &given.thickness.given
@@ -264,11 +264,11 @@ pub(super) fn foundation(
     }
     Some(tank::Foundation {
         kind,
+        width,
         stiffness,
         shear_wave_velocity,
         soil_density,
         soil_poisson_ratio,
-        width,
         thickness,
         friction,
     })

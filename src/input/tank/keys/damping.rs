@@ -8,20 +8,28 @@ use crate::input::tank::read::{Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Number;
 
-/// Damping ratios.
+/// Ratios of Rayleigh damping and of single modes.
 pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);
-/// Young's modulus [Pa] below which a wall counts as concrete or plastic, not metal.
-const METAL: f64 = 60e9;
+/// Of sloshing: baffles and thick liquids have some per cent.
+const SLOSHING: Limits = Limits::from(0.0)
+    .to(0.05)
+    .usual(0.001, 0.01)
+    .clause("EN 1998-4:2006 2.3.3 has 0.005 for liquids");
+/// Of the wall: from 0.28 on the factor η of EN 1998-1 stays at 0.55.
+const IMPULSIVE: Limits = Limits::from(0.0)
+    .to(0.28)
+    .usual(0.005, 0.1)
+    .clause("EN 1998-1:2004 3.2.2.2, where η ends at 0.55");
 
 object! {
     /// Damping ratios, as fractions of critical damping.
     Damping {
         /// Of sloshing modes.
-        sloshing (0.005): Opt<Number> [RATIO]
+        sloshing (0.005): Opt<Number> [SLOSHING]
             = default(Number(0.005)).because("EN 1998-4:2006 2.3.3: water and other liquids 0.5 %"),
         /// Of structural (impulsive) modes.
-        impulsive (0.02): Opt<Number> [RATIO] = Absent::Follows(
-            "0.02 for steel and aluminium, 0.05 for walls with a Young's modulus below 60 GPa such as concrete"
+        impulsive (0.02): Opt<Number> [IMPULSIVE] = Absent::Follows(
+            "0.02 for walls of metal, 0.05 for others such as concrete"
         ),
     }
 }
@@ -34,24 +42,18 @@ pub(super) fn damping(r: &mut Resolver<'_>, option: &Opt<Damping>, tank: Option<
             impulsive: f64::NAN,
         };
     };
-    let softest = tank.map_or(f64::NAN, |t| {
-        t.courses
-            .iter()
-            .map(|c| c.material.youngs_modulus)
-            .fold(f64::INFINITY, f64::min)
-    });
-    let (ratio, text, why) = if softest < METAL {
-        (
+    let soft = tank.is_some_and(|t| !t.wall_materials().all(|m| m.is_metal()));
+    let (ratio, text, why) = match soft {
+        true => (
             0.05,
             "0.05",
-            "EN 1998-4:2006 2.3.3 and EN 1998-1: concrete 5 % (Young's modulus of the wall below 60 GPa)",
-        )
-    } else {
-        (
+            "EN 1998-4:2006 2.3.3 and EN 1998-1: concrete 5 %; the wall is not of metal",
+        ),
+        false => (
             0.02,
             "0.02",
-            "EN 1998-4:2006 2.3.3: welded steel 2 % (Young's modulus of the wall 60 GPa or more)",
-        )
+            "EN 1998-4:2006 2.3.3: welded steel 2 %; the wall is of metal",
+        ),
     };
     case::Damping {
         sloshing: r.or_default(&given.sloshing),

@@ -27,7 +27,7 @@ object! {
         /// Remarks for the report, free text.
         notes ("as built 1974"): Opt<String>,
         /// Acceleration of free fall.
-        gravity ("9.81 m/s2"): Opt<Acceleration> [Limits::from(0.1).to(100.0)]
+        gravity ("9.81 m/s2"): Opt<Acceleration> [Limits::from(0.1).to(100.0).usual(9.7, 9.9)]
             = default(Acceleration(tank::STANDARD_GRAVITY))
                 .shown("9.80665 m/s2")
                 .because("standard gravity, ISO 80000-3"),

@@ -1,6 +1,6 @@
 //! Grades of steel and concrete: values for keys that the file does not give.
 
-use materials::grades::{BARS, CONCRETES, SteelGrade, Step, folded, steels};
+use materials::grades::{BARS, CONCRETES, PlateKind, SteelGrade, Step, folded, steels};
 
 use crate::input::tank::key::list;
 
@@ -11,6 +11,8 @@ pub(super) struct Preset {
     pub name: &'static str,
     /// Source of the values.
     pub source: &'static str,
+    /// Family.
+    pub family: tank::Family,
     /// Thickness up to which the strengths hold, in words (", t ≤ 40 mm"); empty where they do not depend on it.
     pub range: String,
     /// E [Pa].
@@ -56,6 +58,12 @@ fn plate(g: &SteelGrade, step: Step) -> Preset {
     Preset {
         name: g.name,
         source: g.source,
+        family: match g.kind {
+            PlateKind::CarbonSteel => tank::Family::CarbonSteel,
+            PlateKind::Stainless => tank::Family::Stainless,
+            PlateKind::Aluminium => tank::Family::Aluminium,
+            PlateKind::NickelSteel => tank::Family::OtherMetal,
+        },
         range: match g.steps.len() {
             1 => String::new(),
             _ => format!(", t ≤ {} mm", 1e3 * step.up_to),
@@ -77,6 +85,7 @@ fn others() -> impl Iterator<Item = Preset> {
     let concretes = CONCRETES.iter().map(|g| Preset {
         name: g.name,
         source: g.source,
+        family: tank::Family::Concrete,
         range: String::new(),
         youngs_modulus: g.young_modulus,
         poisson_ratio: g.poisson_ratio,
@@ -90,6 +99,7 @@ fn others() -> impl Iterator<Item = Preset> {
     let bars = BARS.iter().map(|g| Preset {
         name: g.name,
         source: g.source,
+        family: tank::Family::CarbonSteel,
         range: String::new(),
         youngs_modulus: g.young_modulus,
         // Bars are uniaxial: the value has no effect.

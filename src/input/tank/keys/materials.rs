@@ -1,6 +1,7 @@
 //! `materials`: elastic values and grades.
 
 mod concrete;
+mod family;
 pub(super) mod laws;
 mod reader;
 mod yielding;
@@ -42,6 +43,10 @@ object! {
         ///
         /// Concrete: C20/25, C25/30, C30/37, C35/45, C40/50, C45/55, C50/60, B25, B35, B45. Bars: B500, B500A, B500B, B500C, BSt500.
         grade ("S355"): Opt<String>,
+        /// Family. Each code has rules for some families, and the checks of a wall of an unknown one stay open. Moduli and densities of
+        /// carbon steel, stainless steel, aluminium, concrete and plastics decide where no other family has them.
+        family ("carbon_steel"): Opt<tank::Family>
+            = Absent::Follows("that of the grade or behaviour, or the only one with this Young's modulus and density"),
         /// Young's modulus. Not for an interlayer, which has e_normal.
         youngs_modulus ("210 GPa"): Opt<Stress> [MODULUS] = Absent::Follows("that of the grade; needed without one"),
         /// Poisson's ratio. Not for an interlayer, which has e_normal.
@@ -52,7 +57,8 @@ object! {
         /// Yield strength (characteristic), needed by the stability and anchorage checks. Usual is up to 2 GPa and up to 1 % of
         /// Young's modulus (plastics: 5 %); more than a tenth of it is rejected. A grade supplies its own.
         yield_strength ("235 MPa"): Opt<Stress> [STRESS] = without("checks that need it are left out"),
-        /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check. A grade of that table supplies its own.
+        /// Allowable design stress S_d (API 650 table 5-2; annex S or AL), needed by the API hoop-stress check. A grade of table 5-2 or of ASTM A240
+        /// supplies its own.
         allowable_stress ("160 MPa"): Opt<Stress> [STRESS] = without("the API hoop-stress check is left out"),
         /// Behaviour beyond the elastic range.
         behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
@@ -175,7 +181,9 @@ fn material(
         }
         Some((field, Behaviour::Kinds(kinds))) => laws::of_file(r, &reader, field, kinds, elastic)?,
     };
+    let family = family::family(r, m, &reader, &behaviour, [youngs_modulus, poisson_ratio, density]);
     Some(tank::Material {
+        family,
         name: name.into(),
         youngs_modulus: match behaviour {
             tank::Behaviour::Interlayer(layer) => layer.e_normal,

@@ -17,8 +17,31 @@ use crate::input::tank::values::{Acceleration, Force, InG, Number, Seconds, Si, 
 
 /// Mapped accelerations in g.
 const MAPPED: Limits = Limits::from(0.0).to(5.0);
-/// Site coefficients.
-const FACTOR: Limits = Limits::above(0.0).to(10.0);
+/// Site coefficients; the tables of ASCE 7 have 0.8 to 2.5 and 0.8 to 4.2, and a study at least 0.8 of them.
+const FACTOR: Limits = Limits::from(0.4).to(6.0).clause("ASCE 7-16 tables 11.4-1 and 11.4-2");
+/// Importance factor: 0.8, 1, 1.2 and 1.6 are recommended, the least and largest national values known are 0.65 and 1.95 (Portugal,
+/// recalled). With k = 3, 0.6 and 2 stand for return periods of 100 and 3800 years beside 475.
+const IMPORTANCE: Limits = Limits::from(0.6)
+    .to(2.0)
+    .usual(0.8, 1.6)
+    .clause("EN 1998-4:2006 2.1.4, classes I to IV");
+/// Share of damage limitation: 0.5 and 0.4 are recommended; a return period of 95 in place of 475 years gives 0.2 with k = 1.
+const REDUCTION: Limits = Limits::from(0.2).to(1.0).usual(0.4, 0.5).clause("EN 1998-1:2004 2.2.3");
+/// Ground under a tank, from soft clay to rock.
+const GROUND: Limits = Limits::above(0.0).to(1e8).usual(50e3, 3e6);
+/// From the mapped to the design earthquake: 2/3 of ASCE 7, 1 of maps of the design earthquake; 0.66 is 2/3 rounded.
+const SCALING: Limits = Limits::from(0.66)
+    .to(1.0)
+    .clause("API 650 E.4.6.1: 2/3 with ASCE 7 maps, 1 with others");
+/// Long-period transition; the maps of ASCE 7 have 4 to 16 s.
+const LONG: Limits = Limits::from(1.0).to(30.0).usual(4.0, 16.0).clause("ASCE 7 maps of T_L");
+/// Design pressure: annex F ends at 18 kPa (2.5 psi).
+const PRESSURE: Limits = Limits::from(0.0).to(18e3).clause("API 650 annex F");
+/// Joint efficiency: 0.85 and 1, 0.7 of annex A; old lap joints of API 653 have at least 0.35.
+const JOINT: Limits = Limits::from(0.35)
+    .to(1.0)
+    .usual(0.7, 1.0)
+    .clause("API 650 5.6, annex A; API 653 table 4.2");
 
 object! {
     /// Site data for design spectra.
@@ -38,12 +61,13 @@ object! {
         /// Type of the elastic spectrum. Needed unless `site.spectrum` is given.
         spectrum (1): Opt<Whole> [Limits::one_of(&[1.0, 2.0])],
         /// Reference peak ground acceleration a_gR on rock. Needed unless `site.spectrum` is given.
-        ag ("0.25 g"): Opt<Acceleration> [Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY)],
+        ag ("0.25 g"): Opt<Acceleration>
+            [Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY).usual(0.02 * tank::STANDARD_GRAVITY, 0.6 * tank::STANDARD_GRAVITY)],
         /// Importance factor.
-        importance (1.2): Opt<Number> [Limits::above(0.0).to(3.0)]
+        importance (1.2): Opt<Number> [IMPORTANCE]
             = default(Number(1.0)).shown("1.0").because("EN 1998-4:2006 2.1.4, class II"),
         /// Behaviour factor q of the impulsive part; at most 1.5 for a tank on the ground, EN 1998-4:2006 4.4.
-        behaviour_factor (1.5): Opt<Number> [Limits::from(1.0).to(1.5)] = default(Number(1.0))
+        behaviour_factor (1.5): Opt<Number> [Limits::from(1.0).to(1.5).clause("EN 1998-4:2006 4.4")] = default(Number(1.0))
             .shown("1.0")
             .because("elastic response of the wall, on the safe side of EN 1998-4:2006 4.4"),
         /// Fabrication quality of EN 1998-4 A.10: 1 normal, 1.5 quality, 2.5 very high quality construction.
@@ -54,13 +78,13 @@ object! {
         /// Horizontal components that act together on a cylinder.
         components: Opt<Components> = default(Components::One).because("EN 1998-4:2006 3.2: enough for an axisymmetric tank"),
         /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
-        friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
+        friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0).usual(0.2, 0.6)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
         /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
         /// and II, 0.4 for III and IV.
-        reduction_factor (0.5): Opt<Number> [Limits::above(0.0).to(1.0)]
+        reduction_factor (0.5): Opt<Number> [REDUCTION]
             = without("damage limitation is not checked, EN 1998-4:2006 2.1.3"),
         /// Design bearing resistance of the ground under the tank in the seismic situation, as a pressure.
-        bearing_capacity ("300 kPa"): Opt<Stress> [Limits::above(0.0).to(1e9)]
+        bearing_capacity ("300 kPa"): Opt<Stress> [GROUND]
             = without("bearing of the ground is not checked, EN 1998-5:2004 5.4.1.1"),
     }
 
@@ -69,41 +93,44 @@ object! {
     /// others for its lower limit. The zone method needs zone_factor alone.
     Api650 {
         /// Mapped short-period acceleration S_s in g.
-        ss (1.0): Opt<InG> [MAPPED],
+        ss (1.0): Opt<InG> [MAPPED.usual(0.0, 3.0)],
         /// Mapped one-second acceleration S_1 in g.
-        s1 (0.4): Opt<InG> [MAPPED],
+        s1 (0.4): Opt<InG> [MAPPED.usual(0.0, 1.5)],
         /// Peak ground acceleration S_0 in g.
-        s0 (0.4): Opt<InG> [MAPPED] = without("0.4 S_s, API 650 E.4.2"),
+        s0 (0.4): Opt<InG> [MAPPED.usual(0.0, 1.5)] = without("0.4 S_s, API 650 E.4.2"),
         /// Site class of ASCE 7.
         site_class ("D"): Opt<SiteClass>,
         /// Edition of the site-coefficient tables; those of 2010 are printed in annex E.
         asce7 (2016): Opt<Whole> [Limits::one_of(&[2010.0, 2016.0])]
             = default(Whole(2010)).because("site-coefficient tables printed in API 650 annex E"),
         /// Site coefficient F_a of a site study, instead of the table's; together with fv. Site class F needs both.
-        fa (1.1): Opt<Number> [FACTOR] = without("from the table of the site class"),
+        fa (1.1): Opt<Number> [FACTOR.usual(0.8, 2.5)] = without("from the table of the site class"),
         /// Site coefficient F_v of a site study, instead of the table's; together with fa.
-        fv (1.6): Opt<Number> [FACTOR] = without("from the table of the site class"),
+        fv (1.6): Opt<Number> [FACTOR.usual(0.8, 4.2)] = without("from the table of the site class"),
         /// Factor Q from the mapped to the design earthquake; 2/3 with ASCE 7 maps, 1 with other maps.
-        q (1): Opt<Number> [Limits::above(0.0).to(1.0)]
+        q (1): Opt<Number> [SCALING]
             = default(Number(2.0 / 3.0)).shown("0.6667 (2/3)").because("API 650 E.4.6.1 with ASCE 7 maps"),
         /// Seismic use group.
         sug (1): Opt<Whole> [Limits::one_of(&[1.0, 2.0, 3.0])],
         /// Long-period transition T_L in seconds.
-        tl (4.0): Opt<Seconds> [Limits::above(0.0).to(100.0)],
+        tl (4.0): Opt<Seconds> [LONG],
         /// Vertical acceleration A_v in g.
-        av (0.3): Opt<InG> [MAPPED] = without("0.47 S_DS, API 650 E.6.1.3"),
+        av (0.3): Opt<InG> [MAPPED.usual(0.0, 1.0)] = without("0.47 S_DS, API 650 E.6.1.3"),
         /// Design pressure above the liquid.
-        design_pressure ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6)]
+        design_pressure ("2 kPa"): Opt<Stress> [PRESSURE]
             = Absent::Follows("tank.pressure.internal"),
         /// Joint efficiency of the shell.
-        joint_efficiency (0.85): Opt<Number> [Limits::above(0.0).to(1.0)]
+        joint_efficiency (0.85): Opt<Number> [JOINT]
             = default(Number(1.0)).shown("1.0").because("fully radiographed butt joints"),
         /// Friction coefficient against sliding.
-        friction (0.3): Opt<Number> [Limits::above(0.0).to(0.4)]
+        friction (0.3): Opt<Number> [Limits::above(0.0).to(0.4).usual(0.2, 0.4).clause("API 650 E.7.6")]
             = default(Number(0.4)).because("API 650 E.7.6, the largest value allowed"),
         /// Weight of the foundation and of the soil on it, W_fd + W_g, against overturning.
         foundation_weight ("3 MN"): Opt<Force> [Limits::from(0.0).to(1e10)]
             = without("overturning of the foundation is not checked, API 650 E.6.2.3"),
+        /// Allowable pressure on the ground in the seismic combination.
+        bearing_capacity ("250 kPa"): Opt<Stress> [GROUND]
+            = without("bearing of the ground is not checked, API 650 E.6.2.3"),
         /// 9th edition: zone factor Z.
         zone_factor (0.3): Opt<Number> [Limits::one_of(&[0.0, 0.075, 0.15, 0.2, 0.3, 0.4])]
             = without("the zone method of the 9th edition is not run"),
@@ -283,6 +310,7 @@ fn annex_e(s: &Api650) -> bool {
         s.tl.given.is_some(),
         s.design_pressure.given.is_some(),
         s.foundation_weight.given.is_some(),
+        s.bearing_capacity.given.is_some(),
     ];
     let given = numbers.into_iter().chain(mapped).chain(others).any(|given| given);
     given || s.zone_factor.given.is_none()
@@ -362,18 +390,41 @@ fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Opti
         ));
     }
     let q = r.or_default(&s.q);
+    if let Some(field) = &s.q.given
+        && (q - 2.0 / 3.0).abs() > 0.007
+        && q < 1.0
+    {
+        r.unusual(
+            &field.path,
+            &field.text,
+            "usual are 2/3 with ASCE 7 maps and 1 with others, API 650 E.4.6.1",
+        );
+    }
     let sug = s.sug.given.as_ref().and_then(|field| r.count(field));
     let tl = mapped(r, &s.tl);
     let av = r.optional(&s.av);
     let text = display_in(internal, unit_for(internal, Dimension::Stress), 4);
     let design_pressure = r.or_else(&s.design_pressure, internal, &text, "tank.pressure.internal");
+    if let (None, Some(most)) = (&s.design_pressure.given, Some(PRESSURE.high))
+        && internal > most
+    {
+        let message = format!("tank.pressure.internal is {text}, more than API 650 annex F covers");
+        let fault = Fault::new(Code::OutOfRange, message)
+            .path("tank.pressure.internal")
+            .found(text.clone())
+            .allowed(PRESSURE.describe(Dimension::Stress));
+        r.faults
+            .push(fault.help("leave site.api650 out, or give its design_pressure"));
+    }
     let joint_efficiency = r.or_default(&s.joint_efficiency);
     let friction = r.or_default(&s.friction);
     let foundation_weight = r.optional(&s.foundation_weight);
+    let bearing_capacity = r.optional(&s.bearing_capacity);
     let zone_factor = r.optional(&s.zone_factor);
     let soil_factor = r.or_default(&s.soil_factor);
     let importance_1993 = r.or_default(&s.importance_1993);
     Some(Api650Site {
+        bearing_capacity,
         ss,
         s1,
         s0,

@@ -48,7 +48,7 @@ object! {
         /// Reference peak ground acceleration a_gR on rock, of the parameters.
         ag ("0.25 g"): Opt<Acceleration> [Limits::above(0.0).to(3.0 * STANDARD_GRAVITY)],
         /// Soil factor S.
-        soil_factor (1.2): Opt<Number> [Limits::above(0.0).to(10.0)],
+        soil_factor (1.2): Opt<Number> [Limits::above(0.0).to(10.0).usual(0.8, 2.0)],
         /// Control period T_B in seconds.
         tb (0.15): Opt<Seconds> [PERIOD],
         /// Control period T_C in seconds.

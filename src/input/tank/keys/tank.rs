@@ -2,9 +2,10 @@
 
 use files::code::{Code, Warning};
 use tank::units::Dimension;
-use tank::{FoundationKind, RoofKind, Shape, Support};
+use tank::{FoundationKind, Joint, Presence, RoofKind, Shape, ShellSupport, Snow, Support};
 
 use super::base;
+use super::details::{self, Connections};
 use super::isolators::isolators;
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
@@ -20,7 +21,7 @@ const SIZE: Limits = Limits::from(1e-3).to(1000.0);
 /// Displacements of pipes.
 const DISPLACEMENT: Limits = Limits::from(0.0).to(10.0);
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
-const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
+const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0).usual(400.0, 2000.0);
 
 object! {
     /// An upright tank on the ground.
@@ -56,14 +57,18 @@ object! {
         pressure: Opt<Pressure> = Absent::Follows("neither overpressure nor vacuum: an atmospheric tank"),
         /// Pipes that are connected to the tank, needed by the checks of their displacement.
         pipes: Opt<Pipes> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
+        /// Equipment within the liquid that wall or bottom carry.
+        internals ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.5 stays open"),
+        /// Structures that are connected to the tank, such as walkways to another tank.
+        adjacent_structures ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.8 stays open"),
     }
 
     /// Gas or vapour above the liquid while the earthquake acts, against the atmosphere.
     Pressure {
         /// Largest overpressure.
-        internal ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6)] = default(Stress(0.0)).because("no overpressure"),
+        internal ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6).usual(0.0, 50e3)] = default(Stress(0.0)).because("no overpressure"),
         /// Largest vacuum, as a positive number.
-        vacuum ("0.5 kPa"): Opt<Stress> [Limits::from(0.0).to(101_325.0)] = default(Stress(0.0)).because("no vacuum"),
+        vacuum ("0.5 kPa"): Opt<Stress> [Limits::from(0.0).to(101_325.0).usual(0.0, 6.9e3)] = default(Stress(0.0)).because("no vacuum"),
     }
 
     /// Pipes that are connected to the tank; of several the one with the least reserve.
@@ -95,6 +100,8 @@ object! {
         mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
         /// Height of its centre of mass above the tank bottom, not below the liquid; not of a floating roof.
         height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),
+        /// Snow on the roof.
+        snow ("none"): Opt<Snow> = Absent::Follows("not known; the share of the snow stays open"),
         /// Height of a floating roof's rim and seal above the level of the liquid; the freeboard is less by it.
         rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],
     }
@@ -113,6 +120,12 @@ object! {
         annular_width ("1.2 m"): Opt<Length> [SIZE] = Absent::Follows("width"),
         /// The same for a plate of `thickness` under the wall. Give one of the widths.
         width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
+        /// Weld between the plates under the shell.
+        annular_weld ("butt"): Opt<Joint> = Absent::Follows("not known"),
+        /// Leg of each of the two fillet welds between shell and bottom.
+        shell_weld ("8 mm"): Opt<Length> [THICKNESS] = Absent::Follows("the least of API 650 5.1.5.7 for the thickness of the shell"),
+        /// Connections through the bottom: least distance from the inside of the shell to the edge of a reinforcement, or "none".
+        connections ("1.5 m"): Opt<Connections> = Absent::Follows("not known; API 650 E.7.4 stays open"),
         /// Projection of the plate outside the wall; it rests on the ground without liquid on it.
         projection ("50 mm"): Opt<Length> [Limits::from(0.0).to(1.0)] = default(Length(0.0)),
         /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
@@ -137,19 +150,22 @@ object! {
         shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
             = without("the soil under the rim radiates no energy, a slab does not move"),
         /// Density of the soil.
-        soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0)]
+        soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0).usual(1400.0, 2500.0)]
             = default(Density(1900.0)).because("moist sand or gravel"),
         /// Poisson's ratio of the soil.
         soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
             = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
-        /// Width of a ring wall, with the wall of the tank in its middle: the toe of a tank that lifts presses on the ground over it.
-        width ("0.6 m"): Opt<Length> [Limits::above(0.0).to(10.0)]
-            = without("the bearing of the ground under the toe of a tank that lifts on a ring wall is not checked, EN 1998-5:2004 5.4.1.1"),
         /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate; without it the
         /// slab has no mass. Of a ring wall its height, for its weight on the ground.
         thickness ("0.6 m"): Opt<Length> [THICKNESS],
+        /// Width of a ring wall, or of the compacted pad under the shell, on the ground; the shell stands on its middle. The toe of a tank that
+        /// lifts presses on the ground over the width of a ring wall.
+        width ("0.6 m"): Opt<Length> [Limits::above(0.0).to(10.0)]
+            = without("the pressure under a ring wall is not checked, API 650 E.6.2.3, EN 1998-5:2004 5.4.1.1"),
+        /// What lies between the plate under the shell and a foundation of concrete.
+        shell_support ("grouted"): Opt<ShellSupport> = Absent::Follows("not known; API 650 E.7.9 stays open"),
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
-        friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),
+        friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
     }
 
     /// Isolators under the slab. Forces and stiffnesses are those of all bearings or dampers together; of a strip, per metre of breadth.
@@ -351,11 +367,19 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         base::anchors(r, given, found);
     }
     let pressure = pressure(r, &t.pressure);
-    if !pressure.is_none() {
-        r.warnings.push(Warning::new(
-            Code::NotUsed,
-            "`tank.pressure` enters the checks of EN 1998-4 and API 650; the finite-element engines leave it out",
-        ));
+    for (given, text) in [
+        (
+            pressure.internal > 0.0,
+            "`tank.pressure.internal` enters the checks of EN 1998-4 and API 650; the finite-element engines leave it out",
+        ),
+        (
+            pressure.vacuum > 0.0,
+            "`tank.pressure.vacuum` enters the checks of EN 1998-4 alone; API 650 (annex V) and the finite-element engines leave it out",
+        ),
+    ] {
+        if given {
+            r.warnings.push(Warning::new(Code::NotUsed, text));
+        }
     }
     if t.pipes.given.is_none() {
         r.not_given(&t.pipes);
@@ -391,6 +415,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         anchors,
         pressure,
         pipes,
+        details: details::details(r, t),
     };
     if tank.corrodes() {
         let remark = "tank: finite elements and Housner's procedure use the thicknesses as built; the codes' stresses and resistances those \

@@ -37,12 +37,12 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
         material: steel,
     });
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Soil,
         stiffness: Some(stiffness),
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
-        width: None,
         thickness: None,
         friction: None,
     });

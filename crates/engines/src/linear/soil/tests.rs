@@ -25,12 +25,12 @@ fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
     let shape = Shape::Cylinder { radius: 10.0 };
     let mut case = test_tanks::case(shape, &[(12.0, 12e-3)], (205e9, 0.3, 7850.0), (1000.0, 11.0));
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Slab,
         stiffness: None,
         shear_wave_velocity: velocity,
         soil_density: 1900.0,
         soil_poisson_ratio: 1.0 / 3.0,
-        width: None,
         thickness,
         friction: None,
     });

@@ -79,12 +79,12 @@ fn slender(variant: &Variant) -> Case {
         material: plate,
     });
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Soil,
         stiffness: Some(variant.modulus),
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
-        width: None,
         thickness: None,
         friction: Some(0.4),
     });

@@ -13,6 +13,9 @@ use crate::input::tank::values::{Si, Stress};
 /// Moduli and strengths; "rigid" walls of benchmarks are allowed.
 pub(super) const STRESS: Limits = Limits::above(0.0).to(1e18);
 
+/// Relative difference from which a given value is not that of the grade beside it.
+const UNLIKE: f64 = 0.1;
+
 /// Young's modulus [Pa], and the yield strength of the material [Pa].
 pub(super) type ElasticPart = (f64, Option<f64>);
 
@@ -56,7 +59,19 @@ impl Reader {
             Some(preset) => format!("grade {}{}: {}", preset.name, preset.range, preset.source),
             None => String::new(),
         };
-        r.or_else(option, value, &shown::<T>(value, 4), &source)
+        let found = r.or_else(option, value, &shown::<T>(value, 4), &source);
+        if let (Some(field), Some(preset)) = (&option.given, &self.preset)
+            && (found / value - 1.0).abs() > UNLIKE
+        {
+            r.inconsistent(format!(
+                "{} and the grade {} contradict each other: {} and {}",
+                field.path,
+                preset.name,
+                field.text,
+                shown::<T>(value, 4)
+            ));
+        }
+        found
     }
 
     /// Reports a missing key.

@@ -36,12 +36,12 @@ pub(super) fn slender() -> Case {
         material: steel,
     });
     case.tank.foundation = Some(Foundation {
+        width: None,
         kind: FoundationKind::Soil,
         stiffness: Some(1e8),
         shear_wave_velocity: None,
         soil_density: 1900.0,
         soil_poisson_ratio: 0.33,
-        width: None,
         thickness: None,
         friction: None,
     });

@@ -1,0 +1,90 @@
+//! Details of construction that the codes ask for and no number describes: answers of the tank file.
+
+use serde::{Deserialize, Serialize};
+
+/// Whether something is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Presence {
+    /// It is not.
+    None,
+    /// It is.
+    Present,
+}
+
+/// Snow on a roof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Snow {
+    /// No snow falls there.
+    None,
+    /// The mass of the roof contains the share of the code.
+    Included,
+}
+
+/// What lies between the bottom plate under the shell and a foundation of concrete.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ShellSupport {
+    /// Shims and grout.
+    Grouted,
+    /// Fibreboard or another pad.
+    Padding,
+    /// Butt-welded plates directly on the concrete.
+    ButtWelded,
+    /// Shims without grout.
+    Shims,
+}
+
+/// Weld between the plates under the shell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Joint {
+    /// Butt weld.
+    Butt,
+    /// Lap weld.
+    Lap,
+}
+
+/// Connections through the bottom.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BottomConnections {
+    /// There are none.
+    None,
+    /// Least distance from the inside of the shell to the edge of a reinforcement [m].
+    Within(f64),
+}
+
+/// Answers about the construction; none where the file does not give one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Details {
+    /// Equipment within the liquid that wall or bottom carry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub internals: Option<Presence>,
+    /// Structures that are connected to the tank, such as walkways.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adjacent_structures: Option<Presence>,
+    /// Snow on the roof.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub snow: Option<Snow>,
+    /// What the shell stands on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shell_support: Option<ShellSupport>,
+    /// Weld between the plates under the shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub annular_weld: Option<Joint>,
+    /// Leg of each of the two fillet welds between shell and bottom [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shell_weld: Option<f64>,
+    /// Connections through the bottom.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bottom_connections: Option<BottomConnections>,
+}
+
+impl Details {
+    /// Whether the file gives no answer.
+    pub fn is_empty(&self) -> bool {
+        *self == Details::default()
+    }
+}

@@ -1,0 +1,98 @@
+//! Answers about the construction: what the codes ask for and no other key describes.
+
+use files::code::Code;
+use tank::units::Dimension;
+use tank::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
+
+use super::tank::Tank;
+use crate::input::diagnostic::Faults;
+use crate::input::tank::key::Limits;
+use crate::input::tank::read::{FromNode, choice, wrong_value};
+use crate::input::tank::resolver::Resolver;
+use crate::input::tank::shape::{Book, Shape};
+use crate::input::tank::syntax::{Kind, Node};
+use crate::input::tank::values::Length;
+
+choice! {
+    /// Whether something is there.
+    Presence {
+        /// There is none.
+        None = "none",
+        /// There is; what the code requires of it is not implemented.
+        Present = "present",
+    }
+
+    /// Snow on a roof.
+    Snow {
+        /// No snow falls there.
+        None = "none",
+        /// The mass of the roof contains the share of the code: 10 % of the balanced design snow load in API 650, ψ_E times the snow load in
+        /// EN 1998-1.
+        Included = "included",
+    }
+
+    /// What lies between the bottom plate under the shell and a foundation of concrete.
+    ShellSupport {
+        /// Shims and grout.
+        Grouted = "grouted",
+        /// Fibreboard or another pad.
+        Padding = "padding",
+        /// Butt-welded plates directly on the concrete.
+        ButtWelded = "butt_welded",
+        /// Shims without grout.
+        Shims = "shims",
+    }
+
+    /// Weld between the plates under the shell.
+    Joint {
+        /// Butt weld.
+        Butt = "butt",
+        /// Lap weld.
+        Lap = "lap",
+    }
+}
+
+/// Distances from the shell.
+const DISTANCE: Limits = Limits::from(0.0).to(1000.0);
+
+/// Connections through the bottom, as written: `"none"`, or a distance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Connections(BottomConnections);
+
+impl FromNode for Connections {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        if matches!(&node.kind, Kind::Text(text) if text == "none") {
+            return Some(Connections(BottomConnections::None));
+        }
+        let Length(distance) = Length::from_node(node, faults)?;
+        if !DISTANCE.hold(distance) {
+            let message = DISTANCE.message(distance);
+            faults.push(wrong_value(Code::OutOfRange, node, message, &Self::allowed()));
+            return None;
+        }
+        Some(Connections(BottomConnections::Within(distance)))
+    }
+    fn allowed() -> String {
+        format!("\"none\", or a length {}", DISTANCE.describe(Dimension::Length))
+    }
+    fn example() -> String {
+        "\"1.5 m\"".into()
+    }
+    fn shape(book: &mut Book) -> Shape {
+        Shape::Either("none", Box::new(Length::shape(book)))
+    }
+}
+
+/// The answers of the file.
+pub(super) fn details(r: &mut Resolver<'_>, t: &Tank) -> Details {
+    let bottom = t.bottom.value();
+    Details {
+        internals: r.word(&t.internals),
+        adjacent_structures: r.word(&t.adjacent_structures),
+        snow: t.roof.value().and_then(|roof| r.word(&roof.snow)),
+        shell_support: t.foundation.value().and_then(|f| r.word(&f.shell_support)),
+        annular_weld: bottom.and_then(|b| r.word(&b.annular_weld)),
+        shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
+        bottom_connections: bottom.and_then(|b| r.word(&b.connections)).map(|c| c.0),
+    }
+}
