@@ -31,6 +31,7 @@ mod overwrite;
 mod plausible;
 mod push;
 mod push_resume;
+mod ranges;
 mod record_set;
 mod records;
 mod reproducible;

@@ -23,7 +23,7 @@ pub(super) fn assess(case: &Case) -> Assessment {
         .expect("the example is admissible")
 }
 
-fn check<'a>(out: &'a Assessment, id: &str) -> &'a Check {
+pub(super) fn check<'a>(out: &'a Assessment, id: &str) -> &'a Check {
     out.checks
         .iter()
         .find(|c| c.id == id)

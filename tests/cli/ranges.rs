@@ -1,0 +1,266 @@
+//! Ranges of the codes and values that contradict each other.
+//!
+//! Source:    the clause in each range; tables 3.1 of EN 1998-1 and 20.3-1 of ASCE 7; strengths of EN 1993-1-1
+//! Goal:      outside the range of its clause a value is refused with the clause; an unusual one is used, with a warning; two values of
+//!            the same thing that do not agree are named together
+//! Tolerance: none
+
+use files::code::Code;
+use serde_json::{Value, json};
+use tankcheck::input::diagnostic::Source;
+use tankcheck::input::tank::parse;
+
+/// A usual tank under both codes.
+fn usual() -> Value {
+    json!({
+        "name": "usual",
+        "tank": {
+            "shape": "cylinder", "radius": "10 m", "support": "anchored",
+            "courses": [ { "height": "10 m", "thickness": "14 mm", "material": "steel" } ],
+            "bottom": { "thickness": "8 mm", "material": "steel" },
+            "anchors": { "count": 40, "capacity": "200 kN" }
+        },
+        "liquid": { "density": "1000 kg/m3", "fill_height": "8.5 m" },
+        "materials": { "steel": { "grade": "S235" } },
+        "site": {
+            "ec8": { "ground": "B", "spectrum": 1, "ag": "0.1 g" },
+            "api650": { "ss": 0.3, "s1": 0.1, "site_class": "C", "sug": 1, "tl": 4.0 }
+        }
+    })
+}
+
+fn merge(file: &mut Value, change: &Value) {
+    match (file, change) {
+        (Value::Object(file), Value::Object(change)) => {
+            for (key, value) in change {
+                match value {
+                    Value::Null => drop(file.remove(key)),
+                    _ => merge(file.entry(key.clone()).or_insert(Value::Null), value),
+                }
+            }
+        }
+        (file, change) => *file = change.clone(),
+    }
+}
+
+/// `{ "a": { "b": value } }` of the path "a.b".
+fn at(path: &str, value: &Value) -> Value {
+    path.rsplit('.').fold(value.clone(), |inner, key| json!({ key: inner }))
+}
+
+/// Warnings of the usual tank with a change, or the refusal.
+fn read(changes: &[Value]) -> Result<Vec<(Code, String)>, String> {
+    let mut file = usual();
+    changes.iter().for_each(|change| merge(&mut file, change));
+    let source = Source::new("tank.json", file.to_string());
+    let read = parse(&source).map_err(|faults| faults.render(&source, false))?;
+    let coded = |w: &files::code::Warning| Some((w.code()?, w.text().to_owned()));
+    Ok(read.warnings.iter().filter_map(coded).collect())
+}
+
+#[test]
+fn a_usual_tank_has_no_warning() {
+    assert_eq!(read(&[]), Ok(Vec::new()));
+}
+
+#[test]
+fn outside_the_range_of_the_clause_is_refused_with_it() {
+    for (path, value, clause) in [
+        ("site.ec8.importance", json!(0.12), "EN 1998-4:2006 2.1.4"),
+        ("site.ec8.importance", json!(2.5), "EN 1998-4:2006 2.1.4"),
+        ("site.ec8.behaviour_factor", json!(0.9), "EN 1998-4:2006 4.4"),
+        ("site.ec8.behaviour_factor", json!(3), "EN 1998-4:2006 4.4"),
+        ("site.ec8.reduction_factor", json!(0.01), "EN 1998-1:2004 2.2.3"),
+        ("damping.impulsive", json!(0.3), "EN 1998-1:2004 3.2.2.2"),
+        ("damping.sloshing", json!(0.3), "EN 1998-4:2006 2.3.3"),
+        ("site.api650.q", json!(0.01), "API 650 E.4.6.1"),
+        ("site.api650.fa", json!(0.1), "ASCE 7-16 tables"),
+        ("site.api650.tl", json!(0.1), "ASCE 7 maps"),
+        ("site.api650.joint_efficiency", json!(0.1), "API 650 5.6"),
+        ("site.api650.friction", json!(0.5), "API 650 E.7.6"),
+        ("site.api650.design_pressure", json!("20 kPa"), "API 650 annex F"),
+    ] {
+        let refusal = read(&[at(path, &value)]).expect_err(path);
+        for part in [path, clause, "T0215"] {
+            assert!(refusal.contains(part), "{path}: {part}: {refusal}");
+        }
+    }
+    let refusal = read(&[at("tank.pressure.internal", &json!("20 kPa"))]).expect_err("annex F");
+    assert!(refusal.contains("annex F"), "{refusal}");
+    let alone = json!({ "tank": { "pressure": { "internal": "20 kPa" } }, "site": { "api650": null } });
+    assert!(read(&[alone]).is_ok());
+}
+
+#[test]
+fn an_unusual_value_is_named() {
+    for (path, value) in [
+        ("site.ec8.importance", json!(0.7)),
+        ("site.ec8.importance", json!(1.95)),
+        ("site.ec8.reduction_factor", json!(0.3)),
+        ("site.ec8.friction", json!(0.1)),
+        ("site.ec8.bearing_capacity", json!("10 kPa")),
+        ("damping.impulsive", json!(0.15)),
+        ("damping.sloshing", json!(0.03)),
+        ("site.api650.q", json!(0.8)),
+        ("site.api650.tl", json!(24.0)),
+        ("site.api650.joint_efficiency", json!(0.5)),
+        ("liquid.density", json!("3000 kg/m3")),
+        ("gravity", json!("1.62 m/s2")),
+    ] {
+        let warnings = read(&[at(path, &value)]).unwrap_or_else(|fault| panic!("{path}: {fault}"));
+        let named = |(code, text): &(Code, String)| *code == Code::UnusualInput && text.starts_with(path);
+        assert!(warnings.iter().any(named), "{path}: {warnings:?}");
+    }
+    for (path, value) in [
+        ("site.ec8.importance", json!(0.8)),
+        ("site.ec8.importance", json!(1.6)),
+        ("site.ec8.reduction_factor", json!(0.4)),
+        ("damping.impulsive", json!(0.05)),
+        ("site.api650.q", json!(1)),
+        ("site.api650.q", json!(0.667)),
+        ("site.api650.tl", json!(16)),
+    ] {
+        assert_eq!(read(&[at(path, &value)]), Ok(Vec::new()), "{path}");
+    }
+}
+
+#[test]
+fn values_that_contradict_each_other_are_named_together() {
+    let slab = |more: Value| {
+        let mut slab = json!({ "kind": "slab" });
+        merge(&mut slab, &more);
+        json!({ "tank": { "foundation": slab } })
+    };
+    let both = |ec8: Value, api: Value| json!({ "site": { "ec8": ec8, "api650": api } });
+    let steel = |more: Value| json!({ "materials": { "steel": more } });
+    let tank = |more: Value| json!({ "tank": more });
+    for (change, one, other) in [
+        (
+            slab(json!({ "shear_wave_velocity": "80 m/s" })),
+            "shear_wave_velocity",
+            "site.ec8.ground",
+        ),
+        (
+            slab(json!({ "shear_wave_velocity": "80 m/s" })),
+            "shear_wave_velocity",
+            "site.api650.site_class",
+        ),
+        (
+            both(json!({ "ground": "A" }), json!({ "site_class": "E" })),
+            "site.ec8.ground",
+            "site_class",
+        ),
+        (
+            both(json!({ "ag": "0.4 g" }), json!({})),
+            "site.ec8.ag",
+            "site.api650.ss",
+        ),
+        (
+            both(json!({ "importance": 1.6 }), json!({})),
+            "site.ec8.importance",
+            "site.api650.sug",
+        ),
+        (
+            both(
+                json!({ "bearing_capacity": "1 MPa" }),
+                json!({ "bearing_capacity": "200 kPa" }),
+            ),
+            "site.ec8.bearing_capacity",
+            "site.api650.bearing_capacity",
+        ),
+        (
+            both(json!({}), json!({ "s1": 0.5 })),
+            "site.api650.s1",
+            "site.api650.ss",
+        ),
+        (
+            both(json!({}), json!({ "s0": 0.5 })),
+            "site.api650.s0",
+            "site.api650.ss",
+        ),
+        (steel(json!({ "yield_strength": "355 MPa" })), "yield_strength", "S235"),
+        (steel(json!({ "density": "2700 kg/m3" })), "density", "S235"),
+        (
+            steel(json!({ "allowable_stress": "300 MPa" })),
+            "allowable_stress",
+            "yield_strength",
+        ),
+        (
+            tank(json!({ "roof": { "mass": "0 t", "snow": "included" } })),
+            "tank.roof.snow",
+            "tank.roof.mass",
+        ),
+        (
+            tank(json!({ "roof": { "mass": "3 t", "type": "open" }, "pressure": { "internal": "1 kPa" } })),
+            "tank.pressure",
+            "tank.roof.type",
+        ),
+        (
+            tank(json!({ "anchors": { "attachment_capacity": "50 kN" } })),
+            "attachment_capacity",
+            "tank.anchors.capacity",
+        ),
+        (
+            slab(json!({ "width": "1 m" })),
+            "tank.foundation.width",
+            "tank.foundation.kind",
+        ),
+        (
+            both(json!({ "friction": 0.5 }), json!({})),
+            "site.ec8.friction",
+            "tank.foundation.friction",
+        ),
+    ] {
+        let mean = slab(json!({ "friction": 0.45 }));
+        let warnings = read(&[mean, change.clone()]).unwrap_or_else(|fault| panic!("{change}: {fault}"));
+        let named =
+            |(code, text): &(Code, String)| *code == Code::Inconsistent && text.contains(one) && text.contains(other);
+        assert!(warnings.iter().any(named), "{one}, {other}: {warnings:?}");
+    }
+    // Waves at the strains of the earthquake are slower than at rest; both ends of a class belong to it.
+    for velocity in ["180 m/s", "360 m/s", "760 m/s"] {
+        assert_eq!(
+            read(&[slab(json!({ "shear_wave_velocity": velocity }))]),
+            Ok(Vec::new()),
+            "{velocity}"
+        );
+    }
+}
+
+/// What a warning says of a pressure is what the methods do.
+#[test]
+fn a_vacuum_is_not_said_to_enter_api_650() {
+    let text = |change: Value| read(&[change]).expect("a good tank").remove(0).1;
+    let vacuum = text(at("tank.pressure.vacuum", &json!("0.3 kPa")));
+    assert!(vacuum.contains("EN 1998-4 alone"), "{vacuum}");
+    let internal = text(at("tank.pressure.internal", &json!("2 kPa")));
+    assert!(internal.contains("EN 1998-4 and API 650"), "{internal}");
+}
+
+/// The family is given, that of the grade, or the only one with the modulus and density; its strengths follow from the grade.
+#[test]
+fn families() {
+    let family = |change: Value| {
+        let mut file = usual();
+        merge(&mut file, &json!({ "materials": { "steel": null } }));
+        merge(&mut file, &json!({ "materials": { "steel": change } }));
+        let source = Source::new("tank.json", file.to_string());
+        let read = parse(&source).unwrap_or_else(|f| panic!("{}", f.render(&source, false)));
+        let material = read.case.tank.courses[0].material.clone();
+        (material.family, material.allowable_stress)
+    };
+    let values = |e: &str, rho: &str| json!({ "youngs_modulus": e, "poisson_ratio": 0.3, "density": rho });
+    use tank::Family::{Aluminium, CarbonSteel, OtherMetal, Polymer, Stainless};
+    assert_eq!(family(json!({ "grade": "A240 304L" })), (Some(Stainless), Some(145e6)));
+    assert_eq!(family(json!({ "grade": "A240 304" })), (Some(Stainless), Some(155e6)));
+    assert_eq!(family(json!({ "grade": "1.4462" })), (Some(Stainless), None));
+    assert_eq!(family(json!({ "grade": "A36" })), (Some(CarbonSteel), Some(160e6)));
+    assert_eq!(family(json!({ "grade": "EN AW-5083" })), (Some(Aluminium), None));
+    assert_eq!(family(json!({ "grade": "A553 I" })), (Some(OtherMetal), None));
+    assert_eq!(family(values("210 GPa", "7850 kg/m3")).0, Some(CarbonSteel));
+    assert_eq!(family(values("200 GPa", "7800 kg/m3")).0, None);
+    assert_eq!(family(values("3 GPa", "1190 kg/m3")).0, Some(Polymer));
+    let mut given = values("200 GPa", "7800 kg/m3");
+    merge(&mut given, &json!({ "family": "stainless" }));
+    assert_eq!(family(given).0, Some(Stainless));
+}
