@@ -180,6 +180,21 @@ fn keys() {
         ("piles", "not modelled"),
         ("isolated", "`tank.isolators`"),
         ("Floating-roof", "\"type\": \"floating\""),
+        ("legs", "stand on the ground"),
+        ("Support-Columns", "stand on the ground"),
+        ("skirt", "stand on the ground"),
+        ("wind_girder", "`tank.roof.mass`"),
+        ("stiffeners", "`tank.roof.mass`"),
+        ("insulation", "raise `density`"),
+        ("snow", "`tank.roof.mass`"),
+        ("live_load", "`tank.roof.mass`"),
+        ("nozzles", "`tank.pipes`"),
+        ("manhole", "`tank.pipes`"),
+        ("temperature", "`liquid.density`"),
+        ("columns", "on legs, columns"),
+        ("corrosion_allowance", "`tank.courses`"),
+        ("design_pressure", "`tank.pressure`"),
+        ("wind_speed", "not checked"),
     ] {
         has(&spoiled("\"radius\"", &format!("\"{key}\"")), &["unknown key", hint]);
     }
@@ -196,6 +211,17 @@ fn keys() {
         &spoiled("\"density\": \"1000 kg/m3\"", "\"specific_gravity\": 0.87"),
         &["unknown key `specific_gravity`", "870 kg/m3", "1 fault in"],
     );
+    for (written, density) in [
+        ("0.99", "990 kg/m3"),
+        ("\"0.99\"", "990 kg/m3"),
+        ("1.025", "1025 kg/m3"),
+        ("13.6", "13600 kg/m3"),
+    ] {
+        has(
+            &spoiled("\"1000 kg/m3\"", written),
+            &["liquid.density", "a specific gravity", density, "1 fault in"],
+        );
+    }
     let site = "\"site\": { \"api650\": { \"ss\": 1, \"s1\": 0.4, \"site_class\": \"D\", \"tl\": 4, \"importance\": 1.25 } }, \"record\"";
     has(
         &spoiled("\"record\"", site),

@@ -220,3 +220,100 @@ fn files_of_agencies_are_converted() {
         assert_eq!(one["low_cut_frequency_hz"].as_f64(), corner, "{name}");
     }
 }
+
+/// Channels of one file are components of one earthquake: `FILE#CHANNEL` in every place of a record.
+#[test]
+fn channels_of_a_file_are_its_components() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let text = |path: &Path| path.to_str().expect("a temporary path is text").to_owned();
+    let columns: String = (0..400)
+        .map(|k| {
+            let t = f64::from(k) * 0.01;
+            let a = (6.0 * t).sin() * (-t).exp();
+            format!("{t:.2},{:.6},{:.6},{:.6}\n", 0.2 * a, 0.1 * a, 0.05 * a)
+        })
+        .collect();
+    let station = file(
+        home.path(),
+        "station.csv",
+        format!("time_s,N-S (g),E-W (g),U-D (g)\n{columns}").as_bytes(),
+    );
+    let of = |channel: &str| format!("{}#{channel}", text(&station));
+    let info = |arguments: &[&str]| -> serde_json::Value {
+        let run = tankcheck(&[&["quake", "info", "--format", "json"], arguments].concat());
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        serde_json::from_slice(&run.stdout).expect("JSON")
+    };
+    assert_eq!(info(&[&of("2")]), info(&[&text(&station), "--channel", "E-W"]));
+    assert_eq!(info(&[&of("u-d"), "--channel", "1"])["channel"], "U-D (g)");
+    refused(
+        &station,
+        &["several channels", "1: N-S (g); 2: E-W (g); 3: U-D (g)", "FILE#CHANNEL"],
+    );
+    let out = home.path().join("out");
+    let run = tankcheck(&[
+        "compare",
+        TANK,
+        "--quake",
+        &of("1"),
+        "--quake-y",
+        &of("2"),
+        "--vertical",
+        &of("3"),
+        "--out",
+        &text(&out),
+    ]);
+    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
+    let results: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("results.json")).expect("results")).expect("JSON");
+    let names = results.to_string();
+    assert!(
+        names.contains("station.csv#1") && names.contains("station.csv#3"),
+        "the channels are not named"
+    );
+    // A set of components of one file is a set of different records, and twice the same channel is not.
+    let set = |across: &str| {
+        let entry =
+            |k: u32| format!("{{ \"name\": \"r{k}\", \"along\": \"s{k}.csv#1\", \"across\": \"s{k}.csv#{across}\" }}");
+        for k in 1..=3 {
+            let content = format!(
+                "time_s,N-S (g),E-W (g)\n{}",
+                columns
+                    .replace(",0.0", &format!(",0.0{k}"))
+                    .lines()
+                    .map(|line| {
+                        let cells: Vec<&str> = line.split(',').collect();
+                        format!("{},{},{}\n", cells[0], cells[1], cells[2])
+                    })
+                    .collect::<String>()
+            );
+            std::fs::write(home.path().join(format!("s{k}.csv")), content).expect("writable");
+        }
+        let list: Vec<String> = (1..=3).map(entry).collect();
+        let path = file(
+            home.path(),
+            "set.json",
+            format!("{{ \"records\": [{}] }}", list.join(", ")).as_bytes(),
+        );
+        let out = home.path().join(format!("set-{across}"));
+        tankcheck(&[
+            "compare",
+            "examples/05_oil_tank/tank.json",
+            "--set",
+            &text(&path),
+            "--out",
+            &text(&out),
+        ])
+    };
+    let twice = set("1");
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(stderr(&twice).contains("the same record twice"), "{}", stderr(&twice));
+    let run = set("2");
+    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
+    let none = tankcheck(&["quake", "info", &of("4")]);
+    assert!(
+        none.status.code() == Some(2) && stderr(&none).contains("no such channel"),
+        "{}",
+        stderr(&none)
+    );
+}

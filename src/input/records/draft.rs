@@ -128,7 +128,14 @@ pub(super) fn choose(names: &[String], options: &ReadOptions) -> Result<usize, F
     };
     let wanted_name = folded(wanted);
     let equal = all(&|name| name == wanted_name);
-    let within = all(&|name| !wanted_name.is_empty() && name.contains(&wanted_name));
+    // A number is a whole word of the name, `360` of `Chan 1: 360 Deg`, not a part of `m/s2`.
+    let digits = wanted_name.bytes().all(|b| b.is_ascii_digit());
+    let within = all(&|name| match digits {
+        true => name
+            .split(|c: char| !c.is_alphanumeric())
+            .any(|word| word == wanted_name),
+        false => name.contains(&wanted_name),
+    });
     match (number, equal.as_slice(), within.as_slice()) {
         (Some(i), ..) => Ok(i),
         (_, [i], _) | (_, [], [i]) => Ok(*i),

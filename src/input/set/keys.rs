@@ -30,7 +30,7 @@ object! {
         records: Field<Vec<Field<SetRecord>>> [Limits::ANY.items(3, MOST)],
     }
 
-    /// An earthquake: one file a component, relative to the set file. All of a set have the same components.
+    /// An earthquake: one file, or a channel of one (`station.V2#2`), a component, relative to the set file. All of a set have the same components.
     SetRecord {
         /// Name in tables; unique.
         name ("El Centro 1940"): Opt<String> = Absent::Follows("the name of the file along x"),

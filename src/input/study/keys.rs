@@ -69,7 +69,8 @@ object! {
         components: Opt<Components>,
     }
 
-    /// The part of a file's name that tells its component. A file without the part of `along` is another component or none.
+    /// The part of a file's name that tells its component. A file without the part of `along` is another component or none. Parts such as `#2` or
+    /// `#N-S` are channels of one file.
     Components {
         /// The component along x.
         along ("_NS"): Field<String>,

@@ -95,7 +95,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
         let components = given.components.value();
         let parts = components.map(|c| Parts::of(r, c));
         for path in paths {
-            let Some((across, up)) = others(r, &given.files, &path, parts.as_ref()) else {
+            let Some((along, across, up)) = components_of(r, &given.files, &path, parts.as_ref()) else {
                 continue;
             };
             let id = name_of(&path, folder);
@@ -111,7 +111,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
             }
             all.push(RecordEntry {
                 id,
-                along: path,
+                along,
                 across,
                 up,
                 options: options.clone(),
@@ -139,13 +139,26 @@ impl Parts {
     }
 }
 
-/// The other components of a file along x; none for a file that is another component.
-type Others = (Option<PathBuf>, Option<PathBuf>);
+/// The files of an earthquake along x, along y and upwards; none for a file that is another component. Parts that begin with `#` are channels of
+/// one file.
+type Files = (PathBuf, Option<PathBuf>, Option<PathBuf>);
 
-fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Option<&Parts>) -> Option<Others> {
+fn components_of(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Option<&Parts>) -> Option<Files> {
     let Some(parts) = parts.filter(|parts| !parts.along.is_empty()) else {
-        return Some((None, None));
+        return Some((path.to_path_buf(), None, None));
     };
+    if parts.along.starts_with('#') {
+        let channel = |part: &String| -> PathBuf {
+            let mut name = path.as_os_str().to_os_string();
+            name.push(part);
+            name.into()
+        };
+        return Some((
+            channel(&parts.along),
+            parts.across.as_ref().map(channel),
+            parts.up.as_ref().map(channel),
+        ));
+    }
     let name = path.file_name()?.to_string_lossy().into_owned();
     if !name.contains(&parts.along) {
         return None;
@@ -163,5 +176,6 @@ fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Optio
         }
         Some(other)
     };
-    Some((other(&parts.across), other(&parts.up)))
+    let across = other(&parts.across);
+    Some((path.to_path_buf(), across, other(&parts.up)))
 }

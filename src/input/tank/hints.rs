@@ -170,7 +170,136 @@ const HINTS: &[Hint] = &[
         "yield_strength",
         "give `yield_strength`",
     ),
+    hint(
+        &[
+            "legs",
+            "leg",
+            "skirt",
+            "saddles",
+            "pedestal",
+            "tower",
+            "elevated",
+            "columns",
+            "support_columns",
+            "stand",
+            "lugs",
+        ],
+        TOP,
+        "",
+        "the wall has to stand on the ground: tanks on legs, columns, a skirt or a tower are not modelled; of columns under a roof, give `tank.roof.mass` \
+         with the part that the wall carries",
+    ),
+    hint(
+        &[
+            "wind_girder",
+            "wind_girders",
+            "girder",
+            "stiffeners",
+            "stiffener",
+            "stiffening_rings",
+            "ring",
+            "rings",
+            "top_angle",
+            "top_ring",
+            "curb_angle",
+        ],
+        TOP,
+        "",
+        "rings do not stiffen the wall here; add the mass of those at its top to `tank.roof.mass`",
+    ),
+    hint(
+        &["insulation", "cladding", "lining", "coating", "jacket"],
+        TOP,
+        "",
+        "add the mass of an insulation to the wall: raise `density` of its material by the mass per area over the thickness of the wall",
+    ),
+    hint(
+        &[
+            "snow",
+            "snow_load",
+            "live_load",
+            "roof_load",
+            "roof_live_load",
+            "platform",
+            "platforms",
+            "ladder",
+            "stairs",
+            "walkway",
+            "agitator",
+            "mixer",
+        ],
+        TOP,
+        "",
+        "add what acts together with the earthquake to `tank.roof.mass`, at its `height`",
+    ),
+    hint(
+        &[
+            "nozzles", "nozzle", "manholes", "manhole", "manway", "openings", "opening", "fittings", "cleanout",
+        ],
+        TOP,
+        "",
+        "openings of the wall are not modelled; the displacements that connected pipes can take are `tank.pipes`",
+    ),
+    hint(
+        &[
+            "temperature",
+            "design_temperature",
+            "operating_temperature",
+            "design_temp",
+            "temp",
+        ],
+        &["", "tank", "liquid", "site", "materials"],
+        "",
+        "give the properties at the temperature: `liquid.density`, and `youngs_modulus` and `yield_strength` of the material",
+    ),
+    hint(
+        &["corrosion", "corrosion_allowance", "ca"],
+        &["", "tank"],
+        "",
+        "give `corrosion_allowance` in each course of `tank.courses` and in `tank.bottom`",
+    ),
+    hint(
+        &[
+            "design_pressure",
+            "internal_pressure",
+            "overpressure",
+            "vacuum",
+            "external_pressure",
+        ],
+        &["", "tank", "liquid"],
+        "",
+        "give `tank.pressure` with `internal` and `vacuum`",
+    ),
+    hint(
+        &["wind", "wind_speed", "wind_load", "wind_pressure"],
+        TOP,
+        "",
+        "wind is not checked: remove it",
+    ),
+    hint(
+        &["joint_efficiency", "weld_efficiency"],
+        &["tank", "tank.courses", "materials"],
+        "",
+        "multiply `allowable_stress` of the material by it",
+    ),
 ];
+
+/// Largest specific gravity: that of mercury is 13.6.
+const GRAVITY: f64 = 20.0;
+
+/// Help for a density without a unit that is a specific gravity.
+///
+/// * `path`: its key
+pub(super) fn specific_gravity(number: &str, path: &str) -> Option<String> {
+    let gravity = number
+        .parse::<f64>()
+        .ok()
+        .filter(|g| path.ends_with("density") && *g > 0.0 && *g < GRAVITY)?;
+    let density = (1e6 * gravity).round() / 1e3;
+    Some(format!(
+        "a specific gravity of {number} is a density of \"{density} kg/m3\""
+    ))
+}
 
 /// Help for a key that is missing in an object, where another way is likelier than to add it.
 ///

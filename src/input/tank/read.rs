@@ -191,13 +191,17 @@ fn read_member<T: FromNode>(member: &Member, key: &Key<T>, faults: &mut Faults) 
     let before = faults.count();
     let field = Field::from_node(node, faults);
     // The unit of the key's own example is likelier than that of its dimension: mm for a plate, m for a tank.
-    if let (Kind::Text(number) | Kind::Number(number), Some(unit)) = (&node.kind, unit_of(key.example))
+    if let Kind::Text(number) | Kind::Number(number) = &node.kind
         && faults.count() > before
     {
         let number = number.trim();
-        let help =
-            format!("write the unit in which {number} is meant, for example \"{number} {unit}\" if it is {unit}");
-        faults.help_last(Code::UnitMissing, &node.path, &help);
+        let written = |unit: &str| {
+            format!("write the unit in which {number} is meant, for example \"{number} {unit}\" if it is {unit}")
+        };
+        let help = hints::specific_gravity(number, &node.path).or_else(|| unit_of(key.example).map(written));
+        if let Some(help) = help {
+            faults.help_last(Code::UnitMissing, &node.path, &help);
+        }
     }
     Field {
         limits: key.limits,
