@@ -29,6 +29,7 @@ mod nonlinear_run;
 mod nonlinear_scope;
 mod overwrite;
 mod plausible;
+mod practice;
 mod push;
 mod push_resume;
 mod ranges;

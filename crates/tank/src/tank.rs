@@ -248,9 +248,7 @@ fn is_zero(value: &f64) -> bool {
 
 /// Whether courses are those of a metal shell, as [`Tank::is_metal`].
 pub fn is_metal(courses: &[Course]) -> bool {
-    courses
-        .iter()
-        .all(|c| c.layers.is_empty() && c.material.is_metal())
+    courses.iter().all(|c| c.layers.is_empty() && c.material.is_metal())
 }
 
 impl Course {
