@@ -12,6 +12,7 @@ mod runs;
 mod series;
 mod site;
 mod standing;
+mod unsaid;
 
 use files::code::Code;
 use std::collections::BTreeMap;
@@ -191,7 +192,10 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
-    let verdict = results::verdict(&methods, decision::deciding(job, &methods), unfinished, cause);
+    let verdict = Verdict {
+        unstated: job.decision.unstated.clone(),
+        ..results::verdict(&methods, decision::deciding(job, &methods), unfinished, cause)
+    };
     let warnings = [job.warnings.clone(), decision::unused(job, &methods)].concat();
     let not_computed = runs::left_out(job, &runs);
     let results = Results {
@@ -253,7 +257,10 @@ pub fn draw(job: &Job, results: &mut Results) -> Result<(), Error> {
 pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
     let methods: Vec<Method> = assess(job)?.into_iter().map(|(method, _)| method).collect();
     finite::check("the procedures", &methods)?;
-    let verdict = results::verdict(&methods, decision::deciding(job, &methods), false, None);
+    let verdict = Verdict {
+        unstated: job.decision.unstated.clone(),
+        ..results::verdict(&methods, decision::deciding(job, &methods), false, None)
+    };
     Ok((methods, verdict))
 }
 

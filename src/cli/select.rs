@@ -191,6 +191,7 @@ fn verdict(results: &Results) -> Value {
         "deciding": deciding,
         "counts": verdict.counts,
         "governing": governing,
+        "unstated": verdict.unstated,
         "not_checked": missing,
         "unfinished": verdict.unfinished,
     })

@@ -13,6 +13,7 @@ pub(in crate::input) mod read;
 pub(in crate::input) mod resolver;
 pub(in crate::input) mod schema;
 pub(in crate::input) mod shape;
+pub(in crate::input) mod stated;
 pub(in crate::input) mod syntax;
 #[cfg(test)]
 mod tests;

@@ -7,6 +7,7 @@ use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
 use tank::outside::Outside;
 
+use super::unsaid;
 use crate::job::Job;
 
 /// Methods that decide: those that the user names, or the editions in force that the site names, under its design spectrum. A method
@@ -55,6 +56,7 @@ fn asked(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Vec<Li
         return Vec::new();
     }
     let mut states = procedure.limit_states(&job.case);
+    unsaid::without(job, &mut states);
     if named && states.is_empty() {
         states.push(LimitState {
             id: "undeclared",
@@ -78,6 +80,10 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
         false => check,
     };
     let checks: Vec<Check> = checks.into_iter().filter(compared).map(known).collect();
+    let checks = match states.is_empty() {
+        true => checks,
+        false => unsaid::leave_open(job, unsaid::required(&states, checks)),
+    };
     accept(procedure.id(), job, check::complete(&states, checks))
 }
 
@@ -89,8 +95,9 @@ const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedur
 /// * `id`: its column
 pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Check> {
     let codes = time_history::Codes::of(&job.case, &job.decision.decide);
-    let states = time_history::limit_states(&job.case, codes);
-    accept(id, job, check::complete(&states, checks))
+    let mut states = time_history::limit_states(&job.case, codes);
+    unsaid::without(job, &mut states);
+    accept(id, job, check::complete(&states, unsaid::required(&states, checks)))
 }
 
 /// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not

@@ -7,7 +7,7 @@ use tank::assessment::Excitation;
 use tank::demand::Demands;
 
 use super::quantities::quantities;
-use super::{decision, layers};
+use super::{decision, layers, unsaid};
 use crate::error::{EXIT_COMPUTATION, Error};
 use crate::job::Job;
 use engines::damping::Damper;
@@ -80,7 +80,7 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation, findings
         quantities: quantities(&simulation.values),
         assumptions,
         notes: [simulation.notes.clone(), findings.notes].concat(),
-        checks: decision::checks_of_run(job, id.column(number), findings.checks),
+        checks: decision::checks_of_run(job, id.column(number), unsaid::leave_open(job, findings.checks)),
         steps: findings.steps,
         ..Method::new(id.column(number), id.title(), Excitation::Record)
     }

@@ -13,6 +13,7 @@ mod field;
 mod fragility;
 mod frequency;
 mod grades;
+mod ground_motion;
 mod help;
 mod hostile;
 mod ida;

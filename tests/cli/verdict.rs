@@ -21,6 +21,7 @@ mod plates;
 mod sound;
 mod spectra;
 mod unanchored;
+mod unsaid;
 
 use std::path::Path;
 
@@ -235,6 +236,8 @@ fn base() -> Value {
             "support": "anchored",
             "internals": "none",
             "adjacent_structures": "none",
+            "roof": "none",
+            "foundation": "none",
             "bottom": { "thickness": "8 mm", "material": "steel" },
             "anchors": { "count": 40, "capacity": "200 kN" }
         },

@@ -9,6 +9,7 @@
 
 use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::check::TankPart;
 
 use crate::Method;
 use crate::compare::Incomplete;
@@ -135,6 +136,9 @@ pub struct Verdict {
     /// Their required limit states that were not checked.
     #[serde(default)]
     pub missing: Vec<Governing>,
+    /// Parts of the tank of which its file says nothing: they count as none, and what needs them is open.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unstated: Vec<TankPart>,
     /// What assessments under the record amount to, where they do not decide.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record: Option<Aside>,
@@ -197,6 +201,7 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
             counts: of_record,
             governing: worst,
         }),
+        unstated: Vec::new(),
         deciding,
         unfinished,
         cause,

@@ -326,6 +326,35 @@ impl Accepted {
     }
 }
 
+/// A part of a tank that a file describes, says that there is none of, or leaves unsaid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TankPart {
+    /// Roof, or a mass on top of the wall.
+    Roof,
+    /// Foundation.
+    Foundation,
+    /// Bottom plate.
+    Bottom,
+    /// Anchors.
+    Anchors,
+    /// Pipes.
+    Pipes,
+}
+
+impl TankPart {
+    /// Its key in `tank`.
+    pub fn key(self) -> &'static str {
+        match self {
+            TankPart::Roof => "roof",
+            TankPart::Foundation => "foundation",
+            TankPart::Bottom => "bottom",
+            TankPart::Anchors => "anchors",
+            TankPart::Pipes => "pipes",
+        }
+    }
+}
+
 /// Who decides about a tank, and which gaps are accepted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Decision {
@@ -333,6 +362,10 @@ pub struct Decision {
     pub decide: Vec<String>,
     /// Accepted gaps.
     pub accepted: Vec<Accepted>,
+    /// Parts of the tank of which nothing is said.
+    pub unstated: Vec<TankPart>,
+    /// Parts of which the file says that there are none.
+    pub without: Vec<TankPart>,
 }
 
 /// Every declared limit state ends as a check: those that the procedure left out are added, with the reason. Checks are sorted

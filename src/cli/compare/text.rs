@@ -189,6 +189,10 @@ fn sentences(results: &Results) -> String {
     let mut text = String::new();
     let verdict = &results.verdict;
     let _ = writeln!(text, "{}", words::verdict::headline(verdict));
+    let unstated = words::verdict::unstated(verdict);
+    if !unstated.is_empty() {
+        let _ = writeln!(text, "  {unstated}");
+    }
     let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
     if let Some(governing) = &verdict.governing {
         let _ = writeln!(text, "  governing: {}", terminal::governing(governing));

@@ -33,6 +33,7 @@ mod site;
 mod solid;
 mod spectrum;
 mod tank;
+mod unsaid;
 mod wall;
 
 use std::path::Path;
@@ -69,9 +70,12 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
     let site = site::site(&mut r, &file.site, tank.as_ref(), folder);
     let (procedures, run) = procedures::procedures(&mut r, &file.procedures);
+    let [unstated, without] = unsaid::unsaid(&file.tank);
     let decision = Decision {
         decide: procedures::deciding(&mut r, &file.procedures),
         accepted: accepted::accepted(&mut r, &file.accepted),
+        unstated,
+        without,
     };
     let analysis = file.analysis.value();
     let fe = linear::analysis(&mut r, analysis, tank.as_ref(), damping);

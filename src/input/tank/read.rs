@@ -306,7 +306,13 @@ impl<'a> ObjectReader<'a> {
         })
     }
 
-    fn take(&self, key: &str) -> Option<&'a Member> {
+    /// Where the object stands.
+    pub(super) fn path(&self) -> &str {
+        &self.node.path
+    }
+
+    /// The member of a key.
+    pub(super) fn take(&self, key: &str) -> Option<&'a Member> {
         self.members.iter().find(|m| m.key == key)
     }
 

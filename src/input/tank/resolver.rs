@@ -43,6 +43,16 @@ impl<'f> Resolver<'f> {
         }
     }
 
+    /// Echoes that a part is not there.
+    pub(crate) fn echo_none(&mut self, field: &Field<()>) {
+        self.echo.push(InputValue {
+            path: field.path.clone(),
+            text: field.text.clone(),
+            default: false,
+            source: String::new(),
+        });
+    }
+
     /// Echoes a default.
     pub(crate) fn echo_default(&mut self, path: &str, text: &str, source: &str) {
         self.echo.push(InputValue {

@@ -5,6 +5,7 @@
 use files::code::Code;
 use std::ops::Range;
 
+use super::stated::NONE;
 use super::syntax::{self, Kind, Member, Node, join};
 use super::{TankFile, resolved};
 use crate::input::csv::{self, Cell, Table};
@@ -123,6 +124,12 @@ fn steps(path: &str) -> Option<Vec<Step>> {
 /// Puts a value at a place of the tree; objects and keys that are missing are added.
 fn set(node: &mut Node, steps: &[Step], cell: &Cell, head: &Range<usize>, place: Range<usize>) -> Result<(), String> {
     let (noun, path) = (node.noun(), node.path.clone());
+    // A part that the template says is not there.
+    if let (Some(Step::Key(_)), Kind::Text(word)) = (steps.first(), &node.kind)
+        && word == NONE
+    {
+        node.kind = Kind::Object(Vec::new());
+    }
     match (steps.split_first(), &mut node.kind) {
         (None, Kind::List(_) | Kind::Object(_)) => Err(format!("{noun}, expected one value")),
         (None, kind) => {

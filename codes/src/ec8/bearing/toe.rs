@@ -24,8 +24,6 @@ use tank::units::Dimension::*;
 
 /// Density of the concrete of a ring wall [kg/m³].
 const CONCRETE: f64 = 2500.0;
-/// Path of the foundation.
-const PATH: &str = "tank.foundation";
 /// Clause of the spread of the plate.
 const PLATE: &str = "EN 1993-1-8:2005 6.2.5(4)";
 
@@ -47,13 +45,12 @@ pub(super) fn assess(work: &mut Work, toe: Toe, resistance: f64) -> bool {
         work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(input));
         false
     };
-    let Some(foundation) = work.case.tank.foundation else {
-        return missing(work, PATH);
-    };
-    match foundation.kind {
+    // Without a foundation the plate lies on the ground.
+    let foundation = work.case.tank.foundation;
+    match foundation.map_or(FoundationKind::Soil, |f| f.kind) {
         FoundationKind::Slab => {}
         FoundationKind::Soil => on_soil(work, toe, resistance),
-        FoundationKind::RingWall => match (foundation.width, foundation.thickness) {
+        FoundationKind::RingWall => match (foundation.and_then(|f| f.width), foundation.and_then(|f| f.thickness)) {
             (Some(width), Some(height)) => on_ring(work, toe, resistance, (width, height)),
             (None, _) => return missing(work, "tank.foundation.width"),
             (_, None) => return missing(work, "tank.foundation.thickness"),

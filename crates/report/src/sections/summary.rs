@@ -32,6 +32,8 @@ struct Verdict {
     headline: String,
     /// Accepted gaps, before everything else.
     accepted: Vec<Missing>,
+    /// Parts of the tank of which nothing is said, at most one line.
+    unstated: String,
     /// Methods that decide.
     deciding: String,
     missing: Vec<Missing>,
@@ -118,6 +120,7 @@ fn verdict(results: &Results) -> Verdict {
         sign,
         headline: words::verdict::headline(v),
         accepted: v.accepted.iter().map(missing).collect(),
+        unstated: words::verdict::unstated(v),
         deciding: deciding(results),
         supply: match (open.is_empty(), input) {
             (true, _) => "",

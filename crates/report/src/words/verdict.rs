@@ -81,6 +81,22 @@ pub const SUPPLY: &str = "Supply the missing input, or accept a gap with its rea
 /// What can be done about gaps of which none is for want of input.
 pub const ACCEPT: &str = "A gap can be accepted with its reason in `accepted` of the tank file.";
 
+/// Parts of the tank of which nothing is said; empty if there are none.
+pub fn unstated(verdict: &Verdict) -> String {
+    let parts: Vec<String> = verdict
+        .unstated
+        .iter()
+        .map(|part| format!("no {}", part.key()))
+        .collect();
+    match parts.as_slice() {
+        [] => String::new(),
+        parts => format!(
+            "{} stated: none is assumed, and what needs to know is not checked",
+            super::capital(&parts.join(", "))
+        ),
+    }
+}
+
 /// Title of the list of accepted gaps.
 pub const GAPS: &str = "Accepted without a check";
 

@@ -13,6 +13,7 @@ use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::stated::Stated;
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Density, Force, Length, LineForce, Mass, Number, Stress, Subgrade, Velocity, Whole};
 
@@ -43,20 +44,21 @@ object! {
         courses: Field<Vec<Field<Course>>> [Limits::ANY.items(1, 200)],
         /// Joint between the wall of a concrete cylinder and its base.
         wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
-        /// Mass on top of the wall.
-        roof: Opt<Roof> = Absent::Follows("no mass"),
+        /// Mass on top of the wall. Without it, and without `"none"`, checks that need to know of a roof are open.
+        roof: Stated<Roof> = Absent::Follows("no mass"),
         /// Bottom plate under the wall, needed by the anchorage and uplift checks.
-        bottom: Opt<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
-        /// What the tank stands on: the ground under the rim of the bottom plate, and the soil.
-        foundation: Opt<Foundation>,
+        bottom: Stated<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
+        /// What the tank stands on: the ground under the rim of the bottom plate, and the soil. Without it, and without `"none"` (the tank stands
+        /// on the ground as it is), checks that need to know of a foundation are open.
+        foundation: Stated<Foundation>,
         /// Isolators between the slab and the ground; the foundation is then a slab.
         isolators: Opt<Isolators>,
         /// Anchor bolts, needed by the anchorage checks.
-        anchors: Opt<Anchors>,
+        anchors: Stated<Anchors>,
         /// Gas or vapour above the liquid while the earthquake acts.
         pressure: Opt<Pressure> = Absent::Follows("neither overpressure nor vacuum: an atmospheric tank"),
-        /// Pipes that are connected to the tank, needed by the checks of their displacement.
-        pipes: Opt<Pipes> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
+        /// Pipes that are connected to the tank, needed by the checks of their displacement; `"none"` if there are none.
+        pipes: Stated<Pipes> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
         /// Equipment within the liquid that wall or bottom carry.
         internals ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.5 stays open"),
         /// Structures that are connected to the tank, such as walkways to another tank.
@@ -326,11 +328,17 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
             .as_ref()
             .map_or_else(tank::Roof::default, |given| roof(r, given)),
         None => {
-            r.echo_default("tank.roof.mass", "0 kg", "no roof given");
+            match &t.roof.none {
+                Some(field) => r.echo_none(field),
+                None => r.echo_default("tank.roof.mass", "0 kg", "no roof stated"),
+            }
             tank::Roof::default()
         }
     };
-    if t.bottom.given.is_none() {
+    for none in [&t.foundation.none, &t.bottom.none, &t.anchors.none, &t.pipes.none] {
+        none.iter().for_each(|field| r.echo_none(field));
+    }
+    if t.bottom.given.is_none() && t.bottom.none.is_none() {
         r.not_given(&t.bottom);
     }
     let bottom = t
@@ -381,7 +389,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
             r.warnings.push(Warning::new(Code::NotUsed, text));
         }
     }
-    if t.pipes.given.is_none() {
+    if t.pipes.given.is_none() && t.pipes.none.is_none() {
         r.not_given(&t.pipes);
     }
     let pipes = t.pipes.value().map(|pipes| tank::Pipes {

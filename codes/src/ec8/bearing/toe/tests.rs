@@ -133,19 +133,16 @@ fn plate_on_soil() {
     assert!(check(&strong, "bearing_toe").holds() && check(&strong, "bearing").holds());
 }
 
-/// A slab spreads the toe; without a foundation nothing is known of the ring.
+/// A slab spreads the toe.
 #[test]
 fn slab_and_none() {
     let a = assess(&lifting(FoundationKind::Slab, 400e3));
     assert!(check(&a, "bearing").holds());
+    // Without one the plate lies on the ground.
     let mut case = lifting(FoundationKind::Soil, 400e3);
     case.tank.foundation = None;
     let a = assess(&case);
-    let open = check(&a, "bearing");
-    assert_eq!(
-        (open.status, open.input.as_deref()),
-        (CheckStatus::NotChecked, Some("tank.foundation"))
-    );
+    assert!(check(&a, "bearing_toe").capacity.is_some());
 }
 
 /// Anchors that fail hold nothing down: compression, bearing and pipes are open, whatever their numbers; anchors that hold decide for all.

@@ -1,0 +1,79 @@
+//! Parts of a tank of which its file says nothing, or says that there are none.
+//!
+//! | part | open while nothing is said of it |
+//! |---|---|
+//! | roof | what its weight presses, what its mass overturns, the freeboard under it |
+//! | foundation | bearing, and overturning on it |
+//! | bottom of an unanchored tank | overturning and uplift |
+//! | anchors, pipes | their own limit states, whose input is missing anyhow |
+//!
+//! A tank without pipes has no limit state of pipes. Studies, whose rows are numbers, leave nothing open.
+
+use tank::Support;
+use tank::assessment::{Check, CheckStatus, LimitState, Requirement};
+use tank::check::TankPart;
+
+use crate::job::Job;
+
+/// Limit states that need to know of a part.
+const NEED: [(TankPart, &[&str]); 3] = [
+    (
+        TankPart::Roof,
+        &[
+            "freeboard",
+            "buckling_elastic",
+            "buckling_elastic_plastic",
+            "shell_compression",
+            "upper_compression",
+            "equivalent_stress",
+            "overturning",
+            "anchorage",
+            "anchor_tension",
+            "anchorage_ratio",
+        ],
+    ),
+    (TankPart::Foundation, &["bearing", "foundation", "overturning"]),
+    (TankPart::Bottom, &["uplift", "overturning"]),
+];
+/// Limit states of pipes.
+const PIPES: [&str; 2] = ["pipes", "piping"];
+
+/// A tank without pipes has none to check.
+pub(super) fn without(job: &Job, states: &mut [LimitState]) {
+    if !job.decision.without.contains(&TankPart::Pipes) {
+        return;
+    }
+    for state in states.iter_mut().filter(|state| PIPES.contains(&state.id)) {
+        state.requirement = Requirement::NotApplicable("the tank has no pipes".into());
+    }
+}
+
+/// The checks without those of limit states that are not required of the tank.
+pub(super) fn required(states: &[LimitState], checks: Vec<Check>) -> Vec<Check> {
+    let spared = |check: &Check| {
+        PIPES.contains(&check.limit_state.as_str())
+            && states
+                .iter()
+                .any(|s| s.id == check.limit_state && matches!(s.requirement, Requirement::NotApplicable(_)))
+    };
+    checks.into_iter().filter(|check| !spared(check)).collect()
+}
+
+/// Leaves open what holds although it needs to know of a part of which nothing is said; such checks keep their numbers.
+pub(super) fn leave_open(job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
+    for (part, needing) in NEED {
+        let needed = part != TankPart::Bottom || job.case.tank.support == Support::Unanchored;
+        if !needed || !job.decision.unstated.contains(&part) {
+            continue;
+        }
+        let held = checks.iter_mut().filter(|check| check.holds());
+        for check in held.filter(|check| needing.contains(&check.limit_state.as_str())) {
+            let key = part.key();
+            check.status = CheckStatus::NotChecked;
+            check.within_error = false;
+            check.reason = format!("`tank.{key}` is not stated: describe it, or write \"{key}\": \"none\"");
+            check.input = Some(format!("tank.{key}"));
+        }
+    }
+    checks
+}
