@@ -49,6 +49,7 @@ mod study_sets;
 mod tank_file;
 mod templates;
 mod texts;
+mod unlike;
 mod verdict;
 mod verify;
 mod vtu;

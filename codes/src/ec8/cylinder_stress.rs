@@ -3,6 +3,7 @@
 //! ```text
 //! p_i(z) = ρ H C(ζ) A_i      p_c(z) = ρ R w_1 cosh(λ_1 γ ζ)/cosh(λ_1 γ) A_c       largest at θ = 0
 //! n_θ = p R      n_z = M(z)/(π R²)      N_0 = (m_w + m_r above z) g/(2πR)        (membrane)
+//! n_θ = E s w/R of the shell on its joint with the base where the wall is not a metal shell ([`Shell`])
 //! ```
 //!
 //! M(z) is the moment of wall pressure, wall and roof inertia above z. Horizontal (E_x) and vertical (E_z) motion are combined as
@@ -13,6 +14,7 @@ use std::f64::consts::PI;
 use super::cylinder_vertical::VerticalMotion;
 use super::ingredients::Stresses;
 use super::vertical;
+use super::wall_bending::{Plan as Standing, Wall};
 use super::work::{Work, combined};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
 use crate::sheet::with_unit;
@@ -40,6 +42,51 @@ pub(super) struct State<'a> {
     pub base_moment: f64,
     /// Height of the largest hoop stress [m].
     hoop_at: f64,
+    /// Hoop forces of a wall that is not a metal shell.
+    shell: Option<Shell>,
+}
+
+/// Hoop forces of a shell on its joint with the base, tabulated over the wetted wall and linear between.
+struct Shell {
+    /// Heights [m].
+    z: Vec<f64>,
+    /// Of the impulsive and of the convective pressure per acceleration [kg/m], of the vertical motion [N/m].
+    forces: Vec<[f64; 3]>,
+}
+
+impl Shell {
+    fn of(state: &State<'_>) -> Shell {
+        let (tank, radius) = (state.tank, state.radius);
+        let plan = Standing::Cylinder {
+            radius,
+            base: tank.wall_base,
+        };
+        let wall = Wall::new(&tank.courses, plan);
+        let depth = state.liquid.fill_height;
+        let wet = |z: f64, value: f64| if z <= depth { value } else { 0.0 };
+        let states = [
+            wall.under(|z| wet(z, state.impulsive_coefficient(state.zeta(z)))),
+            wall.under(|z| wet(z, state.convective_coefficient(state.zeta(z)))),
+            wall.under(|z| wet(z, state.pressure_vertical(z))),
+        ];
+        let z = tank.profile_heights(depth);
+        let forces = z.iter().map(|&z| states.each_ref().map(|s| s.hoop(z).max(0.0)));
+        Shell {
+            forces: forces.collect(),
+            z,
+        }
+    }
+
+    fn at(&self, z: f64) -> [f64; 3] {
+        let above = self.z.partition_point(|height| *height <= z);
+        let Some((&low, &from)) = above.checked_sub(1).and_then(|i| self.z.get(i).zip(self.forces.get(i))) else {
+            return [0.0; 3];
+        };
+        match self.z.get(above).zip(self.forces.get(above)) {
+            Some((high, to)) => std::array::from_fn(|k| from[k] + (z - low) / (high - low) * (to[k] - from[k])),
+            None => from,
+        }
+    }
 }
 
 /// Factors of horizontal and vertical motion in one combination.
@@ -81,6 +128,10 @@ impl State<'_> {
         let z = self.hoop_at;
         let per_pressure = |z: f64| self.radius / self.tank.course_at(z).net_thickness();
         let at = |z: f64| {
+            if let Some(shell) = &self.shell {
+                let [impulsive, convective, _] = shell.at(z).map(|n| n / self.tank.course_at(z).net_thickness());
+                return (impulsive, convective);
+            }
             let (zeta, per_pressure) = (self.zeta(z), per_pressure(z));
             let wetted = |below: bool, coefficient: f64| if below { coefficient * per_pressure } else { 0.0 };
             let impulsive = wetted(zeta < 1.0, self.impulsive_coefficient(zeta));
@@ -95,7 +146,7 @@ impl State<'_> {
             along: heights.map(|z| (z, at(z).0, at(z).1)).collect(),
             vertical: vertical.then(|| Vertical {
                 horizontal,
-                value: factor * self.pressure_vertical(z) * per_pressure(z),
+                value: factor * self.vertical_hoop(z) / self.tank.course_at(z).net_thickness(),
                 combination: Combination::Abs,
             }),
             axial: 1.0 / (PI * self.radius * self.radius * self.tank.courses[0].net_thickness()),
@@ -160,16 +211,39 @@ impl State<'_> {
 
     /// Largest seismic pressure over the combinations.
     fn pressure_seismic(&self, z: f64, vertical: bool) -> f64 {
-        self.pressure_of(z, self.governing(z, vertical))
+        let combinations = self.combinations(vertical).into_iter();
+        combinations
+            .map(|factors| self.pressure_of(z, factors))
+            .fold(0.0, f64::max)
     }
 
     fn pressure_of(&self, z: f64, (x, v): Factors) -> f64 {
         x * self.pressure_horizontal(z) + v * self.pressure_vertical(z)
     }
 
-    /// The combination of the largest seismic pressure.
+    /// Hoop force of the vertical motion [N/m].
+    fn vertical_hoop(&self, z: f64) -> f64 {
+        match &self.shell {
+            Some(shell) => shell.at(z)[2],
+            None => self.pressure_vertical(z) * self.radius,
+        }
+    }
+
+    /// Hoop force of a combination [N/m].
+    fn hoop_of(&self, z: f64, (x, v): Factors) -> f64 {
+        let horizontal = match &self.shell {
+            Some(shell) => {
+                let [impulsive, convective, _] = shell.at(z);
+                combined(self.combination, impulsive * self.a_i, convective * self.a_c)
+            }
+            None => self.pressure_horizontal(z) * self.radius,
+        };
+        x * horizontal + v * self.vertical_hoop(z)
+    }
+
+    /// The combination of the largest seismic hoop force.
     fn governing(&self, z: f64, vertical: bool) -> Factors {
-        let larger = |best: Factors, next: Factors| match self.pressure_of(z, next) > self.pressure_of(z, best) {
+        let larger = |best: Factors, next: Factors| match self.hoop_of(z, next) > self.hoop_of(z, best) {
             true => next,
             false => best,
         };
@@ -251,7 +325,9 @@ pub(super) fn assess<'a>(
         beside_vertical: work.demand.beside_vertical(),
         base_moment: moment,
         hoop_at: 0.0,
+        shell: None,
     };
+    state.shell = (!case.tank.is_metal()).then(|| Shell::of(&state));
     base_pressures(work, &state);
     state.hoop_at = stresses(work, &state, motion.is_some());
     state
@@ -291,8 +367,8 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     let z = work.heights();
     let base = &state.tank.courses[0];
     let pressure: Vec<f64> = z.iter().map(|&z| state.pressure_seismic(z, vertical)).collect();
-    let hoop = |(&z, p): (&f64, &f64)| p * state.radius / state.tank.course_at(z).net_thickness();
-    let hoop: Vec<f64> = z.iter().zip(&pressure).map(hoop).collect();
+    let hoop = |&z: &f64| state.hoop_of(z, state.governing(z, vertical)) / state.tank.course_at(z).net_thickness();
+    let hoop: Vec<f64> = z.iter().map(hoop).collect();
     let axial = |z: f64| state.axial(z) / state.tank.course_at(z).net_thickness();
     work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| {
         state.pressure_impulsive(z)
@@ -317,9 +393,16 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
         ("s", state.tank.course_at(at).net_thickness(), Length),
     ];
     let name = format!("largest hoop stress, at z = {}", with_unit(at, Length));
-    let largest = work
-        .sheet
-        .calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory");
+    let largest = match &state.shell {
+        Some(_) => {
+            let source = "shell on its joint with the base, pressure of the meridian all around";
+            work.sheet
+                .look_up("σ_θ", &name, source, largest, Stress, "theory of shells")
+        }
+        None => work
+            .sheet
+            .calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory"),
+    };
     let terms = [
         ("M", state.base_moment, Moment),
         ("R", state.radius, Length),

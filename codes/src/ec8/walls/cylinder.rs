@@ -52,13 +52,6 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
     let of = |situation| wall.under(|z| horizontal.pressure(z, situation));
     let seismic = of(super::place::Situation::Seismic);
     let damage = of(super::place::Situation::Damage);
-    let friction = match base {
-        WallBase::Sliding {
-            stiffness: None,
-            friction: Some(friction),
-        } => friction,
-        _ => 0.0,
-    };
     let base_shear = work.out.values.get(&Quantity::BaseShear).copied().unwrap_or_default();
     let mut places = Vec::new();
     for z in case.tank.profile_heights(depth) {
@@ -74,7 +67,7 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
             let sum = |of: &dyn Fn(&Bent) -> f64| of(&still) + x * of(side) + factors.v * of(&breathing);
             let scale = horizontal.scale(factors.situation);
             let (hoop, vertical) = forces(state, z, factors, (axial.0 * scale, axial.1 * scale));
-            let base = z == 0.0;
+            let foot = z == 0.0;
             let nu = courses[index].material.poisson_ratio;
             let place = |direction, n, m, shear| Place {
                 course: &courses[index],
@@ -89,15 +82,19 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
                 shear,
             };
             let stands = state.weight(0.0) * state.weight_factor(factors.v) + x * state.axial(0.0) * scale;
-            for held in by_friction(friction * stands.max(0.0), pulled.as_ref(), sum(&|s| s.at(0.0, 0.0).w)) {
+            for held in by_friction(
+                friction(base) * stands.max(0.0),
+                pulled.as_ref(),
+                sum(&|s| s.at(0.0, 0.0).w),
+            ) {
                 let pull = |of: &dyn Fn(&Bent) -> f64| pulled.as_ref().map_or(0.0, |pulled| held * of(pulled));
                 let both = |of: &dyn Fn(&Bent) -> f64| sum(of) - pull(of);
-                let m = match base {
+                let m = match foot {
                     true => both(&|s| s.base.0),
                     false => both(&|s| s.at(0.0, z).m_z),
                 };
                 places.push(place(BarDirection::Hoop, both(&|s| s.hoop(z)) + hoop, nu * m, None));
-                let shear = base.then(|| (both(&|s| s.base.1) + held).abs());
+                let shear = foot.then(|| (both(&|s| s.base.1) + held).abs());
                 places.push(place(BarDirection::Vertical, vertical, m, shear));
             }
         }
@@ -126,6 +123,17 @@ fn words(base: WallBase) -> &'static str {
             "Wall of concrete: hoop force and bending of the shell on a joint that slides, under the pressure of its meridian; periods are those \
              of a clamped foot."
         }
+    }
+}
+
+/// Coefficient of the friction that alone holds a foot along the radius.
+fn friction(base: WallBase) -> f64 {
+    match base {
+        WallBase::Sliding {
+            stiffness: None,
+            friction: Some(friction),
+        } => friction,
+        _ => 0.0,
     }
 }
 

@@ -174,6 +174,35 @@ fn seismic_forces_on_each_base() {
     assert!(span < 0.0 && -span < m, "{span} {m}");
 }
 
+/// The hoop stress that is compared with other methods is that of the same base. The seismic pressure lies between the triangle of its value at
+/// the foot, whose hoop force is the long wall's, and that value all over the height, with p R far from the foot: on a foot that is held it is
+/// less than p R.
+#[test]
+fn the_compared_hoop_stress_is_that_of_the_base() {
+    use tank::quantity::Quantity;
+    for base in [WallBase::Fixed, WallBase::Hinged] {
+        let mut case = cylinder(2e-3, 1e-3);
+        case.tank.wall_base = base;
+        let a = assess(&case);
+        let p = line(&a, "p_i") + line(&a, "p_c");
+        let heights = || (0..=500).map(|i| 0.01 * f64::from(i));
+        let largest = heights().map(|z| long_wall(p, base, z).0).fold(0.0, f64::max) / 0.3;
+        let found = a.values[&Quantity::HoopStress];
+        assert!(
+            found > 1.05 * largest && found < 0.98 * p * 10.0 / 0.3,
+            "{base:?}: {found} {largest}"
+        );
+    }
+    let mut case = cylinder(2e-3, 1e-3);
+    case.tank.wall_base = WallBase::Sliding {
+        stiffness: Some(0.0),
+        friction: None,
+    };
+    let a = assess(&case);
+    let p = line(&a, "p_i") + line(&a, "p_c");
+    near(a.values[&Quantity::HoopStress], p * 10.0 / 0.3, 0.1);
+}
+
 /// A sliding joint: with μ n its force is that friction at most, and no more than a hinge's; the shear of the earthquake along it against μ n
 /// of wall and roof, 0.3 · 6 m · 2500 kg/m³ · 9.81; without friction it is open with the path.
 #[test]
