@@ -14,7 +14,7 @@ use tank::options::LinearOptions as Options;
 use super::assembly::Assembly;
 use super::places::{Place, Places, places};
 use super::state::Static;
-use super::wall::Output;
+use super::wall::{NODE, Output};
 
 /// Builds the probes of one harmonic.
 pub(super) struct Observer<'a> {
@@ -63,11 +63,14 @@ impl Observer<'_> {
             z: 0.0,
             at: vec![(0, -1.0)],
         };
-        for (output, what) in [
+        // A foot that turns is free of bending.
+        let bends = self.assembly.wall.held[NODE - 1];
+        let outputs = [
             (Output::AxialStress, OnWall::Axial),
             (Output::BendingStress, OnWall::Bending),
             (Output::BendingMoment, OnWall::Moment),
-        ] {
+        ];
+        for (output, what) in outputs.into_iter().filter(|o| bends || o.1 == OnWall::Axial) {
             probes.push(self.wall_probe(Probe::new(Channel::Base(what)), output, &base));
         }
         for &z in &options.stations {

@@ -25,7 +25,7 @@ pub fn by_methods(site: bool, overtops: bool) -> String {
     };
     match overtops {
         true => format!(
-            "{methods} * Higher than the freeboard: no method follows a wave that strikes the roof or overtops the wall."
+            "{methods} Waves with * are higher than the freeboard: no method follows one that strikes the roof or overtops the wall."
         ),
         false => methods.into(),
     }
