@@ -22,14 +22,12 @@ use codes::base_state;
 use codes::procedure::CodeError;
 use codes::time_history::{self, Codes, Findings, Ready};
 use fem::progress::Progress;
-use tank::Course;
 use tank::Quantity;
 use tank::assessment::{Assessment, Check, Excitation};
 use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
-pub use self::design::Design;
-use self::ground_motion::Records;
+pub use self::design::{Design, Records};
 use self::quantities::quantities;
 use crate::error::Error;
 use crate::job::Job;
@@ -147,7 +145,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
             if ground_motion::asked(job, column) {
                 let records = match &design {
                     Some(design) => design.records.clone(),
-                    None => Records::of_one(job, &simulation),
+                    None => ground_motion::of_one(job, &simulation),
                 };
                 findings
                     .checks
@@ -361,7 +359,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     ) {
         assumptions.push("One horizontal component: the record along x alone, without that along y.".into());
     }
-    if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
+    if let (Status::Computed, Some(layered)) = (&status, runs::layers(job)) {
         assumptions.push(layered.into());
     }
     let checks = match &status {
@@ -386,11 +384,6 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         ..Method::new(procedure.id(), label.title, excitation)
     };
     Ok((method, ingredients))
-}
-
-/// Note on the equivalent wall of a method for one material, if the wall has layers.
-fn layers(job: &Job) -> Option<&'static str> {
-    job.case.tank.courses.iter().find_map(Course::layer_assumption)
 }
 
 /// Periods of the tank [s]: the first modes of the engine, or those of the procedures without an engine.

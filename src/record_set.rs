@@ -27,8 +27,7 @@ use tank::outside::Outside;
 
 use crate::error::Error;
 use crate::job::Job;
-use crate::pipeline::ground_motion::Records;
-use crate::pipeline::{self, Design, Outcome};
+use crate::pipeline::{self, Design, Outcome, Records, ground_motion};
 use crate::study::rule::{self, Answer, FIVE, Question, Wanted};
 use engines::{FeError, Shared, Simulation, engine};
 use results::{
@@ -181,7 +180,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     };
     let of_site = {
         let horizontal: Vec<Horizontal<'_>> = set.records.iter().map(Earthquake::horizontal).collect();
-        Records::ask(&set.job, &wanted, &horizontal)
+        ground_motion::ask(&set.job, &wanted, &horizontal)
     };
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);

@@ -11,15 +11,23 @@
 
 use tank::assessment::{Check, CheckStatus};
 
-use crate::time_history::{ANCHORAGE, COMPRESSED};
-
+/// Limit states of the tension of anchors, of procedures and engines.
+const ANCHORAGE: [&str; 2] = ["anchorage", "anchor_tension"];
+/// Limit states of the compression of a wall.
+const COMPRESSED: [&str; 5] = [
+    "buckling_elastic",
+    "buckling_elastic_plastic",
+    "shell_compression",
+    "upper_compression",
+    "equivalent_stress",
+];
 /// Why the base of a tank on anchors is not known.
 const LIFTS_OFF: &str =
     "its anchors are overstressed: the wall lifts, and its compression grows beyond that of a wall held down";
 /// Why the displacement of pipes is not known.
 const SLIDES: &str = "the tank slides: how far is not known, nor the displacement of its pipes";
-/// Limit states besides the compression of the wall that a base of unknown state leaves open.
-const ON_BASE: [&str; 2] = ["upper_compression", "bearing"];
+/// Limit state of the ground under it.
+const BEARING: &str = "bearing";
 /// Limit states of pipes.
 const PIPES: [&str; 2] = ["pipes", "piping"];
 /// Limit state of sliding.
@@ -67,7 +75,7 @@ impl BaseState {
     pub(crate) fn follow(&self, checks: &mut [Check]) {
         if let BaseState::Unknown(reason) = self {
             leave_open(checks, &COMPRESSED, reason);
-            leave_open(checks, &ON_BASE, reason);
+            leave_open(checks, &[BEARING], reason);
         }
         if checks.iter().any(|check| fails(check, &[SLIDING])) {
             leave_open(checks, &PIPES, SLIDES);

@@ -51,7 +51,6 @@ use crate::sheet::Sheet;
 use limit_states::{ANCHORS, API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
-pub(crate) use limit_states::{ANCHORAGE, COMPRESSED};
 pub use limit_states::{Codes, ground_motion, limit_states};
 pub use ready::Ready;
 

@@ -6,9 +6,19 @@ use codes::time_history::Findings;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation};
 
-use super::ground_motion::Records;
 use super::quantities::quantities;
 use results::{Method, RecordSet, Value};
+
+/// What the rule of the code of the site says of the records of a run.
+#[derive(Clone, Debug)]
+pub struct Records {
+    /// Their number.
+    pub count: usize,
+    /// The one factor for all of them with which the rule just holds, at the periods that the spectrum covers.
+    pub factor: f64,
+    /// Why the rule was not asked around all periods.
+    pub unasked: Option<String>,
+}
 
 /// What a set of records makes of the columns under the record.
 #[derive(Clone, Debug)]

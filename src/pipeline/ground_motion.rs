@@ -15,73 +15,61 @@ use tank::Quantity;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::{Dimension, display};
 
+use super::design::Records;
 use crate::job::Job;
 use crate::study::rule::{self, Question, Wanted};
 use engines::Simulation;
 
-/// What the rule of the code of the site says of the records of a run.
-#[derive(Clone, Debug)]
-pub struct Records {
-    /// Their number.
-    pub count: usize,
-    /// The one factor for all of them with which the rule just holds, at the periods that the spectrum covers.
-    pub factor: f64,
-    /// Why the rule was not asked around all periods.
-    pub unasked: Option<String>,
+/// Asks the rule; none where the site names no code.
+///
+/// * `wanted`: periods of the tank
+/// * `records`: as applied
+pub fn ask(job: &Job, wanted: &[Wanted], records: &[Horizontal<'_>]) -> Option<Records> {
+    let (_, code) = time_history::ground_motion(&job.case)?;
+    let asked = |wanted: &[Wanted]| {
+        let question = Question {
+            code,
+            table: None,
+            target: "site",
+            site: &job.case.site,
+            wanted,
+        };
+
+        rule::answer(&question, records)
+    };
+    let of = |factor: f64, unasked: Option<String>| Records {
+        count: records.len(),
+        factor,
+        unasked,
+    };
+    if wanted.is_empty() {
+        let none = "no procedure and no engine gives a period of this tank".to_owned();
+        return Some(of(asked(&[]).map_or(0.0, |answer| answer.factor), Some(none)));
+    }
+    Some(match asked(wanted) {
+        Ok(answer) => of(answer.factor, None),
+        Err(error) => {
+            let covered: Vec<Wanted> = wanted.iter().copied().filter(|w| asked(&[*w]).is_ok()).collect();
+            let factor = asked(&covered).map_or(0.0, |answer| answer.factor);
+            of(factor, Some(rule::reason(&error)))
+        }
+    })
 }
 
-impl Records {
-    /// Asks the rule; none where the site names no code.
-    ///
-    /// * `wanted`: periods of the tank
-    /// * `records`: as applied
-    pub fn ask(job: &Job, wanted: &[Wanted], records: &[Horizontal<'_>]) -> Option<Records> {
-        let (_, code) = time_history::ground_motion(&job.case)?;
-        let ask = |wanted: &[Wanted]| {
-            let question = Question {
-                code,
-                table: None,
-                target: "site",
-                site: &job.case.site,
-                wanted,
-            };
-            let reached = rule::reaches(&question);
-            reached.and_then(|()| rule::answer(&question, records))
-        };
-        let of = |factor: f64, unasked: Option<String>| Records {
-            count: records.len(),
-            factor,
-            unasked,
-        };
-        if wanted.is_empty() {
-            let none = "no procedure and no engine gives a period of this tank".to_owned();
-            return Some(of(ask(&[]).map_or(0.0, |answer| answer.factor), Some(none)));
-        }
-        Some(match ask(wanted) {
-            Ok(answer) => of(answer.factor, None),
-            Err(error) => {
-                let covered: Vec<Wanted> = wanted.iter().copied().filter(|w| ask(&[*w]).is_ok()).collect();
-                let factor = ask(&covered).map_or(0.0, |answer| answer.factor);
-                of(factor, Some(rule::reason(&error)))
-            }
-        })
-    }
-
-    /// The same of the one record of a run.
-    pub(super) fn of_one(job: &Job, simulation: &Simulation) -> Option<Records> {
-        let motion = job.case.ground_motion.as_ref()?;
-        let own = |quantity: Quantity| Some((*simulation.values.get(&quantity)?, "finite elements"));
-        let of_engine = || {
-            let periods = [own(Quantity::ImpulsivePeriod), own(Quantity::SloshingPeriod)];
-            rule::both(&job.case, periods)
-        };
-        let wanted = rule::periods(&job.case, &job.decision).unwrap_or_else(|_| of_engine());
-        let record = Horizontal {
-            along: &motion.horizontal,
-            across: motion.transverse.as_ref(),
-        };
-        Records::ask(job, &wanted, &[record])
-    }
+/// The same of the one record of a run.
+pub(super) fn of_one(job: &Job, simulation: &Simulation) -> Option<Records> {
+    let motion = job.case.ground_motion.as_ref()?;
+    let own = |quantity: Quantity| Some((*simulation.values.get(&quantity)?, "finite elements"));
+    let of_engine = || {
+        let periods = [own(Quantity::ImpulsivePeriod), own(Quantity::SloshingPeriod)];
+        rule::both(&job.case, periods)
+    };
+    let wanted = rule::periods(&job.case, &job.decision).unwrap_or_else(|_| of_engine());
+    let record = Horizontal {
+        along: &motion.horizontal,
+        across: motion.transverse.as_ref(),
+    };
+    ask(job, &wanted, &[record])
 }
 
 /// Whether an engine decides about a site that names a code.

@@ -3,11 +3,12 @@
 use codes::time_history::{self, Codes, Findings};
 use fem::progress::Progress;
 use files::code::Code;
+use tank::Course;
 use tank::assessment::Excitation;
 use tank::demand::Demands;
 
 use super::quantities::quantities;
-use super::{decision, layers, unsaid};
+use super::{decision, unsaid};
 use crate::error::{EXIT_COMPUTATION, Error};
 use crate::job::Job;
 use engines::damping::Damper;
@@ -84,6 +85,11 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation, findings
         steps: findings.steps,
         ..Method::new(id.column(number), id.title(), Excitation::Record)
     }
+}
+
+/// Note on the equivalent wall of a method for one material, if the wall has layers.
+pub(super) fn layers(job: &Job) -> Option<&'static str> {
+    job.case.tank.courses.iter().find_map(Course::layer_assumption)
 }
 
 /// Why the results do not cover the whole ground motion; `None` if they do, or if the user stopped a linear run.

@@ -23,7 +23,7 @@ fn tank(radius: &str, wall: &str, thickness: &str, fill: &str, stress: &str, sit
         r#"{{
   "name": "steel cylinder",
   "tank": {{
-    "shape": "cylinder", "radius": "{radius}", "support": "anchored",
+    "shape": "cylinder", "radius": "{radius}", "support": "anchored", "roof": "none", "foundation": "none",
     "courses": [ {{ "height": "{wall}", "thickness": "{thickness}", "material": "steel" }} ],
     "bottom": {{ "thickness": "10 mm", "material": "steel" }},
     "anchors": {{ "count": 60, "capacity": "100 MN" }}

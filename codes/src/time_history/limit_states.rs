@@ -30,10 +30,6 @@ pub(super) const ELASTIC: &str = "buckling_elastic";
 pub(super) const COLLAPSE: &str = "buckling_elastic_plastic";
 /// Compression, API.
 pub(super) const API_COMPRESSION: &str = "shell_compression";
-/// Limit states of the tension of anchors, of engines and procedures.
-pub(crate) const ANCHORAGE: [&str; 2] = [ANCHORS, "anchor_tension"];
-/// Limit states of the compression of a wall, of engines and procedures.
-pub(crate) const COMPRESSED: [&str; 4] = [ELASTIC, COLLAPSE, API_COMPRESSION, EQUIVALENT];
 /// Tension of the anchors.
 pub(super) const ANCHORS: &str = "anchorage";
 /// Tension at the base of a wall without anchors.
