@@ -58,7 +58,6 @@ use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
-use self::details::HoldDown;
 use super::basis::Basis;
 
 /// Edition as cited.
@@ -70,6 +69,17 @@ const LEAST_F_P: f64 = 0.4;
 /// Annex E, 12th and 13th edition (`api650-2020`).
 #[derive(Clone, Copy, Debug)]
 pub struct Api6502020;
+
+/// Width of the bottom plate that holds the shell down.
+#[derive(Clone, Debug)]
+enum HoldDown {
+    /// It [m].
+    Width(f64),
+    /// The weight alone holds the shell down.
+    Needless,
+    /// Why it is not known; the missing input.
+    Unknown(String, Option<String>),
+}
 
 /// One run: the tank, the actions so far, the growing sheet and assessment.
 struct Run<'a> {

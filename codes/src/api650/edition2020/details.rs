@@ -12,7 +12,7 @@ use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 use tank::{BottomConnections, Joint, ShellSupport};
 
-use super::{Run, limit_states};
+use super::{HoldDown, Run, limit_states};
 
 const E7_4: &str = "API 650:2020 E.7.4";
 const E7_7: &str = "API 650:2020 E.7.7";
@@ -24,17 +24,6 @@ const BUTT_FROM: f64 = 0.010;
 const STRONG: f64 = 0.5;
 /// Distance of a connection from the plate that holds the shell down [m]: 300 mm (12 in.), the lesser.
 const CLEARANCE: f64 = 0.300;
-
-/// Width of the bottom plate that holds the shell down.
-#[derive(Clone, Debug)]
-pub(super) enum HoldDown {
-    /// It [m].
-    Width(f64),
-    /// The weight alone holds the shell down.
-    Needless,
-    /// Why it is not known; the missing input.
-    Unknown(String, Option<String>),
-}
 
 /// Least leg of a fillet weld between shell and bottom [m] for the thickness of the bottom course [m]; none beyond the table.
 fn least_leg(thickness: f64) -> Option<f64> {

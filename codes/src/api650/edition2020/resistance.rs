@@ -6,9 +6,8 @@ use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, St
 use super::super::basis::softer;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
-use super::details::HoldDown;
 use super::forces::Forces;
-use super::{Run, limit_states};
+use super::{HoldDown, Run, limit_states};
 use crate::base_state::{BaseState, Lift};
 use crate::lifted;
 

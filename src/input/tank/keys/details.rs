@@ -2,13 +2,11 @@
 
 use files::code::Code;
 use tank::units::Dimension;
-use tank::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
+use tank::{BottomConnections, Joint, Presence, ShellSupport, Snow};
 
-use super::tank::Tank;
 use crate::input::diagnostic::Faults;
 use crate::input::tank::key::Limits;
 use crate::input::tank::read::{FromNode, choice, wrong_value};
-use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::Length;
@@ -57,7 +55,7 @@ const DISTANCE: Limits = Limits::from(0.0).to(1000.0);
 
 /// Connections through the bottom, as written: `"none"`, or a distance.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Connections(BottomConnections);
+pub(crate) struct Connections(pub BottomConnections);
 
 impl FromNode for Connections {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -80,19 +78,5 @@ impl FromNode for Connections {
     }
     fn shape(book: &mut Book) -> Shape {
         Shape::Either("none", Box::new(Length::shape(book)))
-    }
-}
-
-/// The answers of the file.
-pub(super) fn details(r: &mut Resolver<'_>, t: &Tank) -> Details {
-    let bottom = t.bottom.value();
-    Details {
-        internals: r.word(&t.internals),
-        adjacent_structures: r.word(&t.adjacent_structures),
-        snow: t.roof.value().and_then(|roof| r.word(&roof.snow)),
-        shell_support: t.foundation.value().and_then(|f| r.word(&f.shell_support)),
-        annular_weld: bottom.and_then(|b| r.word(&b.annular_weld)),
-        shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
-        bottom_connections: bottom.and_then(|b| r.word(&b.connections)).map(|c| c.0),
     }
 }

@@ -5,7 +5,7 @@ use tank::units::Dimension;
 use tank::{FoundationKind, Joint, Presence, RoofKind, Shape, ShellSupport, Snow, Support};
 
 use super::base;
-use super::details::{self, Connections};
+use super::details::Connections;
 use super::isolators::isolators;
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
@@ -423,7 +423,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         anchors,
         pressure,
         pipes,
-        details: details::details(r, t),
+        details: details(r, t),
     };
     if tank.corrodes() {
         let remark = "tank: finite elements and Housner's procedure use the thicknesses as built; the codes' stresses and resistances those \
@@ -466,6 +466,20 @@ fn roof(r: &mut Resolver<'_>, given: &Roof) -> tank::Roof {
         height: r.optional(&given.height),
         kind,
         ..tank::Roof::default()
+    }
+}
+
+/// Answers about the construction.
+fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
+    let bottom = t.bottom.value();
+    tank::Details {
+        internals: r.word(&t.internals),
+        adjacent_structures: r.word(&t.adjacent_structures),
+        snow: t.roof.value().and_then(|roof| r.word(&roof.snow)),
+        shell_support: t.foundation.value().and_then(|f| r.word(&f.shell_support)),
+        annular_weld: bottom.and_then(|b| r.word(&b.annular_weld)),
+        shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
+        bottom_connections: bottom.and_then(|b| r.word(&b.connections)).map(|c| c.0),
     }
 }
 
