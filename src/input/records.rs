@@ -99,11 +99,13 @@ pub fn located(path: &Path) -> (PathBuf, Option<String>) {
 /// # Errors
 /// As [`read`].
 pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
-    if let Some(dt) = options.dt.filter(|dt| !(*dt > 0.0 && *dt <= plausible::LONGEST_STEP)) {
+    let steps = plausible::SHORTEST_STEP..=plausible::LONGEST_STEP;
+    if let Some(dt) = options.dt.filter(|dt| !steps.contains(dt)) {
         return Err(Error::Input(
             Code::OptionValue,
             format!(
-                "--dt: found {dt}, expected a time step in seconds greater than 0, at most {}",
+                "--dt: found {dt}, expected a time step in seconds of at least {}, at most {}",
+                plausible::SHORTEST_STEP,
                 plausible::LONGEST_STEP
             ),
         ));
@@ -197,11 +199,12 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             (0, 0.0),
             |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best },
         );
-    if draft.dt > plausible::LONGEST_STEP {
+    if !(plausible::SHORTEST_STEP..=plausible::LONGEST_STEP).contains(&draft.dt) {
         return Err(Fault::new(Code::TimeStep, "the time step is out of range")
             .found(format!("a step of {} s", draft.dt))
             .allowed(format!(
-                "at most {} s; usual values are 0.002 to 0.02 s",
+                "at least {} s, at most {} s; usual values are 0.002 to 0.02 s",
+                plausible::SHORTEST_STEP,
                 plausible::LONGEST_STEP
             ))
             .help("correct the unit of the time column, or DT")

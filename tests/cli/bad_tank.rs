@@ -326,7 +326,7 @@ fn ranges() {
                 "tank.courses[0].thickness",
                 say,
                 text,
-                "greater than 0, at most 10 m",
+                "at least 0.001 mm, at most 10 m",
             ],
         );
     }

@@ -6,7 +6,7 @@ use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
 use crate::input::records::process::number;
-use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, Processing};
+use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, MIN_PEAK, Processing};
 use files::code::{Code, Warning};
 use files::error::Error;
 
@@ -14,20 +14,22 @@ use files::error::Error;
 const LONG_STEP: f64 = 0.1;
 /// Longest time step of a record [s].
 pub const LONGEST_STEP: f64 = 10.0;
+/// Shortest time step of a record [s]: instruments take up to some thousand samples a second.
+pub const SHORTEST_STEP: f64 = 1e-5;
 /// Smallest usual number of samples.
 const FEW_SAMPLES: usize = 10;
 
 /// Rejects a processed record that is not ground motion: a peak above 5 g (with `allow_implausible` above
-/// [`MAX_PEAK`]), numbers that are not finite, a time step beyond 10 s.
+/// [`MAX_PEAK`]), numbers that are not finite, a time step below 1e-5 s or beyond 10 s.
 /// * `origin`: option that sets the peak, for the message (`record.scale_by`)
 ///
 /// Errors: [`Error::Input`] with the value and the range.
 pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(), Error> {
-    if !(record.dt > 0.0 && record.dt <= LONGEST_STEP) {
+    if !(SHORTEST_STEP..=LONGEST_STEP).contains(&record.dt) {
         return Err(Error::Input(
             Code::TimeStep,
             format!(
-                "the time step of the record is out of range; found {} s after processing, expected at most {LONGEST_STEP} s\n  \
+                "the time step of the record is out of range; found {} s after processing, expected at least {SHORTEST_STEP} s, at most {LONGEST_STEP} s\n  \
              help: correct the time factor or the unit of the time column",
                 record.dt
             ),
@@ -48,12 +50,13 @@ pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(
 /// Errors: [`Error::Input`] with the value and the range.
 pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> Result<(), Error> {
     let g = |a: f64| a / STANDARD_GRAVITY;
-    if peak.is_nan() || peak > MAX_PEAK {
+    // A factor of 0 is asked for; a peak that is nearly 0 is a slip of the unit.
+    if peak.is_nan() || peak > MAX_PEAK || (peak > 0.0 && peak < MIN_PEAK) {
         return Err(Error::Input(
             Code::PeakAcceleration,
             format!(
-                "{origin}: the peak ground acceleration is out of range; found {} g, expected at most {} g\n  help: correct the \
-             factor or the unit",
+                "{origin}: the peak ground acceleration is out of range; found {} g, expected at most {} g and at least {MIN_PEAK:e} m/s2\n  \
+                 help: correct the factor or the unit",
                 number(g(peak)),
                 g(MAX_PEAK)
             ),

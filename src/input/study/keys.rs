@@ -64,7 +64,7 @@ object! {
         /// Unit of the accelerations, where the files do not give it: g, gal, m/s2 and others of `--units`.
         units ("g"): Opt<String>,
         /// Time step in seconds of files without a time column.
-        dt (0.01): Opt<Number> [Limits::above(0.0).to(10.0)],
+        dt (0.01): Opt<Number> [Limits::from(1e-5).to(10.0)],
         /// Components by the names of their files.
         components: Opt<Components>,
     }

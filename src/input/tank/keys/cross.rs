@@ -15,6 +15,8 @@ use crate::input::tank::values::Length;
 
 /// Slack for heights that are sums of decimal fractions.
 const ROUNDING: f64 = 1e-9;
+/// Least depth of the liquid over the radius, or half the length.
+const SHALLOWEST: f64 = 1e-3;
 
 /// Checks values that are valid one by one but not together.
 pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
@@ -45,6 +47,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         }
     }
     let Some(tank) = tank else { return };
+    shallow(r, file, tank, liquid);
     let components = (file.site.value())
         .and_then(|site| site.ec8.value())
         .and_then(|ec8| ec8.components.given.as_ref());
@@ -159,6 +162,29 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             fault = fault.help(format!("did you mean \"{meant}\"?"));
         }
         r.faults.push(fault);
+    }
+}
+
+/// A film on the bottom, for which there are neither waves nor modes.
+fn shallow(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank, liquid: Option<Liquid>) {
+    let (Some(liquid), Some(given)) = (liquid, &file.liquid.value) else {
+        return;
+    };
+    let (half, what) = match tank.shape {
+        Shape::Cylinder { radius } => (radius, "a thousandth of the radius"),
+        Shape::Rectangle { length, .. } => (length / 2.0, "a thousandth of half the length"),
+    };
+    if liquid.fill_height < SHALLOWEST * half * (1.0 - ROUNDING) {
+        let field = &given.fill_height;
+        let allowed = format!("at least {}, {what}", like_field(field, SHALLOWEST * half));
+        let fault = range_fault(
+            Code::OutOfRange,
+            field,
+            "the liquid is shallower than any tank's",
+            &allowed,
+        );
+        r.faults
+            .push(fault.help("correct the unit; an empty tank is not assessed"));
     }
 }
 

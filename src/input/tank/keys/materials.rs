@@ -22,7 +22,7 @@ use reader::{Reader, STRESS};
 /// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.
 const MODULUS: Limits = Limits::above(0.5e9).to(1e16);
 /// Wall materials.
-const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
+const DENSITY: Limits = Limits::from(1.0).to(30_000.0);
 /// Largest number of materials in a file.
 pub(super) const MAX_MATERIALS: usize = 200;
 /// Longest name of a material [characters]; every place that uses it stores a copy.

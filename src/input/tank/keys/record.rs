@@ -11,7 +11,7 @@ object! {
     /// Processing of the accelerogram, in this order: scale, stretch the time axis, resample.
     Record {
         /// Scale to this peak ground acceleration; above 5 g with --allow-implausible only. Give either this or scale_by.
-        scale_to ("0.3 g"): Opt<Acceleration> [Limits::above(0.0).to(10.0 * tank::STANDARD_GRAVITY)]
+        scale_to ("0.3 g"): Opt<Acceleration> [Limits::from(1e-4).to(10.0 * tank::STANDARD_GRAVITY)]
             = without("not scaled to a peak"),
         /// Multiply the accelerations by this. A negative factor reverses the shaking; 0 is rejected.
         scale_by (1.5): Opt<Number> [Limits::from(-1000.0).to(1000.0)] = without("1"),

@@ -28,7 +28,7 @@ const IMPORTANCE: Limits = Limits::from(0.6)
 /// Share of damage limitation: 0.5 and 0.4 are recommended; a return period of 95 in place of 475 years gives 0.2 with k = 1.
 const REDUCTION: Limits = Limits::from(0.2).to(1.0).usual(0.4, 0.5).clause("EN 1998-1:2004 2.2.3");
 /// Ground under a tank, from soft clay to rock.
-const GROUND: Limits = Limits::above(0.0).to(1e8).usual(50e3, 3e6);
+const GROUND: Limits = Limits::from(1e3).to(1e8).usual(50e3, 3e6);
 /// From the mapped to the design earthquake: 2/3 of ASCE 7, 1 of maps of the design earthquake; 0.66 is 2/3 rounded.
 const SCALING: Limits = Limits::from(0.66)
     .to(1.0)
@@ -62,7 +62,7 @@ object! {
         spectrum (1): Opt<Whole> [Limits::one_of(&[1.0, 2.0])],
         /// Reference peak ground acceleration a_gR on rock. Needed unless `site.spectrum` is given.
         ag ("0.25 g"): Opt<Acceleration>
-            [Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY).usual(0.02 * tank::STANDARD_GRAVITY, 0.6 * tank::STANDARD_GRAVITY)],
+            [Limits::from(1e-3).to(3.0 * tank::STANDARD_GRAVITY).usual(0.02 * tank::STANDARD_GRAVITY, 0.6 * tank::STANDARD_GRAVITY)],
         /// Importance factor.
         importance (1.2): Opt<Number> [IMPORTANCE]
             = default(Number(1.0)).shown("1.0").because("EN 1998-4:2006 2.1.4, class II"),
@@ -78,7 +78,7 @@ object! {
         /// Horizontal components that act together on a cylinder.
         components: Opt<Components> = default(Components::One).because("EN 1998-4:2006 3.2: enough for an axisymmetric tank"),
         /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
-        friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0).usual(0.2, 0.6)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
+        friction (0.4): Opt<Number> [Limits::from(1e-3).to(1.0).usual(0.2, 0.6)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
         /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
         /// and II, 0.4 for III and IV.
         reduction_factor (0.5): Opt<Number> [REDUCTION]
@@ -123,7 +123,7 @@ object! {
         joint_efficiency (0.85): Opt<Number> [JOINT]
             = default(Number(1.0)).shown("1.0").because("fully radiographed butt joints"),
         /// Friction coefficient against sliding.
-        friction (0.3): Opt<Number> [Limits::above(0.0).to(0.4).usual(0.2, 0.4).clause("API 650 E.7.6")]
+        friction (0.3): Opt<Number> [Limits::from(1e-3).to(0.4).usual(0.2, 0.4).clause("API 650 E.7.6")]
             = default(Number(0.4)).because("API 650 E.7.6, the largest value allowed"),
         /// Weight of the foundation and of the soil on it, W_fd + W_g, against overturning.
         foundation_weight ("3 MN"): Opt<Force> [Limits::from(0.0).to(1e10)]

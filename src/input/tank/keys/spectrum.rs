@@ -46,7 +46,7 @@ object! {
         /// Damping ratio of the table; others follow by η of EN 1998-1 3.2.2.2.
         damping (0.05): Opt<Number> [Limits::from(0.001).to(0.3)] = default(Number(0.05)),
         /// Reference peak ground acceleration a_gR on rock, of the parameters.
-        ag ("0.25 g"): Opt<Acceleration> [Limits::above(0.0).to(3.0 * STANDARD_GRAVITY)],
+        ag ("0.25 g"): Opt<Acceleration> [Limits::from(1e-3).to(3.0 * STANDARD_GRAVITY)],
         /// Soil factor S.
         soil_factor (1.2): Opt<Number> [Limits::above(0.0).to(10.0).usual(0.8, 2.0)],
         /// Control period T_B in seconds.

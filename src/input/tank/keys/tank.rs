@@ -19,6 +19,8 @@ use crate::input::tank::values::{Density, Force, Length, LineForce, Mass, Number
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
+/// Forces of an anchor, from one of a model up.
+const FORCE: Limits = Limits::from(1.0).to(1e9);
 /// Displacements of pipes.
 const DISPLACEMENT: Limits = Limits::from(0.0).to(10.0);
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
@@ -167,7 +169,7 @@ object! {
         /// What lies between the plate under the shell and a foundation of concrete.
         shell_support ("grouted"): Opt<ShellSupport> = Absent::Follows("not known; API 650 E.7.9 stays open"),
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
-        friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
+        friction (0.4): Opt<Number> [Limits::from(1e-3).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
     }
 
     /// Isolators under the slab. Forces and stiffnesses are those of all bearings or dampers together; of a strip, per metre of breadth.
@@ -185,17 +187,17 @@ object! {
         /// Elastic displacement of friction pendulums before they slide.
         slip ("1 mm"): Opt<Length> [Limits::from(1e-5).to(0.02)] = default(Length(1e-3)).because("it gives sticking a stiffness"),
         /// Characteristic strength of lead-rubber bearings, the force at no displacement; they need it.
-        strength ("5 MN"): Opt<Force> [Limits::above(0.0).to(1e12)],
+        strength ("5 MN"): Opt<Force> [Limits::from(1.0).to(1e12)],
         /// Stiffness: of lead-rubber bearings after yielding, of elastomers, and of the bearings beside dampers. All but friction
         /// pendulums need it.
-        stiffness ("60 MN/m"): Opt<LineForce> [Limits::above(0.0).to(1e15)],
+        stiffness ("60 MN/m"): Opt<LineForce> [Limits::from(1.0).to(1e15)],
         /// Stiffness of lead-rubber bearings before yielding, above that after it.
-        initial_stiffness ("600 MN/m"): Opt<LineForce> [Limits::above(0.0).to(1e15)] = Absent::Follows("10 times stiffness"),
+        initial_stiffness ("600 MN/m"): Opt<LineForce> [Limits::from(1.0).to(1e15)] = Absent::Follows("10 times stiffness"),
         /// Damping ratio of elastomers at the period of the mass above them on their stiffness; they need it.
         damping (0.12): Opt<Number> [Limits::from(0.0).to(0.5)],
         /// Coefficient C of viscous dampers in N (s/m)^α: their force is C |v|^α. The kind `damper` needs it; any other may have dampers
         /// beside its bearings.
-        damper_coefficient (5e6): Opt<Number> [Limits::above(0.0).to(1e13)] = Absent::Follows("no dampers"),
+        damper_coefficient (5e6): Opt<Number> [Limits::from(1.0).to(1e13)] = Absent::Follows("no dampers"),
         /// Exponent α of the dampers.
         damper_exponent (0.5): Opt<Number> [Limits::from(0.1).to(2.0)] = default(Number(1.0)).because("linear dampers"),
         /// Mass on the isolators besides the tank.
@@ -206,7 +208,7 @@ object! {
         /// The same of the upper bound.
         upper_bound (1.8): Opt<Number> [Limits::from(1.0).to(5.0)] = default(Number(1.8)).because("ASCE 7-16 17.2.8.4 without tests"),
         /// Displacement that bearings, joints and pipes have room for.
-        displacement_capacity ("250 mm"): Opt<Length> [Limits::above(0.0).to(5.0)]
+        displacement_capacity ("250 mm"): Opt<Length> [Limits::from(1e-4).to(5.0)]
             = without("the displacement of the isolators is given without a check"),
     }
 
@@ -215,10 +217,10 @@ object! {
         /// Number of anchors around the circumference.
         count (36): Field<Whole> [Limits::count(1, 10_000)],
         /// Design tension capacity of one anchor.
-        capacity ("120 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
+        capacity ("120 kN"): Opt<Force> [FORCE]
             = without("the force of an anchor is given without a check"),
         /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
-        attachment_capacity ("300 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
+        attachment_capacity ("300 kN"): Opt<Force> [FORCE]
             = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
         /// Stiffness of one anchor with its chair and embedment, force over elongation: E A/l of the bolt between nut and anchor plate, less
         /// what chair and concrete give way. With it, and with tank.bottom, the base lifts on its anchors in the time history of the
@@ -226,11 +228,11 @@ object! {
         stiffness ("80 MN/m"): Opt<LineForce> [Limits::from(1e4).to(1e12)]
             = Absent::Follows("the wall is held down also where an anchor yields"),
         /// Force at which one anchor yields, at least capacity.
-        yield_force ("150 kN"): Opt<Force> [Limits::above(0.0).to(1e9)] = Absent::Follows("capacity"),
+        yield_force ("150 kN"): Opt<Force> [FORCE] = Absent::Follows("capacity"),
         /// Play of the nut: the uplift of the rim before the anchor pulls.
         gap ("1 mm"): Opt<Length> [Limits::from(0.0).to(0.1)] = Absent::Follows("no play"),
         /// Elongation at which one anchor breaks, play not counted; the uniform elongation of its steel over the free length.
-        rupture_elongation ("40 mm"): Opt<Length> [Limits::above(0.0).to(10.0)] = Absent::Follows("anchors do not break"),
+        rupture_elongation ("40 mm"): Opt<Length> [Limits::from(1e-6).to(10.0)] = Absent::Follows("anchors do not break"),
     }
 
     /// The stored liquid.

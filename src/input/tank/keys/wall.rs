@@ -13,10 +13,11 @@ use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Length, LineArea};
 
-/// Heights of courses and of the liquid. The smallest height for an engine depends on the radius; the engine checks it.
-pub(super) const HEIGHT: Limits = Limits::above(0.0).to(1000.0);
-/// Wall and plate thicknesses; the smallest follows from the radius.
-pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
+/// Heights of courses and of the liquid, from the smallest laboratory tank up. The smallest for an engine depends on the radius; the engine
+/// checks it.
+pub(super) const HEIGHT: Limits = Limits::from(1e-3).to(1000.0);
+/// Wall and plate thicknesses, from a foil up; the smallest follows from the radius.
+pub(super) const THICKNESS: Limits = Limits::from(1e-6).to(10.0);
 
 /// Corrosion allowances; less than the thickness.
 pub(super) const CORROSION: Limits = Limits::from(0.0).to(10.0);
@@ -24,7 +25,7 @@ pub(super) const CORROSION: Limits = Limits::from(0.0).to(10.0);
 /// Largest number of material names in a message.
 const SHOWN_NAMES: usize = 20;
 /// Bars: more than a tenth of a metre of steel is not reinforcement.
-const AREA: Limits = Limits::above(0.0).to(0.1);
+const AREA: Limits = Limits::from(1e-6).to(0.1);
 /// Diameters of bars.
 const DIAMETER: Limits = Limits::from(3e-3).to(60e-3);
 /// Distances between bars.

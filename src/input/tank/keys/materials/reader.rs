@@ -11,7 +11,7 @@ use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Si, Stress};
 
 /// Moduli and strengths; "rigid" walls of benchmarks are allowed.
-pub(super) const STRESS: Limits = Limits::above(0.0).to(1e18);
+pub(super) const STRESS: Limits = Limits::from(1e3).to(1e18);
 
 /// Relative difference from which a given value is not that of the grade beside it.
 const UNLIKE: f64 = 0.1;
