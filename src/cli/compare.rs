@@ -23,7 +23,7 @@ use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_O
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use crate::record_set;
-use engines::estimate::Estimate;
+use engines::estimate::{Estimate, together};
 use engines::{FeError, Integrator, Task, engine};
 use files::code::{Code, Warning};
 use files::{OutputFolder, kept_complete};
@@ -197,12 +197,21 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         progress::stop_gracefully(progress::FINISHED_PART);
     }
     // All of them before any is announced.
-    let estimates = job.engines.iter().map(|&id| engine(id).estimate(&job.task()));
-    for (id, estimate) in job
-        .engines
-        .iter()
-        .zip(estimates.collect::<Result<Vec<Estimate>, FeError>>()?)
-    {
+    // A set has its second mesh after the runs, not beside them.
+    let mut asked = job.task();
+    let alone = engines::Options {
+        mesh_error: false,
+        ..job.linear.clone()
+    };
+    if set.is_some() {
+        asked.linear = &alone;
+    }
+    let estimates = job.engines.iter().map(|&id| engine(id).estimate(&asked));
+    let estimates = estimates.collect::<Result<Vec<Estimate>, FeError>>()?;
+    if let Some(all) = together(&estimates) {
+        all.hold(job.solid.memory_limit_mib)?;
+    }
+    for (id, estimate) in job.engines.iter().zip(estimates) {
         let always = matches!(id, EngineId::Solid | EngineId::Nonlinear);
         budget::admit(&estimate, job.solid.memory_limit_mib, always, global)?;
     }

@@ -117,7 +117,12 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
                     format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid"),
                 ));
             }
-            let mut estimate = harmonic::estimate(&case, &options)?;
+            // One mesh, and one harmonic after the other.
+            let one = engines::Options {
+                mesh_error: false,
+                ..options.clone()
+            };
+            let mut estimate = harmonic::estimate(&case, &one)?;
             estimate.seconds *= harmonics.len() as f64;
             budget::admit(&estimate, limit, false, global)?;
             let watch = Watch::new(global, "modes");

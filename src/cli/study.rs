@@ -9,6 +9,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use crate::cli::budget::MemoryArg;
 use crate::cli::progress::{self, Watch};
 use crate::cli::terminal::say;
 use crate::cli::{Global, print};
@@ -105,6 +106,8 @@ struct RunArgs {
     /// Compute failed tasks again.
     #[arg(long)]
     retry: bool,
+    #[command(flatten)]
+    memory: MemoryArg,
 }
 
 /// Runs the subcommand; returns the exit code.
@@ -264,6 +267,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         &args.folder,
         (&plan, &tasks),
         (which, args.retry, threads),
+        |given| args.memory.over(given),
         study,
         &watch,
     )?;

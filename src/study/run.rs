@@ -1,5 +1,6 @@
 //! Missing tasks, in threads: each takes the next one.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -12,6 +13,7 @@ use super::store::{self, Found};
 use super::task;
 use crate::error::Error;
 use crate::input::study::StudyInput;
+use engines::estimate::{Estimate, THE_PROGRAM};
 
 /// Which tasks a run takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,13 +61,15 @@ pub struct Done {
 
 /// Runs what is missing. Tasks that failed before are left alone unless `retry`.
 ///
+/// * `limit`: memory allowed [MiB], of that of a tank file
 /// * `study`: reads the study file; called if there is something to do
 ///
-/// Errors: bad input; results that cannot be written. A task that fails is recorded, and the others go on.
+/// Errors: bad input; more memory than allowed; results that cannot be written. A task that fails is recorded, and the others go on.
 pub fn run(
     folder: &Path,
     (plan, tasks): (&Plan, &[Task]),
     (which, retry, threads): (Which, bool, usize),
+    limit: impl Fn(u64) -> u64,
     study: impl FnOnce() -> Result<StudyInput, Error>,
     progress: &dyn Progress,
 ) -> Result<Done, Error> {
@@ -87,6 +91,7 @@ pub fn run(
     }
     spread(&mut todo);
     let study = study()?;
+    admit(&study, plan, &todo, threads, limit)?;
     store::survey(folder).tidy();
     progress.stage("tasks", todo.len() as u64);
     let next = AtomicUsize::new(0);
@@ -129,6 +134,42 @@ pub fn run(
     done.failed = failed.into_inner();
     done.left = todo.len() - done.computed - done.failed;
     Ok(done)
+}
+
+/// Holds the memory of the largest tank, as many times as tasks run at a time, against the limit.
+///
+/// Errors: more than that.
+fn admit(
+    study: &StudyInput,
+    plan: &Plan,
+    todo: &[&Task],
+    threads: usize,
+    limit: impl Fn(u64) -> u64,
+) -> Result<(), Error> {
+    let tanks: BTreeMap<usize, u32> = todo.iter().flat_map(|task| task.tanks.iter().copied()).collect();
+    let mut largest: Option<(Estimate, u64)> = None;
+    for unit in tanks {
+        if let Some(found) = task::estimate(study, plan, unit)?
+            && largest.as_ref().is_none_or(|(most, _)| most.bytes() < found.0.bytes())
+        {
+            largest = Some(found);
+        }
+    }
+    let Some((one, given)) = largest else { return Ok(()) };
+    let times = |jobs: usize| {
+        let mut all = one.clone();
+        for (what, bytes) in &mut all.parts {
+            *bytes *= if *what == THE_PROGRAM { 1.0 } else { jobs as f64 };
+        }
+        all
+    };
+    let jobs = threads.clamp(1, todo.len().max(1));
+    let mut all = times(jobs);
+    let fewer = (1..jobs)
+        .rev()
+        .map(|jobs| (format!("use --jobs {jobs}"), times(jobs).bytes(), one.seconds));
+    all.lever.smaller = fewer.collect();
+    Ok(all.hold(limit(given))?)
 }
 
 /// Mixes tasks, always in the same way: those of tanks that take longest stand together in a plan, and the time left would be guessed from the others.

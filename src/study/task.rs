@@ -29,6 +29,7 @@ use crate::input::records::plausible;
 use crate::input::study::{Shaking, StudyInput};
 use crate::job::{self, Job};
 use crate::pipeline;
+use engines::estimate::Estimate;
 use engines::{FeError, Prepared, Response, engine};
 use results::nonlinear::End;
 use results::{EngineId, FE, Method, VerdictStatus};
@@ -71,6 +72,39 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         }
     }
     Ok(lines)
+}
+
+/// Memory and time of the engine for a tank of the plan under its longest record; none for the codes alone and for a tank that is not possible.
+///
+/// Errors: a run longer than the limits.
+pub(super) fn estimate(study: &StudyInput, plan: &Plan, unit: (usize, u32)) -> Result<Option<(Estimate, u64)>, Error> {
+    let longest = plan.records.iter().max_by_key(|record| record.samples);
+    let (Some(id), Some(longest)) = (study.engine, longest) else {
+        return Ok(None);
+    };
+    let Ok(tank) = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1) else {
+        return Ok(None);
+    };
+    let of = Unit {
+        study,
+        plan,
+        id: &plan.tanks[unit.0].id,
+        sample: unit.1,
+        records: &BTreeMap::new(),
+    };
+    let mut job = of.job(&tank)?;
+    job.case.ground_motion = Some(GroundMotion {
+        horizontal: Record {
+            name: longest.id.clone(),
+            dt: longest.dt,
+            acceleration: vec![0.0; longest.samples],
+            processing: Vec::new(),
+        },
+        transverse: None,
+        vertical: None,
+    });
+    let limit = job.solid.memory_limit_mib;
+    Ok(Some((engine(id).estimate(&job.task())?, limit)))
 }
 
 /// Errors: a tank or record that is not as it was when the plan was made.

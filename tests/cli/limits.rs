@@ -187,6 +187,59 @@ fn every_engine_is_held_to_the_memory_and_says_what_fits() {
     );
 }
 
+/// What a lifting base, the checks and a second engine need counts: a tank that is not anchored used 134 MiB under a limit of 40, and two engines were each held
+/// to the whole limit.
+#[test]
+fn what_runs_beside_counts() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let oil = "examples/05_oil_tank/tank.json";
+    let beyond = ["more than the allowed 90 MiB", "help: "];
+    let limit = ["--memory-limit", "90"];
+    for command in [
+        &["compare", oil, "--quake", QUAKE][..],
+        &["compare", oil, "--quake", QUAKE, "--no-mesh-error"],
+        &["compare", "examples/09_slender_unanchored/tank.json", "--quake", QUAKE],
+        &["compare", TANK, "--quake", QUAKE, "--refine", "4"],
+        &["compare", TANK, "--quake", QUAKE, "--fe", "both", "--mesh", "12x16x20"],
+    ] {
+        refused(&[command, &limit].concat(), home.path(), &beyond);
+    }
+    let solid = tankcheck(&[
+        "compare",
+        TANK,
+        "--quake",
+        QUAKE,
+        "--fe",
+        "solid",
+        "--mesh",
+        "12x16x20",
+        "--no-mesh-error",
+        "--memory-limit",
+        "90",
+        "--out",
+        text(&home.path().join("solid")),
+    ]);
+    assert_eq!(solid.status.code(), Some(0), "{}", stderr(&solid));
+}
+
+/// Tasks of a study that run at a time are held to the limit together; fewer fit.
+#[test]
+fn tasks_at_a_time_are_held_to_the_memory() {
+    let folder = crate::study::planned();
+    let run = |arguments: &[&str]| {
+        let output = crate::study::tankcheck(folder.path(), &[&["study", "run", "out"], arguments].concat());
+        (output.status.code(), crate::study::said(&output))
+    };
+    let (code, text) = run(&["--jobs", "6", "--memory-limit", "60"]);
+    assert_eq!(code, Some(2), "{text}");
+    assert!(
+        text.contains("more than the allowed 60 MiB") && text.contains("use --jobs "),
+        "{text}"
+    );
+    let (code, text) = run(&["--jobs", "2", "--memory-limit", "60"]);
+    assert_eq!(code, Some(0), "{text}");
+}
+
 /// Before a nonlinear run of any command its size, memory and time stand on standard error, however short it is; nothing with
 /// --quiet.
 #[test]

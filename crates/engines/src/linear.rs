@@ -10,7 +10,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 pub(crate) mod prepared;
-mod rocking;
+pub(crate) mod rocking;
 pub(crate) mod shared;
 pub(crate) mod soil;
 pub(crate) mod tilt;

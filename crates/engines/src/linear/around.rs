@@ -36,8 +36,9 @@ use tank::options::linear::Integrator;
 pub(crate) use meet::Across;
 
 use super::analysis::Analysis;
-use super::demands::{MOST_INSTANTS, combine};
+use super::demands::combine;
 use super::model::Model;
+use crate::estimate::MOST_INSTANTS;
 use items::{Item, items, on_base, stations};
 use meet::{CORNERS, Meet, at_corners, extreme_directions, lines, opposite};
 

@@ -14,6 +14,7 @@ use tank::{Case, Shape};
 use super::analysis::{Analysis, Extent, analyse_on};
 use super::model::{Harmonic, Model};
 use crate::FeError;
+use crate::estimate::MOST_INSTANTS;
 use crate::modes::CoupledMode;
 use crate::probe::{Probe, ProbeLine};
 use crate::response::motion::{Grid, Motion};
@@ -23,8 +24,6 @@ use results::channel::{OnWall, Side};
 use tank::options::LinearOptions;
 use tank::options::linear::Integrator;
 
-/// Most instants of the kept histories; of a longer run every second, third … sub-step is kept.
-pub(crate) const MOST_INSTANTS: usize = 100_000;
 /// Part of a peak of the fastest mode that instants apart may miss.
 const LOST: f64 = 1e-3;
 /// Part of the ringing that the samples miss where a mode is too fast to be resolved: it follows the record statically.

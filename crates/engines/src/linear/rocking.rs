@@ -320,11 +320,16 @@ fn slides(setup: &Setup, analysis: &Analysis<'_>) -> bool {
     })
 }
 
+/// Steps of the base in a sample of `dt` [s], where the wall takes so many.
+pub(crate) fn sub_steps(dt: f64, of_wall: usize) -> usize {
+    ((dt / LONGEST - 1e-9).ceil() as usize).max(of_wall)
+}
+
 /// What does not depend on the ground.
 fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options: &Options) -> Option<Setup> {
     let (body, rigid_pressure) = body::body(model, options.wave_modes)?;
     // Not coarser than the steps of the wall, which goes on with the motion of the base.
-    let sub_steps = ((grid.dt / LONGEST - 1e-9).ceil() as usize).max(grid.sub_steps);
+    let sub_steps = sub_steps(grid.dt, grid.sub_steps);
     let fine = Grid { sub_steps, ..grid };
     let sampled = |record| {
         let motion = Motion::new(record, &fine);

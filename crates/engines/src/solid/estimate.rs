@@ -18,7 +18,8 @@ use super::mesh::Division;
 use super::poles::{VECTORS, poles};
 use crate::FeError;
 use crate::estimate::{
-    Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, coarser,
+    Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, THE_PROGRAM, coarser,
+    limit_states,
 };
 use crate::linear::model::shaken_upwards;
 use tank::options::LinearOptions as Options;
@@ -41,12 +42,14 @@ const CELL_TIME: f64 = 3.5e-5;
 const DIRECT: (f64, f64) = (100.0, 400.0);
 /// States and outputs of one step of a modal response [s].
 const MODAL_STEP: f64 = 1e-6;
-/// Histories of a run with their copies, without those of the reduced coordinates and their accelerations.
+/// Histories of a run with their copies.
 const HISTORIES: f64 = 60.0;
 /// Time of a number of a state for ParaView, written as text [s].
 const STATE_TIME: f64 = 3e-7;
 /// Fixed time [s]: the codes, results and report.
 const REST: f64 = 0.05;
+/// Modal states of one direction that the limit states keep.
+const STATES: f64 = 25.0;
 /// Vectors of the reduction and of the modes of other wave numbers that are drawn.
 const SOLVES: f64 = VECTORS as f64 + 96.0;
 /// Times that a vector meets those before it.
@@ -152,7 +155,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         _ => 1.0,
     };
     let mut parts = vec![
-        ("the program", PROGRAM),
+        (THE_PROGRAM, PROGRAM),
         ("elements", cells * liquid[1] + shells * SHELL),
         ("matrices", NUMBER * MATRICES * places),
         ("factors", NUMBER * factors.entries),
@@ -179,7 +182,10 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         if solid.mesh.is_none() && options.mesh_error {
             seconds *= 1.2;
         }
-        parts.push(("histories", NUMBER * samples * (HISTORIES + 2.0 * vectors * directions)));
+        let upwards = case.ground_motion.as_ref().is_some_and(|m| m.vertical.is_some());
+        let states = if upwards { 2.0 * STATES } else { STATES };
+        parts.extend(limit_states(case, steps, states, nodes.wall));
+        parts.push(("histories", NUMBER * samples * HISTORIES));
         if let Some(interval) = solid.snapshot_interval {
             let states = (response.duration / interval).floor() + 1.0;
             let numbers = 3.0 * (nodes.sectors * nodes.radial * nodes.depth + shells) + cells + 7.0 * shells;

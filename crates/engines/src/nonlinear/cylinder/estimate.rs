@@ -19,7 +19,7 @@ use super::mesh::Cells;
 use super::{standing, two};
 use crate::FeError;
 use crate::estimate::{
-    DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE,
+    DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, THE_PROGRAM,
     first_wall_frequency,
 };
 use crate::solid::mesh::check_levels;
@@ -188,7 +188,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     };
     let kept = samples * (AT_SAMPLE + 2.0 * rows + meridian + 0.5 * wetted.min(LOOKS));
     let parts = vec![
-        ("the program", PROGRAM),
+        (THE_PROGRAM, PROGRAM),
         ("liquid block", model + at_a_time * MARCH_BLOCKS * block + shared.blocks),
         (
             "liquid as entries of a factor",

@@ -7,7 +7,7 @@ use super::model::{BASE, SECTORS};
 use super::path::STATES;
 use crate::FeError;
 use crate::checks::check_depth;
-use crate::estimate::{Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, SWEEP_RATE};
+use crate::estimate::{Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, SWEEP_RATE, THE_PROGRAM};
 use crate::nonlinear::bottom::Plate;
 use crate::nonlinear::cylinder::estimate::slots;
 use crate::nonlinear::cylinder::mesh::enough_rows;
@@ -91,7 +91,7 @@ fn of(case: &Case, options: &NonlinearOptions, push: &PushOptions, rows: f64, se
             NODE * nodes
         ),
         parts: vec![
-            ("the program", PROGRAM),
+            (THE_PROGRAM, PROGRAM),
             ("wall", cells * CELL),
             ("history of the layers", HISTORIES * NUMBER * history),
             ("factors", 2.0 * NUMBER * fill.entries),

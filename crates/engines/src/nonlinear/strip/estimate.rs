@@ -5,7 +5,7 @@ use tank::Case;
 use super::build::{ELEMENTS, STEPS_PER_PERIOD};
 use super::section::course_at;
 use crate::FeError;
-use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, first_wall_frequency};
+use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, THE_PROGRAM, first_wall_frequency};
 use crate::nonlinear::cylinder::estimate::slots;
 use tank::options::nonlinear::{NonlinearOptions, StripWall};
 
@@ -67,7 +67,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
             }
         ),
         parts: vec![
-            ("the program", PROGRAM),
+            (THE_PROGRAM, PROGRAM),
             ("wall", beams * bytes),
             ("liquid", at_a_time * walls * NUMBER * BLOCKS * coupled * coupled),
             (
