@@ -40,7 +40,11 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let leading = leading(&rows);
     let rows = &rows[leading.lines..];
     let row = rows.first().copied().unwrap_or(first);
-    let separator = Separator::of(row.1);
+    let separator = match Separator::of(row.1) {
+        // The comma is the decimal mark of the only column that the header names.
+        Separator::Comma if one_column(&titles, options) => Separator::Spaces,
+        separator => separator,
+    };
     let columns = separator.cells(row.1).len();
     whole(&titles, separator, columns)?;
     let layout = layout(&titles, separator, rows, (&said, &leading), options)?;
@@ -122,6 +126,17 @@ fn is_row(line: &str) -> bool {
     numbers > 0
 }
 
+/// Whether the header names one column, and none a table.
+fn one_column(titles: &[Title], options: &ReadOptions) -> bool {
+    let found = |columns: usize| {
+        matches!(
+            header::layout(titles, Separator::Semicolon, columns, options),
+            Ok(Some(_))
+        )
+    };
+    options.columns.is_none() && found(1) && !titles.iter().any(|title| title.text.contains(',')) && !found(2)
+}
+
 /// Rejects a damaged line of numbers among the titles, which must not get lost.
 fn whole(titles: &[Title], separator: Separator, columns: usize) -> Result<(), Fault> {
     let number = |cell: &str| parse(&cell.replace(',', ".")).is_ok();
@@ -159,6 +174,11 @@ fn layout(
             .at(whole)
             .found(first.1.trim())
             .allowed("columns separated by `;` or tabs where the comma is the decimal mark"));
+    }
+    if options.columns.is_some() && options.channel.is_some() {
+        return Err(
+            Fault::new(Code::OptionConflict, "--columns and --channel name the same thing").help("give one of them"),
+        );
     }
     if options.columns == Some(Columns::All) {
         let unit = header::layout(titles, Separator::Semicolon, 1, options)
@@ -267,7 +287,7 @@ fn draft(
     let dt = settle_dt(named_dt, options)?.ok_or_else(|| {
         Fault::new(
             Code::TimeStep,
-            "a single column of accelerations does not have a time step",
+            "accelerations without a column of times do not have a time step",
         )
         .allowed("--dt SECONDS, or a first column with the time")
     })?;

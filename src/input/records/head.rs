@@ -175,8 +175,13 @@ fn with_bracket(name: &str, unit: &str) -> Head {
 
 /// `name [unit]` or `name (unit)`; a bracket within the unit belongs to it.
 fn bracketed(cell: &str) -> Option<(&str, &str)> {
-    let open = cell.find(['[', '('])?;
-    let close = cell.rfind([']', ')']).filter(|&c| c > open)?;
+    let close = cell.rfind([']', ')'])?;
+    // The last bracket, `a(t) (g)`, where it holds a unit.
+    let within = |open: &usize| *open < close && Unit::of(cell[open + 1..close].trim()).is_some();
+    let open = cell
+        .rfind(['[', '('])
+        .filter(within)
+        .or_else(|| cell.find(['[', '(']).filter(|open| *open < close))?;
     let name = cell[..open].trim().trim_end_matches(['/', ',', '_', ':']);
     let unit = cell[open + 1..close].trim();
     // `a/(m/s²)` and `acc. in [g]`.
@@ -186,6 +191,20 @@ fn bracketed(cell: &str) -> Option<(&str, &str)> {
 const TIME: [&str; 6] = ["time", "zeit", "temps", "tiempo", "tempo", "zaman"];
 const ACCELERATION: [&str; 5] = ["acc", "besch", "acel", "ivme", "bodenbeschl"];
 const MOTION: [&str; 8] = ["vel", "disp", "geschw", "weg", "despl", "depl", "vitesse", "versch"];
+/// Words of spectra, whose columns are not those of a record.
+const SPECTRUM: [&str; 11] = [
+    "period",
+    "frequency",
+    "freq",
+    "sa",
+    "psa",
+    "sd",
+    "sv",
+    "psv",
+    "spectral",
+    "spectrum",
+    "hz",
+];
 /// Words of values that are not columns.
 const FACTS: [&str; 17] = [
     "peak",
@@ -225,6 +244,9 @@ fn name_of(name: &str) -> Name {
     }
     if is_component(name) {
         return Name::Component;
+    }
+    if words.iter().any(|w| SPECTRUM.contains(w)) {
+        return Name::Motion;
     }
     if words.iter().any(|w| starts(w, &ACCELERATION))
         || matches!(name, "a" | "ag" | "a_g" | "ax" | "ay" | "az" | "a(t)")
@@ -379,6 +401,9 @@ mod tests {
             ("HNE", Head::Component(None)),
             ("NS [gal]", Head::Component(Some(Gal))),
             ("Chan 2 (g)", Head::Component(Some(G))),
+            ("a(t) (g)", accel(G)),
+            ("Period (s)", Head::OtherMotion),
+            ("Sa (g)", Head::OtherMotion),
             ("PGA 0.25 g", Head::Unknown),
             ("PGA (g)", Head::Unknown),
             ("Vs30 310 m/s", Head::Unknown),

@@ -75,6 +75,13 @@ pub(super) struct Stated {
 
 /// Key and value of a line such as `dt = 0.01 s`.
 fn statement(piece: &str) -> Option<(String, Option<&str>, &str)> {
+    let lower = piece.trim_start().to_lowercase();
+    if let Some(start) = ["units are ", "the units are ", "units in "]
+        .iter()
+        .find(|start| lower.starts_with(**start))
+    {
+        return Some(("units".into(), None, piece.trim_start().get(start.len()..)?.trim()));
+    }
     let (key, value) = piece.split_once([':', '='])?;
     let (name, unit) = match key.split_once(['(', '[']) {
         Some((name, unit)) => (name, Some(unit.trim_end_matches([')', ']', ' ']))),
@@ -134,10 +141,9 @@ const HEADER_KEYS: [&str; 5] = ["columns", "column names", "header", "fields", "
 pub(super) fn stated(titles: &[Title]) -> Result<Stated, Fault> {
     let mut found = Stated::default();
     for title in titles {
-        let pieces: Vec<&str> = match title.text.contains('=') {
-            true => title.text.split([',', ';']).collect(),
-            false => vec![title.text],
-        };
+        let pieces: Vec<&str> = title.text.split([',', ';']).collect();
+        let apart = title.text.contains('=') || pieces.iter().all(|piece| piece.contains(':'));
+        let pieces = if apart { pieces } else { vec![title.text] };
         for piece in pieces {
             let source = || format!("line {} (`{}`)", title.number, printable(title.text));
             let Some((key, key_unit, value)) = statement(piece) else {

@@ -7,6 +7,9 @@ use super::separator::Separator;
 use crate::input::diagnostic::Fault;
 use files::code::Code;
 
+/// Lines among which numbers without a point are left to chance.
+const FEW: usize = 20;
+
 /// What the first lines of numbers give.
 #[derive(Default)]
 pub(super) struct Leading {
@@ -47,6 +50,11 @@ fn step(cell: &str) -> Option<f64> {
         .filter(|dt| *dt > 0.0 && *dt < MILLISECONDS && count(cell).is_none())
 }
 
+/// Whether only the first number is written without a point.
+fn stands_out(rows: &[Line]) -> bool {
+    rows.len() > FEW && rows.iter().skip(1).all(|row| row.1.contains(['.', ',']))
+}
+
 /// Reads the first lines. A line that may as well be the first sample is one: only the number of lines that follow, or a time that
 /// goes back, tells them apart.
 pub(super) fn leading(rows: &[Line]) -> Leading {
@@ -73,7 +81,7 @@ pub(super) fn leading(rows: &[Line]) -> Leading {
         [one] => match (count(one), step(one), second.as_slice()) {
             (Some(n), _, [dt]) if n + 1 == following && step(dt).is_some() => found(2, Some(n), step(dt)),
             (_, Some(dt), [n]) if count(n).is_some_and(|n| n + 1 == following) => found(2, count(n), Some(dt)),
-            (Some(n), _, [_]) if n == following => found(1, Some(n), None),
+            (Some(n), _, [_]) if n == following || stands_out(rows) => found(1, Some(n), None),
             (Some(n), _, [_, _, ..]) => found(1, Some(n), None),
             (None, Some(dt), [_, _, ..]) => found(1, None, Some(dt)),
             _ => Leading::default(),

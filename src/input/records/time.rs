@@ -18,6 +18,9 @@ pub(crate) struct Stamp {
 /// Relative error of a time that was stored in single precision.
 const SINGLE: f64 = 6e-8;
 
+/// Largest printed digit of a time, in steps, that can agree with a given step.
+const COARSEST: f64 = 20.0;
+
 /// Whether values increase in about equal steps, as times do.
 pub(crate) fn looks_like_time(values: &[f64]) -> bool {
     let steps: Vec<f64> = values.windows(2).map(|p| p[1] - p[0]).collect();
@@ -27,7 +30,13 @@ pub(crate) fn looks_like_time(values: &[f64]) -> bool {
 
 /// Whether every stamp agrees with a step within the rounding of its digits.
 fn agrees(stamps: &[Stamp], dt: f64) -> bool {
-    let Some(first) = stamps.first() else { return false };
+    let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
+        return false;
+    };
+    // Digits far above the step tell nothing of it.
+    if last.time <= first.time || 2.0 * first.rounding.max(last.rounding) > COARSEST * dt {
+        return false;
+    }
     stamps.iter().enumerate().all(|(k, stamp)| {
         let rounding = (stamp.rounding + first.rounding) * (1.0 + 1e-6) + 2.0 * SINGLE * stamp.time.abs();
         (stamp.time - first.time - k as f64 * dt).abs() <= rounding
@@ -99,6 +108,8 @@ fn step_within(stamps: &[Stamp], text: &str, relative: f64) -> Result<(f64, bool
     if let Some(pair) = stamps.windows(2).find(|p| p[1].time <= p[0].time) {
         let help = if pair[1].time == pair[0].time && pair[1].rounding >= pair[0].rounding {
             "if a comma is the decimal mark, separate the columns by `;`; if the times are rounded, give their step with --dt"
+        } else if pair[1].time <= first.time {
+            "where several records stand one after the other, write one a file"
         } else {
             "sort the samples by time"
         };
