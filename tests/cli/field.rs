@@ -33,7 +33,8 @@ fn misread(found: &Value, want: &Value) -> Option<String> {
         let Some(wanted) = want[key].as_f64() else { continue };
         let read = found[name].as_f64().unwrap_or(f64::NAN);
         let allowed = if key == "pga" { tolerance } else { 1e-9 };
-        if !((read - wanted).abs() <= allowed * wanted) {
+        let near = (read - wanted).abs() <= allowed * wanted;
+        if !near {
             return Some(format!("{key} {read}, expected {wanted}"));
         }
     }
