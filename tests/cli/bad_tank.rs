@@ -359,7 +359,7 @@ fn ranges() {
     );
     has(
         &spoiled("\"record\": {", "\"damping\": { \"impulsive\": 1 }, \"record\": {"),
-        &["damping.impulsive", "less than 1"],
+        &["damping.impulsive", "at most 0.28"],
     );
 }
 

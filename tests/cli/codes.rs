@@ -123,8 +123,8 @@ fn trigger(code: Code) -> Trigger {
         Code::Benchmark => Sources("a fault wherever one is known"),
         Code::Internal => Sources("a fault wherever one is known; src/cli/fault.rs provokes it"),
         Code::UnusualTank => Tank("\"7850 kg/m3\"", "\"78.5 kg/m3\""),
-        Code::UnusualInput => Tank("\"ground\"", "\"importance\": 0.7, \"ground\""),
-        Code::Inconsistent => Tank("\"ground\": \"B\"", "\"ground\": \"D\""),
+        Code::UnusualInput => Tank("\"importance\": 1.0", "\"importance\": 0.7"),
+        Code::Inconsistent => Tank("\"235 MPa\"", "\"235 MPa\", \"allowable_stress\": \"300 MPa\""),
         Code::NotUsed => Tank("\"courses\"", "\"pressure\": { \"internal\": \"2 kPa\" }, \"courses\""),
         Code::UnusualRecord => File(INFO, "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.04,0\n"),
         Code::UnusedAcceptance => Tank(

@@ -18,7 +18,7 @@ const SLOSHING: Limits = Limits::from(0.0)
 /// Of the wall: from 0.28 on the factor η of EN 1998-1 stays at 0.55.
 const IMPULSIVE: Limits = Limits::from(0.0)
     .to(0.28)
-    .usual(0.005, 0.1)
+    .usual(0.001, 0.1)
     .clause("EN 1998-1:2004 3.2.2.2, where η ends at 0.55");
 
 object! {
