@@ -35,6 +35,8 @@ const NEED: [(TankPart, &[&str]); 3] = [
     (TankPart::Foundation, &["bearing", "foundation", "overturning"]),
     (TankPart::Bottom, &["uplift", "overturning"]),
 ];
+/// A check that takes bare ground for a foundation of which nothing is said: it does not fail by that either.
+const ON_BARE_GROUND: &str = "bearing_toe";
 /// Limit states of pipes.
 const PIPES: [&str; 2] = ["pipes", "piping"];
 
@@ -59,14 +61,14 @@ pub(super) fn required(states: &[LimitState], checks: Vec<Check>) -> Vec<Check> 
     checks.into_iter().filter(|check| !spared(check)).collect()
 }
 
-/// Leaves open what holds although it needs to know of a part of which nothing is said; such checks keep their numbers.
+/// Leaves open what holds, or assumes bare ground, although it needs to know of a part of which nothing is said; such checks keep their numbers.
 pub(super) fn leave_open(job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
     for (part, needing) in NEED {
         let needed = part != TankPart::Bottom || job.case.tank.support == Support::Unanchored;
         if !needed || !job.decision.unstated.contains(&part) {
             continue;
         }
-        let held = checks.iter_mut().filter(|check| check.holds());
+        let held = (checks.iter_mut()).filter(|check| check.holds() || check.compared() && check.id == ON_BARE_GROUND);
         for check in held.filter(|check| needing.contains(&check.limit_state.as_str())) {
             let key = part.key();
             check.status = CheckStatus::NotChecked;
