@@ -374,7 +374,7 @@ mod tests {
         assert!(damage().contains("ends at line 2, expected"), "{}", damage());
         fs::remove_file(&file).unwrap();
         fs::create_dir(&file).unwrap();
-        assert!(damage().contains("is a folder"), "{}", damage());
+        assert!(damage().contains("found a folder"), "{}", damage());
     }
 
     /// A mark of this process is running, one of a process that cannot be (numbers end at 2²²) has ended, one of another machine is told apart.

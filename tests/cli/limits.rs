@@ -62,7 +62,7 @@ fn a_film_on_the_bottom_has_no_mesh() {
         refused(
             &command,
             home.path(),
-            &["liquid.fill_height", "found 0.000001 m", "at least"],
+            &["liquid.fill_height", "found \"1e-6 m\"", "at least 1 mm"],
         );
     }
     let run = tankcheck(&["modes", text(&tank)]);
@@ -85,7 +85,7 @@ fn a_record_of_picoseconds_is_refused() {
         refused(
             &["compare", TANK, "--quake", text(&record)],
             home.path(),
-            &["samples of the response", "at most 4000000", "record.resample"],
+            &["found a step of", "at least 0.00001 s"],
         );
     }
     // The same by the time axis.
@@ -219,7 +219,8 @@ fn what_runs_beside_counts() {
         "--out",
         text(&home.path().join("solid")),
     ]);
-    assert_eq!(solid.status.code(), Some(0), "{}", stderr(&solid));
+    // It runs; the verdict of the example is open.
+    assert_eq!(solid.status.code(), Some(4), "{}", stderr(&solid));
 }
 
 /// Tasks of a study that run at a time are held to the limit together; fewer fit.

@@ -279,7 +279,11 @@ fn layers() {
             "\"support\": \"anchored\",",
             "\"support\": \"anchored\", \"roof\": { \"mass\": \"1 t\", \"layers\": [] },",
         ),
-        &["tank.roof.layers", "unknown key `layers`", "type, mass, height or rim"],
+        &[
+            "tank.roof.layers",
+            "unknown key `layers`",
+            "type, mass, height, snow or rim",
+        ],
     );
     has(
         &spoiled("\"25 cm\"", "\"25 kg\""),

@@ -169,6 +169,9 @@ fn concrete(kind: &str, plan: Value, [height, fill]: [f64; 2], thickness: u32, a
     }
     let mut tank = json!({
         "support": "unanchored",
+        "roof": "none",
+        "foundation": { "kind": "slab" },
+        "bottom": { "thickness": "400 mm", "material": "concrete" },
         "courses": [{
             "height": format!("{height} m"), "thickness": format!("{thickness} mm"), "material": "concrete", "reinforcement": reinforcement
         }],

@@ -205,11 +205,6 @@ fn values_that_contradict_each_other_are_named_together() {
             "tank.anchors.capacity",
         ),
         (
-            slab(json!({ "width": "1 m" })),
-            "tank.foundation.width",
-            "tank.foundation.kind",
-        ),
-        (
             both(json!({ "friction": 0.5 }), json!({})),
             "site.ec8.friction",
             "tank.foundation.friction",

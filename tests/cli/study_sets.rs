@@ -175,7 +175,7 @@ fn a_result_of_another_task_is_damaged() {
     let check = tankcheck(path, &["study", "check", "out"]);
     assert_eq!(check.status.code(), Some(3), "{}", said(&check));
     let key = files[3].file_stem().unwrap().to_string_lossy().into_owned();
-    for wanted in [key.as_str(), "is the result of another task", "is a pipe"] {
+    for wanted in [key.as_str(), "is the result of another task", "found a named pipe"] {
         assert!(said(&check).contains(wanted), "{wanted}: {}", said(&check));
     }
     let merge = tankcheck(path, &["study", "merge", "out"]);

@@ -275,7 +275,7 @@ fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
             Some(Cell::Text(&check.clause)),
             number(check.demand),
             number(check.capacity),
-            check.compared().then(|| Cell::Text(scale.symbol())),
+            check.demand.or(check.capacity).map(|_| Cell::Text(scale.symbol())),
             check.ratio().map(Cell::Share),
             Some(Cell::Text(all_words::verdict::result(check))),
         ])?;

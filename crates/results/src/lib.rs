@@ -377,8 +377,8 @@ pub struct Method {
     /// Why the tank is outside the scope of the procedure, which gives values all the same: they are no bars of a chart.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beyond_scope: Option<String>,
-    /// Weight that holds an unanchored wall down, as the sheet takes it [N/m]; not part of the file.
-    #[serde(skip)]
+    /// Weight that holds an unanchored wall down, as the sheet takes it [N/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hold_down: Option<f64>,
 }
 

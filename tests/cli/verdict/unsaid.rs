@@ -119,7 +119,7 @@ fn silence_is_named() {
     let answered = Tank::new("answered", "", Expected::NotAssessed, vec![only_ec8()]);
     std::fs::write(&path, answered.json()).expect("writable");
     let table = home.path().join("table.csv");
-    std::fs::write(&table, "tank.roof.mass,tank.pipes\n5 t,\n,none\n").expect("writable");
+    std::fs::write(&table, "tank.roof.mass,tank.roof.snow,tank.pipes\n5 t,none,\n,,none\n").expect("writable");
     let output = tankcheck(&["check", tank, "--table", table.to_str().expect("text")]);
     assert_eq!(
         output.status.code(),

@@ -212,11 +212,6 @@ fn base(r: &mut Resolver<'_>, tank: &Tank, site: &Site) {
                 ));
             }
         }
-        if let (FoundationKind::Slab, Some(_)) = (foundation.kind, foundation.width) {
-            r.inconsistent(
-                "tank.foundation.width and tank.foundation.kind contradict each other: a width of a ring wall, and a slab".into(),
-            );
-        }
         let design = [
             ("site.ec8.friction", site.ec8.and_then(|ec8| ec8.friction)),
             ("site.api650.friction", site.api650.map(|api| api.friction)),
