@@ -98,14 +98,14 @@ fn a_record_of_picoseconds_is_refused() {
     refused(
         &["compare", text(&tank), "--quake", text(&short)],
         home.path(),
-        &["samples of the response"],
+        &["the time step of the record is out of range", "at least 0.00001 s"],
     );
     let strip = "examples/06_sandwich_strip/tank.json";
     let record = record(home.path(), 1e-9);
     refused(
         &["compare", strip, "--quake", text(&record), "--fe", "nonlinear"],
         home.path(),
-        &["samples of the response"],
+        &["found a step of", "at least 0.00001 s"],
     );
 }
 

@@ -103,8 +103,13 @@ fn richardson(value: f64, other: f64, ratio: f64, order: i32) -> f64 {
     ((value - other) / (1.0 - ratio.powi(order)) / value).abs()
 }
 
-/// Relative mesh errors of values by quantity id, from those of a second mesh with elements `ratio` times as long. That of the dry rim is left out: it
-/// swings with modes of its edge that a mesh has not resolved yet, and the estimate is up to six times off.
+/// Whether a value has an estimate. The dry rim has none: it swings with modes of its edge that a mesh has not resolved yet, and the estimate is up to
+/// six times off.
+fn estimated(quantity: Quantity, value: f64) -> bool {
+    value != 0.0 && quantity != Quantity::RimHoopStress
+}
+
+/// Relative mesh errors of values by quantity id, from those of a second mesh with elements `ratio` times as long.
 pub fn errors(
     engine: EngineId,
     values: &BTreeMap<Quantity, f64>,
@@ -113,8 +118,7 @@ pub fn errors(
 ) -> BTreeMap<String, f64> {
     let error = |(quantity, value): (&Quantity, &f64)| {
         let error = richardson(*value, *other.get(quantity)?, ratio, order(engine, *quantity));
-        let estimated = *value != 0.0 && *quantity != Quantity::RimHoopStress;
-        estimated.then(|| (quantity.id().to_owned(), error))
+        estimated(*quantity, *value).then(|| (quantity.id().to_owned(), error))
     };
     values.iter().filter_map(error).collect()
 }
@@ -169,7 +173,10 @@ pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options
             };
             Some((quantity.id().to_owned(), error))
         };
-        let values = simulation.values.iter().filter(|(_, value)| **value != 0.0);
+        let values = simulation
+            .values
+            .iter()
+            .filter(|(quantity, value)| estimated(**quantity, **value));
         simulation.result.mesh_error = values.filter_map(error).collect();
     } else if options.mesh_error {
         simulation
