@@ -59,7 +59,8 @@ pub(crate) fn pages_are_few(_chromium: &Path) {
     for (example, options, limits) in [
         ("01_broad_tank", &[][..], [2, 20]),
         ("01_broad_tank", &["--procedures", "ec8-2006"], [2, 15]),
-        ("05_oil_tank", &[], [2, 20]),
+        // Both codes, and since the details of API 650 annex E.7 a page more of checks and another of sheets.
+        ("05_oil_tank", &[], [2, 22]),
     ] {
         let folder = compared(example, options);
         for (level, most) in ["summary", "standard"].into_iter().zip(limits) {
