@@ -90,7 +90,7 @@ fn row(check: &Check) -> Row {
         note: remarks.join(". "),
         demand: text(check.demand),
         capacity: text(check.capacity),
-        unit: if check.compared() { scale.symbol() } else { "" },
+        unit: check.demand.or(check.capacity).map_or("", |_| scale.symbol()),
         utilisation: check.ratio().map(utilisation).unwrap_or_default(),
         width: check.ratio().map_or(0.0, bar_width),
         holds: check.holds(),
