@@ -33,7 +33,8 @@ impl TankEntry {
     ///
     /// Errors: the faults of the tank with these values. The place of one that comes from a drawn value is in the study file, of any other none.
     pub fn tank(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Faults> {
-        self.variant(sampling, sample).map_err(|(found, source)| {
+        self.variant(sampling, sample).map_err(|refused| {
+            let (found, source) = *refused;
             let mut faults = Faults::new();
             for fault in found.list() {
                 let place = fault.span.as_ref().filter(|span| span.start > source.text.len());
@@ -51,7 +52,8 @@ impl TankEntry {
     pub fn nominal(&self, faults: &mut Vec<(Source, Faults)>) -> Option<TankFile> {
         match self.variant(None, 0) {
             Ok(tank) => Some(tank),
-            Err((own, source)) => {
+            Err(refused) => {
+                let (own, source) = *refused;
                 let known = faults.iter().position(|(other, _)| *other == source);
                 let place = known.unwrap_or_else(|| {
                     faults.push((source, Faults::new()));
@@ -87,7 +89,7 @@ impl TankEntry {
         (*row < table.rows.len()).then(|| format!("{}:{line}", table.source.name))
     }
 
-    fn variant(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, (Faults, Source)> {
+    fn variant(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Box<(Faults, Source)>> {
         let drawn = sampling.map_or_else(Vec::new, |sampling| sampling.draw(sample));
         if self.row.is_none() && drawn.is_empty() {
             return Ok((*self.base).clone());
@@ -120,7 +122,7 @@ impl TankEntry {
             head,
             rows: Vec::new(),
         };
-        variant(&self.base, &table, &row).map_err(|faults| (faults, table.source))
+        variant(&self.base, &table, &row).map_err(|faults| Box::new((faults, table.source)))
     }
 }
 
