@@ -44,7 +44,7 @@ fn twice(arguments: &[&str]) -> BTreeMap<PathBuf, Vec<u8>> {
         )
         .unwrap();
         std::fs::copy(root.join("examples/records/elcentro.csv"), home.path().join("r.csv")).unwrap();
-        let place = [&arguments[..], &["--out", out, "--threads", threads]].concat();
+        let place = [arguments, &["--out", out, "--threads", threads]].concat();
         let done = run(home.path(), "1000000000", &place);
         let said = String::from_utf8_lossy(&done.stderr);
         assert!(matches!(done.status.code(), Some(0 | 1 | 4)), "{arguments:?}: {said}");
