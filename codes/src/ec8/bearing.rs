@@ -13,7 +13,7 @@
 //! whose resultant leaves its plan has not failed: it is not checked. The resistance is a given design value
 //! (EN 1998-5 annex F, EN 1997-1).
 //!
-//! A wall that lifts presses with its toe, beside that of the rigid base ([`toe`]). A slab spreads it, so that force and moment of the whole decide.
+//! A wall that lifts presses with its toe, beside that of the rigid base (module `toe`). A slab spreads it, so that force and moment of the whole decide.
 //!
 //! Source: EN 1998-5:2004 5.4.1.1, recalled; formulas derived here (no tension, plane distribution).
 

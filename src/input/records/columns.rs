@@ -2,7 +2,7 @@
 //!
 //! * Columns are separated by `;`, `,`, tabs or spaces; the first line of numbers decides.
 //! * The decimal mark is a point; with `;`, tabs or spaces between columns it may be a comma, one mark throughout the file.
-//! * Lines before the numbers are titles and comments (`#`, `%`, `!`, `//`, `;`); [`header`](super::header) says which of them are read.
+//! * Lines before the numbers are titles and comments (`#`, `%`, `!`, `//`, `;`); module `header` says which of them are read.
 //! * The first line of numbers may give their number and the time step.
 //! * One column is the acceleration, two without a header are time and acceleration. Of more columns a header or `--columns` tells the meaning;
 //!   five or more without both are values in reading order, where the time step is known.
