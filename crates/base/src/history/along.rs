@@ -5,6 +5,10 @@ use super::scheme::{BEGIN, BETA, GAMMA, predicted};
 use super::{ITERATIONS, Run, State};
 use crate::law::{Response, Spring};
 
+/// Share of its limit below which a spring sticks. One that has slipped stands at its limit but for rounding, which must not decide
+/// whether the dashpot beside it acts in the next step.
+const STUCK: f64 = 1.0 - 1e-9;
+
 /// Friction under the bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Friction {
@@ -38,7 +42,7 @@ impl Friction {
         for (spring, own) in self.springs.iter().zip(slips) {
             let (trial, limit) = (spring.stiffness * (slip - own), held * spring.limit);
             response.moment += trial.clamp(-limit, limit);
-            if trial.abs() < limit {
+            if trial.abs() < STUCK * limit {
                 response.tangent += spring.stiffness;
             }
         }
