@@ -192,6 +192,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
     let verdict = Verdict {
         unstated: job.decision.unstated.clone(),
+        overruled: decision::overruled(job, &methods),
         ..results::verdict(&methods, decision::deciding(job, &methods), unfinished, cause)
     };
     let warnings = [job.warnings.clone(), decision::unused(job, &methods)].concat();
@@ -257,6 +258,7 @@ pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
     finite::check("the procedures", &methods)?;
     let verdict = Verdict {
         unstated: job.decision.unstated.clone(),
+        overruled: decision::overruled(job, &methods),
         ..results::verdict(&methods, decision::deciding(job, &methods), false, None)
     };
     Ok((methods, verdict))

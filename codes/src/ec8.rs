@@ -222,6 +222,7 @@ fn worked(case: &Case, excitation: Excitation, edition: Edition) -> Result<Work<
         sheet: Sheet::new(),
         mass: 0.0,
         wave: None,
+        rim: None,
         uncovered: None,
         base: match case.tank.support {
             Support::Anchored => BaseState::Bears,

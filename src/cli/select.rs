@@ -13,7 +13,7 @@ use crate::error::Error;
 use files::code::Code;
 use files::text;
 use report::words::{self, terminal};
-use results::{Method, Part, Results, finite};
+use results::{Method, Overruled, Part, Results, finite};
 
 /// Everything, as in `results.json`.
 const ALL: &str = "all";
@@ -184,6 +184,13 @@ fn verdict(results: &Results) -> Value {
             "reason": gap.check.reason,
         })
     };
+    let overruled = |code: &Overruled| {
+        json!({
+            "method": code.method,
+            "fails": code.checks.counts.fails,
+            "not_checked": code.checks.counts.not_checked,
+        })
+    };
     json!({
         "status": verdict.status,
         "headline": words::verdict::headline(verdict),
@@ -192,6 +199,7 @@ fn verdict(results: &Results) -> Value {
         "counts": verdict.counts,
         "governing": governing,
         "unstated": verdict.unstated,
+        "overruled": verdict.overruled.iter().map(overruled).collect::<Vec<_>>(),
         "not_checked": missing,
         "unfinished": verdict.unfinished,
     })

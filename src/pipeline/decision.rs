@@ -2,7 +2,7 @@
 
 use codes::{Procedure, time_history};
 use files::code::{Code, Warning};
-use results::{Deciding, Method, Status};
+use results::{Aside, Deciding, Method, Overruled, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
 use tank::outside::Outside;
@@ -44,6 +44,22 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
             })
             .collect(),
     }
+}
+
+/// Editions in force of codes that the site names, of which a check fails and which do not decide since the user names others.
+pub(super) fn overruled(job: &Job, methods: &[Method]) -> Vec<Overruled> {
+    let decide = &job.decision.decide;
+    if decide.is_empty() {
+        return Vec::new();
+    }
+    let left_out = |m: &&Method| m.excitation == Excitation::Site && !decide.contains(&m.id);
+    let in_force = |m: &&Method| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&job.case.site));
+    let methods = methods.iter().filter(left_out).filter(in_force);
+    let asides = methods.map(|method| Overruled {
+        method: method.id.clone(),
+        checks: Aside::of(method),
+    });
+    asides.filter(|o| o.checks.counts.fails > 0).collect()
 }
 
 /// The limit states asked of a procedure under an excitation. Under the record there are none, because the codes ask for them under

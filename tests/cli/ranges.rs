@@ -263,3 +263,86 @@ fn families() {
     merge(&mut given, &json!({ "family": "stainless" }));
     assert_eq!(family(given).0, Some(Stainless));
 }
+
+/// A ring wall that cannot be under this tank, and anchors that hold to nothing.
+#[test]
+fn a_foundation_that_cannot_be_is_named() {
+    let ring = |width: &str| json!({ "tank": { "foundation": { "kind": "ring_wall", "width": width } } });
+    let warned = |change: &Value, what: &str| {
+        let warnings = read(std::slice::from_ref(change)).expect("a good tank");
+        warnings
+            .iter()
+            .any(|(code, text)| *code == Code::Inconsistent && text.contains(what))
+    };
+    for (width, named) in [("13 mm", true), ("15 mm", false), ("1 m", false), ("8.1 m", true)] {
+        let mut change = ring(width);
+        merge(&mut change, &at("tank.radius", &json!("4 m")));
+        assert_eq!(warned(&change, "tank.foundation.width"), named, "{width}");
+    }
+    let on_nothing = json!({ "tank": { "foundation": "none" } });
+    assert!(warned(&on_nothing, "tank.anchors and tank.foundation"));
+}
+
+/// Bars of 20 mm in a wall of 300 mm: in each case one value is beyond what concrete holds.
+#[test]
+fn bars_that_concrete_cannot_hold_are_named() {
+    let warnings = |bars: Value| {
+        let mut layer = json!({ "direction": "hoop", "material": "bars" });
+        merge(&mut layer, &bars);
+        let course =
+            json!({ "height": "10 m", "thickness": "300 mm", "material": "concrete", "reinforcement": [layer] });
+        let change = json!({
+            "tank": { "courses": [course] },
+            "materials": { "concrete": { "grade": "C30/37" }, "bars": { "grade": "B500B" } },
+        });
+        let found = read(&[change]).unwrap_or_else(|fault| panic!("{fault}"));
+        found
+            .into_iter()
+            .filter(|(_, text)| text.contains("bars"))
+            .map(|(code, text)| (code, text.replace("tank.courses: ", "")))
+            .collect::<Vec<_>>()
+    };
+    let bars =
+        |spacing: &str, from_inner: &str| json!({ "diameter": "20 mm", "spacing": spacing, "from_inner": from_inner });
+    assert_eq!(warnings(bars("150 mm", "50 mm")), []);
+    for (bars, code, what) in [
+        // π 20²/4 / 25 mm = 12 566 mm²/m of 300 000.
+        (bars("25 mm", "50 mm"), Code::UnusualTank, "4.2 % of the section"),
+        (bars("39 mm", "50 mm"), Code::UnusualTank, "19.0 mm apart"),
+        (
+            json!({ "diameter": "32 mm", "spacing": "31 mm", "from_inner": "50 mm" }),
+            Code::Inconsistent,
+            "overlap",
+        ),
+        (bars("150 mm", "9 mm"), Code::Inconsistent, "stand out"),
+        (bars("150 mm", "295 mm"), Code::Inconsistent, "stand out"),
+        (bars("150 mm", "15 mm"), Code::UnusualTank, "cover of 5.00 mm"),
+    ] {
+        let found = warnings(bars.clone());
+        assert!(
+            found.iter().any(|(found, text)| *found == code && text.contains(what)),
+            "{bars}: {found:?}"
+        );
+    }
+}
+
+/// The user's spectrum, as table and as parameters: plausible as a_g of the code is.
+#[test]
+fn an_unusual_spectrum_is_named() {
+    let named = |spectrum: Value| {
+        let change = json!({ "site": { "spectrum": spectrum, "ec8": { "ground": null, "spectrum": null, "ag": null }, "api650": null } });
+        let warnings = read(&[change]).unwrap_or_else(|fault| panic!("{fault}"));
+        warnings
+            .iter()
+            .any(|(code, text)| *code == Code::UnusualInput && text.starts_with("site.spectrum"))
+    };
+    let table =
+        |plateau: f64| json!({ "unit": "g", "table": [[0.0, 0.4 * plateau], [0.2, plateau], [10.0, 0.01 * plateau]] });
+    for (plateau, unusual) in [(0.04, true), (0.06, false), (2.9, false), (3.1, true)] {
+        assert_eq!(named(table(plateau)), unusual, "{plateau}");
+    }
+    let parameters = |tb: f64, ag: &str| json!({ "ag": ag, "soil_factor": 1.2, "tb": tb, "tc": 0.5, "td": 2.0 });
+    for (tb, ag, unusual) in [(0.15, "0.2 g", false), (0.001, "0.2 g", true), (0.15, "0.01 g", true)] {
+        assert_eq!(named(parameters(tb, ag)), unusual, "{tb}, {ag}");
+    }
+}

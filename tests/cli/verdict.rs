@@ -418,6 +418,44 @@ fn an_unused_acceptance_is_named() {
     assert!(named, "{:?}", results.warnings);
 }
 
+/// A code of the site that fails is named where the user lets another one decide; one that holds is not.
+#[test]
+fn a_code_that_fails_and_does_not_decide_is_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let path = home.path().join("tank.json");
+    let decide = |id: &str| json!({ "procedures": { "decide": [id] } });
+    let thin = failing::tanks()
+        .into_iter()
+        .find(|tank| tank.name == "hoop-bottom-course");
+    let thin = thin.expect("a tank of the battery");
+    let sound = sound::tanks().into_iter().find(|tank| tank.name == "sound-both-codes");
+    let sound = sound.expect("a tank of the battery");
+    let mut shaken = sound.clone();
+    shaken.changes.push(json!({ "site": { "ec8": { "ag": "0.6 g" } } }));
+    for (tank, id, other, named) in [
+        (&shaken, "api650-2020", "ec8-2006", true),
+        (&sound, "api650-2020", "ec8-2006", false),
+        (&sound, "ec8-2006", "api650-2020", false),
+    ] {
+        let mut tank = tank.clone();
+        tank.changes.push(decide(id));
+        std::fs::write(&path, tank.json()).expect("writable");
+        let path = path.to_str().expect("a temporary path is text");
+        let text = tankcheck(&["check", path]).stdout;
+        let line = format!("Not deciding by `procedures.decide`: {other} (site)");
+        assert_eq!(
+            String::from_utf8_lossy(&text).contains(&line),
+            named,
+            "{} {id}",
+            tank.name
+        );
+        let json: Value =
+            serde_json::from_slice(&tankcheck(&["check", path, "--format", "json"]).stdout).expect("JSON");
+        let overruled = json["verdict"]["overruled"].as_array().expect("a list");
+        assert_eq!(overruled.iter().any(|code| code["method"] == other), named);
+    }
+}
+
 /// Exit codes of the four verdicts and of bad input.
 #[test]
 fn exit_codes() {

@@ -13,7 +13,8 @@
 //! whose resultant leaves its plan has not failed: it is not checked. The resistance is a given design value
 //! (EN 1998-5 annex F, EN 1997-1).
 //!
-//! A wall that lifts presses with its toe, beside that of the rigid base (module `toe`). A slab spreads it, so that force and moment of the whole decide.
+//! A wall that lifts, and any wall on a ring wall, presses with its toe, beside that of the rigid base (module `toe`). A slab spreads it, so that force and
+//! moment of the whole decide.
 //!
 //! Source: EN 1998-5:2004 5.4.1.1, recalled; formulas derived here (no tension, plane distribution).
 
@@ -237,8 +238,14 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
             let toe = Toe {
                 force: lift.toe,
                 pressure: at_toe,
+                lifts: true,
             };
             if toe::assess(work, toe, resistance) {
+                work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+            }
+        }
+        (Bears::Pressure(pressure), BaseState::Bears) if pressure <= resistance && toe::on_a_ring(case) => {
+            if toe::of_a_rim(work, at_toe, resistance) {
                 work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
             }
         }

@@ -67,6 +67,11 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
         }
     }
     work.base = BaseState::on_anchors(&work.out.checks);
+    let down = match vertical {
+        true => 1.0 + 0.3 * work.demand.vertical_ground() / state.gravity,
+        false => 1.0,
+    };
+    work.rim = Some(state.weight(0.0) * down + state.axial(0.0));
 }
 
 /// Compression at the base of an unanchored wall over that of an anchored one.
@@ -196,6 +201,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         _ => None,
     };
     work.base = standing(how, compression, strips);
+    work.rim = Some(compression);
     let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
     let name = "the same if anchored";
     let anchored = work

@@ -26,6 +26,8 @@ pub(super) struct Work<'a> {
     pub wave: Option<f64>,
     /// What the base does, once it is known.
     pub base: BaseState,
+    /// Compression at the toe of a cylinder whose wall does not lift [N/m], once it is known.
+    pub rim: Option<f64>,
     /// Why the user's spectrum does not cover the tank.
     pub uncovered: Option<CodeError>,
 }

@@ -80,7 +80,7 @@ pub use study::{
 pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};
 pub use value::Value;
-pub use verdict::{Aside, Counts, Deciding, Governing, Verdict, VerdictStatus, verdict};
+pub use verdict::{Aside, Counts, Deciding, Governing, Overruled, Verdict, VerdictStatus, verdict};
 
 pub use files::error::describe;
 

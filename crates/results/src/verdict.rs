@@ -113,6 +113,15 @@ pub struct Aside {
     pub governing: Option<Governing>,
 }
 
+/// A code that the site names, of which a check fails, and which does not decide because the user names others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Overruled {
+    /// Method id.
+    pub method: String,
+    /// Its checks under the design spectrum.
+    pub checks: Aside,
+}
+
 /// The verdict of the verification.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
@@ -142,6 +151,9 @@ pub struct Verdict {
     /// What assessments under the record amount to, where they do not decide.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record: Option<Aside>,
+    /// Codes that the site names and of which a check fails, where `procedures.decide` names others.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub overruled: Vec<Overruled>,
     /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
     /// those of a part of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -202,6 +214,7 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
             governing: worst,
         }),
         unstated: Vec::new(),
+        overruled: Vec::new(),
         deciding,
         unfinished,
         cause,

@@ -193,7 +193,15 @@ fn sentences(results: &Results) -> String {
     if !unstated.is_empty() {
         let _ = writeln!(text, "  {unstated}");
     }
+    for warning in results.warnings.iter().filter(|w| words::verdict::of_input(w)) {
+        let _ = writeln!(text, "  unusual: {}", warning.text());
+    }
     let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
+    for code in &verdict.overruled {
+        let governing = code.checks.governing.as_ref().map(terminal::governing);
+        let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();
+        let _ = writeln!(text, "{}{governing}", words::verdict::overruled(code));
+    }
     if let Some(governing) = &verdict.governing {
         let _ = writeln!(text, "  governing: {}", terminal::governing(governing));
     }

@@ -4,6 +4,7 @@
 
 mod accepted;
 mod after_record;
+mod bars;
 mod base;
 mod contradictions;
 mod corrosion;
@@ -104,7 +105,8 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         measured,
         published,
     };
-    contradictions::warn(&mut r, &case);
+    contradictions::warn(&mut r, &case, &decision.without);
+    bars::warn(&mut r, &case.tank);
     let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);
     Some(Resolved {
         case,

@@ -1,6 +1,7 @@
-//! Bearing of the ground under the toe of a wall that lifts.
+//! Bearing of the ground under the toe of a wall: of one that lifts, and of any on a ring wall.
 //!
-//! The whole weight of the wall, the moment and the pull of the lifted bottom plate press at the toe with n_t a length ([`crate::base_state`]).
+//! The whole weight of the wall, the moment and the pull of the lifted bottom plate press at the toe with n_t a length ([`crate::base_state`]); where
+//! nothing lifts, n_t = w_t + n_z. A ring wall spreads the toe over its width alone, also under a wall that is held down.
 //!
 //! ```text
 //! ring wall, b wide and h high        σ_t = n_t/b + p + ρ_c g h ≤ R_d                      the wall in its middle, ρ_c = 2500 kg/m³
@@ -20,20 +21,45 @@ use super::super::work::Work;
 use super::CLAUSE;
 use tank::FoundationKind;
 use tank::assessment::{Check, CheckStatus};
+use tank::case::Case;
 use tank::units::Dimension::*;
 
 /// Density of the concrete of a ring wall [kg/m³].
 const CONCRETE: f64 = 2500.0;
+/// Why the ring wall under a box or under a wall of concrete is open.
+const NO_RIM: &str = "the wall presses on a narrow ring; its compression at the toe is known for metal cylinders alone";
 /// Clause of the spread of the plate.
 const PLATE: &str = "EN 1993-1-8:2005 6.2.5(4)";
 
-/// The toe of a wall that lifts.
+/// The toe of a wall.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Toe {
     /// Its compression [N/m].
     pub force: f64,
     /// Largest pressure of the liquid there [Pa].
     pub pressure: f64,
+    /// Whether the wall lifts.
+    pub lifts: bool,
+}
+
+/// Whether the wall stands on a ring.
+pub(super) fn on_a_ring(case: &Case) -> bool {
+    let foundation = case.tank.foundation;
+    foundation.is_some_and(|f| f.kind == FoundationKind::RingWall)
+}
+
+/// Adds the check of a ring wall under a wall that does not lift; returns false where it is open.
+pub(super) fn of_a_rim(work: &mut Work, pressure: f64, resistance: f64) -> bool {
+    let Some(force) = work.rim else {
+        work.without_comparison(BEARING, CheckStatus::NotChecked, NO_RIM, None);
+        return false;
+    };
+    let toe = Toe {
+        force,
+        pressure,
+        lifts: false,
+    };
+    assess(work, toe, resistance)
 }
 
 /// Adds the check; returns false where it is open.
@@ -41,7 +67,11 @@ pub(super) struct Toe {
 /// * `resistance`: R_d [Pa]
 pub(super) fn assess(work: &mut Work, toe: Toe, resistance: f64) -> bool {
     let missing = |work: &mut Work, input: &str| {
-        let reason = format!("the wall lifts and its toe presses on a narrow ring: `{input}` is missing");
+        let what = match toe.lifts {
+            true => "the wall lifts and its toe presses on a narrow ring",
+            false => "the wall presses on a narrow ring",
+        };
+        let reason = format!("{what}: `{input}` is missing");
         work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(input));
         false
     };
@@ -62,9 +92,20 @@ pub(super) fn assess(work: &mut Work, toe: Toe, resistance: f64) -> bool {
 /// Lines of the force at the toe and of the pressure of the liquid there.
 fn inputs(work: &mut Work, toe: Toe) {
     let sheet = &mut work.sheet;
-    sheet.section("Bearing under the toe of the lifted wall");
-    let name = "compression at the toe, the larger of both estimates";
-    sheet.input("n_T", name, toe.force, LineForce, "uplift");
+    let (section, name, source) = match toe.lifts {
+        true => (
+            "Bearing under the toe of the lifted wall",
+            "compression at the toe, the larger of both estimates",
+            "uplift",
+        ),
+        false => (
+            "Bearing of the ring wall",
+            "compression at the toe, weight and moment",
+            "membrane theory",
+        ),
+    };
+    sheet.section(section);
+    sheet.input("n_T", name, toe.force, LineForce, source);
     sheet.input(
         "p_T",
         "largest pressure of the liquid at the toe",
@@ -98,7 +139,10 @@ fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f6
     let formula = "n_T/b_R + p_T + ρ_c·g·h_R";
     let demand = sheet.calc("σ_T", name, formula, &terms, Stress, CLAUSE);
     let name = "Pressure under the ring wall at the toe";
-    let note = "the wall lifts; the wall in the middle of the ring, the liquid on its whole width";
+    let note = match toe.lifts {
+        true => "the wall lifts; the wall in the middle of the ring, the liquid on its whole width",
+        false => "the wall in the middle of the ring, the liquid on its whole width",
+    };
     part(work, ("bearing_ring", name), demand, resistance, Stress, note);
 }
 

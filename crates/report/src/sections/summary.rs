@@ -15,7 +15,7 @@ use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Aside, Deciding, FE, Limit, Results, VerdictStatus};
+use results::{Aside, Deciding, FE, Limit, Overruled, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -82,7 +82,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
     section.set("facts", &facts(source));
     section.set("warnings", &warnings(results));
-    let (input, unusual): (Vec<Warned>, Vec<Warned>) = unusual(results).into_iter().partition(of_input);
+    let (input, unusual): (Vec<Warned>, Vec<Warned>) = unusual(results).into_iter().partition(words::verdict::of_input);
     section.set("input", &input);
     section.set("unusual", &unusual);
     section.set("has_fe", &source.fe().is_some());
@@ -106,7 +106,7 @@ fn verdict(results: &Results) -> Verdict {
     let v = &results.verdict;
     let (class, sign) = match v.status {
         _ if v.unfinished => ("fail", "✗"),
-        VerdictStatus::Holds if !v.complete() => ("open", "!"),
+        VerdictStatus::Holds if !v.complete() || !v.overruled.is_empty() => ("open", "!"),
         VerdictStatus::Holds if v.counts.within_error > 0 => ("open", "✓"),
         VerdictStatus::Holds => ("ok", "✓"),
         VerdictStatus::Fails => ("fail", "✗"),
@@ -128,10 +128,8 @@ fn verdict(results: &Results) -> Verdict {
             (false, false) => words::verdict::ACCEPT,
         },
         missing: open,
-        record: v
-            .record
-            .iter()
-            .map(|aside| record(aside, results.record_set.is_some()))
+        record: (v.overruled.iter().map(overruled))
+            .chain(v.record.iter().map(|aside| record(aside, results.record_set.is_some())))
             .collect(),
     }
 }
@@ -173,12 +171,19 @@ fn missing(gap: &results::Governing) -> Missing {
 
 /// Checks under the record and the governing one.
 fn record(aside: &Aside, set: bool) -> String {
-    let governing = aside.governing.iter().map(words::terminal::governing);
-    let lines: Vec<String> = [words::verdict::record(aside, set)]
-        .into_iter()
-        .chain(governing)
-        .collect();
-    lines.join("; governing: ")
+    governed(words::verdict::record(aside, set), aside)
+}
+
+fn overruled(code: &Overruled) -> String {
+    governed(words::verdict::overruled(code), &code.checks)
+}
+
+/// A sentence and the check that governs.
+fn governed(sentence: String, aside: &Aside) -> String {
+    match &aside.governing {
+        Some(check) => format!("{sentence}; governing: {}", words::terminal::governing(check)),
+        None => sentence,
+    }
 }
 
 fn governing(results: &Results) -> Option<Governing> {
@@ -271,14 +276,6 @@ fn warnings(results: &Results) -> Vec<Warning> {
             note: capital(&l.note),
         })
         .collect()
-}
-
-/// Whether a warning is about values that are unusual or contradict each other.
-fn of_input(warning: &Warned) -> bool {
-    matches!(
-        warning.code(),
-        Some(Code::UnusualInput | Code::UnusualTank | Code::Inconsistent)
-    )
 }
 
 /// Warnings about the input and about values that are not to be used.

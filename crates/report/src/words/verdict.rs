@@ -1,7 +1,8 @@
 //! Whether the tank holds, and whether the results are complete.
 
+use files::code::{Code, Warning};
 use results::compare::{Incomplete, Unusable};
-use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Verdict, VerdictStatus};
+use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Overruled, Verdict, VerdictStatus};
 use tank::assessment::{Check, CheckStatus};
 use tank::units::{Dimension, display};
 
@@ -106,6 +107,23 @@ pub fn approval(check: &Check) -> String {
         Some(accepted) => format!("accepted by {} on {}", accepted.by, accepted.date),
         None => String::new(),
     }
+}
+
+/// Whether a warning is about values that are unusual or contradict each other.
+pub fn of_input(warning: &Warning) -> bool {
+    matches!(
+        warning.code(),
+        Some(Code::UnusualInput | Code::UnusualTank | Code::Inconsistent)
+    )
+}
+
+/// A code of the site that fails and does not decide.
+pub fn overruled(code: &Overruled) -> String {
+    format!(
+        "Not deciding by `procedures.decide`: {} (site), {}",
+        code.method,
+        counted(&code.checks.counts)
+    )
 }
 
 /// What the assessments under the record amount to.

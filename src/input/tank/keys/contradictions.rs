@@ -3,8 +3,9 @@
 //! Pairs that cannot both be true in any method are faults, next to their keys; these are the doubtful ones.
 
 use tank::case::{Api650Site, Case, Ec8Site, GroundType, Site, SiteClass};
+use tank::check::TankPart;
 use tank::units::{Dimension, display};
-use tank::{FoundationKind, RoofKind, STANDARD_GRAVITY, Snow, Support, Tank};
+use tank::{FoundationKind, RoofKind, STANDARD_GRAVITY, Shape, Snow, Support, Tank};
 
 use crate::input::tank::resolver::Resolver;
 
@@ -39,7 +40,9 @@ fn of_class(class: SiteClass) -> Option<(f64, f64)> {
 }
 
 /// All pairs.
-pub(super) fn warn(r: &mut Resolver<'_>, case: &Case) {
+///
+/// * `without`: parts of the tank that the file says there are none of
+pub(super) fn warn(r: &mut Resolver<'_>, case: &Case, without: &[TankPart]) {
     let (tank, site) = (&case.tank, &case.site);
     ground(r, tank, site);
     if let (Some(ec8), Some(api)) = (&site.ec8, &site.api650) {
@@ -51,6 +54,12 @@ pub(super) fn warn(r: &mut Resolver<'_>, case: &Case) {
     strengths(r, tank);
     top(r, tank);
     base(r, tank, site);
+    ring(r, tank);
+    if tank.support == Support::Anchored && tank.anchors.is_some() && without.contains(&TankPart::Foundation) {
+        let text =
+            "tank.anchors and tank.foundation contradict each other: anchors hold to a foundation, and there is none";
+        r.inconsistent(text.into());
+    }
     pressures(r, tank, site);
 }
 
@@ -190,6 +199,28 @@ fn top(r: &mut Resolver<'_>, tank: &Tank) {
             "tank.roof.type and tank.roof.mass contradict each other: the tank is open, and its girders weigh {load:.0} kg per m² of plan"
         ));
     }
+}
+
+/// A ring wall and what stands on it.
+fn ring(r: &mut Resolver<'_>, tank: &Tank) {
+    let Some(foundation) = tank.foundation.filter(|f| f.kind == FoundationKind::RingWall) else {
+        return;
+    };
+    let Shape::Cylinder { radius } = tank.shape else {
+        let text = "tank.foundation.kind and tank.shape contradict each other: a ring wall under a rectangle";
+        return r.inconsistent(text.into());
+    };
+    let Some(width) = foundation.width else { return };
+    let wall = tank.courses.first().map_or(0.0, |course| course.thickness);
+    let what = match width {
+        width if width > 2.0 * radius => "its inner face lies beyond the middle of the tank",
+        width if width < wall => "the wall is thicker than the ring under it",
+        _ => return,
+    };
+    r.inconsistent(format!(
+        "tank.foundation.width and the tank contradict each other: a ring of {}, {what}",
+        display(width, Dimension::Length)
+    ));
 }
 
 /// Foundation, friction, anchors.

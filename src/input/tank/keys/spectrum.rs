@@ -23,6 +23,8 @@ const PERIOD: Limits = Limits::above(0.0).to(100.0);
 const ROWS: (usize, usize) = (2, 10_000);
 /// Largest acceleration of a row [m/s²].
 const LARGEST: f64 = 10.0 * STANDARD_GRAVITY;
+/// Usual largest acceleration of a table [m/s²]: 2.5 times that of `ag`, and the soil.
+const USUAL: std::ops::RangeInclusive<f64> = 0.05 * STANDARD_GRAVITY..=3.0 * STANDARD_GRAVITY;
 /// Longest period of a row [s].
 const LONGEST: f64 = 100.0;
 
@@ -46,22 +48,23 @@ object! {
         /// Damping ratio of the table; others follow by η of EN 1998-1 3.2.2.2.
         damping (0.05): Opt<Number> [Limits::from(0.001).to(0.3)] = default(Number(0.05)),
         /// Reference peak ground acceleration a_gR on rock, of the parameters.
-        ag ("0.25 g"): Opt<Acceleration> [Limits::from(1e-3).to(3.0 * STANDARD_GRAVITY)],
+        ag ("0.25 g"): Opt<Acceleration>
+            [Limits::from(1e-3).to(3.0 * STANDARD_GRAVITY).usual(0.02 * STANDARD_GRAVITY, 0.6 * STANDARD_GRAVITY)],
         /// Soil factor S.
         soil_factor (1.2): Opt<Number> [Limits::above(0.0).to(10.0).usual(0.8, 2.0)],
         /// Control period T_B in seconds.
-        tb (0.15): Opt<Seconds> [PERIOD],
+        tb (0.15): Opt<Seconds> [PERIOD.usual(0.02, 0.5)],
         /// Control period T_C in seconds.
-        tc (0.5): Opt<Seconds> [PERIOD],
+        tc (0.5): Opt<Seconds> [PERIOD.usual(0.1, 2.0)],
         /// Control period T_D in seconds.
-        td (2.0): Opt<Seconds> [PERIOD],
+        td (2.0): Opt<Seconds> [PERIOD.usual(0.8, 8.0)],
         /// Control period T_E in seconds of the displacement spectrum of EN 1998-1 annex A, beyond 4 s; together with tf.
         te (5.0): Opt<Seconds> [PERIOD] = without("the 1/T² branch has no end, on the safe side"),
         /// Control period T_F in seconds, together with te.
         tf (10.0): Opt<Seconds> [PERIOD] = without("the 1/T² branch has no end, on the safe side"),
         /// Vertical over horizontal peak ground acceleration, where there is no vertical table: over a_g of the parameters, over the
         /// row T = 0 of a table.
-        vertical_ratio (0.45): Opt<Number> [Limits::above(0.0).to(2.0)] = default(Number(0.9)),
+        vertical_ratio (0.45): Opt<Number> [Limits::above(0.0).to(2.0).usual(0.4, 1.1)] = default(Number(0.9)),
     }
 }
 
@@ -152,6 +155,11 @@ pub(super) fn spectrum(r: &mut Resolver<'_>, option: &Opt<Spectrum>, folder: &Pa
                 (None, Some(file)) => from_file(r, file, given, folder)?,
                 (None, None) => return None,
             };
+            let largest = horizontal.largest().1;
+            if !USUAL.contains(&largest) {
+                let found = format!("a largest acceleration of {:.4} g", largest / STANDARD_GRAVITY);
+                r.unusual(&field.path, &found, "usual are 0.05 to 3 g");
+            }
             SpectrumForm::Table {
                 damping,
                 horizontal,

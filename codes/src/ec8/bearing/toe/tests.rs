@@ -52,6 +52,49 @@ fn ring(resistance: f64) -> Case {
     case
 }
 
+/// A ring wall under a wall that does not lift, on anchors or on its own weight: w_t + n_z over the ring. The rigid base spreads the liquid over
+/// the whole plan and holds on both.
+#[test]
+fn ring_wall_under_a_wall_that_bears() {
+    let mut anchored = ring(1e9);
+    anchored.tank.support = Support::Anchored;
+    anchored.tank.anchors = Some(Anchors {
+        capacity: Some(1e9),
+        count: 40,
+        ..Anchors::default()
+    });
+    let mut heavy = ring(1e9);
+    heavy.site.ec8 = Some(Ec8Site {
+        ag: 0.002 * 9.81,
+        bearing_capacity: Some(1e9),
+        ..site()
+    });
+    for case in [anchored, heavy] {
+        let a = assess(&case);
+        let demand = check(&a, "bearing_ring").demand.unwrap();
+        let (force, pressure) = (line(&a, "n_T"), line(&a, "p_T"));
+        close(demand / (force / 0.6 + pressure + 24_525.0), 1.0, 1e-9);
+        // Weight of the wall and M/(π R²).
+        let tank = &case.tank;
+        let (radius, mass) = (tank.shape.half_length(), tank.wall_mass() + tank.roof.mass);
+        let moment = a.values[&tank::Quantity::BaseMoment] / (PI * radius * radius);
+        close(
+            (force - moment) / (mass * case.gravity / (2.0 * PI * radius)),
+            1.0,
+            1e-2,
+        );
+        for (resistance, holds) in [(demand * 0.999, false), (demand * 1.001, true)] {
+            let mut case = case.clone();
+            case.site.ec8.as_mut().unwrap().bearing_capacity = Some(resistance);
+            assert_eq!(check(&assess(&case), "bearing_ring").holds(), holds);
+        }
+        let mut case = case.clone();
+        case.tank.foundation.as_mut().unwrap().width = None;
+        let a = assess(&case);
+        assert_eq!(check(&a, "bearing").input.as_deref(), Some("tank.foundation.width"));
+    }
+}
+
 /// A line load at the centre of a strip: n/b, the liquid and the weight of 1 m of concrete, 2500·9.81 = 24 525 Pa.
 #[test]
 fn ring_wall() {
