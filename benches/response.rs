@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 
-#[path = "../tests/verification/motions.rs"]
+#[path = "../crates/verification/tests/models/motions.rs"]
 #[allow(dead_code)]
 mod motions;
 

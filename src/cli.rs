@@ -94,7 +94,7 @@ enum Command {
     Templates(templates::Args),
     /// Compare two results folders number by number.
     Diff(diff::Args),
-    /// Run the benchmarks of the verification manual.
+    /// Self-test: a row for each code and engine against values from elsewhere.
     Verify(verify::Args),
     /// Explain a code of an error or warning, a quantity, a check or a procedure.
     Explain(explain::Args),

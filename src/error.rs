@@ -26,9 +26,6 @@ pub enum Error {
     /// The base of the tank has no equilibrium.
     #[error("base of the tank: {0}")]
     Base(#[from] base::BaseError),
-    /// A benchmark of the verification manual without an answer, or a file of the manual.
-    #[error(transparent)]
-    Verification(#[from] verification::Error),
 }
 
 impl Error {
@@ -40,8 +37,7 @@ impl Error {
     /// Its kind; none where every fault of a file has its own.
     pub fn code(&self) -> Option<Code> {
         Some(match self {
-            Error::Files(error) | Error::Verification(verification::Error::Files(error)) => return error.code(),
-            Error::Verification(verification::Error::Benchmark { .. }) => Code::Benchmark,
+            Error::Files(error) => return error.code(),
             Error::Code { .. } => Code::Procedure,
             Error::Base(_) => Code::Base,
             Error::Fe(error) => match error {
@@ -82,7 +78,7 @@ impl Error {
     /// Exit code of this failure.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Files(error) | Error::Verification(verification::Error::Files(error)) => error.exit_code(),
+            Error::Files(error) => error.exit_code(),
             Error::Fe(
                 FeError::Option { .. }
                 | FeError::NoRecord
@@ -91,7 +87,7 @@ impl Error {
                 | FeError::Unsupported(_)
                 | FeError::Checkpoint(_),
             ) => EXIT_INPUT,
-            Error::Code { .. } | Error::Fe(_) | Error::Base(_) | Error::Verification(_) => EXIT_COMPUTATION,
+            Error::Code { .. } | Error::Fe(_) | Error::Base(_) => EXIT_COMPUTATION,
         }
     }
 }

@@ -19,6 +19,7 @@
 //! | [`curves`] | fragility curves of data |
 //! | [`study`] | that of many tanks under many records |
 //! | [`solve`] | that of the largest value at which no check fails |
+//! | [`selftest`] | a row for each code and engine against values from elsewhere |
 //! | [`cli`] | the command line |
 
 pub mod cli;
@@ -30,5 +31,6 @@ pub mod job;
 pub mod pipeline;
 pub mod push;
 pub mod record_set;
+pub mod selftest;
 pub mod solve;
 pub mod study;

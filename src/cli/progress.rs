@@ -71,11 +71,6 @@ impl Watch {
         Watch { bar, log }
     }
 
-    /// Sets the message within a stage.
-    pub(crate) fn name(&self, what: &str) {
-        self.bar.set_message(what.to_owned());
-    }
-
     /// Removes the bar.
     pub(crate) fn finish(self) {
         self.bar.finish_and_clear();

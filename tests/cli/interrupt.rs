@@ -90,7 +90,6 @@ fn commands_that_keep_nothing_end_with_130() {
             "--out",
             out,
         ],
-        &["verify"],
     ] {
         let run = begin(command);
         interrupt(&run);
@@ -98,28 +97,6 @@ fn commands_that_keep_nothing_end_with_130() {
         assert_eq!(status.code(), Some(130), "{command:?}: {message}");
         let left: Vec<_> = std::fs::read_dir(home.path()).expect("readable").flatten().collect();
         assert_eq!(left.len(), 1, "{command:?} leaves {left:?}");
-    }
-}
-
-#[test]
-fn an_interrupted_verify_leaves_the_old_manual() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let folder = home.path().join("manual");
-    std::fs::create_dir(&folder).expect("writable");
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verification");
-    let mut before = Vec::new();
-    for entry in std::fs::read_dir(source).expect("the manual").flatten() {
-        let bytes = std::fs::read(entry.path()).expect("readable");
-        std::fs::write(folder.join(entry.file_name()), &bytes).expect("writable");
-        before.push((entry.file_name(), bytes));
-    }
-    let run = begin(&["verify", "--write", folder.to_str().expect("text")]);
-    interrupt(&run);
-    let (status, message) = end(run);
-    assert_eq!(status.code(), Some(130), "{message}");
-    assert_eq!(std::fs::read_dir(&folder).expect("readable").count(), before.len());
-    for (name, bytes) in before {
-        assert_eq!(std::fs::read(folder.join(&name)).expect("readable"), bytes, "{name:?}");
     }
 }
 

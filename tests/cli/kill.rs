@@ -1,7 +1,7 @@
 //! `kill -9` at random moments: the next run works, resumed results equal those of an uninterrupted run bit by bit, and no other
 //! files are left.
 //!
-//! A dozen kills in every `cargo test`; the battery, with the manual, is `TANKCHECK_KILLS=200 cargo test --release --test cli kill_battery`.
+//! A dozen kills in every `cargo test`; the battery is `TANKCHECK_KILLS=200 cargo test --release --test cli kill_battery`.
 //! Half of the kills strike at any moment of the run, half while its results are written.
 
 #![cfg(unix)]
@@ -21,8 +21,6 @@ struct Scenario {
     resume: Option<&'static str>,
     /// Share of the kills.
     share: u32,
-    /// Kills at most: those of long runs take long.
-    most: u32,
 }
 
 const SCENARIOS: &[Scenario] = &[
@@ -32,7 +30,6 @@ const SCENARIOS: &[Scenario] = &[
         out: "out",
         resume: None,
         share: 3,
-        most: u32::MAX,
     },
     Scenario {
         name: "nonlinear compare",
@@ -49,7 +46,6 @@ const SCENARIOS: &[Scenario] = &[
         out: "nonlinear",
         resume: Some("--resume"),
         share: 3,
-        most: u32::MAX,
     },
     Scenario {
         name: "ida",
@@ -68,7 +64,6 @@ const SCENARIOS: &[Scenario] = &[
         out: "ida",
         resume: Some("--resume"),
         share: 3,
-        most: u32::MAX,
     },
     Scenario {
         name: "push",
@@ -76,15 +71,6 @@ const SCENARIOS: &[Scenario] = &[
         out: "push",
         resume: Some("--resume"),
         share: 3,
-        most: u32::MAX,
-    },
-    Scenario {
-        name: "verify --write",
-        command: &["verify", "--write", "manual"],
-        out: "manual",
-        resume: None,
-        share: 1,
-        most: 6,
     },
     Scenario {
         name: "report",
@@ -92,16 +78,12 @@ const SCENARIOS: &[Scenario] = &[
         out: "out",
         resume: None,
         share: 2,
-        most: u32::MAX,
     },
 ];
 
 /// Options of a steel cylinder on a coarse mesh.
 const SHELL: &str =
     r#""elements": { "height": 8, "circumference": 8 }, "integration": { "steel": "gauss 3" }, "checkpoint": "1 s""#;
-
-/// Kills from which on the manual is written as well: its benchmarks take a minute.
-const BATTERY: u32 = 100;
 
 /// Numbers between 0 and 1, the same in every run (Knuth's linear congruential generator, TAOCP 3.3.4, line 26).
 struct Dice(u64);
@@ -250,18 +232,18 @@ fn kill_battery() {
         Ok(text) => text.parse().expect("TANKCHECK_KILLS is a number"),
         Err(_) => 12,
     };
-    let shares: u32 = SCENARIOS.iter().filter(|s| s.most == u32::MAX).map(|s| s.share).sum();
+    let shares: u32 = SCENARIOS.iter().map(|s| s.share).sum();
     let mut dice = Dice(1982);
     let home = tempfile::tempdir().expect("a temporary folder");
     let home: PathBuf = home.path().to_path_buf();
     inputs(&home);
-    for scenario in SCENARIOS.iter().filter(|s| kills >= BATTERY || s.out != "manual") {
+    for scenario in SCENARIOS {
         let out = home.join(scenario.out);
         let began = Instant::now();
         works(start(&home, scenario.command, None), scenario.name);
         let usual = began.elapsed();
         let (expected, around) = (contents(&out), names(&home));
-        let wanted = (kills * scenario.share).div_ceil(shares).min(scenario.most);
+        let wanted = (kills * scenario.share).div_ceil(shares);
         let (mut struck, mut tries) = (0, 0);
         while struck < wanted && tries < 4 * wanted {
             // Half of the time over the results of an earlier run, half into a new folder.

@@ -39,6 +39,7 @@ mod records;
 mod reproducible;
 mod select;
 mod sets;
+mod shared_model;
 mod small;
 mod solid;
 mod solve;

@@ -1,142 +1,98 @@
-//! `tankcheck verify`: choosing benchmarks by name, listing them, forms of output.
+//! `tankcheck verify`: the self-test, its forms, and the options of the whole verification, which it refuses.
 
-use std::path::Path;
+use std::collections::BTreeSet;
 use std::process::{Command, Output};
 
 use serde_json::Value;
 
 fn verify(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .arg("verify")
-        .args(arguments)
-        .args(["--quiet", "--color", "never"])
-        .output()
-        .expect("tankcheck runs")
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tankcheck"));
+    command.arg("verify").args(arguments).output().expect("tankcheck runs")
 }
 
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).expect("UTF-8")
+fn text(arguments: &[&str]) -> String {
+    let output = verify(arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
+    String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-fn json(arguments: &[&str]) -> Value {
-    let output = verify(&[arguments, &["--format", "json"]].concat());
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_str(stdout(&output)).expect("JSON")
-}
-
-fn texts<'v>(list: &'v Value, key: &str) -> Vec<&'v str> {
-    let all = list.as_array().expect("a list").iter();
-    all.map(|entry| entry[key].as_str().expect("text")).collect()
-}
-
+/// Every code and every engine has a row, and every row holds.
 #[test]
-fn a_page_and_an_id_select_their_rows() {
-    let page = json(&["shell-patch"]);
-    assert!(texts(&page["rows"], "page").iter().all(|page| *page == "shell-patch"));
-    assert_eq!(page["rows"].as_array().map(Vec::len), Some(6));
-    // The page has D4, too.
-    let id = json(&["d5"]);
-    assert_eq!(texts(&id["rows"], "id"), ["D5"]);
-}
-
-#[test]
-fn globs_and_parts_of_names() {
-    let glob = json(&["--list", "M1?"]);
-    assert_eq!(
-        texts(&glob["benchmarks"], "page"),
-        [
-            "materials-concrete",
-            "materials-bond",
-            "materials-solid-concrete",
-            "shell-concrete-beams",
-            "shell-concrete-patch"
-        ]
-    );
-    let part = json(&["--list", "elephant"]);
-    assert_eq!(texts(&part["benchmarks"], "page"), ["shell-elephant-foot"]);
-    // An id is meant as a whole: F10 to F17 are other ids.
-    let whole = json(&["--list", "F1"]);
-    assert_eq!(
-        texts(&whole["benchmarks"], "page"),
-        ["rigid-tank-sloshing", "potential-liquid"]
-    );
-}
-
-#[test]
-fn the_list_names_page_ids_and_paces_in_every_form() {
-    let all = json(&["--list"]);
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verification");
-    for page in texts(&all["benchmarks"], "page") {
-        assert!(folder.join(format!("{page}.md")).exists(), "{page} is without a page");
-    }
-    let human = verify(&["--list", "S22"]);
-    let human = stdout(&human);
-    assert!(human.contains("shell-elephant-foot (tested slow): "), "{human}");
-    assert!(
-        human.contains("S22") && human.contains("1 benchmarks, 1 ids"),
-        "{human}"
-    );
-    let csv = verify(&["--list", "S22", "--format", "csv"]);
-    let csv = stdout(&csv);
-    assert!(
-        csv.starts_with("id,page,pace,what\nS22,shell-elephant-foot,tested slow,"),
-        "{csv}"
-    );
-    assert_eq!(csv.lines().count(), 2);
-    let html = verify(&["--list", "--format", "html"]);
-    assert_eq!(html.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&html.stderr).contains("expected human, json or csv"));
-}
-
-#[test]
-fn what_needs_an_option_is_named() {
-    let found = json(&["C8"]);
-    assert_eq!(found["rows"].as_array().map(Vec::len), Some(0));
-    assert_eq!(texts(&found["not_run"], "id"), ["liquid-separation"]);
-    let output = verify(&["shell-elephant-foot"]);
-    let text = stdout(&output);
-    assert!(text.contains("not run without --slow: shell-elephant-foot"), "{text}");
-}
-
-#[test]
-fn a_pattern_without_match_is_an_error_with_suggestions() {
-    for (pattern, near) in [
-        ("elefant", "`shell-elephant-foot`"),
-        ("S77", "`S7`"),
-        ("shel-cook", "`shell-cook`"),
-    ] {
-        let output = verify(&[pattern]);
-        assert_eq!(output.status.code(), Some(2));
-        let message = String::from_utf8_lossy(&output.stderr);
+fn every_code_and_engine_passes() {
+    let found: Value = serde_json::from_str(&text(&["--format", "json"])).expect("JSON");
+    let rows = found.as_array().expect("a list");
+    assert!(rows.len() >= 20, "{} rows", rows.len());
+    for row in rows {
+        let number = |key: &str| row[key].as_f64().unwrap_or_else(|| panic!("{key}: {row}"));
+        let (value, reference) = (number("computed"), number("reference"));
+        let error = (value - reference) / reference.abs();
+        assert!(row["holds"] == true && error.abs() <= number("tolerance"), "{row}");
         assert!(
-            message.contains(&format!("error[T0105]: PATTERN: found `{pattern}`")),
-            "{message}"
+            number("tolerance") <= 0.02 && (error - number("error")).abs() < 1e-12,
+            "{row}"
         );
-        assert!(message.contains("did you mean") && message.contains(near), "{message}");
-        assert!(message.contains("tankcheck verify --list"), "{message}");
+        assert!(
+            row["reference_source"].as_str().is_some_and(|source| source.len() > 5),
+            "{row}"
+        );
     }
-    let far = verify(&["no-benchmark-is-called-so"]);
-    let message = String::from_utf8_lossy(&far.stderr);
-    assert!(
-        !message.contains("did you mean") && message.contains("--list"),
-        "{message}"
-    );
+    let ids: BTreeSet<&str> = rows.iter().filter_map(|row| row["id"].as_str()).collect();
+    let procedures = ::codes::ALL.iter().map(|procedure| procedure.id());
+    for id in procedures.chain([
+        "harmonic",
+        "solid",
+        "nonlinear strip",
+        "nonlinear cylinder",
+        "base",
+        "soil",
+        "isolators",
+    ]) {
+        assert!(ids.contains(id), "{id} has no row: {ids:?}");
+    }
 }
 
 #[test]
-fn one_page_is_written_beside_the_kept_ones() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let manual = home.path().join("manual");
-    let manual = manual.to_str().expect("text");
-    for page in ["shell-patch", "fluid-rank"] {
-        assert_eq!(verify(&[page, "--write", manual]).status.code(), Some(0));
+fn the_list_has_every_row_with_its_source_in_every_form() {
+    let listed: Value = serde_json::from_str(&text(&["--list", "--format", "json"])).expect("JSON");
+    let listed = listed.as_array().expect("a list");
+    assert!(listed.iter().all(|row| row.get("computed").is_none()));
+    let csv = text(&["--list", "--format", "csv"]);
+    assert_eq!(csv.lines().count(), listed.len() + 1);
+    let human = text(&["--list"]);
+    for row in listed {
+        let [what, source] = ["what", "reference_source"].map(|key| row[key].as_str().expect("text"));
+        assert!(
+            human.contains(what) && human.contains(source) && csv.contains(what),
+            "{row}"
+        );
     }
-    for file in ["shell-patch.md", "fluid-rank.md", "README.md", "rows.json"] {
-        assert!(Path::new(manual).join(file).exists(), "{file}");
+    let run = text(&[]);
+    assert!(
+        run.contains(&format!("\n{} rows, 0 outside their tolerance", listed.len())),
+        "{run}"
+    );
+    assert_eq!(text(&["--format", "csv"]).lines().count(), listed.len() + 1);
+}
+
+/// Pattern, slow rows, records and the manual belong to another program, which the help names.
+#[test]
+fn the_whole_verification_is_another_program() {
+    for arguments in [
+        &["shell-cook"][..],
+        &["--slow"],
+        &["--records", "."],
+        &["--write", "manual"],
+        &["--format", "html"],
+    ] {
+        let output = verify(arguments);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        assert!(message.starts_with("error[T0101]: "), "{message}");
     }
+    let help = text(&["--help"]);
+    assert!(
+        help.contains("cargo run --release -p verification") && help.contains("docs/verification"),
+        "{help}"
+    );
 }

@@ -84,7 +84,7 @@ fn sources(root: &Path, src: &Path) -> BTreeMap<Module, Source> {
         for path in files.filter(|p| p.extension().is_some_and(|e| e == "rs")) {
             let relative = path.strip_prefix(src).expect("below src").with_extension("");
             let mut module: Module = relative.iter().map(|p| p.to_string_lossy().into_owned()).collect();
-            if module.iter().any(|part| part.contains("test")) {
+            if module.iter().any(|part| part.contains("test") && part != "selftest") {
                 continue;
             }
             assert!(
@@ -92,7 +92,9 @@ fn sources(root: &Path, src: &Path) -> BTreeMap<Module, Source> {
                 "{}: a module stands in `x.rs` beside `x/`",
                 path.display()
             );
-            if matches!(module.last().map(String::as_str), Some("lib" | "main")) {
+            // A program beside a library is a module of its own.
+            let root_of = |name: &str| module == [name] && (name == "lib" || !src.join("lib.rs").exists());
+            if root_of("lib") || root_of("main") {
                 module.pop();
             }
             let text = code(&std::fs::read_to_string(&path).expect("readable"));

@@ -62,8 +62,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "oscillator",
             "report",
             "results",
+            "soil",
             "tank",
-            "verification",
         ],
     ),
 ];
@@ -73,13 +73,7 @@ const MUST_NOT_NAME: &[(&str, &str, &[&str])] = &[
     (
         "tankcheck",
         "input",
-        &[
-            "engines::",
-            "report::",
-            "verification::",
-            "crate::cli",
-            "crate::pipeline",
-        ],
+        &["engines::", "report::", "crate::cli", "crate::pipeline"],
     ),
     ("tankcheck", "pipeline", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "solve", &["crate::cli", "crate::input", "report::"]),

@@ -3,7 +3,7 @@
 //! The record is a table of time and acceleration [m/s²] at 0.02 s. Names: `elements`, `layers`, `softening`, `step`, `until`,
 //! `radius` (ρ_∞), `points` (2, 3 Gauss; 0 Lobatto), `damping` (0 mass-proportional, 1 by group, 2 Rayleigh at two modes),
 //! `ratio`, `threads`. The linear response
-//! is `tankcheck verify C11 --records FOLDER`.
+//! is `cargo run --release -p verification -- C11 --records FOLDER`.
 
 use std::error::Error;
 use std::time::Instant;

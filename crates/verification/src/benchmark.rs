@@ -22,13 +22,13 @@ pub struct Benchmark {
 /// A function that computes rows, by the command that runs it.
 #[derive(Clone, Copy, Debug)]
 pub enum Part {
-    /// Takes seconds: `tankcheck verify` and `cargo test`.
+    /// Takes seconds: the program and `cargo test`.
     Fast(fn() -> Answer),
-    /// Takes longer: `cargo test` and `tankcheck verify --slow`.
+    /// Takes longer: `cargo test` and the program with `--slow`.
     Tested(fn() -> Answer),
-    /// Takes minutes: `tankcheck verify --slow`.
+    /// Takes minutes: the program with `--slow`.
     Slow(fn() -> Answer),
-    /// Takes the El Centro record of 1940 (Caltech, 0.348 g): `tankcheck verify --records`.
+    /// Takes the El Centro record of 1940 (Caltech, 0.348 g): the program with `--records`.
     Record(fn(&Record) -> Answer),
 }
 

@@ -8,13 +8,13 @@ use crate::{Reference, Row};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Pace {
-    /// `tankcheck verify` and `cargo test`.
+    /// The program and `cargo test`.
     Fast,
-    /// `cargo test`, and `tankcheck verify --slow`.
+    /// `cargo test`, and the program with `--slow`.
     Tested,
-    /// `tankcheck verify --slow` alone.
+    /// The program with `--slow` alone.
     Slow,
-    /// `tankcheck verify --records` alone.
+    /// The program with `--records` alone.
     Record,
 }
 
@@ -38,8 +38,8 @@ impl Pace {
     pub fn command(self) -> &'static str {
         match self {
             Pace::Fast | Pace::Tested => "`cargo test`",
-            Pace::Slow => "`verify --slow`",
-            Pace::Record => "`verify --records`",
+            Pace::Slow => "`verification --slow`",
+            Pace::Record => "`verification --records`",
         }
     }
 }

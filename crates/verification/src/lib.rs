@@ -39,7 +39,7 @@ pub use entry::{Entry, Pace};
 pub use error::{Answer, Error, Failure};
 pub use records::Records;
 pub use row::{Reference, Row};
-pub use run::{Choice, Manual, NotRun, Pattern, find, run};
+pub use run::{Choice, Manual, NotRun, Pattern, find, nearest, run};
 
 /// All benchmarks, in the order of the manual.
 pub const ALL: &[&Benchmark] = &[

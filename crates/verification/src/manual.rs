@@ -204,14 +204,14 @@ fn remark(row: &Entry) -> &'static str {
 fn index(rows: &[Entry]) -> String {
     let mut text = String::from(
         "# Verification manual\n\n\
-         Generated from `rows.json` by `tankcheck verify --write docs/verification`; do not edit. Each row holds a \
+         Generated from `rows.json` by `cargo run --release -p verification -- --write docs/verification`; do not edit. Each row holds a \
          computed value, a reference that was not made by this program, and the kind of the reference. \
          A row without a tolerance is for comparison only: it cannot fail. The column *run by* names the \
-         command that asserts a row: `cargo test` (`crates/verification/tests/benchmarks.rs`); `tankcheck verify --slow`, which \
-         takes minutes; or `tankcheck verify --records FOLDER`, which needs an accelerogram that may not be redistributed \
+         command that asserts a row: `cargo test` (`crates/verification/tests/benchmarks.rs`); `verification --slow`, which \
+         takes minutes; or `verification --records FOLDER`, which needs an accelerogram that may not be redistributed \
          (`imperial-valley-1940-el-centro-ns.csv`: El Centro 1940 NS, Caltech Vol. II, 0.348 g, columns \
          `time_s,acceleration_m_s2`). A run without these options keeps the last result. `cargo test` asserts that this \
-         manual is fresh. `tankcheck verify PATTERN` runs the rows of one page or id.\n\n\
+         manual is fresh. `verification` stands for `cargo run --release -p verification --`; followed by a page or an id it runs these rows.\n\n\
          | reference | meaning | rows | within tolerance | for comparison only |\n|---|---|---:|---:|---:|\n",
     );
     for (kind, meaning) in KINDS {
@@ -225,7 +225,7 @@ fn index(rows: &[Entry]) -> String {
     let by = |pace: &[Pace]| rows.iter().filter(|r| !r.compares() && pace.contains(&r.pace)).count();
     let _ = writeln!(
         text,
-        "\nOf the rows with a tolerance `cargo test` asserts {}, `tankcheck verify --slow` {} more, and `tankcheck verify \
+        "\nOf the rows with a tolerance `cargo test` asserts {}, `verification --slow` {} more, and `verification \
          --records` {} more.",
         by(&[Pace::Fast, Pace::Tested]),
         by(&[Pace::Slow]),

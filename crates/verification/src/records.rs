@@ -1,7 +1,10 @@
-//! Accelerograms that may not be redistributed: the caller reads them.
+//! Accelerograms that may not be redistributed, from a folder of the user.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
+use files::code::Code;
+use files::error::Error;
 use oscillator::record::Record;
 
 use crate::Failure;
@@ -12,18 +15,29 @@ pub const EL_CENTRO: &str = "imperial-valley-1940-el-centro-ns.csv";
 pub const PARKFIELD: &str = "parkfield-1966-cholame-5-n85e.csv";
 /// Pacoima Dam S16E, San Fernando 1971.
 pub const PACOIMA: &str = "san-fernando-1971-pacoima-dam-164.csv";
+/// Columns of these files.
+const HEAD: &str = "time_s,acceleration_m_s2";
 
 /// Accelerograms as recorded, by the name of their file.
 #[derive(Clone, Debug, Default)]
 pub struct Records(BTreeMap<String, Record>);
 
 impl Records {
-    /// The records that `read` gives for the names of files.
+    /// Reads these files of a folder, with the columns `time_s,acceleration_m_s2`.
     ///
-    /// Errors: those of `read`.
-    pub fn read<E>(files: &[&str], read: impl Fn(&str) -> Result<Record, E>) -> Result<Records, E> {
-        let each = |file: &&str| Ok(((*file).to_owned(), read(file)?));
-        files.iter().map(each).collect::<Result<_, E>>().map(Records)
+    /// Errors: a file that cannot be read, or is not such a table with equal steps of time.
+    pub fn read(folder: &Path, names: &[&str]) -> Result<Records, Error> {
+        let each = |name: &&str| {
+            let path = folder.join(name);
+            let text = files::read_text(&path).map_err(|e| Error::unreadable(&path, &e))?;
+            let record = record(name, &text).ok_or_else(|| Error::File {
+                code: Code::TimeStep,
+                path,
+                what: format!("found another table, expected lines in equal steps of time under `{HEAD}`"),
+            })?;
+            Ok(((*name).to_owned(), record))
+        };
+        names.iter().map(each).collect::<Result<_, Error>>().map(Records)
     }
 
     /// The record of a file.
@@ -32,5 +46,58 @@ impl Records {
     pub fn get(&self, file: &str) -> Result<&Record, Failure> {
         let found = self.0.get(file);
         found.ok_or_else(|| format!("the record {file} was not read").into())
+    }
+}
+
+/// The record of a table; lines that begin with `#` are comments.
+fn record(name: &str, text: &str) -> Option<Record> {
+    let mut lines = text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let head: String = lines.next()?.chars().filter(|c| !c.is_whitespace()).collect();
+    let mut samples = Vec::new();
+    for line in lines {
+        let (time, acceleration) = line.split_once(',')?;
+        samples.push((
+            time.trim().parse::<f64>().ok()?,
+            acceleration.trim().parse::<f64>().ok()?,
+        ));
+    }
+    let (first, last) = (samples.first()?.0, samples.last()?.0);
+    // Times are printed with three decimals or so; their mean step has no more than nine.
+    let dt = (1e9 * (last - first) / (samples.len() - 1) as f64).round() / 1e9;
+    let even = |(i, sample): (usize, &(f64, f64))| (sample.0 - first - i as f64 * dt).abs() < 0.1 * dt;
+    let sound = head == HEAD && dt > 0.0 && samples.iter().enumerate().all(even);
+    sound.then(|| Record {
+        name: name.trim_end_matches(".csv").to_owned(),
+        dt,
+        acceleration: samples.iter().map(|sample| sample.1).collect(),
+        processing: Vec::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_of_equal_steps_is_a_record_and_no_other_is() {
+        let found = record(
+            "a.csv",
+            "# Caltech\ntime_s, acceleration_m_s2\n0,0\n0.02,-1.5\n0.04,2\n",
+        )
+        .expect("a record");
+        assert_eq!((found.name.as_str(), found.dt), ("a", 0.02));
+        assert_eq!(found.acceleration, [0.0, -1.5, 2.0]);
+        for other in [
+            "time_s,acceleration_g\n0,0\n0.02,1\n",
+            "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.05,2\n",
+            "time_s,acceleration_m_s2\n0,0\n0.02,x\n",
+            "time_s,acceleration_m_s2\n0,0\n",
+            "",
+        ] {
+            assert_eq!(record("a.csv", other), None, "{other}");
+        }
     }
 }

@@ -49,9 +49,29 @@ impl Pattern {
 }
 
 /// Ids of rows and pages.
-pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter()
         .flat_map(|benchmark| benchmark.ids.iter().map(|id| id.0).chain([benchmark.id]))
+}
+
+/// The ids and pages nearest to a misspelt one, three at most; the words of a page count, too.
+pub fn nearest(text: &str) -> Vec<&'static str> {
+    let text = text.to_lowercase();
+    let length = text.chars().count();
+    let distance = |name: &str| {
+        let words = name.split('-').chain([name]);
+        words
+            .map(|word| strsim::damerau_levenshtein(&text, &word.to_lowercase()))
+            .min()
+            .unwrap_or(usize::MAX)
+    };
+    let mut near: Vec<(usize, &str)> = names()
+        .map(|name| (distance(name), name))
+        .filter(|(distance, _)| distance * 3 <= length)
+        .collect();
+    near.sort_unstable();
+    near.dedup();
+    near.into_iter().take(3).map(|(_, name)| name).collect()
 }
 
 /// Whether `text` is of the form of `glob`: `*` for any letters, `?` for one.

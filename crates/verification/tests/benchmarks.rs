@@ -87,7 +87,7 @@ fn differences(fresh: &[Entry], kept: &[&Entry]) -> Vec<String> {
         }
     }
     if !faults.is_empty() {
-        faults.push("tankcheck verify --slow --write docs/verification".into());
+        faults.push("cargo run --release -p verification -- --slow --write docs/verification".into());
     }
     faults
 }

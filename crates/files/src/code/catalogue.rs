@@ -327,7 +327,7 @@ catalogue! {
     Benchmark "T0710" Error "a benchmark has no answer"
         "A model of the verification manual that must have a solution has none. This is a fault of the program or of the \
          machine; please report it."
-        "tankcheck verify"
+        "cargo run --release -p verification"
 
     Internal "T0711" Error "a fault of the program"
         "Something happened that the program excludes. Partial files were removed, complete ones are kept. Please report it \

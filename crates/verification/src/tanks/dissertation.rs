@@ -44,7 +44,7 @@ fn document(records: &Records) -> Result<String, Failure> {
 }
 
 const HEAD: &str = "# The dissertation's examples in three dimensions\n\n\
-Made by `tankcheck verify --slow --records FOLDER --write docs/verification`. Records: Caltech versions of El Centro NS \
+Made by `cargo run --release -p verification -- --slow --records FOLDER --write docs/verification`. Records: Caltech versions of El Centro NS \
 (0.348 g) and Cholame-Shandon 5 N85E (0.434 g; table 8.3 prints 0.343 g, its peak is another or a slip), Pacoima Dam S16E \
 (1.219 g in the version at hand, 1.170 g there), each scaled to 0.5 g and compressed by √3 as the dissertation describes. \
 Meshes of its table 8.1 with equal element heights (its own refinement towards the base, figure 8.2, has no printed \

@@ -79,7 +79,7 @@ fn processor() -> f64 {
 
 /// Processor time of the engine: eleven records on one model against one record by itself, both with the estimated mesh error.
 #[test]
-#[ignore = "slow: a measurement, cargo test --test verification eleven_records -- --ignored --nocapture; last result in docs/verification/slow-tests.md"]
+#[ignore = "slow: a measurement, cargo test --test cli eleven_records -- --ignored --nocapture; last result in docs/verification/slow-tests.md"]
 fn eleven_records_cost_two_and_a_half_times_one() {
     let mut ratios = Vec::new();
     for tank in ["examples/01_broad_tank/tank.json", "examples/05_oil_tank/tank.json"] {
