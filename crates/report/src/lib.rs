@@ -27,7 +27,6 @@
 //! | [`words`] | every sentence |
 //! | [`template`] | holds the templates, embedded or the user's |
 //! | [`workbook`] | writes the results as a workbook |
-//! | [`verification`] | the page and the figures of the verification manual |
 
 pub mod contents;
 pub mod document;

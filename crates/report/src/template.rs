@@ -20,10 +20,6 @@ const PAGES: &[(&str, &str)] = &[
     ("style.css", include_str!("../../../templates/style.css")),
     ("math.css", include_str!("../../../templates/math.css")),
     ("figure.css", include_str!("../../../templates/figure.css")),
-    (
-        "verification.html",
-        include_str!("../../../templates/verification.html"),
-    ),
     ("ida.html", include_str!("../../../templates/ida.html")),
     ("push.html", include_str!("../../../templates/push.html")),
     ("study.html", include_str!("../../../templates/study.html")),
@@ -66,6 +62,15 @@ impl Templates {
         tera.add_raw_templates(pages.map(|(name, text)| (name.as_str(), text.as_str())))
             .map_err(|e| Error::Report(format!("templates: {e}")))?;
         Ok(Templates { tera, sources })
+    }
+
+    /// The same with a page of another crate.
+    ///
+    /// Errors: a page that does not parse.
+    pub fn with(mut self, name: &str, text: &str) -> Result<Templates, Error> {
+        let added = self.tera.add_raw_template(name, text);
+        added.map_err(|e| Error::Report(format!("templates: {e}")))?;
+        Ok(self)
     }
 
     /// Renders a template.

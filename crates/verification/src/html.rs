@@ -9,13 +9,14 @@ use report::figure::{Figure, Room};
 use report::sections::FigureView;
 use report::table::{Column, Table};
 use report::template::Templates;
-use report::words::sections;
 use tank::units::Dimension;
 
 /// Number of colours in the palette.
 const CURVES: usize = 6;
 /// Letters of a legend entry at most.
 const LETTERS: usize = 60;
+/// Name of the template.
+const PAGE: &str = "verification.html";
 
 /// Relative errors over the number of elements (or the mesh size), both logarithmic; `studies` holds a name and the
 /// points (mesh, error) each.
@@ -142,13 +143,20 @@ pub fn html(found: &Manual) -> Result<String, Error> {
             table,
         });
     }
-    let templates = Templates::new(None)?;
+    let templates = Templates::new(None)?.with(PAGE, include_str!("page.html"))?;
     let mut page = Context::new();
     page.insert("benchmarks", &views);
     let counted = found.rows.iter().filter(|r| r.counts()).count();
     let outside = found.rows.iter().filter(|r| r.fails()).count();
-    page.insert("rows", &sections::rows(found.rows.len(), counted, outside));
-    page.insert("subtitle", &sections::manual(env!("CARGO_PKG_VERSION")));
+    let rows = format!(
+        "{} rows, of which {counted} count as verification (neither regressions nor rows for comparison only); {outside} outside \
+         their tolerance.",
+        found.rows.len()
+    );
+    page.insert("rows", &rows);
+    let version = env!("CARGO_PKG_VERSION");
+    let subtitle = format!("tankcheck {version}: computed values next to references from outside the program");
+    page.insert("subtitle", &subtitle);
     let not_run: Vec<String> = found
         .not_run
         .iter()
@@ -157,5 +165,5 @@ pub fn html(found: &Manual) -> Result<String, Error> {
     page.insert("not_run", &not_run);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));
-    Ok(report::numbered(&templates.render("verification.html", &page)?))
+    Ok(report::numbered(&templates.render(PAGE, &page)?))
 }

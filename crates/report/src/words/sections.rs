@@ -502,19 +502,6 @@ pub fn format(format: &str) -> String {
     format!("Results format `{format}`.")
 }
 
-/// Subtitle of the verification manual.
-pub fn manual(version: &str) -> String {
-    format!("tankcheck {version}: computed values next to references from outside the program")
-}
-
-/// Rows of the verification manual: all, those that count, those outside their tolerance.
-pub fn rows(all: usize, counted: usize, outside: usize) -> String {
-    format!(
-        "{all} rows, of which {counted} count as verification (neither regressions nor rows for comparison only); {outside} outside \
-         their tolerance."
-    )
-}
-
 /// What clauses without the name of a document are of.
 pub fn clauses_of(document: &str) -> String {
     format!("Clauses without the name of a document are of {document}.")
