@@ -15,22 +15,19 @@ use crate::dofs::Dof;
 use crate::ring::RingOperator;
 
 pub use fluid::{LiquidProperties, RotationPart, VolumePart};
-pub use fluid4::Fluid4;
 pub use fluid8::Fluid8;
-pub use free_surface::{FreeSurface, FreeSurfaceLine};
+pub use free_surface::FreeSurface;
 pub use local::LocalMatrix;
 pub use potential_surface::PotentialSurface;
 pub use potential8::Potential8;
 pub use wet_face::WetFace;
 
 pub mod anchor;
-pub mod beam2;
 pub mod beam_section;
 pub mod contact8;
 mod contact8_area;
 pub mod fibre_beam;
 mod fluid;
-mod fluid4;
 mod fluid8;
 mod free_surface;
 pub mod ground;

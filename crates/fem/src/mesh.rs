@@ -5,11 +5,9 @@ pub mod grading;
 
 mod cylinder;
 mod rectangle;
-mod strip;
 
 pub use cylinder::{Cylinder, Volume, Wall};
 pub use rectangle::{Block, Rectangle, Side};
-pub use strip::{Plane, Strip};
 
 /// A quadrilateral face with the chart coordinates of its corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,8 +42,10 @@ pub enum MeshError {
     },
 }
 
-/// Refuses fewer than `least` values, and values that do not ascend.
-pub(crate) fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
+/// Rejects fewer than `least` values, and values that do not ascend.
+///
+/// Errors: those values, under the name `what`.
+pub fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
     if values.len() < least {
         return Err(MeshError::Range {
             what,

@@ -39,9 +39,6 @@ const KIND: &str = "drucker_prager";
 /// Relative excess of the surface taken for rounding.
 pub(crate) const ON_SURFACE: f64 = 1e-12;
 
-/// Ratio f_bc/f_c of Kupfer, Hilsdorf & Rüsch 1969.
-pub const BIAXIAL_RATIO: f64 = 1.16;
-
 /// Drucker-Prager law; `Law<3>` and `Law<6>`.
 ///
 /// History: the accumulated plastic strain (of uniaxial compression), ε_p (in plane stress xx, yy, xy, zz).
@@ -89,7 +86,7 @@ impl DruckerPrager {
     /// * `young_modulus` E [Pa] > 0
     /// * `poisson_ratio` ν, −1 < ν < 0.5
     /// * `strength` f_c [Pa] > 0, as a positive number
-    /// * `biaxial` f_bc [Pa], f_c ≤ f_bc ≤ 1.5 f_c; usually [`BIAXIAL_RATIO`] f_c
+    /// * `biaxial` f_bc [Pa], f_c ≤ f_bc ≤ 1.5 f_c; usually 1.16 f_c (Kupfer, Hilsdorf & Rüsch 1969)
     ///
     /// Errors: a parameter out of range.
     pub fn new(young_modulus: f64, poisson_ratio: f64, strength: f64, biaxial: f64) -> Result<DruckerPrager, LawError> {

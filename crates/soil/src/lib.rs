@@ -6,7 +6,6 @@
 //! | [`structure`] | effective period and damping of a structure on such a disc |
 //! | [`chain`] | the structure on cones as matrices with constant coefficients, complex mode, time history |
 //! | [`body`] | time history of a body in its modes on cones |
-//! | [`procedures`] | the formulas of EN 1998-4 A.7 and ASCE 7 chapter 19 |
 //! | [`isolator`] | laws of isolators, their effective stiffness and damping |
 //! | [`isolated`] | time history of a body in its modes on isolators |
 //!
@@ -23,7 +22,6 @@ pub mod disc;
 mod error;
 pub mod isolated;
 pub mod isolator;
-pub mod procedures;
 pub mod structure;
 #[cfg(test)]
 mod tests;

@@ -17,6 +17,7 @@
 mod base;
 mod benchmark;
 mod dynamics;
+pub mod elements;
 mod entry;
 mod error;
 mod fluid;

@@ -18,6 +18,7 @@ pub(crate) mod engine;
 pub(crate) mod impedances;
 pub(crate) mod isolated_tanks;
 pub(crate) mod isolation;
+mod procedures;
 mod runge_kutta;
 pub(crate) mod structure;
 

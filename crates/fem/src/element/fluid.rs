@@ -65,7 +65,7 @@ impl RotationPart {
     }
 
     /// (K of the full quadrature, K of the one-point quadrature).
-    pub(super) fn penalties(self) -> (f64, f64) {
+    pub fn penalties(self) -> (f64, f64) {
         match self {
             RotationPart::None => (0.0, 0.0),
             RotationPart::OnePoint(k) => (0.0, k),
@@ -102,8 +102,10 @@ impl LiquidProperties {
         }
     }
 
-    /// Rejects values that are not positive.
-    pub(super) fn check(&self, kind: &'static str) -> Result<(), ElementError> {
+    /// Rejects values that are not positive, in the name of the element `kind`.
+    ///
+    /// Errors: density or bulk modulus not positive, a negative penalty, a rest above the centre.
+    pub fn check(&self, kind: &'static str) -> Result<(), ElementError> {
         let positive = [("density", self.density), ("bulk modulus", self.bulk_modulus)];
         for (parameter, value) in positive {
             if !(value > 0.0 && value.is_finite()) {

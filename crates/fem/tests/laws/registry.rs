@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use crate::specimen::Specimen;
+use crate::specimen::{Least, Specimen};
 
 mod joints;
 mod liquids;
@@ -15,6 +15,16 @@ pub(crate) fn all() -> Vec<Specimen> {
         .into_iter()
         .flatten()
         .collect()
+}
+
+/// Abilities among them.
+pub(crate) fn least() -> Least {
+    Least {
+        dissipate: 2,
+        mixed: 1,
+        buckle: 4,
+        change: 4,
+    }
 }
 
 /// A point in turned axes.

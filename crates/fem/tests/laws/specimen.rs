@@ -33,6 +33,18 @@ pub(crate) struct Specimen {
     pub(crate) mass: Mass,
 }
 
+/// How many specimens have an ability at least, so that its law is put to some.
+pub(crate) struct Least {
+    /// Dissipate energy.
+    pub(crate) dissipate: usize,
+    /// Have a mixed tangent.
+    pub(crate) mixed: usize,
+    /// Buckle.
+    pub(crate) buckle: usize,
+    /// Change their history.
+    pub(crate) change: usize,
+}
+
 /// How the tangent belongs to the force.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Tangent {

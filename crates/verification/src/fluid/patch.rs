@@ -9,10 +9,11 @@
 use std::sync::Arc;
 
 use super::{BULK_MODULUS, Source};
+use crate::elements::Fluid4;
 use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
-use fem::element::{Element, Fluid4, Fluid8, Inspect, LiquidProperties, RotationPart, VolumePart};
+use fem::element::{Element, Fluid8, Inspect, LiquidProperties, RotationPart, VolumePart};
 use fem::linalg::{Kind, Ordering, Symbolic};
 use fem::mesh::{Face, Hexahedron, Rectangle};
 use fem::model::{Builder, Model};

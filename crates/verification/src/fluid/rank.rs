@@ -7,9 +7,10 @@
 use nalgebra::DMatrix;
 
 use super::{BULK_MODULUS, Source};
+use crate::elements::Fluid4;
 use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::chart::Chart;
-use fem::element::{Element, Fluid4, Fluid8, LiquidProperties, RotationPart, VolumePart, reference_stiffness};
+use fem::element::{Element, Fluid8, LiquidProperties, RotationPart, VolumePart, reference_stiffness};
 use fem::mesh::{Face, Hexahedron};
 use fem::shape::{hex8, quad4};
 

@@ -2,12 +2,12 @@
 
 use super::tank::{lowest, sloshing};
 use super::{BULK_MODULUS, GRAVITY, Source};
+use crate::elements::{Fluid4, FreeSurfaceLine, Strip};
 use crate::{Failure, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
-use fem::element::{Fluid4, FreeSurfaceLine, LiquidProperties, RotationPart, VolumePart};
-use fem::mesh::Strip;
+use fem::element::{LiquidProperties, RotationPart, VolumePart};
 use fem::mesh::grading::uniform;
 use fem::model::Builder;
 

@@ -13,13 +13,13 @@ use std::sync::Arc;
 
 use super::Source;
 use super::tank::{missing, search, sloshing};
+use crate::elements::{Fluid4, FreeSurfaceLine, Strip};
 use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
-use fem::element::{Fluid4, FreeSurfaceLine, LiquidProperties, RotationPart};
+use fem::element::{LiquidProperties, RotationPart};
 use fem::linalg::{Ordering, Pencil, Search, Sparse, Symbolic, dot};
-use fem::mesh::Strip;
 use fem::mesh::grading::uniform;
 use fem::model::{Builder, Model};
 

@@ -14,10 +14,9 @@ use ::soil::C64;
 use ::soil::body::{self, Body, Mode};
 use ::soil::chain::Chain;
 use ::soil::disc::Impedance;
-use ::soil::procedures;
 use ::soil::structure::{Effective, OnSoil};
 
-use super::{IMPULSIVE, failure, on_soil};
+use super::{IMPULSIVE, failure, on_soil, procedures};
 use crate::benchmark::{Benchmark, Part};
 use crate::{Answer, Failure, Reference, Row};
 

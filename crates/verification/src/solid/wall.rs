@@ -11,10 +11,10 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::solve;
+use crate::elements::beam2::{Beam2, BeamSection};
 use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::assembly::Assembler;
 use fem::dofs::{Dof, KINDS};
-use fem::element::beam2::{Beam2, BeamSection};
 use fem::element::interlayer;
 use fem::element::solid8::{Elastic, Kinematics, Solid8};
 use fem::mesh::grading;

@@ -5,7 +5,7 @@ use oscillator::record::Record;
 use super::reinforced_tank;
 use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::damping::Rayleigh;
-use fem::analysis::ida::largest_jump;
+use fem::analysis::ida::Point;
 use fem::element::fibre_beam::Options;
 use fem::progress::Silent;
 use fem::strip::{StripDamping, StripError, StripLevel, StripModel, StripQuake};
@@ -179,4 +179,35 @@ fn incremental(record: &Record) -> Answer {
         (0.0, ""),
     ));
     Ok(rows)
+}
+
+/// Largest ratio of the demands of neighbouring points that have both finished, with the scales between which it lies.
+fn largest_jump(curve: &[Point]) -> Option<(f64, [f64; 2])> {
+    curve
+        .windows(2)
+        .filter(|w| !w[0].censored && !w[1].censored && w[0].demand > 0.0)
+        .map(|w| (w[1].demand / w[0].demand, [w[0].scale, w[1].scale]))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn jumps_leave_out_collapsed_runs() {
+        let point = |scale, demand, censored| Point {
+            scale,
+            demand,
+            censored,
+        };
+        let curve = [
+            point(0.5, 1.0, false),
+            point(0.8, 1.5, false),
+            point(0.9, 3.0, false),
+            point(1.0, 30.0, true),
+        ];
+        assert_eq!(largest_jump(&curve), Some((2.0, [0.8, 0.9])));
+        assert_eq!(largest_jump(&curve[..1]), None);
+    }
 }

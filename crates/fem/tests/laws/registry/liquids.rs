@@ -3,8 +3,7 @@
 use fem::chart::Chart;
 use fem::dofs::{Dof, KINDS};
 use fem::element::{
-    Element, Fluid4, Fluid8, FreeSurface, FreeSurfaceLine, LiquidProperties, Potential8, PotentialSurface,
-    RotationPart, VolumePart, WetFace,
+    Element, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, RotationPart, VolumePart, WetFace,
 };
 use fem::mesh::{Face, Hexahedron};
 use nalgebra::UnitQuaternion;
@@ -104,37 +103,6 @@ fn fluid8(what: &'static str, chart: Chart, corners: [[f64; 3]; 8], liquid: Liqu
     }
 }
 
-fn fluid4(what: &'static str, chart: Chart, liquid: LiquidProperties) -> Specimen {
-    const CORNERS: [[f64; 3]; 4] = [[1.0, 0.0, 0.0], [1.9, 0.0, 0.1], [2.0, 0.0, 0.8], [0.9, 0.0, 0.7]];
-    const BREADTH: f64 = 0.7;
-    let build = move |_: &Turn| -> Box<dyn Element> {
-        let face = face(Chart::Cartesian, CORNERS, &Turn::identity());
-        Box::new(Fluid4::new(&face, chart, BREADTH, liquid).unwrap())
-    };
-    // A box of the same section and the breadth, whose volume element is 1 or r.
-    let wide = |a: usize| {
-        let [x, _, z] = CORNERS[a % 4];
-        [x, if a < 4 { BREADTH } else { 0.0 }, z]
-    };
-    let factor = |x: [f64; 3]| if chart == Chart::Cartesian { 1.0 } else { x[0] };
-    let total = DENSITY * volume(&std::array::from_fn(wide), factor);
-    Specimen {
-        resists: match chart {
-            Chart::Cartesian => (&[4], HELD),
-            Chart::Cylindrical => (
-                &[0, 4],
-                "moved outwards all around, the liquid expands; K_rot resists rotations",
-            ),
-        },
-        turns: Turns::None("it lies in the plane x–z with z upwards"),
-        mass: match chart {
-            Chart::Cartesian => Mass::Of(total),
-            Chart::Cylindrical => Mass::Along(2, total, "a motion along r is not a translation"),
-        },
-        ..Specimen::new("Fluid4", what, &CORNERS, build)
-    }
-}
-
 fn surfaces() -> Vec<Specimen> {
     let surface = |what, chart: Chart, corners: [[f64; 3]; 4], one_point: bool| {
         let build = move |turn: &Turn| -> Box<dyn Element> {
@@ -152,19 +120,10 @@ fn surfaces() -> Vec<Specimen> {
             ..Specimen::new("FreeSurface", what, &positions(chart, &corners), build)
         }
     };
-    let line = [[0.4, 0.0, 1.0], [1.3, 0.0, 1.0]];
     vec![
         surface("plane", Chart::Cartesian, LEVEL, false),
         surface("plane, one point", Chart::Cartesian, LEVEL, true),
         surface("sector", Chart::Cylindrical, DISC, false),
-        Specimen {
-            resists: (&[2, 4], HEAVY),
-            turns: Turns::None("it is the surface of a liquid in the plane x–z"),
-            ..Specimen::new("FreeSurfaceLine", "of a sector", &line, |_| {
-                let made = FreeSurfaceLine::new([0, 1], [0.4, 1.3], Chart::Cylindrical, 0.7, DENSITY * GRAVITY);
-                Box::new(made.unwrap())
-            })
-        },
     ]
 }
 
@@ -254,15 +213,11 @@ pub(crate) fn all() -> Vec<Specimen> {
     let full = liquid(VolumePart::Full, RotationPart::Full(1e4));
     let mean = liquid(VolumePart::MeanDilatation, SPLIT);
     let free = liquid(VolumePart::MeanDilatation, RotationPart::None);
-    let point = liquid(VolumePart::OnePoint, RotationPart::OnePoint(1e4));
     let mut all = vec![
         fluid8("full quadrature", Chart::Cartesian, BRICK, full),
         fluid8("mean dilatation", Chart::Cartesian, BRICK, mean),
         fluid8("free rotation", Chart::Cartesian, BRICK, free),
         fluid8("sector", Chart::Cylindrical, SECTOR, mean),
-        fluid4("plane", Chart::Cartesian, mean),
-        fluid4("plane, one point", Chart::Cartesian, point),
-        fluid4("sector", Chart::Cylindrical, mean),
     ];
     all.extend(surfaces());
     all.extend(potentials());

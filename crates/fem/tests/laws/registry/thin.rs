@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use fem::element::Element;
 use fem::element::beam_section::FibreSection;
-use fem::element::beam2::{Beam2, BeamSection};
 use fem::element::fibre_beam::{FibreBeam, Options, Points};
 use fem::element::shell::layered::{Bar, LayeredSection, Ply};
 use fem::element::shell::rule::Rule;
@@ -128,35 +127,6 @@ fn wall(what: &'static str, material: Solid, mass: LayerMass) -> Specimen {
     }
 }
 
-fn beam() -> Specimen {
-    const ENDS: [[f64; 3]; 2] = [[0.2, -0.1, 0.3], [1.1, 0.7, 1.2]];
-    let length = (Vector3::from(ENDS[1]) - Vector3::from(ENDS[0])).norm();
-    let build = |turn: &Turn| -> Box<dyn Element> {
-        let section = BeamSection {
-            axial: 100.0,
-            bending_2: 3.0,
-            bending_3: 5.0,
-            torsion: 2.0,
-            shear: [30.0, 40.0],
-            mass: 1.7,
-            polar_inertia: 0.2,
-        };
-        Box::new(
-            Beam2::new(
-                [0, 1],
-                ENDS.map(|x| turned(turn, x)),
-                turned(turn, [0.0, 1.0, 0.2]),
-                section,
-            )
-            .unwrap(),
-        )
-    };
-    Specimen {
-        mass: Mass::Of(1.7 * length),
-        ..Specimen::new("Beam2", "in space", &ENDS, build)
-    }
-}
-
 fn fibre_beam(what: &'static str, options: Options, yields: bool) -> Specimen {
     const ENDS: [[f64; 3]; 2] = [[1.0, 0.4, 0.5], [2.2, 0.4, 2.1]];
     let middle = [1.6, 0.4, 1.3];
@@ -198,7 +168,6 @@ pub(crate) fn all() -> Vec<Specimen> {
             LayerMass::Inner,
         ),
         wall("core", Solid::core(50.0, 20.0, 2.0), LayerMass::Outer),
-        beam(),
         fibre_beam("elastic", Options::default(), false),
         fibre_beam("elastic, P-Δ, Lobatto", second(Points::Lobatto3), false),
         fibre_beam("yielding", Options::default(), true),

@@ -1,8 +1,6 @@
-//! Soil-structure interaction in the codes.
-//!
-//! Formulas only: which edition a project uses, and the limits of the reduction, are to be read there.
+//! Soil-structure interaction in the codes, formulas only.
 
-use crate::structure::OnSoil;
+use ::soil::structure::OnSoil;
 
 /// EN 1998-4:2006 A.7: period of the impulsive mode with factors α of the impedance at its frequency [s].
 ///
@@ -11,7 +9,7 @@ use crate::structure::OnSoil;
 /// ```
 ///
 /// With α = 1 it is the static period of Veletsos & Meek.
-pub fn eurocode_period(on: &OnSoil, [alpha_x, alpha_theta]: [f64; 2]) -> f64 {
+pub(crate) fn eurocode_period(on: &OnSoil, [alpha_x, alpha_theta]: [f64; 2]) -> f64 {
     let s = on.disc.stiffness();
     let (k, h) = (on.structure.stiffness(), on.structure.height);
     let (kx, kt) = (s.horizontal * alpha_x, s.rocking * alpha_theta);
@@ -22,25 +20,20 @@ pub fn eurocode_period(on: &OnSoil, [alpha_x, alpha_theta]: [f64; 2]) -> f64 {
 ///
 /// * `period`: T_v of the breathing of the wall under vertical motion [s]
 /// * `stiffness`: k_l = 4π² m_l/T_v² [N/m]
-pub fn eurocode_vertical_period(period: f64, stiffness: f64, alpha_v: f64, soil: f64) -> f64 {
+pub(crate) fn eurocode_vertical_period(period: f64, stiffness: f64, alpha_v: f64, soil: f64) -> f64 {
     period * (1.0 + stiffness / (alpha_v * soil)).sqrt()
-}
-
-/// ASCE 7 chapter 19: period T̃ on the static springs of the disc at strain-compatible G [s].
-pub fn asce_period(on: &OnSoil) -> f64 {
-    on.static_period()
 }
 
 /// ASCE 7-10 chapter 19: effective damping β̃ = β₀ + 0.05/(T̃/T)³, not below 0.05, not above 0.20.
 ///
 /// * `foundation`: foundation damping factor β₀, read from figure 19.2-1
-pub fn asce_damping(foundation: f64, ratio: f64) -> f64 {
+pub(crate) fn asce_damping(foundation: f64, ratio: f64) -> f64 {
     (foundation + 0.05 / ratio.powi(3)).clamp(0.05, 0.20)
 }
 
 /// ASCE 7-10 chapter 19: reduction of the base shear over the effective weight, C_s − C̃_s (0.05/β̃)^0.4, from 0 to 0.3 C_s.
 ///
 /// * `fixed`, `flexible`: C_s at T, C̃_s at T̃
-pub fn asce_reduction(fixed: f64, flexible: f64, damping: f64) -> f64 {
+pub(crate) fn asce_reduction(fixed: f64, flexible: f64, damping: f64) -> f64 {
     (fixed - flexible * (0.05 / damping).powf(0.4)).clamp(0.0, 0.3 * fixed)
 }

@@ -8,7 +8,7 @@
 //!   └────────► x
 //! ```
 
-use super::{Face, MeshError, check_ascending};
+use fem::mesh::{Face, MeshError, check_ascending};
 
 /// Places of the nodes of a strip.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,21 +1,22 @@
 //! `fluid4`: liquid in displacements, bilinear quadrilateral in a vertical plane.
 //!
-//! The two-dimensional form of [`super::Fluid8`]. Cartesian chart: plane motion in (x, z), thickness t. Cylindrical
+//! The two-dimensional form of [`fem::element::Fluid8`]. Cartesian chart: plane motion in (x, z), thickness t. Cylindrical
 //! chart: axisymmetric motion in (r, z) without swirl, a sector of the given angle,
 //!
 //! ```text
 //! e = u_r,r + u_r/r + u_z,z        ω_rz = ½ (u_r,z − u_z,r)        √g = r
 //! ```
 //!
-//! Unknowns u_x and u_z; its nodes must not have frames. Axis nodes: hold u_x. Numbering: [`crate::shape::quad4`] with
+//! Unknowns u_x and u_z; its nodes must not have frames. Axis nodes: hold u_x. Numbering: [`fem::shape::quad4`] with
 //! r towards x and s towards z. Source: Wilson & Khalvati 1983; dissertation, chapter 5 (eqs. (5.60) to (5.62)).
 
-use super::fluid::{LiquidProperties, VolumePart, parameter_error};
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
-use crate::chart::Chart;
-use crate::dofs::Dof;
-use crate::mesh::Face;
-use crate::shape::{gauss, quad4};
+use fem::chart::Chart;
+use fem::dofs::Dof;
+use fem::element::{
+    Element, ElementError, Inspect, LiquidProperties, LocalMatrix, Motion, Response, Sample, VolumePart, Want,
+};
+use fem::mesh::Face;
+use fem::shape::{gauss, quad4};
 
 const KIND: &str = "fluid4";
 
@@ -51,7 +52,12 @@ impl Fluid4 {
     pub fn new(face: &Face, chart: Chart, breadth: f64, liquid: LiquidProperties) -> Result<Fluid4, ElementError> {
         liquid.check(KIND)?;
         if !(breadth > 0.0 && breadth.is_finite()) {
-            return Err(parameter_error(KIND, "breadth", breadth, "a positive number"));
+            return Err(ElementError::Parameter {
+                kind: KIND,
+                parameter: "breadth",
+                found: breadth.to_string(),
+                allowed: "a positive number",
+            });
         }
         let element = Fluid4 {
             nodes: face.nodes,

@@ -10,14 +10,13 @@
 //! Small displacements. Nodal values are exact for loads at the nodes. Axes: e₁ along the beam, e₂ given, e₃ = e₁ × e₂;
 //! `bending_3` = E I about e₃ bends the beam along e₂.
 //!
-//! Use: exact nodal values as reference for walls of solids and shells in benchmarks; no engine uses it.
+//! Use: exact nodal values as reference for walls of solids and shells.
 //!
 //! Source: Przemieniecki 1968, (5.116) and (11.24).
 
+use fem::dofs::Dof;
+use fem::element::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use nalgebra::{Matrix3, Vector3};
-
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
-use crate::dofs::Dof;
 
 const KIND: &str = "beam2";
 
@@ -312,8 +311,9 @@ impl Inspect for Beam2 {
 
 #[cfg(test)]
 mod tests {
+    use fem::element::reference_stiffness;
+
     use super::*;
-    use crate::element::reference_stiffness;
 
     fn section(shear: f64) -> BeamSection {
         BeamSection {

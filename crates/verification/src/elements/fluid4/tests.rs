@@ -1,6 +1,7 @@
+use fem::element::{Fluid8, RotationPart, reference_mass, reference_stiffness};
+use fem::mesh::Hexahedron;
+
 use super::*;
-use crate::element::{Fluid8, RotationPart, reference_mass, reference_stiffness};
-use crate::mesh::Hexahedron;
 
 fn face() -> Face {
     Face {
