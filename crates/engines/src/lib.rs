@@ -28,6 +28,7 @@ mod registry;
 pub mod response;
 pub mod solid;
 pub mod spectral;
+pub mod strip;
 
 pub use engine::{Engine, Simulation, Task};
 pub use error::FeError;

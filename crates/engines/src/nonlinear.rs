@@ -2,18 +2,17 @@
 //!
 //! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
 
-mod after_record;
+pub(crate) mod after_record;
 mod arcs;
 mod bottom;
 mod checkpoint;
-mod cylinder;
-mod extremes;
+pub(crate) mod cylinder;
+pub(crate) mod extremes;
 mod incremental;
-mod laws;
-mod parting;
+pub(crate) mod laws;
+pub(crate) mod parting;
 pub mod push;
 pub(crate) mod scope;
-mod strip;
 
 use fem::progress::Progress;
 use tank::Case;
@@ -22,6 +21,7 @@ use tank::Shape;
 use super::estimate::Estimate;
 use super::{FeError, Simulation};
 use crate::checks::check_depth;
+use crate::strip;
 
 pub use checkpoint::CheckpointFile;
 pub use incremental::Incremental;

@@ -98,7 +98,7 @@ pub enum AnalysisError {
 }
 
 /// Names the failed step of linear algebra.
-pub(crate) fn failed(what: &'static str) -> impl Fn(LinalgError) -> AnalysisError {
+pub fn failed(what: &'static str) -> impl Fn(LinalgError) -> AnalysisError {
     move |source| AnalysisError::Linalg { what, source }
 }
 

@@ -14,7 +14,6 @@
 //! * [`element`]: one file a kind; elements are pure, they hold parameters, and read and write the given state.
 //! * [`model`]: nodes, elements, supports and groups, built once and then read-only; [`dofs`] numbers its unknowns.
 //! * [`state`]: committed and trial fields and the elements' history. [`assembly`]: element matrices to global ones.
-//! * [`strip`]: a long rectangular tank as a strip, from fibre beams and condensed liquid.
 //! * [`progress`]: progress of a long analysis, and its interruption. [`cores`]: the cores it may use.
 //! * [`analysis`]: static, eigen, modal, spectral, frequency-domain and direct time integration.
 //!
@@ -34,4 +33,3 @@ pub mod progress;
 pub mod ring;
 pub mod shape;
 pub mod state;
-pub mod strip;

@@ -2,8 +2,8 @@
 //!
 //! [`Potential`]: the meridional section of a cylinder, one Fourier harmonic at a time, or the plane of a strip, condensed
 //! to the wall's trace and the free surface. [`HarmonicLiquid`] gathers the harmonics into the added mass of a wall of
-//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`strip`]: a rectangular tank in plane,
-//! in closed form. [`separation`]: where such a liquid leaves its wall.
+//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`separation`]: where a liquid leaves its
+//! wall.
 
 mod circular;
 mod condensed;
@@ -13,7 +13,6 @@ mod mesh;
 mod on_wall;
 mod potential;
 pub mod separation;
-pub mod strip;
 mod super_liquid;
 mod wall;
 

@@ -116,7 +116,7 @@ impl DepartureKind {
 }
 
 /// A moment at the base of a wall and its parts [N m/m], signed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BaseMoment {
     /// The wall.
     pub place: String,

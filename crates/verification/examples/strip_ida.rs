@@ -8,12 +8,12 @@
 use std::error::Error;
 use std::time::Instant;
 
+use engines::strip::{StripDamping, StripModel, StripQuake};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::Outcome;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam::{Options, Points};
 use fem::progress::Silent;
-use fem::strip::{StripDamping, StripModel, StripQuake};
 use oscillator::record::Record;
 use verification::strip::reinforced_tank;
 

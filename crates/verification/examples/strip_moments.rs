@@ -7,14 +7,14 @@
 use std::error::Error;
 use std::sync::Arc;
 
+use engines::strip::liquid::StripLiquid;
+use engines::strip::{Contact, Scalar, Side, StripDamping, StripModel, StripQuake, StripTank, levels};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::beam_section::FibreSection;
 use fem::element::fibre_beam::Options;
-use fem::liquid::strip::StripLiquid;
 use fem::progress::Silent;
-use fem::strip::{Contact, Scalar, Side, StripDamping, StripModel, StripQuake, StripTank, levels};
 use materials::bar::Bar;
 use materials::concrete::{Compression, Softening, Tension, UniaxialConcrete};
 use oscillator::record::Record;

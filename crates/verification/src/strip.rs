@@ -17,11 +17,11 @@ use std::sync::Arc;
 use materials::elastic::Elastic;
 use materials::{Law, LawError};
 
+use engines::strip::liquid::StripLiquid;
+use engines::strip::{Contact, StripError, StripTank, levels};
 use fem::element::ElementError;
 use fem::element::beam_section::FibreSection;
 use fem::element::fibre_beam::Options;
-use fem::liquid::strip::StripLiquid;
-use fem::strip::{Contact, StripError, StripTank, levels};
 
 pub(crate) mod at_rest;
 pub(crate) mod contact;

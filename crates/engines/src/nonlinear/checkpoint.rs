@@ -32,7 +32,7 @@ impl CheckpointFile {
     }
 
     /// The checkpoint of a run of the whole tank, written every `seconds` [s] of computing time.
-    pub(super) fn whole(&self, seconds: f64) -> Checkpoint {
+    pub(crate) fn whole(&self, seconds: f64) -> Checkpoint {
         Checkpoint {
             path: self.path.clone(),
             steps: 0,
@@ -43,7 +43,7 @@ impl CheckpointFile {
     }
 
     /// The checkpoint of one wall of a strip.
-    pub(super) fn wall(&self, side: Side, seconds: f64) -> Checkpoint {
+    pub(crate) fn wall(&self, side: Side, seconds: f64) -> Checkpoint {
         Checkpoint {
             path: self.path_of(side),
             key: format!("{} {}", self.key, side.id()),

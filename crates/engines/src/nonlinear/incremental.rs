@@ -7,9 +7,9 @@ use tank::units::Dimension;
 
 use super::CheckpointFile;
 use super::cylinder::Cylinder;
-use super::strip::Strip;
 use crate::FeError;
 use crate::checks::check_depth;
+use crate::strip::Strip;
 use results::{Fact, IdaRun};
 use tank::options::nonlinear::NonlinearOptions;
 

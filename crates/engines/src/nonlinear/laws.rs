@@ -17,15 +17,15 @@ use crate::FeError;
 use tank::options::nonlinear::ThicknessRule;
 
 /// Crushing energy over fracture energy (theory of the laws of concrete).
-pub(super) const CRUSHING: f64 = 250.0;
+pub(crate) const CRUSHING: f64 = 250.0;
 
 /// An error for something that the engine does not model.
-pub(super) fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
+pub(crate) fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
     Err(FeError::Unsupported(what.into()))
 }
 
 /// An error of a law as one of the engine.
-pub(super) fn refused(error: LawError) -> FeError {
+pub(crate) fn refused(error: LawError) -> FeError {
     match error {
         LawError::Parameter {
             law,
@@ -42,7 +42,7 @@ pub(super) fn refused(error: LawError) -> FeError {
 }
 
 /// Quadrature over a layer.
-pub(super) fn quadrature(rule: ThicknessRule) -> Rule {
+pub(crate) fn quadrature(rule: ThicknessRule) -> Rule {
     match rule {
         ThicknessRule::Gauss(n) => Rule::Gauss(n as usize),
         ThicknessRule::Lobatto(n) => Rule::Lobatto(n as usize),
@@ -55,7 +55,7 @@ pub(super) fn quadrature(rule: ThicknessRule) -> Rule {
 /// Law of concrete along a strip's wall; `element`: its length [m].
 ///
 /// Errors: a law that strips do not have; parameters out of range.
-pub(super) fn uniaxial_concrete(
+pub(crate) fn uniaxial_concrete(
     concrete: &Concrete,
     young: f64,
     layer: &Layer,
@@ -89,7 +89,7 @@ pub(super) fn uniaxial_concrete(
 
 /// Tension of concrete in a cell of size `element` [m]; tension stiffening ends where the bars of `direction` (of any without)
 /// yield, bond is that of these bars (the weaker of both directions without).
-pub(super) fn tension(concrete: &Concrete, layer: &Layer, direction: Option<BarDirection>, element: f64) -> Tension {
+pub(crate) fn tension(concrete: &Concrete, layer: &Layer, direction: Option<BarDirection>, element: f64) -> Tension {
     let size = concrete.band(element);
     let softening = match concrete.softening {
         Softening::FractureEnergy(fracture_energy) => Falls::Energy { fracture_energy, size },
@@ -168,7 +168,7 @@ fn bond(concrete: &Concrete, layer: &Layer, direction: BarDirection) -> Option<B
 /// Law along a bar.
 ///
 /// Errors: parameters out of range.
-pub(super) fn bar_law(material: &Material) -> Result<Arc<dyn Law<1>>, FeError> {
+pub(crate) fn bar_law(material: &Material) -> Result<Arc<dyn Law<1>>, FeError> {
     let young = material.youngs_modulus;
     let Behaviour::Reinforcement(bar) = material.behaviour else {
         return Ok(Arc::new(Elastic::new(young, 0.0).map_err(refused)?));

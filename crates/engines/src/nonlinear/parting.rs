@@ -3,7 +3,7 @@
 use results::LiquidParting;
 
 /// A separation as the results name it.
-pub(super) fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
+pub(crate) fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
     LiquidParting {
         time: found.time,
         height: found.height,

@@ -15,9 +15,8 @@ use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
 use super::cylinder::two;
 use super::laws::uniaxial_concrete;
-use super::strip;
-use super::strip::section as fibres;
-use crate::{FeError, out_of_round};
+use crate::strip::section as fibres;
+use crate::{FeError, out_of_round, strip};
 use tank::options::nonlinear::{NonlinearOptions, StripWall, WallElements};
 
 /// Size so small that only parameters of a law can be at fault [m].

@@ -155,7 +155,7 @@ impl Observable {
     }
 
     /// Coefficients of the ground acceleration with c·ι_k a_k taken in.
-    pub(crate) fn total_ground(&self, influence: &[Vec<f64>; 3]) -> [f64; 3] {
+    pub fn total_ground(&self, influence: &[Vec<f64>; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| self.ground[k] + apply(&self.acceleration, &influence[k]))
     }
 }

@@ -27,6 +27,9 @@ const KIND: &str = "liquid_joint";
 /// visibly, as any difference grows by a third in each of them.
 pub const RESIDUAL: f64 = 1e-12;
 
+/// Stiffness of the joint over that of the wall, so that the liquid gives way by a thousandth of what the wall does.
+pub const PENALTY: f64 = 1e3;
+
 /// An integration point of the joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointPoint {

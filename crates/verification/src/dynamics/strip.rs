@@ -1,6 +1,6 @@
 //! Strip 8.4 of the dissertation, linear: a cantilever wall with the liquid condensed onto it in closed form.
 //!
-//! Half of a tank of width 2 L with liquid to the height H, antisymmetric motion ([`fem::liquid::strip`]); wall at x = L
+//! Half of a tank of width 2 L with liquid to the height H, antisymmetric motion ([`engines::strip::liquid`]); wall at x = L
 //! as a beam of plane strain with Hermite elements; unknowns are its free deflections and rotations and the amplitudes q_n
 //! of N sloshing modes. The liquid is one function of the wall's deflection, without a mesh.
 
@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use oscillator::STANDARD_GRAVITY;
 
+use engines::strip::liquid::StripLiquid;
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::modal::ModalBasis;
@@ -18,7 +19,6 @@ use fem::analysis::statics::Statics;
 use fem::analysis::system::System;
 use fem::analysis::transient::{Load, Settings, Transient, integrate};
 use fem::linalg::{Eigen, Kind, Matrix, Ordering, Pattern, Symbolic, Symmetric, dot, generalized_eigen};
-use fem::liquid::strip::StripLiquid;
 use fem::progress::Silent;
 
 /// The strip with its matrices and modes.

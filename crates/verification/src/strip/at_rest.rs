@@ -2,13 +2,13 @@
 
 use super::{DEPTH, HALF_WIDTH, HEIGHT, PLANE_MODULUS, THICKNESS, elastic_section, tank};
 use crate::{Answer, Benchmark, Part, Reference, Row};
+use engines::strip::{StripDamping, StripError, StripModel};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::{Criteria, Newton, StepFailure};
 use fem::analysis::scheme::LoadStep;
 use fem::element::fibre_beam::Options;
 use fem::state::State;
-use fem::strip::{StripDamping, StripError, StripModel};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {

@@ -14,13 +14,13 @@ use oscillator::record::Record;
 use super::{elastic_section, tank};
 use crate::moreau::{Joint, Jointed, Opening};
 use crate::{Answer, Reference, Row};
+use engines::strip::{Contact, Scalar, Side, StripDamping, StripError, StripModel, StripQuake, WallHistory};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam;
 use fem::linalg::Matrix;
 use fem::progress::Silent;
-use fem::strip::{Contact, Scalar, Side, StripDamping, StripError, StripModel, StripQuake, WallHistory};
 
 /// Step [s].
 const STEP: f64 = 1.25e-3;
@@ -69,7 +69,7 @@ fn run(model: &StripModel, case: Case<'_>) -> Result<WallHistory, StripError> {
     quake.until = Some(until);
     quake.scheme = TimeScheme::GeneralizedAlpha { radius };
     quake.newton = Options::for_contact();
-    Ok(model.single(&quake, Side::Positive, &Silent)?.history)
+    Ok(model.single(&quake, Side::Front, &Silent)?.history)
 }
 
 /// Largest change of the moment at the base and of the elevation since the state at rest.

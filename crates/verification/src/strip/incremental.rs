@@ -4,11 +4,11 @@ use oscillator::record::Record;
 
 use super::reinforced_tank;
 use crate::{Answer, Benchmark, Part, Reference, Row};
+use engines::strip::{StripDamping, StripError, StripLevel, StripModel, StripQuake};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::ida::Point;
 use fem::element::fibre_beam::Options;
 use fem::progress::Silent;
-use fem::strip::{StripDamping, StripError, StripLevel, StripModel, StripQuake};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {

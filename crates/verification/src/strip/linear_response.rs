@@ -5,13 +5,13 @@ use oscillator::record::Record;
 use super::at_rest::at_rest;
 use super::{elastic_section, tank};
 use crate::{Answer, Benchmark, Part, Reference, Row};
+use engines::strip::{StripDamping, StripError, StripModel};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::transient::{Load, Settings, integrate};
 use fem::element::fibre_beam::Options;
 use fem::progress::Silent;
-use fem::strip::{StripDamping, StripError, StripModel};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {

@@ -7,8 +7,8 @@ use materials::concrete::{Compression, Softening, Tension, UniaxialConcrete};
 
 use super::{CONCRETE, G, HEIGHT, PLANE_MODULUS, THICKNESS, law_error, plain_section};
 use crate::{Answer, Benchmark, Part, Reference, Row};
+use engines::strip::StripError;
 use fem::element::beam_section::{CurvaturePoint, FibreSection};
-use fem::strip::StripError;
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {

@@ -25,6 +25,9 @@ use super::section::reinforced;
 use super::{ATTACHED, CONCRETE, DEPTH, G, THICKNESS, elastic_section, law_error, tank};
 use crate::solid::macro_wall::StiffShear;
 use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
+use engines::strip::{
+    Contact, Scalar, ShellRow, ShellWall, Side, StripDamping, StripModel, StripQuake, StripTank, WallHistory,
+};
 use fem::analysis::newton::Options as Newton;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::beam_section::FibreSection;
@@ -36,9 +39,6 @@ use fem::element::solid8::{Elastic, Kinematics};
 use fem::element::wall::place::{Build, Leaf};
 use fem::element::wall::{Layer, LayerMass};
 use fem::progress::Silent;
-use fem::strip::{
-    Contact, Scalar, ShellRow, ShellWall, Side, StripDamping, StripModel, StripQuake, StripTank, WallHistory,
-};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
@@ -182,7 +182,7 @@ fn run(model: &StripModel, record: &Record, until: Option<f64>) -> Result<WallHi
     if model.joints.is_some() {
         quake.newton = Newton::for_contact();
     }
-    Ok(model.single(&quake, Side::Positive, &Silent)?.history)
+    Ok(model.single(&quake, Side::Front, &Silent)?.history)
 }
 
 /// Wave, deflection, shear and moment at the base: what is compared, with its unit and the factor to it.
@@ -380,17 +380,18 @@ fn cracks(record: &Record, until: Option<f64>, motion: &str) -> Answer {
     )];
     let tolerance = [5e-3, f64::INFINITY, f64::INFINITY, f64::INFINITY];
     rows.extend(compare(&name, [&histories[0], &histories[1]], tolerance));
-    let most =
-        |history: &WallHistory, of: &dyn Fn(&fem::strip::Cell) -> f64| history.cells.iter().map(of).fold(0.0, f64::max);
+    let most = |history: &WallHistory, of: &dyn Fn(&engines::strip::Cell) -> f64| {
+        history.cells.iter().map(of).fold(0.0, f64::max)
+    };
     let [fibre, shell] = [&histories[0], &histories[1]];
     for (what, of, factor, unit) in [
         (
             "largest stress of a bar",
-            &(|c: &fem::strip::Cell| c.bar_stress) as &dyn Fn(&fem::strip::Cell) -> f64,
+            &(|c: &engines::strip::Cell| c.bar_stress) as &dyn Fn(&engines::strip::Cell) -> f64,
             1e-6,
             "MPa",
         ),
-        ("highest crack", &|c: &fem::strip::Cell| c.highest_crack, 1.0, "m"),
+        ("highest crack", &|c: &engines::strip::Cell| c.highest_crack, 1.0, "m"),
     ] {
         rows.push(Row::new(
             "C14",

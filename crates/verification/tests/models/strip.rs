@@ -3,13 +3,13 @@
 //! Model:     fibre beams under the liquid in closed form, El Centro as textbooks print it
 //! Tolerance: at each row
 
+use engines::strip::{Side, StripDamping, StripModel, StripQuake};
 use fem::analysis::march::Outcome;
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::transient::{Load, Settings, integrate};
 use fem::element::fibre_beam::Options;
 use fem::progress::Silent;
-use fem::strip::{Side, StripDamping, StripModel, StripQuake};
 use oscillator::record::Record;
 use verification::strip::reinforced_tank;
 
@@ -39,7 +39,7 @@ fn uncracked_walls_are_linear_and_cracked_ones_keep_the_balance() {
     let mut quake = StripQuake::new(record.clone(), 5e-3);
     quake.scheme = TimeScheme::Trapezoidal;
     quake.until = Some(3.0);
-    let rest = strip.run(&quake, 0.0, Side::Positive, &Silent).unwrap();
+    let rest = strip.run(&quake, 0.0, Side::Front, &Silent).unwrap();
     let levels = strip.incremental(&quake, &[0.2, 1.6], 2, &Silent, |_| {}).unwrap();
 
     let grid = Grid::new(record.dt, 3.0, 0.0, 5e-3);

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use fem::dofs::Dof;
+use fem::element::liquid_joint::PENALTY;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::wall::place::{Footprint, PlacedWall};
 use fem::liquid::{CircularLiquid, CondensedLiquid, HarmonicLiquid, LiquidMesh, WallLiquid};
@@ -63,7 +64,7 @@ pub(super) fn build_rows(
         .collect()
 }
 
-/// Stiffness of the joint of liquid and wall: [`fem::strip::PENALTY`] times that of the stiffest course against a pressure, E t/R².
+/// Stiffness of the joint of liquid and wall: [`PENALTY`] times that of the stiffest course against a pressure, E t/R².
 pub(super) fn penalty(case: &Case, radius: f64) -> f64 {
     let courses = case.tank.courses.iter().map(|course| {
         let layers = course.build_up();
@@ -72,7 +73,7 @@ pub(super) fn penalty(case: &Case, radius: f64) -> f64 {
             .map(|l| l.material.youngs_modulus * l.thickness)
             .sum::<f64>()
     });
-    fem::strip::PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
+    PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
 }
 
 /// Clamped base, unless the wall `stands` on its bottom; the plane of symmetry.

@@ -1,73 +1,25 @@
 //! Demand of a nonlinear run of a strip: the largest values of its history.
 
-use super::BaseReaction;
+use fem::analysis::march::Range;
+use fem::liquid::separation::Parting;
+use results::FirstCrack;
+use results::nonlinear::{BaseMoment, Departure};
+
 use super::history::{Cell, EventKind, Scalar, WallHistory};
-use super::validity::{Departure, first_of};
-use crate::analysis::march::Range;
-use crate::liquid::separation::Parting;
+use super::model::BaseReaction;
+use super::validity::first_of;
 
-/// A moment at the base and its parts [N].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BaseMoment {
-    /// Time [s].
-    pub time: f64,
-    /// The reaction, sum of the parts.
-    pub reaction: f64,
-    /// Stresses of the lowest element, extrapolated to the base.
-    pub section: f64,
-    /// Viscous damping.
-    pub damping: f64,
-    /// Inertia of the lowest element and dynamic pressure on it.
-    pub inertia: f64,
-    /// Pressure at rest that acts on the base itself.
-    pub load: f64,
-}
-
-impl BaseMoment {
-    /// The moments of a reaction at the time `time` [s].
-    pub fn of(time: f64, reaction: &BaseReaction) -> BaseMoment {
-        BaseMoment {
-            time,
-            reaction: reaction.total()[2],
-            section: reaction.section[2],
-            damping: reaction.damping[2],
-            inertia: reaction.inertia[2],
-            load: reaction.load[2],
-        }
+/// The moments at the base of a reaction at the time `time` [s]; wall and largest moment of the section are not known yet.
+pub(super) fn base_moment(time: f64, reaction: &BaseReaction) -> BaseMoment {
+    BaseMoment {
+        time,
+        reaction: reaction.total()[2],
+        section: reaction.section[2],
+        damping: reaction.damping[2],
+        inertia: reaction.inertia[2],
+        load: reaction.load[2],
+        ..BaseMoment::default()
     }
-
-    pub(super) fn array(&self) -> [f64; 6] {
-        [
-            self.time,
-            self.reaction,
-            self.section,
-            self.damping,
-            self.inertia,
-            self.load,
-        ]
-    }
-
-    pub(super) fn from_array([time, reaction, section, damping, inertia, load]: [f64; 6]) -> BaseMoment {
-        BaseMoment {
-            time,
-            reaction,
-            section,
-            damping,
-            inertia,
-            load,
-        }
-    }
-}
-
-/// The first crack of a wall.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FirstCrack {
-    /// Time [s].
-    pub time: f64,
-    /// Height of the section [m].
-    pub height: f64,
-    /// Moment at the base then [N].
-    pub base_moment: f64,
 }
 
 /// Largest values of a run, and the final state of the wall.
@@ -127,7 +79,7 @@ impl Demand {
             deflection,
             deflection_time,
             base_moment: history.peak.reaction.abs(),
-            parts: history.peak,
+            parts: history.peak.clone(),
             section_moment: largest(Scalar::SectionMoment).0,
             first_crack: first_crack.map(|e| FirstCrack {
                 time: e.time,
@@ -160,7 +112,7 @@ impl Demand {
             deflection: larger.deflection,
             deflection_time: larger.deflection_time,
             base_moment: stronger.base_moment,
-            parts: stronger.parts,
+            parts: stronger.parts.clone(),
             section_moment: a.section_moment.max(b.section_moment),
             first_crack: first,
             highest_crack: a.highest_crack.max(b.highest_crack),
@@ -171,7 +123,7 @@ impl Demand {
             parting: earlier(a.parting, b.parting, |p| p.time),
             open: a.open.zip(b.open).map(|(a, b)| a.max(b)).or(a.open).or(b.open),
             ranges: Vec::new(),
-            departures: first_of(&a.departures, &b.departures),
+            departures: first_of(a.departures.iter().chain(&b.departures).cloned()),
         }
     }
 }

@@ -3,22 +3,21 @@
 use std::collections::BTreeMap;
 
 use fem::progress::Progress;
-use fem::strip::{Scalar, Side as Wall, WallHistory};
 use tank::Shape;
 use tank::case::GroundMotion;
 use tank::demand::{Demands, Peak};
 use tank::{Case, Quantity};
 
-use super::super::CheckpointFile;
-use super::super::extremes::of_maps;
-use super::build::Strip;
-use super::failure::failed;
+use super::case::Strip;
+use super::history::{Scalar, WallHistory};
 use super::modes::{damping_table, modes};
 use super::walls::Walls;
 use crate::histories::Histories;
 use crate::impulsive::{Impulsive, Member};
 use crate::linear::checked_motion;
 use crate::modes::Kind;
+use crate::nonlinear::CheckpointFile;
+use crate::nonlinear::extremes::of_maps;
 use crate::{FeError, Simulation};
 use results::channel::{OnWall, Side};
 use results::nonlinear::{At, Nonlinear, TwoSided};
@@ -42,10 +41,7 @@ pub(crate) fn simulate(
         Shape::Cylinder { .. } => 1.0,
     };
     let files = Side::BOTH.map(|side| checkpoint.map(|c| c.wall(side, options.checkpoint)));
-    let runs = strip
-        .model
-        .histories(&strip.quake, files.clone(), progress)
-        .map_err(failed)?;
+    let runs = strip.model.histories(&strip.quake, files, progress)?;
     let samples = runs.iter().map(|r| r.history.samples.len()).min().unwrap_or(0);
     let walls = Walls {
         case,
@@ -131,7 +127,7 @@ impl Report<'_> {
             envelopes: self.envelopes(),
             record_end: self.strip.span.record_end(),
             histories: histories.info,
-            limits: self.limits(wave),
+            limits: self.strip.limits(wave, self.suction()),
             nonlinear: Some(self.nonlinear(&lines)),
             incomplete: self.walls.interrupted(),
             ..Run::new(EngineId::Nonlinear)
@@ -363,6 +359,3 @@ fn value_at(times: &[f64], values: &[f64], t: f64, at: &mut usize) -> f64 {
         (None, _) => 0.0,
     }
 }
-
-// Order of the walls in arrays.
-const _: () = assert!(Wall::Positive as usize == 0 && Wall::Negative as usize == 1);

@@ -14,10 +14,12 @@
 //! Bonaventura & Bursi 2002). Modes that are not damped keep it. The balance of energies closes all the same, since it holds
 //! for any f̄; stored energy does not. Later results are meaningless, and the run stops.
 
-use super::{BaseReaction, StripModel};
-use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::march::Instant;
-use crate::element::{Inspect, Inspection};
+use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use fem::analysis::march::Instant;
+use fem::element::{Inspect, Inspection};
+use results::nonlinear::{Departure, DepartureKind, Passed};
+
+use super::model::{BaseReaction, StripModel};
 
 /// Strain of a bar whose strain at rupture is not given: the least characteristic strain at the greatest force of any class
 /// (class A).
@@ -38,48 +40,13 @@ pub const ACCELERATION: f64 = 500.0 * oscillator::STANDARD_GRAVITY;
 /// the limit within milliseconds where it does not.
 pub const ENERGY_SHARE: f64 = 0.05;
 
-/// How a run leaves its model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DepartureKind {
-    /// A bar beyond its strain at rupture; value and limit are strains.
-    BarStrain,
-    /// Base moment of damping and inertia over that of the section; value and limit are shares.
-    MomentBalance,
-    /// Acceleration of a node [m/s²].
-    Acceleration,
-    /// Stored energy [J per m].
-    StoredEnergy,
-}
-
-impl DepartureKind {
-    /// All of them.
-    pub const ALL: [DepartureKind; 4] = [
-        DepartureKind::BarStrain,
-        DepartureKind::MomentBalance,
-        DepartureKind::Acceleration,
-        DepartureKind::StoredEnergy,
-    ];
-
-    /// Whether the run stops there.
-    pub fn stops(self) -> bool {
-        self == DepartureKind::StoredEnergy
-    }
-}
-
-/// The first time that a run passes a limit of its model.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
-    /// Which limit.
-    pub kind: DepartureKind,
-    /// Time [s].
-    pub time: f64,
-    /// Height above the base [m].
-    pub height: f64,
-    /// Value found, in the unit of the kind.
-    pub value: f64,
-    /// Limit of the model.
-    pub limit: f64,
-}
+/// Kinds of departures, in the order of the numbers that checkpoints hold.
+const KINDS: [DepartureKind; 4] = [
+    DepartureKind::BarStrain,
+    DepartureKind::MomentBalance,
+    DepartureKind::Acceleration,
+    DepartureKind::StoredEnergy,
+];
 
 /// Bar closest to its limit.
 #[derive(Clone, Copy, Debug, Default)]
@@ -187,13 +154,8 @@ impl Validity {
             (DepartureKind::StoredEnergy, stored < energy, place, stored, energy),
         ] {
             if passed && self.found.iter().all(|d| d.kind != kind) {
-                self.found.push(Departure {
-                    kind,
-                    time: now.time,
-                    height,
-                    value,
-                    limit,
-                });
+                self.found
+                    .push(departure(kind, now.time, height, Passed { value, limit }));
             }
         }
     }
@@ -214,9 +176,12 @@ impl Validity {
         let [reaction, section] = self.moments;
         to.numbers(&[dissipated, rest, self.largest, reaction, section, self.joints]);
         self.before.iter().for_each(|field| to.numbers(field));
-        let all = self.found.iter();
-        let all = all.flat_map(|d| [d.kind as usize as f64, d.time, d.height, d.value, d.limit]);
-        to.numbers(&all.collect::<Vec<_>>());
+        let mut all = Vec::new();
+        for d in &self.found {
+            let (value, limit) = d.passed.map_or((0.0, 0.0), |p| (p.value, p.limit));
+            all.extend([d.kind as usize as f64, d.time, d.height, value, limit]);
+        }
+        to.numbers(&all);
     }
 
     pub(crate) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
@@ -227,15 +192,13 @@ impl Validity {
         self.before = [from.numbers("displacements")?, from.numbers("forces of the joints")?];
         self.start = (!dissipated.is_nan()).then_some([dissipated, rest]);
         (self.largest, self.moments) = (largest, [reaction, section]);
-        let kind = |k: f64| DepartureKind::ALL.into_iter().find(|d| *d as usize as f64 == k);
+        let kind = |k: f64| KINDS.into_iter().find(|d| *d as usize as f64 == k);
         let departure = |d: &[f64]| {
-            Some(Departure {
-                kind: kind(d[0])?,
-                time: d[1],
-                height: d[2],
+            let passed = Passed {
                 value: d[3],
                 limit: d[4],
-            })
+            };
+            Some(departure(kind(d[0])?, d[1], d[2], passed))
         };
         let all = from.numbers("departures")?;
         self.found = all.chunks_exact(5).filter_map(departure).collect();
@@ -243,9 +206,20 @@ impl Validity {
     }
 }
 
-/// The first of each kind of both lists, by time.
-pub(super) fn first_of(a: &[Departure], b: &[Departure]) -> Vec<Departure> {
-    let mut all: Vec<Departure> = a.iter().chain(b).copied().collect();
+/// A departure of one wall.
+fn departure(kind: DepartureKind, time: f64, height: f64, passed: Passed) -> Departure {
+    Departure {
+        kind,
+        time,
+        theta: None,
+        height,
+        passed: Some(passed),
+    }
+}
+
+/// The first of each kind, by time.
+pub(super) fn first_of(all: impl Iterator<Item = Departure>) -> Vec<Departure> {
+    let mut all: Vec<Departure> = all.collect();
     all.sort_by(|a, b| a.time.total_cmp(&b.time));
     let mut first: Vec<Departure> = Vec::new();
     for departure in all {

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use fem::dofs::Dof;
 use fem::linalg::dot;
-use fem::strip::StripModel;
 
+use super::model::StripModel;
 use crate::modes::Kind;
 use results::{DampingRow, Mode, ModeShape};
 

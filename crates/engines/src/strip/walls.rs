@@ -2,11 +2,13 @@
 
 use fem::analysis::march::{Collapse, Outcome};
 use fem::dofs::Dof;
-use fem::strip::{EventKind, Scalar, StripModel, WallRun};
 use tank::Case;
 use tank::units::{Dimension, display, significant};
 
-use super::departures::{base_moment, departure};
+use super::history::{EventKind, Scalar};
+use super::model::StripModel;
+use super::run::WallRun;
+use super::validity::first_of;
 use results::channel::Side;
 use results::nonlinear::{
     BaseMoment, Columns, Count, Departure, End, Energies, Event, EventKind as Kind, Loop, LoopAxis, Nonlinear, WallGrid,
@@ -18,6 +20,14 @@ pub(super) const WALLS: [&str; 2] = ["wall at θ = 0°", "wall at θ = 180°"];
 const ANGLES: [f64; 2] = [0.0, std::f64::consts::PI];
 /// Names of the faces.
 pub(super) const FACES: [&str; 2] = ["inner face", "outer face"];
+
+/// The departure of the wall at the angle `theta` [rad].
+fn at(found: &Departure, theta: f64) -> Departure {
+    Departure {
+        theta: Some(theta),
+        ..found.clone()
+    }
+}
 
 /// Both walls after a run.
 pub(super) struct Walls<'a> {
@@ -58,7 +68,11 @@ impl Walls<'_> {
         walls
             .map(|(run, name)| {
                 let section = run.history.scalar(Scalar::SectionMoment).iter();
-                base_moment(&run.history.peak, name, section.fold(0.0, |most, m| m.abs().max(most)))
+                BaseMoment {
+                    place: name.into(),
+                    largest_section: section.fold(0.0, |most, m| m.abs().max(most)),
+                    ..run.history.peak.clone()
+                }
             })
             .collect()
     }
@@ -66,24 +80,14 @@ impl Walls<'_> {
     /// Limits of the model that were exceeded, the first of each kind by time.
     pub(super) fn departures(&self) -> Vec<Departure> {
         let walls = self.runs.iter().zip(ANGLES);
-        let mut all: Vec<Departure> = walls
-            .flat_map(|(run, theta)| run.history.departures.iter().map(move |d| departure(d, Some(theta))))
-            .collect();
-        all.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let mut first: Vec<Departure> = Vec::new();
-        for found in all {
-            if first.iter().all(|d| d.kind != found.kind) {
-                first.push(found);
-            }
-        }
-        first
+        first_of(walls.flat_map(|(run, theta)| run.history.departures.iter().map(move |d| at(d, theta))))
     }
 
     /// The limit of the model that stopped the run of a wall.
     pub(super) fn left(&self, wall: usize) -> Option<Departure> {
         let history = &self.runs[wall].history;
         let found = history.departures.iter().find(|d| d.kind.stops())?;
-        Some(departure(found, Some(ANGLES[wall])))
+        Some(at(found, ANGLES[wall]))
     }
 
     /// The wall whose run ends first prematurely: it collapses, or exceeds a limit of the model.

@@ -1,9 +1,10 @@
 //! Maps and cracks of the walls, cell by cell.
 
-use fem::strip::{Picture, WallRun};
 use tank::units::Dimension;
 use tank::{Behaviour, Concrete, Layer};
 
+use super::history::Picture;
+use super::run::WallRun;
 use super::section::{course_at, main_leaf};
 use super::walls::{FACES, WALLS, Walls};
 use results::nonlinear::{CellMap, Crack, CrackPicture};

@@ -22,9 +22,9 @@ pub use places::Place;
 
 use oscillator::STANDARD_GRAVITY;
 
-use crate::linalg::Matrix;
-use crate::shape::gauss;
-use crate::shape::line::hermite;
+use fem::linalg::Matrix;
+use fem::shape::gauss;
+use fem::shape::line::hermite;
 
 /// Terms of the added mass: the series converges with j⁻³ and faster.
 const TERMS: usize = 60;

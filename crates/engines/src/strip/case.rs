@@ -5,18 +5,19 @@ use std::sync::Arc;
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam;
-use fem::liquid::strip::StripLiquid;
-use fem::strip::{StripModel, StripQuake, StripTank};
 use tank::Case;
 use tank::Shape;
 
-use super::super::after_record::Span;
-use super::super::laws::unsupported;
 use super::describe::{assumptions, damping, facts};
-use super::failure::failed;
+use super::liquid::StripLiquid;
+use super::model::StripModel;
+use super::parameters::{self, StripTank};
+use super::run::StripQuake;
 use super::section::{course_at, levels, section};
 use super::shells;
 use crate::FeError;
+use crate::nonlinear::after_record::Span;
+use crate::nonlinear::laws::unsupported;
 use results::Fact;
 use tank::options::nonlinear::{Contact, NonlinearOptions, StripWall};
 
@@ -90,14 +91,14 @@ impl Strip {
             liquid,
             sloshing: SLOSHING_MODES,
             contact: match options.contact {
-                Contact::Bonded => fem::strip::Contact::Bonded,
-                Contact::Opening => fem::strip::Contact::Joined {
+                Contact::Bonded => parameters::Contact::Bonded,
+                Contact::Opening => parameters::Contact::Joined {
                     opens: true,
                     penalty: None,
                 },
             },
         };
-        let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?).map_err(failed)?;
+        let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?)?;
         if !options.self_weight {
             model.weight.fill(0.0);
         }

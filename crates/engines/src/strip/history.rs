@@ -7,10 +7,9 @@ mod observer;
 
 pub(super) use observer::WallObserver;
 
-use super::demand::BaseMoment;
-use super::validity::Departure;
-use crate::analysis::march::Range;
-use crate::liquid::separation::{Openings, SeparationCheck};
+use fem::analysis::march::Range;
+use fem::liquid::separation::{Openings, SeparationCheck};
+use results::nonlinear::{BaseMoment, Departure};
 
 /// A quantity with a history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

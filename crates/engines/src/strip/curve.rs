@@ -2,19 +2,18 @@
 
 use fem::analysis::march::{Outcome, Range};
 use fem::progress::Progress;
-use fem::strip::{Scalar, StripLevel, StripRun};
 
-use super::super::CheckpointFile;
-use super::super::extremes::of_range;
-use super::super::parting::parting;
-use super::build::Strip;
-use super::departures::{base_moment, departure};
-use super::failure::failed;
+use super::case::Strip;
+use super::history::Scalar;
+use super::run::{StripLevel, StripRun};
 use crate::FeError;
 use crate::linear::limits;
+use crate::nonlinear::CheckpointFile;
+use crate::nonlinear::extremes::of_range;
+use crate::nonlinear::parting::parting;
 use results::channel::{OnWall, Side};
-use results::nonlinear::TwoSided;
-use results::{Channel, Collapse, FirstCrack, IdaRun, Limit};
+use results::nonlinear::{BaseMoment, TwoSided};
+use results::{Channel, Collapse, IdaRun, Limit};
 
 /// Extremes of a wall: both signs.
 fn extremes((wall, side): (&StripRun, Side)) -> Vec<TwoSided> {
@@ -39,14 +38,10 @@ impl Strip {
         self.model.tank.liquid.depth
     }
 
-    /// Limits of validity at a scale.
-    fn limits(&self, level: &StripLevel) -> Vec<Limit> {
-        let rise = |wall: &StripRun| {
-            let found = wall.demand.ranges.iter().find(|r| r.0 == Scalar::Elevation);
-            found.map_or(0.0, |(_, rest, range)| range.max - rest)
-        };
-        let wave = level.walls.iter().map(rise).fold(0.0, f64::max);
+    /// Limits of validity of a run with waves of the height `wave` [m].
+    pub(super) fn limits(&self, wave: f64, suction: Option<Limit>) -> Vec<Limit> {
         let mut found = limits::waves(&self.case, wave).to_vec();
+        found.extend(suction);
         let omega = self.model.wall_frequency();
         found.push(limits::compressibility(&self.case, omega / std::f64::consts::TAU));
         found.push(limits::record(omega, self.quake.horizontal.dt));
@@ -67,18 +62,22 @@ impl Strip {
         progress: &dyn Progress,
         mut each: impl FnMut(IdaRun),
     ) -> Result<Vec<IdaRun>, FeError> {
-        let file = |scale, side| checkpoint(scale).map(|file| file.wall(Side::BOTH[side as usize], self.seconds));
+        let file = |scale, side| checkpoint(scale).map(|file| file.wall(side, self.seconds));
         let levels = self
             .model
             .incremental_from(&self.quake, scales, threads, &file, progress, |level| {
                 each(self.run(level));
-            })
-            .map_err(failed)?;
+            })?;
         Ok(levels.iter().map(|level| self.run(level)).collect())
     }
 
     fn run(&self, level: &StripLevel) -> IdaRun {
         let demand = level.demand();
+        let rise = |wall: &StripRun| {
+            let found = wall.demand.ranges.iter().find(|r| r.0 == Scalar::Elevation);
+            found.map_or(0.0, |(_, rest, range)| range.max - rest)
+        };
+        let wave = level.walls.iter().map(rise).fold(0.0, f64::max);
         let collapse = level.walls.iter().find_map(|wall| match &wall.outcome {
             Outcome::Collapsed(collapse) => Some(Collapse {
                 time: collapse.time,
@@ -99,17 +98,16 @@ impl Strip {
             wave: demand.wave,
             wall_displacement: demand.deflection,
             wall_displacement_time: demand.deflection_time,
-            departures: demand.departures.iter().map(|d| departure(d, None)).collect(),
+            departures: demand.departures,
             base_moment: demand.base_moment,
             section_moment: Some(demand.section_moment),
-            moment_parts: Some(base_moment(&demand.parts, "", demand.section_moment)),
-            first_crack: demand.first_crack.map(|c| FirstCrack {
-                time: c.time,
-                height: c.height,
-                base_moment: c.base_moment,
+            moment_parts: Some(BaseMoment {
+                largest_section: demand.section_moment,
+                ..demand.parts
             }),
+            first_crack: demand.first_crack,
             parting: demand.parting.map(parting),
-            limits: self.limits(level),
+            limits: self.limits(wave, None),
             open_share: demand.open.map(|length| length / self.depth()),
             extremes: level.walls.iter().zip(Side::BOTH).flat_map(extremes).collect(),
             highest_crack: demand.highest_crack,

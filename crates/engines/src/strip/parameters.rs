@@ -1,56 +1,16 @@
-//! A long rectangular tank as a strip: walls of fibre beams or layered shells, and the liquid condensed in closed form.
-//!
-//! ```text
-//!        z                       one wall of the strip at x = L, per metre of tank
-//!        ▲  ┃                    wall: fibre beams, clamped or on a rotation spring at the base
-//!    H_T ┤  ┃                    liquid: added mass and sloshing modes on its deflection (liquid::strip)
-//!      H ┤~~┃                    at rest: hydrostatic pressure, and the weight of the wall
-//!        └──┸──► x
-//! ```
-//!
-//! The liquid is that of the antisymmetric motion: both walls move by the same. Walls that crack do not quite, since the
-//! hydrostatic pressure bends them apart and the earthquake to one side; the neglected part is the liquid's response to the
-//! difference of two wall deflections, far below that to the ground. The other wall is this one under the record with the
-//! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
-//! the caller puts into the law, E/(1 − ν²).
-//!
-//! Where the joint may open ([`Contact`]) the liquid's face has its own displacement and carries the pressure at rest; joints
-//! ([`crate::element::liquid_joint`]) stand between the two.
-//!
-//! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
-//! * [`StripModel::histories`]: both walls through an earthquake, with full histories ([`WallHistory`]).
-//!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
-//! * [`levels`]: nodes along a wall. [`ShellWall`]: shells and the layer between them in place of the beams.
-
-mod build;
-mod contact;
-mod demand;
-mod history;
-mod model;
-mod run;
-mod shells;
-mod validity;
-
-#[cfg(test)]
-mod tests;
-
-pub use build::StripDamping;
-pub use contact::{Joints, Touch};
-pub use demand::{BaseMoment, Demand, FirstCrack};
-pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-pub use model::{BaseReaction, Side, StripModel};
-pub use run::{StripLevel, StripQuake, StripRun, WallRun};
-pub use shells::{ShellRow, ShellWall};
-pub use validity::{ACCELERATION, BAR_STRAIN, Departure, DepartureKind, ENERGY_SHARE, MOMENT_SHARE};
+//! Parameters of a strip, and its errors.
 
 use std::sync::Arc;
 
-use crate::analysis::AnalysisError;
-use crate::element::ElementError;
-use crate::element::beam_section::FibreSection;
-use crate::element::fibre_beam::Options;
-use crate::liquid::strip::{StripLiquid, Trace};
-use crate::model::ModelError;
+use fem::analysis::AnalysisError;
+use fem::element::ElementError;
+use fem::element::beam_section::FibreSection;
+use fem::element::fibre_beam::Options;
+use fem::model::ModelError;
+
+use super::liquid::{StripLiquid, Trace};
+use super::shells::ShellWall;
+use crate::FeError;
 
 /// Parameters of the strip, per metre of tank.
 #[derive(Clone, Debug)]
@@ -93,7 +53,7 @@ pub enum Contact {
     Joined {
         /// Whether the joint opens where the pressure of the displaced particle falls below zero.
         opens: bool,
-        /// k_n [N/m³]; without, [`PENALTY`] times the stiffness of the wall under the pressure at rest.
+        /// k_n [N/m³]; without, [`PENALTY`](fem::element::liquid_joint::PENALTY) times the stiffness of the wall under the pressure at rest.
         penalty: Option<f64>,
     },
 }
@@ -108,16 +68,12 @@ impl Contact {
     }
 }
 
-/// Stiffness of the joint of liquid and wall over that of the wall, so that the liquid gives way by a thousandth of what the
-/// wall does.
-pub const PENALTY: f64 = 1e3;
-
 /// Share of the height by which the top of a wall may move: beyond it the theory of small deflections does not apply, and the
 /// wall counts as collapsed.
 pub const LARGEST_DEFLECTION: f64 = 0.1;
 
 /// Why a run of a wall was stopped whose top stands at the deflection `u` [m] of a height `h` [m].
-fn lost(u: f64, h: f64) -> Option<String> {
+pub(super) fn lost(u: f64, h: f64) -> Option<String> {
     (u.abs() > LARGEST_DEFLECTION * h).then(|| {
         format!(
             "the top of the wall has moved by more than {LARGEST_DEFLECTION} of its height, beyond small deflections"
@@ -147,6 +103,15 @@ pub enum StripError {
     /// Of an analysis.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
+}
+
+impl From<StripError> for FeError {
+    fn from(error: StripError) -> FeError {
+        match error {
+            StripError::Analysis(AnalysisError::Checkpoint(fault)) => FeError::Checkpoint(fault),
+            other => FeError::Analysis(other.to_string()),
+        }
+    }
 }
 
 /// Nodes of a wall: `wet` elements up to the surface and `dry` above it. Lengths of the wet elements grow upwards in

@@ -1,14 +1,11 @@
 //! A run of the strip in words: mesh, integration, envelopes, limits, notes.
 
-use std::f64::consts::TAU;
-
 use fem::analysis::damping::RatioRow;
 use tank::units::{Dimension, display, significant};
 
 use super::describe;
 use super::simulate::Report;
 use super::walls::WALLS;
-use crate::linear::limits;
 use results::channel::OnWall;
 use results::{Balance, Envelope, Labelled, Limit};
 use tank::options::nonlinear::Damping;
@@ -152,17 +149,8 @@ impl Report<'_> {
         }]
     }
 
-    pub(super) fn limits(&self, wave: f64) -> Vec<Limit> {
-        let model = &self.strip.model;
-        let mut found = limits::waves(self.case, wave).to_vec();
-        found.extend(self.suction());
-        found.push(limits::compressibility(self.case, model.wall_frequency() / TAU));
-        found.push(limits::record(model.wall_frequency(), self.motion.horizontal.dt));
-        found
-    }
-
     /// Lowest pressure of a particle at the wall, below the trough.
-    fn suction(&self) -> Option<Limit> {
+    pub(super) fn suction(&self) -> Option<Limit> {
         let mut worst: Option<(f64, f64, f64, &str)> = None;
         for (run, name) in self.walls.runs.iter().zip(WALLS) {
             let found = run.history.separation.result();

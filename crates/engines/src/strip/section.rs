@@ -9,9 +9,9 @@ use materials::von_mises::VonMises;
 use tank::Case;
 use tank::{BarDirection, Behaviour, Course, Layer, LayerKind};
 
-use super::super::laws::{bar_law, quadrature, refused, uniaxial_concrete, unsupported};
 use crate::FeError;
 use crate::error::failed;
+use crate::nonlinear::laws::{bar_law, quadrature, refused, uniaxial_concrete, unsupported};
 use tank::options::nonlinear::{NonlinearOptions, ThicknessRule};
 
 /// Share of the bending stiffness below which a leaf other than the main one is not modelled.

@@ -8,14 +8,21 @@
 //! Moments refer to the middle of each leaf: the layer passes no shear, so that normal forces of the leaves are their own weights.
 //! Results at points (cracks, bars, plastic strain) are those of the leaf that bends, as with fibres.
 
-use super::{StripError, StripTank};
-use crate::dofs::Dof;
-use crate::element::SectionState;
-use crate::element::fibre_beam::FibreBeam;
-use crate::element::shell4::MassKind;
-use crate::element::wall::place::{Build, Footprint, WallMesh};
-use crate::linalg::Matrix;
-use crate::model::Builder;
+use fem::dofs::Dof;
+use fem::element::SectionState;
+use fem::element::fibre_beam::FibreBeam;
+use fem::element::shell4::MassKind;
+use fem::element::wall::place::{Build, Footprint, WallMesh};
+use fem::linalg::Matrix;
+use fem::model::Builder;
+use tank::options::nonlinear::Integration;
+use tank::{Behaviour, Case, Layer, LayerKind};
+
+use super::parameters::{StripError, StripTank};
+use super::section::{course_at, main_leaf};
+use crate::FeError;
+use crate::nonlinear::cylinder::section::{Part, row};
+use crate::nonlinear::laws::unsupported;
 
 /// Breadth of the strip [m]: everything is per metre of tank.
 const BREADTH: f64 = 1.0;
@@ -101,7 +108,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
         });
     };
     check(tank, shells)?;
-    let mesh_error = |e: crate::mesh::MeshError| StripError::Parameter {
+    let mesh_error = |e: fem::mesh::MeshError| StripError::Parameter {
         parameter: "levels",
         found: e.to_string(),
         allowed: "ascending from 0",
@@ -184,6 +191,64 @@ pub(super) fn spread(matrix: &Matrix, each: usize, face: &[Vec<usize>]) -> Matri
         for (i, &(p, a)) in rows.iter().enumerate() {
             out.add(i, j, a * b * matrix.get(p, q));
         }
+    }
+    out
+}
+
+/// Shells of a wall with nodes at `levels` [m].
+///
+/// Errors: layers or laws that shells do not have; a leaf that bends on another side, or another distance between leaves, from
+/// course to course.
+pub(super) fn wall(case: &Case, levels: &[f64], integration: &Integration) -> Result<ShellWall, FeError> {
+    let mut found: Option<ShellWall> = None;
+    for ends in levels.windows(2) {
+        let layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
+        let (own, main, gap) = shell_row(&layers, ends[1] - ends[0], integration)?;
+        let wall = found.get_or_insert_with(|| ShellWall {
+            rows: Vec::new(),
+            main,
+            gap,
+        });
+        if wall.main != main || (wall.gap - gap).abs() > 1e-9 * levels[levels.len() - 1] {
+            return unsupported(
+                "courses of a strip of shells have the same number of leaves at the same distance between their middles",
+            );
+        }
+        wall.rows.push(own);
+    }
+    match found {
+        Some(wall) => Ok(wall),
+        None => unsupported("a wall without elements"),
+    }
+}
+
+/// Shells of an element of this length [m]; number of the leaf that bends, and distance of the leaves [m].
+///
+/// Errors: layers or laws that shells do not have.
+pub(crate) fn shell_row(
+    layers: &[Layer],
+    element: f64,
+    integration: &Integration,
+) -> Result<(ShellRow, usize, f64), FeError> {
+    // What localises does so up the wall: the breadth of 1 m has no part in it.
+    let row = row(layers, [element; 2], integration)?;
+    let main = main_leaf(layers)?;
+    let leaves = layers.split(|l| l.kind == LayerKind::Interlayer);
+    let number = leaves.take_while(|leaf| !std::ptr::eq(*leaf, main)).count();
+    let parts = row.parts.get(number).into_iter().flatten();
+    let own = ShellRow {
+        build: row.build,
+        layers: parts.filter(|p| !matches!(p, Part::Bar(_))).count(),
+    };
+    Ok((own, number, row.gap))
+}
+
+/// The wall as if it stayed elastic and had no bars: mass and stiffness of the fibre section beside the shells.
+pub(super) fn elastic(layers: &[Layer]) -> Vec<Layer> {
+    let mut out = layers.to_vec();
+    for layer in out.iter_mut().filter(|l| l.kind != LayerKind::Interlayer) {
+        layer.reinforcement.clear();
+        layer.material.behaviour = Behaviour::Elastic;
     }
     out
 }

@@ -2,46 +2,25 @@
 
 use std::sync::Arc;
 
-use super::build::{
+use fem::analysis::damping::{Damping, RatioRow, Rayleigh};
+use fem::analysis::failed;
+use fem::analysis::observable::{Observable, apply};
+use fem::analysis::system::System;
+use fem::assembly::Assembler;
+use fem::dofs::Dof;
+use fem::element::spring::{Direction, Spring};
+use fem::element::{Inspect, Response, Want, local_size};
+use fem::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
+use fem::model::{Builder, Model};
+use fem::state::{Gather, State};
+
+use super::contact::{self, Joints};
+use super::liquid::WallLiquid;
+use super::parameters::{Contact, StripError, StripTank};
+use super::parts::{
     BASE, StripDamping, base_rows, check, coefficients, dofs_of, first_wall_mode, liquid_element, wall_forces,
 };
-use super::contact::{self, Joints};
 use super::shells::{self, Nodes};
-use super::{Contact, StripError, StripTank};
-use crate::analysis::damping::{Damping, RatioRow, Rayleigh};
-use crate::analysis::failed;
-use crate::analysis::observable::{Observable, apply};
-use crate::analysis::system::System;
-use crate::assembly::Assembler;
-use crate::dofs::Dof;
-use crate::element::spring::{Direction, Spring};
-use crate::element::{Inspect, Response, Want, local_size};
-use crate::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
-use crate::liquid::strip::WallLiquid;
-use crate::model::{Builder, Model};
-use crate::state::{Gather, State};
-
-/// Which wall of the tank.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The wall at x = +L.
-    Positive,
-    /// The wall at x = −L, which is the first under the record with the opposite sign.
-    Negative,
-}
-
-impl Side {
-    /// Both walls.
-    pub const BOTH: [Side; 2] = [Side::Positive, Side::Negative];
-
-    /// Sign of the record.
-    pub fn sign(self) -> f64 {
-        match self {
-            Side::Positive => 1.0,
-            Side::Negative => -1.0,
-        }
-    }
-}
 
 /// Reaction of the ground on the base of a wall along x and z and about y [N/m, N/m, N], by origin. The parts add up
 /// to the reaction; only the first is limited by the strength of the section.

@@ -12,17 +12,18 @@
 
 use std::sync::Arc;
 
-use super::build::WALL_DOFS;
-use super::{PENALTY, StripError, StripTank};
-use crate::analysis::failed;
-use crate::assembly::Assembler;
-use crate::dofs::Dof;
-use crate::element::fibre_beam::FibreBeam;
-use crate::element::liquid_joint::{JointPoint, LiquidJoint};
-use crate::linalg::{Kind, Ordering, Symbolic};
-use crate::model::{Builder, Model};
-use crate::shape::gauss;
-use crate::state::{Gather, State};
+use fem::analysis::failed;
+use fem::assembly::Assembler;
+use fem::dofs::Dof;
+use fem::element::fibre_beam::FibreBeam;
+use fem::element::liquid_joint::{JointPoint, LiquidJoint, PENALTY};
+use fem::linalg::{Kind, Ordering, Symbolic};
+use fem::model::{Builder, Model};
+use fem::shape::gauss;
+use fem::state::{Gather, State};
+
+use super::parameters::{StripError, StripTank};
+use super::parts::WALL_DOFS;
 
 /// Group of the joints.
 pub(super) const JOINT: &str = "joint";

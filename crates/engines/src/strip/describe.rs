@@ -1,13 +1,15 @@
 //! A strip in words and numbers: damping, facts, assumptions.
 
 use fem::analysis::damping::Rayleigh;
-use fem::liquid::strip::StripLiquid;
-use fem::strip::{StripDamping, StripModel, StripTank};
 use tank::Case;
 use tank::units::Dimension;
 
-use super::super::after_record::Span;
+use super::liquid::StripLiquid;
+use super::model::StripModel;
+use super::parameters::StripTank;
+use super::parts::StripDamping;
 use crate::FeError;
+use crate::nonlinear::after_record::Span;
 use results::{Fact, FactKind};
 use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions, StripWall};
 
@@ -99,7 +101,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
         span.assumption(),
         format!(
             "A wall counts as collapsed when its top has moved by {} of its height, the limit of small-deflection theory.",
-            fem::strip::LARGEST_DEFLECTION
+            super::LARGEST_DEFLECTION
         ),
     ];
     if case.tank.courses.iter().any(|c| c.layers.len() > 1) {

@@ -1,19 +1,21 @@
 //! Parts that a strip is built of.
 
-use super::{StripError, StripTank, shells};
-use crate::analysis::damping::Rayleigh;
-use crate::analysis::observable::Observable;
-use crate::dofs::{Dof, KINDS};
-use crate::element::super_element::SuperElement;
-use crate::linalg::{Eigen, Matrix};
-use crate::liquid::strip::{Trace, WallLiquid};
-use crate::model::Model;
+use fem::analysis::damping::Rayleigh;
+use fem::analysis::observable::Observable;
+use fem::dofs::{Dof, KINDS};
+use fem::element::super_element::SuperElement;
+use fem::linalg::{Eigen, Matrix};
+use fem::model::Model;
+
+use super::liquid::{Trace, WallLiquid};
+use super::parameters::{StripError, StripTank};
+use super::shells;
 
 /// Viscous damping of a strip, on the initial stiffness of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StripDamping {
     /// Rayleigh's coefficients over wall and liquid. Mass-proportional damping alone leaves the wall mode practically
-    /// undamped; see [`StripModel::ratios`].
+    /// undamped; see [`StripModel::ratios`](super::StripModel::ratios).
     Rayleigh(Rayleigh),
     /// Wall: stiffness-proportional with this ratio at the frequency of the first wall mode; every sloshing mode its ratio.
     ByGroup {

@@ -4,15 +4,19 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use oscillator::record::Record;
 
+use fem::analysis::ida::{self, Point};
+use fem::analysis::march::{Checkpoint, Observe, Outcome, Problem, Run, Settings, march};
+use fem::analysis::motion::{Grid, Motion};
+use fem::analysis::newton::Options;
+use fem::analysis::scheme::TimeScheme;
+use fem::analysis::transient::Load;
+use fem::progress::{Progress, Quiet};
+use results::channel::Side;
+
+use super::demand::Demand;
 use super::history::{WallHistory, WallObserver};
-use super::{Demand, Side, StripError, StripModel};
-use crate::analysis::ida::{self, Point};
-use crate::analysis::march::{Checkpoint, Observe, Outcome, Problem, Run, Settings, march};
-use crate::analysis::motion::{Grid, Motion};
-use crate::analysis::newton::Options;
-use crate::analysis::scheme::TimeScheme;
-use crate::analysis::transient::Load;
-use crate::progress::{Progress, Quiet};
+use super::model::StripModel;
+use super::parameters::StripError;
 
 /// Earthquake and integration of a run.
 #[derive(Clone, Debug)]
@@ -186,9 +190,9 @@ impl StripModel {
         let (a, b) = std::thread::scope(|scope| {
             let other = scope.spawn(|| {
                 let own = Counted::new(progress);
-                self.observed(quake, 1.0, Side::Negative, second, None, &own)
+                self.observed(quake, 1.0, Side::Back, second, None, &own)
             });
-            let one = observe(Side::Positive, first, None);
+            let one = observe(Side::Front, first, None);
             let other = match other.join() {
                 Ok(run) => run,
                 Err(panic) => std::panic::resume_unwind(panic),
@@ -253,7 +257,7 @@ impl StripModel {
             let scaled: Vec<f64> = record.acceleration.iter().map(|a| factor * a).collect();
             Motion::sampled(record.dt, &scaled, &grid)
         };
-        let mut load = Load::ground(0, motion(&quake.horizontal, scale * side.sign()));
+        let mut load = Load::ground(0, motion(&quake.horizontal, scale * sign(side)));
         if let Some(vertical) = &quake.vertical {
             let motion = motion(vertical, scale);
             load.forces.push((self.vertical_pressure(), motion.clone()));
@@ -308,7 +312,7 @@ impl StripModel {
             let wall = |side| self.resumable(quake, scale, side, checkpoint(scale, side), &Quiet(progress));
             Ok(StripLevel {
                 scale,
-                walls: [wall(Side::Positive)?, wall(Side::Negative)?],
+                walls: [wall(Side::Front)?, wall(Side::Back)?],
             })
         };
         let complete = |level: &StripLevel| level.walls.iter().all(|w| w.outcome != Outcome::Interrupted);
@@ -323,6 +327,14 @@ impl StripModel {
         levels.retain(complete);
         levels.sort_by(|a, b| a.scale.total_cmp(&b.scale));
         Ok(levels)
+    }
+}
+
+/// Sign of the record: the wall at −L is the one at +L under the record with the opposite sign.
+fn sign(side: Side) -> f64 {
+    match side {
+        Side::Front => 1.0,
+        Side::Back => -1.0,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use tank::Case;
 
-use super::build::{ELEMENTS, STEPS_PER_PERIOD};
+use super::case::{ELEMENTS, STEPS_PER_PERIOD};
 use super::section::course_at;
 use crate::FeError;
 use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, THE_PROGRAM, first_wall_frequency};

@@ -1,16 +1,19 @@
 //! The observer that writes the history of a wall.
 
+use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use fem::analysis::march::{Instant, Observe, Range};
+use fem::dofs::Dof;
+use fem::element::Inspect;
+use fem::liquid::separation::{Openings, SeparationCheck};
+use fem::state::Gather;
+use results::nonlinear::BaseMoment;
+
 use super::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::march::{Instant, Observe, Range};
-use crate::dofs::Dof;
-use crate::element::Inspect;
-use crate::liquid::separation::{Openings, SeparationCheck};
-use crate::liquid::strip::Place;
-use crate::state::Gather;
-use crate::strip::demand::BaseMoment;
+use crate::strip::demand::base_moment;
+use crate::strip::liquid::Place;
+use crate::strip::model::{BaseReaction, StripModel};
+use crate::strip::parameters::{StripError, lost};
 use crate::strip::validity::{BarStrain, Validity};
-use crate::strip::{BaseReaction, StripError, StripModel, lost};
 
 impl StripModel {
     /// Unknowns of the liquid in `field`: those of its face, then the amplitudes.
@@ -133,7 +136,7 @@ impl<'a> WallObserver<'a> {
 
         let history = &mut self.history;
         if moment.abs() > history.peak.reaction.abs() {
-            history.peak = BaseMoment::of(now.time, &reaction);
+            history.peak = base_moment(now.time, &reaction);
         }
         if now.sample.is_some() {
             history.samples.push(history.times.len());
@@ -297,7 +300,15 @@ impl Observe for WallObserver<'_> {
                 to.numbers(&face.iter().flatten().copied().collect::<Vec<_>>());
             }
         }
-        to.numbers(&h.peak.array());
+        let peak = &h.peak;
+        to.numbers(&[
+            peak.time,
+            peak.reaction,
+            peak.section,
+            peak.damping,
+            peak.inertia,
+            peak.load,
+        ]);
         self.validity.save(to);
         h.separation.save(to);
         if let Some(openings) = &h.openings {
@@ -357,7 +368,16 @@ impl Observe for WallObserver<'_> {
         }
         let mut peak = [0.0; 6];
         from.numbers_into("parts of the moment", &mut peak)?;
-        h.peak = BaseMoment::from_array(peak);
+        let [time, reaction, section, damping, inertia, load] = peak;
+        h.peak = BaseMoment {
+            time,
+            reaction,
+            section,
+            damping,
+            inertia,
+            load,
+            ..BaseMoment::default()
+        };
         self.validity.restore(from)?;
         h.separation.restore(from)?;
         match &mut h.openings {
