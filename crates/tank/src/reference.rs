@@ -1,4 +1,4 @@
-//! The tanks of [B02, chapter 8] (docs/references.md) for the verification rows.
+//! The tanks of [B02, chapter 8] (docs/references.md) for tests, examples and the verification rows.
 
 use crate::Case;
 use crate::case::{Damping, ProcedureOptions, Site};
