@@ -102,7 +102,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Of runs of which none is missing.
+    /// A point of runs of which none is missing.
     pub fn whole(stripe: Stripe) -> Point {
         Point {
             stripe,

@@ -9,7 +9,7 @@ pub use files::error::{
 /// Any failure the command line reports.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Of input, results or their files.
+    /// Input, results or their files are at fault.
     #[error(transparent)]
     Files(#[from] files::error::Error),
     /// A code procedure failed.

@@ -117,7 +117,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let mut context = Context::default();
     match &design {
-        // Of one record; the design value of a set has no single way to that of a procedure.
+        // One record is attributed; the design value of a set has no single way to that of a procedure.
         None => context.attribution = attribution::attribute(job, &methods, &ingredients, simulations.first()),
         Some(design) => design::procedures(&mut methods, design),
     }

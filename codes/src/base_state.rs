@@ -54,7 +54,7 @@ pub(crate) struct Lift {
 }
 
 impl BaseState {
-    /// Of a tank on anchors, whose check decides.
+    /// State of a tank on anchors, whose check decides.
     pub(crate) fn on_anchors(checks: &[Check]) -> BaseState {
         match checks.iter().any(|check| fails(check, &ANCHORAGE)) {
             true => BaseState::Unknown(LIFTS_OFF.into()),

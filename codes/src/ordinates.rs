@@ -170,7 +170,7 @@ mod tests {
         assert!(plateau(&still, 0.02).1 >= 0.3);
     }
 
-    /// Of both components at several factors: what integrating the scaled record gives, to rounding (1e-12 of an integral over 800 steps).
+    /// Both components at several factors have what integrating the scaled record gives, to rounding (1e-12 of an integral over 800 steps).
     #[test]
     fn a_multiple_of_a_record_has_the_multiple_of_its_spectrum() {
         let shared = Shared::new(motion(1.0));

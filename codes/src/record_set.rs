@@ -64,7 +64,7 @@ pub enum Component {
 /// Mean spectrum of the set against the target around a period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ratios {
-    /// Of which component; where each is asked, of the one with the smaller ratio.
+    /// Component of the ratios; where each is asked, the one with the smaller ratio.
     pub component: Component,
     /// Periods [s].
     pub periods: Vec<f64>,

@@ -50,7 +50,7 @@ const LIGHT: [&str; 11] = [
     "volatile",
     "not_computed",
 ];
-/// Of these the one that counts what holds within the mesh error.
+/// The one of these that counts what holds within the mesh error.
 const WITH_ERROR: &str = "verdict";
 /// Format of what is printed.
 const FORMAT: &str = "tankcheck-summary/1";

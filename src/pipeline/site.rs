@@ -121,7 +121,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
     }
     method.profiles = profiles(&found);
     method.assumptions = vec![action.assumption.clone(), words::combination(options)];
-    // Of the wall whose modes these are.
+    // Notes and assumptions are of the wall whose modes these are.
     let (said, assumed) = match &simulation.of_modes {
         Some((notes, assumptions)) => (notes, assumptions),
         None => (&simulation.notes, &simulation.assumptions),

@@ -59,7 +59,7 @@ fn ground(drawing: Drawing, wall: f64) -> StandingGround {
     }
 }
 
-/// Of the deciding grounds that hold the moment the one on which the rim lifts most.
+/// The deciding ground that holds the moment and on which the rim lifts most.
 fn plate(drawn: &[Drawing]) -> Option<StandingPlate> {
     let held = drawn
         .iter()

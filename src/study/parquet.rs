@@ -108,7 +108,7 @@ enum Fault {
 fn columns(table: &Path) -> Result<Vec<Column>, Fault> {
     let mut reader = csv::Reader::from_path(table)?;
     let names = reader.headers()?.clone();
-    // Of each column whether a cell is a word.
+    // Whether a cell of each column is a word.
     let mut worded = vec![false; names.len()];
     let mut row = StringRecord::new();
     while reader.read_record(&mut row)? {

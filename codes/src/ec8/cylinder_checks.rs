@@ -150,7 +150,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     }
 }
 
-/// Of a tank that overturns the compression of an anchored wall is a lower bound: it can fail a check, and cannot make it hold.
+/// Leaves checks open if the tank overturns: the compression of an anchored wall is then a lower bound, which can only fail a check.
 fn leave_open(work: &mut Work) {
     let of_wall = |check: &&mut Check| [ELASTIC_BUCKLING, ELEPHANT_FOOT].contains(&check.limit_state.as_str());
     let holding = work.out.checks.iter_mut().filter(of_wall).filter(|check| check.holds());

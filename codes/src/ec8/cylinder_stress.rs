@@ -50,7 +50,7 @@ pub(super) struct State<'a> {
 struct Shell {
     /// Heights [m].
     z: Vec<f64>,
-    /// Of the impulsive and of the convective pressure per acceleration [kg/m], of the vertical motion [N/m].
+    /// Hoop forces by the impulsive and the convective pressure per acceleration [kg/m], by the vertical motion [N/m].
     forces: Vec<[f64; 3]>,
 }
 

@@ -95,7 +95,7 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         buckling,
     );
     let resistance = plates(Requirement::Required);
-    // Of a wall that is neither metal nor concrete `wall_material` is open.
+    // `wall_material` is open if the wall is neither metal nor concrete.
     let foreign = case.tank.wall_materials().any(|m| {
         let known = m.family.is_some_and(|family| family != Family::Concrete);
         known && !m.is_metal()

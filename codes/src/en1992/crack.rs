@@ -190,7 +190,7 @@ fn width_at(section: &Section, state: Cracked, tension: Face, tensile: f64, dura
     };
     let bar_spacing = 0.25 * std::f64::consts::PI * diameter * diameter / outermost.area;
     let spacing = if bar_spacing > 5.0 * (cover + 0.5 * diameter) {
-        // Of bars close enough it would be the other formula: the larger of the two is safe.
+        // Closer bars have the other formula: the larger of the two is safe.
         (1.3 * (h - x)).max(spacing(cover, diameter, ratio, distribution))
     } else {
         spacing(cover, diameter, ratio, distribution)

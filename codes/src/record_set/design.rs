@@ -32,7 +32,7 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Of values by record, from 0; none without values.
+    /// Scatter of values by record, from 0; none without values.
     pub fn of(values: &[(usize, f64)], combine: Combine) -> Option<Scatter> {
         let &(first, value) = values.first()?;
         let count = values.len() as f64;

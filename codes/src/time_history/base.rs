@@ -54,7 +54,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             }
         };
     }
-    // Of a base on anchors: at rest the wall presses the ground, whose relief pulls an anchor before the wall pulls.
+    // On anchors the wall presses the ground at rest; its relief pulls an anchor before the wall pulls.
     let spring = demands.base.as_ref().and_then(|base| base.anchor);
     if pull <= 0.0 && spring.is_none_or(|anchor| anchor.value <= 0.0) {
         let reason = "the wall does not pull at its base";

@@ -245,14 +245,14 @@ fn range_of(values: &[f64]) -> (f64, f64) {
 struct Moved {
     /// Around the circumference.
     around: (f64, f64),
-    /// Of the part that is the same around the circumference.
+    /// Range of the part that is the same around the circumference.
     even: (f64, f64),
-    /// Of the part that goes with the cosine; with a motion along y of its amplitude in any direction.
+    /// Range of the part that goes with the cosine; with a motion along y that of its amplitude in any direction.
     odd: (f64, f64),
 }
 
 impl Moved {
-    /// Of no instants.
+    /// The ranges of no instants.
     const NONE: Moved = Moved {
         around: NOTHING,
         even: NOTHING,
@@ -275,7 +275,7 @@ impl Moved {
         even.0.abs().max(even.1.abs()) + odd.0.abs().max(odd.1.abs())
     }
 
-    /// Of both.
+    /// The ranges of both.
     fn and(self, other: Moved) -> Moved {
         Moved {
             around: wider(self.around, other.around),

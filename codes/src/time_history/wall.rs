@@ -67,7 +67,7 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
     let mut governing = work.ready.governing.borrow_mut();
-    // Of each limit state and course a utilisation that its worst place reaches.
+    // A utilisation that the worst place of each limit state and course reaches.
     let reached: Vec<Vec<f64>> = { all.iter() }
         .map(|asked| {
             let of = |number: usize| {

@@ -366,7 +366,7 @@ fn at_ends(values: &mut [f64]) {
 
 fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     let h = run.step;
-    // Of the forces' instant.
+    // The ground at the instant of the forces.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
     let sums = state.modes.sums();
     let limit = run

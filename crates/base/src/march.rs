@@ -227,7 +227,7 @@ impl<'a> Lifted<'a> {
                 self.assemble(&x, given, &mut system);
                 self.x = x;
                 std::mem::swap(&mut self.plastic, &mut system.plastic);
-                // Of the whole pressure alone: the next step may have another share.
+                // The system is kept for the whole pressure alone: the next step may have another share.
                 self.system = matches!(given, Given::Uplift(_)).then_some(system);
                 return Ok(true);
             }

@@ -13,7 +13,7 @@ use crate::error::{BaseError, positive};
 
 /// Fibres of a section.
 const FIBRES: usize = 20;
-/// Of them are computed beside each other.
+/// Fibres that are computed side by side.
 const LANES: usize = 4;
 
 /// Tangent modulus beyond yield over E′.

@@ -30,7 +30,7 @@ pub struct Rocking {
     weight: f64,
     /// Pressures on the plate [Pa], falling, and the strip's curve under each.
     curves: Vec<(f64, Curve)>,
-    /// Of each the factor 1/Π (p_i − p_j) of Lagrange's polynomial.
+    /// Factor 1/Π (p_i − p_j) of Lagrange's polynomial for each.
     factors: Vec<f64>,
     /// Which of them is that at rest.
     rest: usize,

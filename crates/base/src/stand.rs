@@ -64,7 +64,7 @@ pub struct Stands {
 }
 
 impl Stands {
-    /// Of a base.
+    /// Curves of a base, none drawn yet.
     pub fn of(base: Base) -> Stands {
         Stands {
             base,

@@ -356,12 +356,12 @@ pub struct Fill {
 }
 
 impl Fill {
-    /// Of a dense matrix of order `n`.
+    /// Fill of a dense matrix of order `n`.
     pub fn dense(n: f64) -> Fill {
         Fill::front(n, 0.0)
     }
 
-    /// Of a front: `own` unknowns eliminated, `rest` that stay.
+    /// Fill of a front: `own` unknowns eliminated, `rest` that stay.
     fn front(own: f64, rest: f64) -> Fill {
         Fill {
             entries: 0.5 * own * own + own * rest,
@@ -369,7 +369,7 @@ impl Fill {
         }
     }
 
-    /// Of a block of nodes in a regular grid with `dofs` unknowns a node, ordered by nested dissection: the smallest plane of
+    /// Fill of a block of nodes in a regular grid with `dofs` unknowns a node, ordered by nested dissection: the smallest plane of
     /// nodes that halves the block comes last, its front holds the planes of nodes around the block.
     ///
     /// * `nodes` along the three axes; one of them 1 for a surface
@@ -385,7 +385,7 @@ impl Fill {
         Fill::block(nodes, dofs, [0.0; 3])
     }
 
-    /// Of a block with so many neighbouring planes across each axis.
+    /// Fill of a block with so many neighbouring planes across each axis.
     fn block(nodes: [f64; 3], dofs: f64, neighbours: [f64; 3]) -> Fill {
         let all: f64 = nodes.iter().product();
         let area = |axis: usize| all / nodes[axis];

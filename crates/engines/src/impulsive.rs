@@ -48,7 +48,7 @@ pub(crate) struct Impulsive {
 }
 
 impl Impulsive {
-    /// Of the structural ones among coupled modes.
+    /// The impulsive part of the structural ones among coupled modes.
     pub(crate) fn among(modes: &[CoupledMode]) -> Option<Impulsive> {
         let structural = modes.iter().filter(|m| m.kind == Kind::Structural);
         Impulsive::of(structural.map(|m| Member {
@@ -58,7 +58,7 @@ impl Impulsive {
         }))
     }
 
-    /// Of the structural modes of a tank; `None` without one that moves mass.
+    /// The impulsive part of the structural modes of a tank; `None` without one that moves mass.
     pub(crate) fn of(modes: impl Iterator<Item = Member>) -> Option<Impulsive> {
         let modes: Vec<Member> = modes.collect();
         let pairs: Vec<(f64, f64)> = modes.iter().map(|m| (m.omega, m.mass)).collect();

@@ -41,7 +41,7 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// Of a quantity of the wall at θ [rad].
+    /// Turn for a quantity of the wall at θ [rad].
     pub fn of(what: OnWall, theta: f64) -> Turn {
         let (sine, cosine) = theta.sin_cos();
         match what {

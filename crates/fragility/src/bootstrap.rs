@@ -22,9 +22,9 @@ pub struct Band {
 /// Scatter of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scatter {
-    /// Of the median.
+    /// Scatter of the median.
     pub median: Band,
-    /// Of the dispersion.
+    /// Scatter of the dispersion.
     pub dispersion: Band,
     /// Resamples.
     pub resamples: usize,
@@ -112,7 +112,7 @@ fn band(mut values: Vec<f64>) -> Band {
 mod tests {
     use super::*;
 
-    /// Of curves that differ in the median alone, the band of the probability at an intensity is that of the medians, seen through Φ.
+    /// The band of the probability at an intensity is that of the medians, seen through Φ, if curves differ in the median alone.
     #[test]
     fn the_band_of_the_probability_is_that_of_the_medians() {
         let curve = |k: i32| Lognormal {

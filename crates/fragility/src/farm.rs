@@ -71,7 +71,7 @@ pub fn losses(fates: &[Vec<Fate>], volumes: &[f64]) -> Option<Losses> {
         let lost = fates.iter().zip(volumes).filter(|(row, _)| row[quake] == Some(true));
         lost.fold(0.0, |sum, (_, v)| sum + v)
     };
-    // Of every tank, or of none.
+    // Either every tank has a share, or there are none.
     let shares: Option<Vec<f64>> = shares.into_iter().collect();
     let mean = |shares: &Vec<f64>| shares.iter().zip(volumes).fold(0.0, |sum, (p, v)| sum + p * v);
     Some(Losses {

@@ -142,7 +142,7 @@ mod tests {
         assert!(found.share_beyond_last > 0.0 && found.share_below_first > 0.0);
     }
 
-    /// Of a step at θ all of |dλ| beyond θ counts: λ(θ) = k₀ θ^(−k), of which λ(last) lies beyond the last point, and λ(θ) − λ(first) below
+    /// All of |dλ| beyond a step at θ counts: λ(θ) = k₀ θ^(−k), of which λ(last) lies beyond the last point, and λ(θ) − λ(first) below
     /// the first. A dispersion of 1e-3 adds exp(k²β²/2) − 1 = 2e-6.
     #[test]
     fn shares_of_a_step_are_those_of_the_hazard() {

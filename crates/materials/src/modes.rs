@@ -19,9 +19,9 @@ use crate::elastic::Elastic;
 /// Eigenvalues of C and P; see the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Modes<const N: usize> {
-    /// Of C [Pa].
+    /// Eigenvalues of C [Pa].
     pub c: [f64; N],
-    /// Of P.
+    /// Eigenvalues of P.
     pub p: [f64; N],
     /// C in components [Pa].
     pub moduli: [[f64; N]; N],

@@ -128,7 +128,7 @@ mod tests {
     use crate::drucker_prager::DruckerPrager;
     use crate::elastic::Elastic;
 
-    /// Of an elastic solid: the stiffness of the elastic layer.
+    /// An elastic solid has the stiffness of the elastic layer.
     #[test]
     fn elastic() {
         let law = Elastic::new(34e9, 0.2).unwrap();
@@ -144,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Of the cone, whose return in plane stress is another derivation (two scalar equations): stress and tangent along a path that turns.
+    /// The cone has its own return in plane stress, another derivation (two scalar equations): stress and tangent along a path that turns.
     #[test]
     fn cone_against_its_own_return() {
         let law = DruckerPrager::new(34e9, 0.2, 35e6, 1.16 * 35e6).unwrap();

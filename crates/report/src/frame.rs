@@ -21,7 +21,7 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// Of a label and a value.
+    /// A pair of a label and a value.
     pub(crate) fn new(label: &str, value: String) -> Pair {
         Pair {
             label: label.into(),

@@ -94,7 +94,7 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
         class: "k-fe".into(),
         label: String::new(),
     }];
-    // Of neighbours with the same label the first and the last have it: the others would lie over each other.
+    // Only the first and the last of neighbours with the same label have it: the others would lie over each other.
     let label = |i: usize| runs.get(i).map(words::mark);
     chart.marks = (0..)
         .zip(runs)

@@ -129,7 +129,7 @@ pub fn workbook(results: &Results, series: &Series) -> Result<Vec<u8>, Error> {
 
 fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
-    // Of no run: the time of a run is in the overview.
+    // A fixed date: the time of a run is in the overview.
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
     book.set_properties(
         &DocProperties::new()

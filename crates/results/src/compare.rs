@@ -46,7 +46,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
         .into_iter()
         .filter_map(|quantity| {
             let of = |m: &Method| m.quantities.get(quantity.id()).map(|v| v.value);
-            // Of a quotient that overflows there is no ratio.
+            // A quotient that overflows is not a ratio.
             let base = |m: &Method| reference(m).and_then(of).filter(|v| *v != 0.0);
             let cells: Vec<Option<Cell>> = methods
                 .iter()

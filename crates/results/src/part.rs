@@ -54,7 +54,7 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// Of a part.
+    /// The words for a part.
     pub fn of(part: Part) -> LeftOut {
         LeftOut {
             part,

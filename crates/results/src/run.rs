@@ -349,7 +349,7 @@ impl SeriesInfo {
         Channel::from_id(&self.id)
     }
 
-    /// Of a channel.
+    /// The series of a channel.
     ///
     /// * `static_value`: value of the static state
     /// * `peak`: largest absolute value, with its time [s]

@@ -65,7 +65,7 @@ pub struct History {
     pub force: Vec<[f64; 2]>,
     /// Acceleration A of the base [m/s²].
     pub acceleration: Vec<[f64; 2]>,
-    /// Of each mode: displacement y_n [m] and acceleration y_n'' + A [m/s²].
+    /// Displacement y_n [m] and acceleration y_n'' + A [m/s²] of each mode.
     pub modes: Vec<Vec<ModeState>>,
     /// Energies at the end [J].
     pub energy: Energy,

@@ -145,7 +145,7 @@ fn cubic(x: &[f64], y: &dyn Fn(usize) -> f64, at: f64, period: Option<f64>) -> [
         let ([x0, y0], [x1, y1]) = (point(i), point(i + 1));
         ((y1 - y0) / (x1 - x0), x1 - x0)
     };
-    // Of the parabola through three neighbours, at an end of the two that are there.
+    // Slope of the parabola through three neighbours, at an end of the line through the two that are there.
     let slope = |i: isize| match (period, i) {
         (None, 0) => secant(0).0,
         (None, i) if i as usize == n - 1 => secant(i - 1).0,

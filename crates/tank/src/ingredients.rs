@@ -184,7 +184,7 @@ pub struct Part {
     pub finite_angle: f64,
     /// Stress per moment [1/m³] or per acceleration [Pa·s²/m]; 1 for all that is no stress.
     pub scale: f64,
-    /// Of a hoop stress: heights [m], ascending, with the stress per acceleration there.
+    /// Heights of a hoop stress [m], ascending, with the stress per acceleration there.
     pub along: Vec<(f64, f64)>,
 }
 

@@ -35,7 +35,7 @@ pub(super) struct MergeArgs {
 /// Rows that are kept whole.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 enum Keep {
-    /// Of each tank the row with the largest demand over the limit of the worst damage state.
+    /// The row of each tank with the largest demand over the limit of the worst damage state.
     Worst,
 }
 

@@ -326,7 +326,7 @@ mod tests {
         assert_eq!(sampling(4).draw(3), sampling(400).draw(3));
     }
 
-    /// Of the first 2^k samples each parameter has one in each of 2^k parts; the pairing of two parameters is at random: the correlation of 256 ranks has
+    /// Each parameter has one of the first 2^k samples in each of 2^k parts; the pairing of two parameters is at random: the correlation of 256 ranks has
     /// the standard deviation 1/16, and stays within four of them for every seed tried.
     #[test]
     fn a_latin_hypercube_that_grows() {

@@ -27,7 +27,7 @@ pub enum Period {
 /// An intensity measure, whose period may be that of each tank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Axis {
-    /// Of the record alone.
+    /// A measure of the record alone.
     Plain(Intensity),
     /// Pseudo-acceleration, or its average.
     Spectral {

@@ -123,7 +123,7 @@ impl Book {
 }
 
 impl KeyInfo {
-    /// Of a declared key.
+    /// The description of a declared key.
     ///
     /// * `example`: of its type
     /// * `write`: a value as a user writes it, without quotes

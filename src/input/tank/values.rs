@@ -213,7 +213,7 @@ pub(in crate::input) struct Pitch(pub f64);
 
 impl Pitch {
     const DIMENSIONS: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
-    /// Of any mode of a tank [rad/s], and far beyond.
+    /// Frequencies of any mode of a tank [rad/s], and far beyond.
     const RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 }
 

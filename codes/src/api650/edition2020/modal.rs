@@ -34,7 +34,7 @@ impl Spectrum {
         }
     }
 
-    /// Of the wave, use groups I and II: S_D1 · 4 s/T² beyond 4 s in place of S_D1/T.
+    /// Acceleration for the wave, use groups I and II: S_D1 · 4 s/T² beyond 4 s in place of S_D1/T.
     fn wave(&self, period: f64) -> f64 {
         match self {
             Spectrum::Mapped(design) if period > LONG_WAVE => {

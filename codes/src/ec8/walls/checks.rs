@@ -60,7 +60,7 @@ fn left_out(work: &mut Work, places: &[Place], sections: &Sections, missing: &Mi
         .filter(|p| matches!(sections.of(p), Some(Err(_))))
         .collect();
     let mut reason = missing.reason.clone();
-    // Of several layers the thickness is not that of one section.
+    // The thickness of several layers is not that of one section.
     let areas = match missing.input {
         Some(_) => required::assess(work, &bare),
         None => String::new(),

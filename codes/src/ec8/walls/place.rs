@@ -22,9 +22,9 @@ pub(super) enum Situation {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Factors {
     pub situation: Situation,
-    /// Of the horizontal motion, with its sign.
+    /// Factor on the horizontal motion, with its sign.
     pub x: f64,
-    /// Of the vertical motion, with its sign.
+    /// Factor on the vertical motion, with its sign.
     pub v: f64,
     /// Whether this is the side of the tank, where the horizontal motion shears the wall instead of pressing on it.
     pub aside: bool,

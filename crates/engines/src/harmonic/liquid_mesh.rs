@@ -72,7 +72,7 @@ pub(crate) fn content(motion: &GroundMotion) -> f64 {
 }
 
 impl Aim {
-    /// Of a case; `None` without ground motion and site.
+    /// Aim for a case; `None` without ground motion and site.
     fn of(case: &Case) -> Option<Aim> {
         let (frequency, record) = match &case.ground_motion {
             Some(motion) => (content(motion), true),

@@ -403,7 +403,7 @@ fn results(analysis: &Analysis<'_>, items: &[Item<'_>], ends: &[Ends]) -> Vec<Di
         }
         let Some(sides) = analysis.sides(channel) else { continue };
         let (id, title, z, found, (x, y)) = match channel {
-            // Of the wave only the rise counts, as in the comparison.
+            // Only the rise of the wave counts, as in the comparison.
             Channel::Wave(_) => {
                 let rises = (analysis.wave().unwrap_or_default(), ends.rise_across);
                 let title = "Wave height at the wall".to_owned();

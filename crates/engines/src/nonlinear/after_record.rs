@@ -19,7 +19,7 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// Of records and the first sloshing mode at the circular frequency `sloshing` [rad/s], 0 without one.
+    /// Ends of the records and of the history, with the first sloshing mode at the circular frequency `sloshing` [rad/s], 0 without one.
     ///
     /// Errors: free vibration of more than [`LONGEST_TAIL`]; more samples than a response may have.
     pub(crate) fn new(motion: &GroundMotion, after: AfterRecord, sloshing: f64) -> Result<Span, FeError> {

@@ -408,7 +408,7 @@ pub(super) fn keep_in_place(
 
 /// Springs against all vertical displacements of the foot other than w₀ + w₁ cos θ.
 pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Result<(), FeError> {
-    /// Of the ground a hundred times and more [N/m per radian].
+    /// A hundred times the stiffness of the ground and more [N/m per radian].
     const STIFF: f64 = 1e12;
     let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
     let n = foot.len();

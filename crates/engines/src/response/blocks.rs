@@ -41,7 +41,7 @@ impl Block<'_> {
                 row.ground[axis] += factor * probe.ground_acceleration;
             }
             ModeSelection::FirstSloshing(most) => {
-                // Of the selected modes alone: x ← Σ φ φᵀ M x.
+                // The part of the selected modes alone: x ← Σ φ φᵀ M x.
                 let (mut on_x, mut on_a) = (vec![0.0; self.size()], vec![0.0; self.size()]);
                 let selected = |m: &&&CoupledMode| m.kind == Kind::Sloshing && m.number <= most;
                 for mode in self.modes.iter().filter(selected) {

@@ -111,7 +111,7 @@ struct Nodes {
     round: bool,
     /// Around the wall.
     around: f64,
-    /// Of the plan: around and over the radius, or over breadth and length.
+    /// Nodes of the plan: around and over the radius, or over breadth and length.
     sectors: f64,
     radial: f64,
     depth: f64,

@@ -89,7 +89,7 @@ impl Drawing {
         Drawing { nodes, wall, surface }
     }
 
-    /// Of a rectangle: at most `LINES` lines of nodes over every half of a side, the corners and middles among them.
+    /// Drawing of a rectangle: at most `LINES` lines of nodes over every half of a side, the corners and middles among them.
     fn of_rectangle(tank: &TankModel) -> Drawing {
         let division = &tank.division;
         let halves = [division.radii.len() - 1, division.breadth.len() - 1];

@@ -25,7 +25,7 @@ pub(super) struct Form<'a> {
 }
 
 impl<'a> Form<'a> {
-    /// Of a case, with a liquid that follows the wall.
+    /// Form of the tank of a case, with a liquid that follows the wall.
     pub(super) fn of(case: &Case, imperfections: &'a Imperfections) -> Form<'a> {
         Form {
             radius: case.tank.shape.half_length(),

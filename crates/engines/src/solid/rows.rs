@@ -206,7 +206,7 @@ impl Observer<'_> {
         out: &mut BTreeMap<usize, f64>,
     ) {
         let (wall, sectors) = (&self.tank.wall, self.tank.division.sectors);
-        // Of each name the first sample is that of the centre, then come the Gauss points at s = −A, −A, A, A.
+        // The first sample of each name is that of the centre, then come the Gauss points at s = −A, −A, A, A.
         let slope = 0.25 * s / GAUSS;
         let weights = if s == 0.0 {
             [1.0, 0.0, 0.0, 0.0, 0.0]

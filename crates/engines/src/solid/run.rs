@@ -121,7 +121,7 @@ impl Prepared {
         let site = match &vertical {
             _ if !shaken_upwards(case) => None,
             Some(same) => Some(same.clone()),
-            // Of the motion of harmonic 0 in an imperfect tank the reduction loses the volume of the liquid; the column says that it is
+            // The reduction loses the volume of the liquid of harmonic 0 in an imperfect tank; the column says that it is
             // without vertical motion.
             None if !tank.imperfections.is_empty() => None,
             None => Some(prepare(0)?),

@@ -14,9 +14,9 @@ use super::model::TankModel;
 
 /// Symmetry of the motions of one harmonic: of a cylinder, or of the part of this number of a rectangle.
 pub(super) enum Symmetry<'a> {
-    /// Of a cyclic mesh.
+    /// A cyclic mesh.
     Cyclic(Harmonic<'a>),
-    /// Of a mesh with two planes of symmetry.
+    /// A mesh with two planes of symmetry.
     Mirrored(Mirrored<'a>),
 }
 

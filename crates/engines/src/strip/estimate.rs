@@ -50,7 +50,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
     let walls = 2.0;
     // The liquid couples deflection and slope of all wetted nodes: one dense block, factored in every iteration.
     let coupled = 2.0 * beams * (case.liquid.fill_height / case.tank.wall_height()).min(1.0);
-    // Of shells: both edges of the wet face, as many unknowns.
+    // Shells couple both edges of the wet face: as many unknowns.
     let [element, section, bytes] = match options.wall {
         StripWall::Fibre => [BEAM_TIME, 2.0 * FIBRE_TIME, BEAM],
         StripWall::Shell => [SHELL_TIME, 4.0 * LAYER_TIME, SHELL],

@@ -94,13 +94,13 @@ pub enum StripError {
         /// Allowed.
         allowed: &'static str,
     },
-    /// Of an element.
+    /// An element failed.
     #[error(transparent)]
     Element(#[from] ElementError),
-    /// Of the model.
+    /// The model failed.
     #[error(transparent)]
     Model(#[from] ModelError),
-    /// Of an analysis.
+    /// An analysis failed.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
 }

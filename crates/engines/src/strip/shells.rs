@@ -82,9 +82,9 @@ impl ShellWall {
 
 /// Nodes of a wall.
 pub(super) struct Nodes {
-    /// Of the leaf that bends, one at each level, upwards.
+    /// Nodes of the leaf that bends, one at each level, upwards.
     pub axis: Vec<usize>,
-    /// Of the wet face, all of each level, upwards.
+    /// Nodes of the wet face, all of each level, upwards.
     pub wet: Vec<Vec<usize>>,
     /// All at the base.
     pub feet: Vec<usize>,

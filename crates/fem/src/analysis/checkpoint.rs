@@ -26,7 +26,7 @@ const HEAD: usize = 8 + 4 + 8 + 8;
 /// A file that cannot be written, read or used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CheckpointError {
-    /// Of the file system.
+    /// The file system failed.
     #[error("checkpoint {path}: {reason}")]
     File {
         /// File.
@@ -40,13 +40,13 @@ pub enum CheckpointError {
         /// First bytes.
         found: Vec<u8>,
     },
-    /// Of another version of the program.
+    /// Another version of the program wrote it.
     #[error("written by another version of the program: format {found}, this one reads format {VERSION}")]
     Version {
         /// Version found.
         found: u32,
     },
-    /// Of another model, other settings or another record.
+    /// It belongs to another model, other settings or another record.
     #[error("of another run: the tank, the record, an option or the program has changed since it was written")]
     Identity {
         /// Identity found.

@@ -265,7 +265,7 @@ pub struct Newton<'a> {
     committed: Forces,
     committed_at: Option<Vec<f64>>,
     forces: Forces,
-    /// Of evaluations of tangents alone.
+    /// Forces of evaluations that want the tangent alone.
     unused: Forces,
     /// Largest first energy of a step so far.
     reference: f64,

@@ -122,11 +122,11 @@ pub struct GeneralizedAlpha {
 /// Weights of the matrices in the effective one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
-    /// Of M.
+    /// Weight of M.
     pub mass: f64,
-    /// Of C.
+    /// Weight of C.
     pub damping: f64,
-    /// Of K.
+    /// Weight of K.
     pub stiffness: f64,
 }
 

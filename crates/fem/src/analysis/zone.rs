@@ -226,7 +226,7 @@ impl Zone {
             cliques.push(clique);
         }
         let outer = Arc::new(pattern_of(outer_order.len(), outer_pairs.into_iter(), &cliques));
-        // Of two orders the one of fewer operations, in both of which come last those that the outside touches: these need not have a pivot of their own.
+        // The order of fewer operations of two. What the outside touches comes last in both: it need not have a pivot of its own.
         let interior = apart(&|e| inside[e] && !touched[e]);
         let mut choice: Option<(f64, Vec<u32>, Arc<Pattern>)> = None;
         for order in [interior.clone(), dissected(model, &pattern, &interior)] {

@@ -27,9 +27,9 @@ struct Slots<'a> {
 /// Internal forces of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forces {
-    /// Of the unknowns.
+    /// Forces on the unknowns.
     pub internal: Vec<f64>,
-    /// Of the held dofs, in the order of [`Assembler::supports`].
+    /// Forces on the held dofs, in the order of [`Assembler::supports`].
     pub support: Vec<f64>,
     /// Part of `internal` that time steps take at their end ([`acts_at_end`](crate::element::Contact::acts_at_end)); empty without such elements.
     pub at_end: Vec<f64>,

@@ -32,10 +32,10 @@ const COLUMNS: usize = 64;
 /// Failure of a condensation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CondenseError {
-    /// Of the linear algebra.
+    /// The linear algebra failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
-    /// Of an element of the liquid, or of the one that is made.
+    /// An element of the liquid failed, or the one that is made.
     #[error(transparent)]
     Element(#[from] ElementError),
     /// A liquid with other elements in it, or the other way round.

@@ -48,7 +48,7 @@ pub struct RingOperator {
 }
 
 impl RingOperator {
-    /// Of one block for each harmonic of `ring`.
+    /// Operator of one block for each harmonic of `ring`.
     ///
     /// Panics if there are fewer blocks than harmonics, or amplitudes without a place.
     pub fn new(ring: Ring, levels: usize, blocks: Vec<RingBlock>, amplitudes: Vec<RingAmplitude>) -> RingOperator {

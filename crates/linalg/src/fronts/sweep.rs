@@ -31,7 +31,7 @@ impl Fronts {
             own
         });
         for (members, own) in tree.bundles.iter().zip(&parts) {
-            // Of its columns the values, of the others what it adds.
+            // Its own columns get values, the others what it adds.
             self.each(members, |node| b[node.first..node.first + node.width].fill(0.0));
             b.iter_mut().zip(own).for_each(|(b, o)| *b += o);
         }

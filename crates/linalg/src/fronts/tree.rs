@@ -19,7 +19,7 @@ pub(super) struct Node {
     pub(super) children: Vec<usize>,
     /// Places of the rows below in the parent's front, or among the unknowns that stay.
     places: Vec<u32>,
-    /// Of the matrix's entries in these columns, in [`Tree::entries`].
+    /// Range of the matrix's entries in these columns, in [`Tree::entries`].
     pub(super) entries: Range<usize>,
 }
 
@@ -83,7 +83,7 @@ impl Node {
 }
 
 impl Tree {
-    /// Of an analysis with supernodes throughout, whose order is that of the unknowns.
+    /// Tree of an analysis with supernodes throughout, whose order is that of the unknowns.
     pub(super) fn new(symbolic: &Symbolic, eliminated: usize) -> Tree {
         let pattern = symbolic.pattern();
         let size = pattern.size();

@@ -227,7 +227,7 @@ impl Law<3> for CrackedConcrete {
             c: new[AXIS],
             s: new[AXIS + 1],
         };
-        // Of a point at rest: openings follow from the elastic strain, ε_cr = ε − ε_p − C⁻¹ σ.
+        // At a point at rest openings follow from the elastic strain, ε_cr = ε − ε_p − C⁻¹ σ.
         let a: [f64; 3] = std::array::from_fn(|i| strain[i] - new[PLASTIC + i]);
         let local = frame.strain(&a);
         let tensor = [response.stress[0], response.stress[1], 2.0 * response.stress[2]];

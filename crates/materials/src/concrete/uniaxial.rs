@@ -272,7 +272,7 @@ impl Law<1> for UniaxialConcrete {
         let stress = self.update(strain[0], history, &mut new).stress[0];
         let largest = new[CRACKED] * new[LONGEST];
         let opening = new[CRACKED] * (strain[0] - new[PLASTIC]).max(0.0);
-        // Of a crack, its remaining strength.
+        // A crack has its remaining strength.
         let left = if new[CRACKED] > 0.0 {
             new[LONGEST] * (1.0 - new[CRACKED]) * self.young_modulus
         } else {

@@ -70,7 +70,7 @@ pub struct FigureView {
 }
 
 impl FigureView {
-    /// Of a figure.
+    /// The view of a figure.
     pub fn of(figure: &Figure) -> FigureView {
         FigureView {
             id: figure.id.clone(),

@@ -63,7 +63,7 @@ const TOGETHER: [&str; 5] = [
     "hoop_stress",
 ];
 
-/// Of a run under two horizontal components: the comparison has that along x, and what both do together; none with one component.
+/// What two horizontal components do together, beside the comparison along x; none with one component.
 pub fn components(found: &[Directional]) -> Option<String> {
     let of = |id: &&str| found.iter().find(|d| d.id == **id);
     let said: Vec<String> = TOGETHER

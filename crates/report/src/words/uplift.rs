@@ -107,7 +107,7 @@ pub struct Pressed {
 
 /// In the middle of the plan of the bottom.
 pub const ON_THE_GROUND: &str = "on the ground";
-/// Of a position without uplift.
+/// A position without uplift.
 pub const STANDS: &str = "on the ground all round";
 /// Heads of the table of positions.
 pub const POSITIONS: [&str; 3] = ["Time", "Rim at θ = 0°", "Rim at θ = 180°"];

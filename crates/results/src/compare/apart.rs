@@ -97,7 +97,7 @@ fn differences(named: &NamedMotion, shaken: &Shaken) -> Vec<Differs> {
     ];
     let differs = |(key, named, found): (&str, Option<f64>, f64)| {
         let named = named?;
-        // Of a named 0, which the reader rejects, nothing is equal.
+        // Nothing equals a named 0, which the reader rejects.
         let same = (found - named).abs() <= PRINTED * named.abs();
         (!same).then(|| Differs {
             key: key.into(),

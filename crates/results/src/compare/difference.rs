@@ -79,9 +79,9 @@ pub enum Reason {
     },
     /// The runs are damped differently.
     Damping {
-        /// Of the linear run.
+        /// Damping of the linear run.
         linear: Damping,
-        /// Of the nonlinear run.
+        /// Damping of the nonlinear run.
         nonlinear: Damping,
     },
     /// Cracks soften the wall.

@@ -148,7 +148,7 @@ pub enum Damping {
     ByGroup {
         /// ξ_w of the first mode of wall and liquid.
         wall: f64,
-        /// Of every sloshing mode.
+        /// Ratio of every sloshing mode.
         sloshing: f64,
     },
     /// C = a_M M + a_K K through two (circular frequency [rad/s], ratio) pairs.

@@ -10,12 +10,12 @@ use crate::input::tank::values::Number;
 
 /// Ratios of Rayleigh damping and of single modes.
 pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);
-/// Of sloshing: baffles and thick liquids have some per cent.
+/// Ratios of sloshing: baffles and thick liquids have some per cent.
 const SLOSHING: Limits = Limits::from(0.0)
     .to(0.05)
     .usual(0.001, 0.01)
     .clause("EN 1998-4:2006 2.3.3 has 0.005 for liquids");
-/// Of the wall: from 0.28 on the factor η of EN 1998-1 stays at 0.55.
+/// Ratios of the wall: from 0.28 on the factor η of EN 1998-1 stays at 0.55.
 const IMPULSIVE: Limits = Limits::from(0.0)
     .to(0.28)
     .usual(0.001, 0.1)
@@ -24,10 +24,10 @@ const IMPULSIVE: Limits = Limits::from(0.0)
 object! {
     /// Damping ratios, as fractions of critical damping.
     Damping {
-        /// Of sloshing modes.
+        /// Ratio of sloshing modes.
         sloshing (0.005): Opt<Number> [SLOSHING]
             = default(Number(0.005)).because("EN 1998-4:2006 2.3.3: water and other liquids 0.5 %"),
-        /// Of structural (impulsive) modes.
+        /// Ratio of structural (impulsive) modes.
         impulsive (0.02): Opt<Number> [IMPULSIVE] = Absent::Follows(
             "0.02 for walls of metal, 0.05 for others such as concrete"
         ),

@@ -105,9 +105,9 @@ object! {
 
     /// Damping ratios by group.
     ByGroup {
-        /// Of the first mode of wall and liquid.
+        /// Ratio of the first mode of wall and liquid.
         wall (0.02): Opt<Number> [RATIO] = Absent::Follows("damping.impulsive"),
-        /// Of every sloshing mode.
+        /// Ratio of every sloshing mode.
         sloshing (0.005): Opt<Number> [RATIO] = Absent::Follows("damping.sloshing"),
     }
 

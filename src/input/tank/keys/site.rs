@@ -336,7 +336,7 @@ fn api650(
         return (None, zone(r, s));
     }
     needed(r, object, &s.sug, "");
-    // Of the lower limit of the user's spectrum either all or nothing is given.
+    // Either all or nothing is given of the lower limit of the user's spectrum.
     let mapped = [
         s.ss.given.is_some(),
         s.s1.given.is_some(),

@@ -331,7 +331,7 @@ fn table(r: &mut Resolver<'_>, field: &Field<Vec<Field<Row>>>, factor: f64) -> O
     }
 }
 
-/// Of all rows together.
+/// What is allowed for all rows together.
 const ALLOWED: &str = "rows [T, S_a] with T = 0 first, T increasing up to 100 s at most, S_a positive and at most 10 g";
 
 /// The table, or the index of the faulty row and the message.

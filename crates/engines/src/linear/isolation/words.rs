@@ -2,7 +2,7 @@
 
 /// Dashpots beside isolators.
 pub(super) const DASHPOTS: &str = "`analysis.damping.dashpots` couple the modes: the march of the isolators needs uncoupled ones; remove the dashpots or the isolators";
-/// Of every run.
+/// Note of every run.
 pub(super) const MOVES: &str = "The tank stands on isolators: values, envelopes, histories, limit states and demands of the time history are those on isolators, \
      and the section on isolation has those on a fixed base beside them. Modes, transfer functions and the response-spectrum method are those \
      on a fixed base.";

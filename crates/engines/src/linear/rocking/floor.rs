@@ -70,7 +70,7 @@ pub(super) struct Floor {
 }
 
 impl Floor {
-    /// Of a base whose rim moves between two heights [m].
+    /// Floor of a base whose rim moves between two heights [m].
     ///
     /// * `most`: largest |P| [Pa]
     /// * `shape`: p_b(r)/p_b(R) by radius [m]

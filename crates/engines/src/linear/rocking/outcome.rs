@@ -72,7 +72,7 @@ struct States {
 
 fn states(base: &Base, found: &Found, history: &History) -> States {
     let turns: Vec<Turn> = turns(&found.laws, history).collect();
-    // Of the anchor that pulls most, per length of the rim: it stands where the wall is lifted.
+    // The anchor that pulls most, per length of the rim, stands where the wall is lifted.
     let count = found.laws.ring.as_ref().map_or(0.0, |ring| ring.anchors().count as f64);
     let per_length = count / (std::f64::consts::TAU * base.radius);
     let anchored = |i: usize| history.anchor_force.get(i).map_or(0.0, |force| force * per_length);

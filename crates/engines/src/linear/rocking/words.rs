@@ -11,7 +11,7 @@ pub(crate) const HELD_DOWN: &str =
     "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
 /// Share of the moment below which nothing is lost but rounding.
 const ROUNDING: f64 = 1e-6;
-/// Of a run that lifts or slides.
+/// Note of a run that lifts or slides.
 const MOVES: &str = "values, envelopes, histories and limit states are those with uplift. The \
      section on the base has uplift, toe and slip, and the values of the wall held down beside those with uplift. Bending at the foot is not \
      given: the foot is the joint of the bottom plate. Modes, transfer functions and the response-spectrum method are those of the wall held down.";

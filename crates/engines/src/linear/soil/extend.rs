@@ -37,7 +37,7 @@ pub(crate) struct Rigid {
     pub first: f64,
     /// J [kg m²].
     pub second: f64,
-    /// Of wall and liquid alone about the bottom plate: mass, first and second moment, and the share of the wall in the second.
+    /// Mass, first and second moment of wall and liquid alone about the bottom plate, and the share of the wall in the second.
     own: [f64; 4],
     /// Thickness t of the slab [m].
     thickness: f64,
@@ -45,7 +45,7 @@ pub(crate) struct Rigid {
 }
 
 impl Rigid {
-    /// Of a coupled system of harmonic 1; `None` without the row of the overturning moment.
+    /// Rigid motion of a coupled system of harmonic 1; `None` without the row of the overturning moment.
     pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return None;

@@ -8,7 +8,7 @@ use super::Slab;
 /// Another engine, or plane walls.
 const RIGID_GROUND: &str =
     "The tank stands on a slab on soil; this run leaves the soil and the mass of the slab out: its ground is rigid.";
-/// Of a run on soil.
+/// Note of a run on soil.
 const ON_SOIL: &str = "The tank moves on its slab and the soil below it: waves, forces and stresses of this run contain the motion of the slab. \
      Modes, their part in design spectra and the impulsive period and mass are those on a fixed base.";
 /// A tank that is not anchored.

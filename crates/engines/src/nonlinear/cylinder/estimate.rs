@@ -155,7 +155,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
     let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
     let harmonic = NUMBER * section * (4.0 * (cells.wet(depth) as f64 + 11.0) + 100.0);
-    // Of what is kept, and of plate and ground with the block that it leaves on the foot.
+    // Fill of what is kept, and of plate and ground with the block that it leaves on the foot.
     let foot = FOOT * meridians;
     let [kept_fill, zone] = match on_ground {
         true => [

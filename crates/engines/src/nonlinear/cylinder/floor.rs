@@ -41,7 +41,7 @@ pub(super) struct Share {
     /// Its unknowns, and those that are u_z of a node: place and ring.
     pub size: usize,
     pub places: Vec<(usize, usize)>,
-    /// Of the meridian [rad].
+    /// Angle of the meridian [rad].
     pub angle: f64,
 }
 

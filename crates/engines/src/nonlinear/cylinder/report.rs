@@ -219,7 +219,7 @@ fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
     }
 }
 
-/// Of a base that is free to move: the comparable values whose histories are given.
+/// The comparable values of a base that is free to move whose histories are given.
 fn of_base(histories: &Histories) -> impl Iterator<Item = (Quantity, f64)> {
     let of = |info: &SeriesInfo| {
         let quantity = match info.channel()? {

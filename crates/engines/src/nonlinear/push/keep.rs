@@ -133,7 +133,7 @@ impl<'f> Keeper<'f> {
             if progress.interrupted() {
                 progress.warn(&format!("{error}; the computation since the last checkpoint is lost"));
             } else if !self.failed {
-                // Of a disk that stays full the first word is enough.
+                // One warning is enough while the disk stays full.
                 progress.warn(&format!("{error}; the run continues and tries again later"));
             }
         }

@@ -168,7 +168,7 @@ pub struct QuantityObserver {
 }
 
 impl QuantityObserver {
-    /// Of these quantities.
+    /// An observer of these quantities.
     pub fn new(quantities: Vec<Quantity>) -> QuantityObserver {
         QuantityObserver {
             times: Vec::new(),

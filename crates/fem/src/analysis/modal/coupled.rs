@@ -32,7 +32,7 @@ pub(super) struct Propagator {
 }
 
 impl Propagator {
-    /// Of a step `h` [s] of modes with these ratios and the coupling of the basis.
+    /// Propagator over a step `h` [s] of modes with these ratios and the coupling of the basis.
     pub(super) fn new(basis: &ModalBasis, ratios: &[f64], coupling: &Matrix, h: f64) -> Propagator {
         let m = basis.len();
         let size = 2 * m + 6;

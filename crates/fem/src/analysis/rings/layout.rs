@@ -64,7 +64,7 @@ pub struct RingLayout {
 }
 
 impl RingLayout {
-    /// Of a model whose nodes lie on rings.
+    /// Layout of a model whose nodes lie on rings.
     ///
     /// Errors: a model without rings, unknowns that are on none.
     pub fn new(model: &Model, assembler: &Assembler) -> Result<RingLayout, AnalysisError> {

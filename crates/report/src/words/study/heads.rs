@@ -73,7 +73,7 @@ pub const REMARK: &str = "Remark";
 pub const EARTHQUAKES: &str = "Earthquakes";
 /// Earthquakes in which a tank was not judged.
 pub const NOT_JUDGED: &str = "with gaps";
-/// Of a share or mean, where tanks were not judged.
+/// Bounds of a share or mean, where tanks were not judged.
 pub const BOUNDS: &str = "Bounds";
 /// At least one tank.
 pub const ONE: &str = "At least one tank";
