@@ -118,24 +118,28 @@ struct Nodes {
     wall: f64,
 }
 
+impl Nodes {
+    fn of(division: &Division, round: bool) -> Nodes {
+        let [sectors, radial] = match round {
+            true => [division.sectors as f64, (division.radii.len() - 1) as f64],
+            false => [&division.breadth, &division.radii].map(|places| 2.0 * places.len() as f64 - 1.0),
+        };
+        Nodes {
+            round,
+            around: division.sectors as f64,
+            sectors,
+            radial,
+            depth: division.liquid.len() as f64,
+            wall: (division.wall.len() - 1) as f64,
+        }
+    }
+}
+
 fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Response>) -> Result<Estimate, FeError> {
     let matching = solid.liquid == Liquid::Displacement;
     let division = Division::new(&case.tank, case.liquid.fill_height, options, solid, matching)?;
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    let nodes = Nodes {
-        round,
-        around: division.sectors as f64,
-        sectors: match round {
-            true => division.sectors as f64,
-            false => 2.0 * division.breadth.len() as f64 - 1.0,
-        },
-        radial: match round {
-            true => (division.radii.len() - 1) as f64,
-            false => 2.0 * division.radii.len() as f64 - 1.0,
-        },
-        depth: division.liquid.len() as f64,
-        wall: (division.wall.len() - 1) as f64,
-    };
+    let nodes = Nodes::of(&division, round);
     let poles = poles(case, solid).len() as f64;
     let n = unknowns(&nodes, solid.liquid);
     let factors = factors(&nodes, solid.liquid, poles);

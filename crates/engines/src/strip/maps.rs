@@ -42,84 +42,99 @@ impl Walls<'_> {
     }
 
     pub(super) fn maps(&self) -> Vec<CellMap> {
-        let map = |id: &str, title: &str, dimension, values, mark, note: &str| CellMap {
-            id: id.into(),
-            title: title.into(),
-            dimension,
-            values,
-            mark,
-            note: note.into(),
-        };
-        let number = Dimension::Dimensionless;
-        let mut maps = Vec::new();
-        if self.cracks_at_all() {
-            for (face, name) in FACES.into_iter().enumerate() {
-                maps.push(map(
-                    "crack_width",
-                    &format!("largest crack width, {name}"),
-                    Dimension::Length,
-                    self.cells(|run, e| self.width(e, face, cracks(&run.history.pictures[1], face, e)[1])),
-                    None,
-                    "Opening strain times the length over which it is smeared.",
-                ));
-            }
-            maps.push(map(
-                "crack_depth",
-                "share of the section that has cracked",
-                number,
-                self.cells(|run, e| run.history.cells[e].cracked),
-                None,
-                "Fibres that have cracked at least once, of all fibres of the section.",
-            ));
-        }
+        let mut maps = self.crack_maps();
         maps.push(map(
             "utilisation",
             "utilisation of the wall",
-            number,
+            Dimension::Dimensionless,
             self.cells(|run, e| run.history.cells[e].utilisation),
             Some(1.0),
             "Largest stress over strength of any fibre; in tension over the remaining strength.",
         ));
         let leaves: Vec<Vec<Layer>> = (0..self.model.tank.sections.len()).map(|e| self.leaf(e)).collect();
-        let layers = || leaves.iter().flatten();
-        if layers().any(|l| l.material.behaviour != Behaviour::Elastic) {
+        if leaves
+            .iter()
+            .flatten()
+            .any(|l| l.material.behaviour != Behaviour::Elastic)
+        {
             maps.push(map(
                 "plastic_strain",
                 "plastic strain of the wall",
-                number,
+                Dimension::Dimensionless,
                 self.cells(|run, e| run.history.cells[e].plastic_strain),
                 None,
                 "Largest plastic strain of any fibre.",
             ));
         }
-        let bars: Vec<Option<f64>> = layers()
-            .flat_map(|l| &l.reinforcement)
+        maps.extend(self.bar_maps(&leaves));
+        maps.push(self.separation_map());
+        maps
+    }
+
+    /// Widths and depths of cracks, of a wall that can crack.
+    fn crack_maps(&self) -> Vec<CellMap> {
+        let mut maps = Vec::new();
+        if !self.cracks_at_all() {
+            return maps;
+        }
+        for (face, name) in FACES.into_iter().enumerate() {
+            maps.push(map(
+                "crack_width",
+                &format!("largest crack width, {name}"),
+                Dimension::Length,
+                self.cells(|run, e| self.width(e, face, cracks(&run.history.pictures[1], face, e)[1])),
+                None,
+                "Opening strain times the length over which it is smeared.",
+            ));
+        }
+        maps.push(map(
+            "crack_depth",
+            "share of the section that has cracked",
+            Dimension::Dimensionless,
+            self.cells(|run, e| run.history.cells[e].cracked),
+            None,
+            "Fibres that have cracked at least once, of all fibres of the section.",
+        ));
+        maps
+    }
+
+    /// Stress and plastic strain of the bars of the leaf that bends, element by element, if there are any.
+    fn bar_maps(&self, leaves: &[Vec<Layer>]) -> Vec<CellMap> {
+        let bars = leaves.iter().flatten().flat_map(|l| &l.reinforcement);
+        let yields: Vec<Option<f64>> = bars
             .map(|bars| match bars.material.behaviour {
                 Behaviour::Reinforcement(bar) => Some(bar.yield_strength),
                 _ => None,
             })
             .collect();
-        if !bars.is_empty() {
-            let least = bars.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-            maps.push(map(
+        if yields.is_empty() {
+            return Vec::new();
+        }
+        let least = yields.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        vec![
+            map(
                 "bar_stress",
                 "largest stress of a bar",
                 Dimension::Stress,
                 self.cells(|run, e| run.history.cells[e].bar_stress),
                 least.is_finite().then_some(least),
                 "Absolute value, of all vertical bars; the mark is their yield strength.",
-            ));
-            maps.push(map(
+            ),
+            map(
                 "bar_plastic_strain",
                 "plastic strain of a bar",
-                number,
+                Dimension::Dimensionless,
                 self.cells(|run, e| run.history.cells[e].bar_plastic_strain),
                 None,
                 "Largest of all vertical bars.",
-            ));
-        }
+            ),
+        ]
+    }
+
+    /// Gap between liquid and wall where it may open; else the lowest pressure at the wall.
+    fn separation_map(&self) -> CellMap {
         if self.model.joints.is_some() {
-            maps.push(map(
+            return map(
                 "separation",
                 "largest gap between liquid and wall",
                 Dimension::Length,
@@ -131,10 +146,9 @@ impl Walls<'_> {
                 }),
                 None,
                 "Widest gap at the ends of the element; 0 where the liquid has stayed in contact.",
-            ));
-            return maps;
+            );
         }
-        maps.push(map(
+        map(
             "separation",
             "lowest pressure of the liquid at the wall",
             Dimension::Stress,
@@ -145,8 +159,7 @@ impl Walls<'_> {
             Some(0.0),
             "Gauge pressure of the particle that is there at rest, in the middle of the element; below 0 the liquid would \
              separate from the wall if air entered. 0 above the surface.",
-        ));
-        maps
+        )
     }
 
     /// Width of a crack of this opening strain [m].
@@ -195,6 +208,17 @@ impl Walls<'_> {
             push("end".into(), face, self.time(), &[0, 1], 1);
         }
         pictures
+    }
+}
+
+fn map(id: &str, title: &str, dimension: Dimension, values: Vec<f64>, mark: Option<f64>, note: &str) -> CellMap {
+    CellMap {
+        id: id.into(),
+        title: title.into(),
+        dimension,
+        values,
+        mark,
+        note: note.into(),
     }
 }
 

@@ -86,6 +86,17 @@ const WALL: &str = "wall";
 /// Group of the liquid.
 const LIQUID: &str = "liquid";
 
+/// Rayleigh's coefficients of every group: those of the wall, and of the rest.
+fn by_group(model: &Model, [wall, rest]: [Rayleigh; 2]) -> Vec<Rayleigh> {
+    let of = |name: &String| match name.as_str() {
+        // A joint that is open must not pull by its rate either.
+        contact::JOINT => Rayleigh::NONE,
+        WALL => wall,
+        _ => rest,
+    };
+    model.groups().iter().map(of).collect()
+}
+
 impl StripModel {
     /// Errors: parameters out of range, those of elements, model and eigenvalue solver.
     // Long: the order in which parts join the builder numbers the unknowns; the rest fills a struct of 14 fields.
@@ -150,17 +161,7 @@ impl StripModel {
             .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
             .collect();
         let wall_mode = first_wall_mode(tank, &modes, &amplitudes);
-        let rayleigh = coefficients(damping, modes.omega[wall_mode]);
-        let groups: Vec<Rayleigh> = model
-            .groups()
-            .iter()
-            .map(|name| match name.as_str() {
-                // A joint that is open must not pull by its rate either.
-                contact::JOINT => Rayleigh::NONE,
-                WALL => rayleigh[0],
-                _ => rayleigh[1],
-            })
-            .collect();
+        let groups = by_group(&model, coefficients(damping, modes.omega[wall_mode]));
         system.damping = match damping {
             StripDamping::Rayleigh(all) if joints.is_none() => Damping::rayleigh(all),
             _ => Damping::by_group(&assembler, &model, &groups, false)?,

@@ -33,7 +33,7 @@ use std::sync::Arc;
 
 use super::AnalysisError;
 use super::failed;
-use crate::assembly::Assembler;
+use crate::assembly::{Assembler, PlacedOperator};
 use crate::linalg::{Fronts, Keep, LinalgError, Ordering, Pattern, Symmetric};
 use crate::model::Model;
 
@@ -81,6 +81,30 @@ impl Entries {
         for ((&p, m), k) in self.places.iter().zip(&self.mass).zip(&self.stiffness) {
             values[p as usize] += on_mass * m + on_stiffness * k;
         }
+    }
+}
+
+impl Dense {
+    /// Values of an element; `at` says whether an entry is outside, and its place there or in the zone.
+    fn of(placed: &PlacedOperator<'_>, at: impl Fn(usize, usize) -> (bool, Option<u32>)) -> Dense {
+        let n = placed.operator.size();
+        let (mass, stiffness) = (placed.operator.dense_mass(), placed.operator.dense_stiffness());
+        let mut out = Dense::default();
+        for b in 0..n {
+            for a in b..n {
+                let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else {
+                    continue;
+                };
+                let (outer, place) = at(i, j);
+                let to = if outer { &mut out.outer } else { &mut out.inner };
+                if let Some(place) = place {
+                    to.places.push(place);
+                    to.mass.push(mass.get(a, b));
+                    to.stiffness.push(stiffness.get(a, b));
+                }
+            }
+        }
+        out
     }
 }
 
@@ -144,81 +168,148 @@ fn pair(of: &[u32], i: usize, j: usize) -> Option<(usize, usize)> {
     (a != NONE && b != NONE).then(|| (a.max(b) as usize, a.min(b) as usize))
 }
 
+/// Shows row, column and place of every entry of a pattern.
+fn entries(pattern: &Pattern, mut see: impl FnMut(usize, usize, usize)) {
+    for j in 0..pattern.size() {
+        (pattern.starts[j]..pattern.starts[j + 1]).for_each(|p| see(pattern.rows[p], j, p));
+    }
+}
+
+/// Position of each of `size` equations in an order.
+fn numbered(order: &[usize], size: usize) -> Vec<u32> {
+    let mut of = vec![NONE; size];
+    order.iter().enumerate().for_each(|(k, &e)| of[e] = k as u32);
+    of
+}
+
+/// The flagged unknowns in the best order of their elimination.
+fn apart(model: &Model, pattern: &Arc<Pattern>, flag: &[bool]) -> Vec<usize> {
+    let [part, _] = split(flag);
+    let own = Symmetric::zeros(pattern.clone()).submatrix(&part);
+    let node_of: Vec<usize> = part.iter().map(|&e| model.dofs().unknown(e).0).collect();
+    match Ordering::best(&own.pattern, &node_of, model.nodes()) {
+        Ordering::Given(order) => order.iter().map(|&k| part[k]).collect(),
+        Ordering::MinimumDegree => part,
+    }
+}
+
+/// Elements and unknowns of the zone of the elements `own`, and of nonlinear elements all of whose unknowns are theirs.
+fn members(model: &Model, own: impl Fn(usize) -> bool) -> (Vec<bool>, Vec<bool>) {
+    let dofs = model.dofs();
+    let unknowns = |e: usize| {
+        let element = &model.elements()[e];
+        let nodes = element.nodes().iter().enumerate();
+        nodes.flat_map(move |(a, &node)| element.dofs(a).iter().filter_map(move |&d| dofs.equation(node, d)))
+    };
+    let count = model.elements().len();
+    let mut inside = vec![false; dofs.len()];
+    (0..count)
+        .filter(|&e| own(e))
+        .flat_map(unknowns)
+        .for_each(|q| inside[q] = true);
+    let within = |e: usize| {
+        let element = &model.elements()[e];
+        !element.is_linear() && element.operator().is_none() && unknowns(e).all(|q| inside[q])
+    };
+    let elements = (0..count).map(|e| own(e) || within(e)).collect();
+    (elements, inside)
+}
+
+/// Unknowns of the zone that the outside touches, and those that an element joins that is not assembled.
+fn seams(inside: &[bool], pattern: &Pattern, operators: &[PlacedOperator<'_>]) -> (Vec<bool>, Vec<bool>) {
+    let (mut touched, mut joined) = (vec![false; inside.len()], vec![false; inside.len()]);
+    entries(pattern, |i, j, _| {
+        if inside[i] != inside[j] {
+            touched[if inside[i] { i } else { j }] = true;
+        }
+    });
+    for placed in operators {
+        for q in (0..placed.operator.size()).filter_map(|k| placed.equation(k)) {
+            joined[q] = true;
+            touched[q] |= inside[q];
+        }
+    }
+    (touched, joined)
+}
+
+/// Positions of the unknowns of the zone and its pattern, in the order of fewer operations of two. What the outside touches comes last in
+/// both: it need not have a pivot of its own.
+///
+/// Errors: not enough memory.
+fn inner_part(
+    model: &Model,
+    pattern: &Arc<Pattern>,
+    inside: &[bool],
+    touched: &[bool],
+) -> Result<(Vec<u32>, Arc<Pattern>), AnalysisError> {
+    let size = inside.len();
+    let border = (0..size).filter(|&e| touched[e]);
+    let flag: Vec<bool> = inside
+        .iter()
+        .zip(touched)
+        .map(|(inside, touched)| *inside && !touched)
+        .collect();
+    let interior = apart(model, pattern, &flag);
+    let mut choice: Option<(f64, Vec<u32>, Arc<Pattern>)> = None;
+    for order in [interior.clone(), dissected(model, pattern, &interior)] {
+        let order: Vec<usize> = order.into_iter().chain(border.clone()).collect();
+        let of = numbered(&order, size);
+        let mut pairs = Vec::new();
+        entries(pattern, |i, j, _| {
+            if inside[i] && inside[j] {
+                pairs.extend(pair(&of, i, j));
+            }
+        });
+        let last = border.clone().map(|e| of[e] as usize).collect();
+        let places = Arc::new(pattern_of(order.len(), pairs.into_iter(), &[last]));
+        let fronts = Fronts::new(&places, order.len(), Keep::Double).map_err(failed(WHAT))?;
+        let flops = fronts.flops();
+        if choice.as_ref().is_none_or(|(fewest, ..)| flops < *fewest) {
+            choice = Some((flops, of, places));
+        }
+    }
+    match choice {
+        Some((_, of, places)) => Ok((of, places)),
+        None => Err(failed(WHAT)(LinalgError::Singular { size })),
+    }
+}
+
+/// Place of a pair of positions in a pattern.
+fn place(of: &Pattern, at: Option<(usize, usize)>) -> Option<u32> {
+    at.and_then(|(i, j)| of.place(i, j)).map(|p| p as u32)
+}
+
 impl Zone {
     /// The zone of the elements for which `own(element number)` holds, and of nonlinear elements all of whose unknowns are theirs.
     ///
     /// Errors: not enough memory.
-    // Long: numbering, patterns and places of the two parts, one after the other.
     pub fn new(model: &Model, assembler: &Assembler, own: impl Fn(usize) -> bool) -> Result<Zone, AnalysisError> {
-        let dofs = model.dofs();
-        let size = dofs.len();
-        let unknowns = |e: usize| {
-            let element = &model.elements()[e];
-            let nodes = element.nodes().iter().enumerate();
-            nodes.flat_map(move |(a, &node)| element.dofs(a).iter().filter_map(move |&d| dofs.equation(node, d)))
-        };
-        let count = model.elements().len();
-        let mut inside = vec![false; size];
-        (0..count)
-            .filter(|&e| own(e))
-            .flat_map(unknowns)
-            .for_each(|q| inside[q] = true);
-        let within = |e: usize| {
-            let element = &model.elements()[e];
-            !element.is_linear() && element.operator().is_none() && unknowns(e).all(|q| inside[q])
-        };
-        let elements: Vec<bool> = (0..count).map(|e| own(e) || within(e)).collect();
-        let pattern = assembler.pattern().clone();
-        let each = |see: &mut dyn FnMut(usize, usize, usize)| {
-            for j in 0..size {
-                (pattern.starts[j]..pattern.starts[j + 1]).for_each(|p| see(pattern.rows[p], j, p));
-            }
-        };
-        // What the outside touches, by elements that are assembled and by others.
-        let (mut touched, mut joined) = (vec![false; size], vec![false; size]);
-        each(&mut |i, j, _| {
-            if inside[i] != inside[j] {
-                touched[if inside[i] { i } else { j }] = true;
-            }
-        });
+        let size = model.dofs().len();
+        let (elements, inside) = members(model, own);
+        let pattern = assembler.pattern();
         let operators: Vec<_> = assembler.operators(model).collect();
-        for placed in &operators {
-            for q in (0..placed.operator.size()).filter_map(|k| placed.equation(k)) {
-                joined[q] = true;
-                touched[q] |= inside[q];
-            }
-        }
+        let (touched, joined) = seams(&inside, pattern, &operators);
         // Outside: what the liquid does not join by dissection, then what it joins.
-        let apart = |flag: &dyn Fn(usize) -> bool| -> Vec<usize> {
-            let [rest, _] = split(&(0..size).map(flag).collect::<Vec<bool>>());
-            let part = Symmetric::zeros(pattern.clone()).submatrix(&rest);
-            let node_of: Vec<usize> = rest.iter().map(|&e| dofs.unknown(e).0).collect();
-            match Ordering::best(&part.pattern, &node_of, model.nodes()) {
-                Ordering::Given(order) => order.iter().map(|&k| rest[k]).collect(),
-                Ordering::MinimumDegree => rest,
-            }
-        };
-        let mut outer_order = apart(&|e| !inside[e] && !joined[e]);
+        let free: Vec<bool> = inside
+            .iter()
+            .zip(&joined)
+            .map(|(inside, joined)| !inside && !joined)
+            .collect();
+        let mut outer_order = apart(model, pattern, &free);
         outer_order.extend((0..size).filter(|&e| !inside[e] && joined[e]));
         let outside = outer_order.len();
         let border: Vec<usize> = (0..size).filter(|&e| touched[e]).collect();
         outer_order.extend(&border);
-        let numbered = |order: &[usize]| {
-            let mut of = vec![NONE; size];
-            order.iter().enumerate().for_each(|(k, &e)| of[e] = k as u32);
-            of
-        };
-        let outer_of = numbered(&outer_order);
+        let outer_of = numbered(&outer_order, size);
         // Entries of the zone are not those of the outside.
         let is_outer = |i: usize, j: usize| !(inside[i] && inside[j]);
         let mut outer_pairs = Vec::new();
-        each(&mut |i, j, _| {
+        entries(pattern, |i, j, _| {
             if is_outer(i, j) {
                 outer_pairs.extend(pair(&outer_of, i, j));
             }
         });
-        let last = |of: &[u32]| -> Vec<usize> { border.iter().map(|&e| of[e] as usize).collect() };
-        let mut cliques = vec![last(&outer_of)];
+        let mut cliques: Vec<Vec<usize>> = vec![border.iter().map(|&e| outer_of[e] as usize).collect()];
         for placed in &operators {
             let own = (0..placed.operator.size()).filter_map(|k| placed.equation(k));
             let mut clique: Vec<usize> = own.map(|e| outer_of[e] as usize).collect();
@@ -226,31 +317,9 @@ impl Zone {
             cliques.push(clique);
         }
         let outer = Arc::new(pattern_of(outer_order.len(), outer_pairs.into_iter(), &cliques));
-        // The order of fewer operations of two. What the outside touches comes last in both: it need not have a pivot of its own.
-        let interior = apart(&|e| inside[e] && !touched[e]);
-        let mut choice: Option<(f64, Vec<u32>, Arc<Pattern>)> = None;
-        for order in [interior.clone(), dissected(model, &pattern, &interior)] {
-            let order: Vec<usize> = order.into_iter().chain(border.iter().copied()).collect();
-            let of = numbered(&order);
-            let mut pairs = Vec::new();
-            each(&mut |i, j, _| {
-                if !is_outer(i, j) {
-                    pairs.extend(pair(&of, i, j));
-                }
-            });
-            let places = Arc::new(pattern_of(order.len(), pairs.into_iter(), &[last(&of)]));
-            let fronts = Fronts::new(&places, order.len(), Keep::Double).map_err(failed(WHAT))?;
-            let flops = fronts.flops();
-            if choice.as_ref().is_none_or(|(fewest, ..)| flops < *fewest) {
-                choice = Some((flops, of, places));
-            }
-        }
-        let Some((_, inner_of, inner)) = choice else {
-            return Err(failed(WHAT)(LinalgError::Singular { size }));
-        };
-        let place = |of: &Pattern, at: Option<(usize, usize)>| at.and_then(|(i, j)| of.place(i, j)).map(|p| p as u32);
+        let (inner_of, inner) = inner_part(model, pattern, &inside, &touched)?;
         let (mut outer_places, mut inner_places) = (Vec::new(), Vec::new());
-        each(&mut |i, j, p| match is_outer(i, j) {
+        entries(pattern, |i, j, p| match is_outer(i, j) {
             true => outer_places.extend(place(&outer, pair(&outer_of, i, j)).map(|to| [p as u32, to])),
             false => inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to])),
         });
@@ -262,31 +331,11 @@ impl Zone {
                 c_places.extend(place(&inner, Some((i, j))));
             }
         }
-        let operators = operators
-            .iter()
-            .map(|placed| {
-                let n = placed.operator.size();
-                let (mass, stiffness) = (placed.operator.dense_mass(), placed.operator.dense_stiffness());
-                let mut out = Dense::default();
-                for b in 0..n {
-                    for a in b..n {
-                        let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else {
-                            continue;
-                        };
-                        let (to, at) = match is_outer(i, j) {
-                            true => (&mut out.outer, place(&outer, pair(&outer_of, i, j))),
-                            false => (&mut out.inner, place(&inner, pair(&inner_of, i, j))),
-                        };
-                        if let Some(at) = at {
-                            to.places.push(at);
-                            to.mass.push(mass.get(a, b));
-                            to.stiffness.push(stiffness.get(a, b));
-                        }
-                    }
-                }
-                out
-            })
-            .collect();
+        let at = |i: usize, j: usize| match is_outer(i, j) {
+            true => (true, place(&outer, pair(&outer_of, i, j))),
+            false => (false, place(&inner, pair(&inner_of, i, j))),
+        };
+        let operators = operators.iter().map(|placed| Dense::of(placed, at)).collect();
         Ok(Zone {
             elements,
             sizes: [outside, inner.size()],

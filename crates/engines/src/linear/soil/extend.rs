@@ -94,6 +94,99 @@ impl Rigid {
     }
 }
 
+/// Mass and stiffness with the unknowns of the slab in units of `scale`, on springs.
+fn with_slab(held: &Coupled, rigid: &Rigid, scale: [f64; ADDED], spring: [f64; ADDED]) -> (Matrix, Matrix) {
+    let n = held.influence.len();
+    let size = n + ADDED;
+    let shear = held.mass.times(&held.influence);
+    let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
+    for j in 0..n {
+        mass.column_mut(j)[..n].copy_from_slice(held.mass.column(j));
+        stiffness.column_mut(j)[..n].copy_from_slice(held.stiffness.column(j));
+    }
+    for (k, row) in [&shear, &rigid.moment].into_iter().enumerate() {
+        for (i, f) in row.iter().enumerate() {
+            mass.add(i, n + k, scale[k] * f);
+            mass.add(n + k, i, scale[k] * f);
+        }
+    }
+    for k in 0..ADDED {
+        mass.add(n + k, n + k, 1.0);
+        stiffness.add(n + k, n + k, spring[k] * scale[k] * scale[k]);
+    }
+    let coupling = rigid.first * scale[0] * scale[1];
+    mass.add(n, n + 1, coupling);
+    mass.add(n + 1, n, coupling);
+    (mass, stiffness)
+}
+
+/// A row with zeros for the unknowns of the slab.
+fn longer(row: &[f64]) -> Vec<f64> {
+    row.iter().copied().chain([0.0; ADDED]).collect()
+}
+
+/// Rows of a system with the unknowns of the slab.
+struct OnSlab<'a> {
+    held: &'a Coupled,
+    rigid: &'a Rigid,
+    scale: [f64; ADDED],
+}
+
+impl OnSlab<'_> {
+    /// A row of these entries of the slab alone.
+    fn unit(&self, entries: &[(usize, f64)]) -> Vec<f64> {
+        let n = self.held.influence.len();
+        let mut row = vec![0.0; n + ADDED];
+        entries.iter().for_each(|(i, v)| row[n + i] = *v);
+        row
+    }
+
+    /// A probe at the height `z`, if it has one.
+    fn probe(&self, probe: &Probe, z: Option<f64>) -> Probe {
+        let n = self.held.influence.len();
+        let a = &probe.absolute_acceleration;
+        let still = a.is_empty() && probe.ground_acceleration == 0.0;
+        let moved = match a.is_empty() {
+            true => 0.0,
+            false => dot(a, &self.held.influence),
+        };
+        let mut row = match a.is_empty() {
+            true => vec![0.0; n + ADDED],
+            false => longer(a),
+        };
+        row[n] = self.scale[0] * (moved + probe.ground_acceleration);
+        row[n + 1] = self.scale[1] * self.rigid.turned(probe, z, self.held);
+        Probe {
+            displacement: match probe.displacement.is_empty() {
+                true => Vec::new(),
+                false => longer(&probe.displacement),
+            },
+            absolute_acceleration: if still { Vec::new() } else { row },
+            ground_acceleration: 0.0,
+            ..probe.clone()
+        }
+    }
+
+    fn line(&self, line: &ProbeLine) -> ProbeLine {
+        let probes = line.probes.iter().zip(&line.z);
+        ProbeLine {
+            probes: probes
+                .map(|(probe, z)| self.probe(probe, (line.what == OnWall::Pressure).then_some(*z)))
+                .collect(),
+            ..line.clone()
+        }
+    }
+}
+
+/// Gives every mode the damping ratio of its dashpots.
+fn set_damping(modes: &mut [CoupledMode], dashpots: &[(Vec<f64>, f64)]) {
+    for mode in modes {
+        let rate = |(row, c): &(Vec<f64>, f64)| c * dot(row, &mode.vector).powi(2);
+        let rate: f64 = dashpots.iter().map(rate).sum();
+        mode.damping = Some(rate / (2.0 * mode.omega));
+    }
+}
+
 /// The system and its modes on the slab.
 ///
 /// Errors: a mass that is not positive definite; a mode that fails its residual check.
@@ -117,84 +210,32 @@ pub(crate) fn on_soil(
         cones.stiffness.rocking,
         cones.internal_inertia * (HELD * lowest).powi(2),
     ];
-    let shear = held.mass.times(&held.influence);
-    let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
-    for j in 0..n {
-        mass.column_mut(j)[..n].copy_from_slice(held.mass.column(j));
-        stiffness.column_mut(j)[..n].copy_from_slice(held.stiffness.column(j));
-    }
-    for (k, row) in [&shear, &rigid.moment].into_iter().enumerate() {
-        for (i, f) in row.iter().enumerate() {
-            mass.add(i, n + k, scale[k] * f);
-            mass.add(n + k, i, scale[k] * f);
-        }
-    }
-    for k in 0..ADDED {
-        mass.add(n + k, n + k, 1.0);
-        stiffness.add(n + k, n + k, spring[k] * scale[k] * scale[k]);
-    }
-    let coupling = rigid.first * scale[0] * scale[1];
-    mass.add(n, n + 1, coupling);
-    mass.add(n + 1, n, coupling);
-
-    let unit = |entries: &[(usize, f64)]| {
-        let mut row = vec![0.0; size];
-        entries.iter().for_each(|(i, v)| row[n + i] = *v);
-        row
+    let (mass, stiffness) = with_slab(held, &rigid, scale, spring);
+    let slab = OnSlab {
+        held,
+        rigid: &rigid,
+        scale,
     };
-    let longer = |row: &[f64]| -> Vec<f64> { row.iter().copied().chain([0.0; ADDED]).collect() };
     let own = modes.iter().map(|mode| {
         let momentum = held.mass.times(&mode.vector);
         (longer(&momentum), 2.0 * damper.of(mode) * mode.omega)
     });
     let mut dashpots: Vec<(Vec<f64>, f64)> = own.collect();
     dashpots.extend(held.dashpots.iter().map(|(row, c)| (longer(row), *c)));
-    dashpots.push((unit(&[(0, scale[0])]), cones.horizontal_dashpot));
-    dashpots.push((unit(&[(1, scale[1]), (2, -scale[2])]), cones.rocking_dashpot));
+    dashpots.push((slab.unit(&[(0, scale[0])]), cones.horizontal_dashpot));
+    dashpots.push((slab.unit(&[(1, scale[1]), (2, -scale[2])]), cones.rocking_dashpot));
 
-    let extended = |probe: &Probe, z: Option<f64>| -> Probe {
-        let a = &probe.absolute_acceleration;
-        let still = a.is_empty() && probe.ground_acceleration == 0.0;
-        let moved = match a.is_empty() {
-            true => 0.0,
-            false => dot(a, &held.influence),
-        };
-        let mut row = match a.is_empty() {
-            true => vec![0.0; size],
-            false => longer(a),
-        };
-        row[n] = scale[0] * (moved + probe.ground_acceleration);
-        row[n + 1] = scale[1] * rigid.turned(probe, z, held);
-        Probe {
-            displacement: match probe.displacement.is_empty() {
-                true => Vec::new(),
-                false => longer(&probe.displacement),
-            },
-            absolute_acceleration: if still { Vec::new() } else { row },
-            ground_acceleration: 0.0,
-            ..probe.clone()
-        }
-    };
-    let line = |line: &ProbeLine| ProbeLine {
-        probes: line
-            .probes
-            .iter()
-            .zip(&line.z)
-            .map(|(probe, z)| extended(probe, (line.what == OnWall::Pressure).then_some(*z)))
-            .collect(),
-        ..line.clone()
-    };
     let base = [Channel::FoundationTranslation, Channel::FoundationRotation]
         .into_iter()
         .enumerate();
     let base = base.map(|(k, channel)| Probe {
-        displacement: unit(&[(k, scale[k])]),
+        displacement: slab.unit(&[(k, scale[k])]),
         ..Probe::new(channel)
     });
     // M a = the row of the moment above the base plate.
     let above = held
         .probe(Channel::BaseMoment)
-        .map(|probe| extended(probe, None).absolute_acceleration);
+        .map(|probe| slab.probe(probe, None).absolute_acceleration);
     let factor = Cholesky::factor(&mass).map_err(failure("the mass matrix of the tank on its slab"))?;
     let moment_arm = match above {
         Some(row) if !row.is_empty() => factor.solve_vector(&row),
@@ -202,18 +243,18 @@ pub(crate) fn on_soil(
     };
     let coupled = Coupled {
         harmonic: held.harmonic,
-        influence: unit(&[(0, 1.0 / scale[0])]),
+        influence: slab.unit(&[(0, 1.0 / scale[0])]),
         surface: held.surface.clone(),
         rotation: Some(Part::block(&stiffness, n + 2..size)),
         probes: held
             .probes
             .iter()
-            .map(|probe| extended(probe, None))
+            .map(|probe| slab.probe(probe, None))
             .chain(base)
             .collect(),
-        lines: held.lines.iter().map(line).collect(),
+        lines: held.lines.iter().map(|line| slab.line(line)).collect(),
         level: held.level,
-        shear: held.shear.as_ref().map(line),
+        shear: held.shear.as_ref().map(|line| slab.line(line)),
         liquid_mass: held.liquid_mass,
         wall_mass: held.wall_mass,
         moment_arm,
@@ -228,10 +269,6 @@ pub(crate) fn on_soil(
     let mut found = modes::solve(&coupled, None)?;
     let ground = coupled.dashpots.len() - GROUND;
     found.extend(residual::modes(&coupled, &found, &coupled.dashpots[ground..])?);
-    for mode in &mut found {
-        let rate = |(row, c): &(Vec<f64>, f64)| c * dot(row, &mode.vector).powi(2);
-        let rate: f64 = coupled.dashpots.iter().map(rate).sum();
-        mode.damping = Some(rate / (2.0 * mode.omega));
-    }
+    set_damping(&mut found, &coupled.dashpots);
     Ok((coupled, found))
 }

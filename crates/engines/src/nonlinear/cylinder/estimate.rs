@@ -119,56 +119,174 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
     Ok(found)
 }
 
+/// Numbers of a model that its memory and time follow from.
+struct Size {
+    cells: Cells,
+    /// Whether the wall stands on a bottom on the ground, which has rings of cells, too; contact asks for a factor of them in most iterations.
+    on_ground: bool,
+    rows: f64,
+    /// Elements of the wall and the bottom, and shells over each other in the wall.
+    number: f64,
+    shells: f64,
+    unknowns: f64,
+    /// Unknowns that the liquid joins.
+    wetted: f64,
+    /// Numbers that the material points remember.
+    history: f64,
+    /// Whether no factor joins the liquid to the wall.
+    iterated: bool,
+    /// Bytes of the liquid's block.
+    block: f64,
+    shared: Rings,
+    /// Factor of what is kept, and of plate and ground with the block that it leaves on the foot.
+    kept: Fill,
+    fill: Fill,
+}
+
+impl Size {
+    fn of(case: &Case, options: &NonlinearOptions) -> Size {
+        let depth = case.liquid.fill_height;
+        let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
+        let rings = standing::rings(case, options) as f64;
+        let on_ground = rings > 0.0;
+        let (rows, columns) = (cells.rows() as f64 + rings, cells.columns() as f64);
+        let meridians = columns + if cells.half { 1.0 } else { 0.0 };
+        let wetted = cells.wet(depth) as f64 * meridians + AMPLITUDES;
+        let shells = leaves(case);
+        let node = SHELL * shells;
+        let history: f64 = (0..cells.rows())
+            .map(|row| {
+                let middle = 0.5 * (cells.z[row] + cells.z[row + 1]);
+                slots(case.tank.course_at(middle), &options.integration)
+            })
+            .sum::<f64>()
+            * columns;
+        let levels = cells.wet(depth) as f64;
+        let operator = on_ground || iterates((levels * meridians) as usize, options.contact);
+        let iterated = operator && !on_ground;
+        let shared = if iterated {
+            Rings::new(&cells, levels, node * rows, options.contact)
+        } else {
+            Rings::default()
+        };
+        let foot = FOOT * meridians;
+        let [kept, zone] = match on_ground {
+            true => [
+                Fill::grid([meridians, cells.rows() as f64, 1.0], node, !cells.half)
+                    .with(1.0, Fill::dense(wetted + foot)),
+                Fill::grid([meridians, rings, 1.0], node, !cells.half).with(1.0, Fill::dense(foot)),
+            ],
+            false => [Fill::default(); 2],
+        };
+        let fill = match (operator, on_ground) {
+            (_, true) => zone,
+            (true, _) => Fill::default(),
+            (false, _) => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
+        };
+        Size {
+            on_ground,
+            rows,
+            number: rows * columns,
+            shells,
+            unknowns: node * rows * meridians + wetted * f64::from(u8::from(options.contact == Contact::Opening)),
+            wetted,
+            history,
+            iterated,
+            block: if operator { 0.0 } else { NUMBER * wetted * wetted },
+            shared,
+            kept,
+            fill,
+            cells,
+        }
+    }
+
+    /// Numbers of the histories.
+    fn histories(&self, case: &Case, samples: f64) -> f64 {
+        let two = case
+            .ground_motion
+            .as_ref()
+            .is_some_and(|motion| motion.transverse.is_some());
+        // Hoop and axial stress of the meridians of a fan.
+        let meridian = if two {
+            2.0 * self.rows * two::fan(&self.cells).len() as f64
+        } else {
+            0.0
+        };
+        samples * (AT_SAMPLE + 2.0 * self.rows + meridian + 0.5 * self.wetted.min(LOOKS))
+    }
+
+    /// Bytes, part by part; `kept` numbers of the histories.
+    fn parts(&self, case: &Case, options: &NonlinearOptions, at_a_time: f64, kept: f64) -> Vec<(&'static str, f64)> {
+        let (block, wetted, number) = (self.block, self.wetted, self.number);
+        let depth = case.liquid.fill_height;
+        // C of the liquid is another one.
+        let damped = matches!(options.damping, Damping::ByGroup { .. });
+        let model = block * (MODEL_BLOCKS + if damped { 1.0 } else { 0.0 });
+        // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
+        let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
+        let harmonic = NUMBER * section * (4.0 * (self.cells.wet(depth) as f64 + 11.0) + 100.0);
+        let on_ground = |bytes: f64| if self.on_ground { bytes } else { 0.0 };
+        vec![
+            (THE_PROGRAM, PROGRAM),
+            (
+                "liquid block",
+                model + at_a_time * MARCH_BLOCKS * block + self.shared.blocks,
+            ),
+            ("liquid as entries of a factor", on_ground(ENTRIES * wetted * wetted)),
+            (
+                "factors of wall and liquid",
+                at_a_time * KEPT_FACTORS * NUMBER * self.kept.entries,
+            ),
+            ("sections of the wall", (1.0 + at_a_time) * self.shared.sections),
+            ("open joints", at_a_time * self.shared.joints),
+            // A value, and its places.
+            ("vectors of the iteration", at_a_time * VECTORS * NUMBER * self.unknowns),
+            ("liquid of one harmonic", harmonic),
+            ("wall", number * self.shells * CELL * (1.0 + 0.5 * at_a_time)),
+            (
+                "matrices of wall and plate",
+                on_ground(at_a_time * GROUND_CELL * number),
+            ),
+            ("history of the layers", at_a_time * STATES * NUMBER * self.history),
+            ("factors", (1.0 + at_a_time) * NUMBER * self.fill.entries),
+            ("histories", at_a_time * NUMBER * kept),
+        ]
+    }
+
+    /// Times of the start, of a step under the record and of one of free vibration [s], of a wall that stays elastic.
+    fn times(&self, contact: Contact) -> [f64; 3] {
+        let cells = self.number * self.shells;
+        let [bonded, opening] = PRODUCTS;
+        let products = match contact {
+            Contact::Bonded => bonded,
+            Contact::Opening => opening,
+        };
+        let sweep = match self.on_ground {
+            true => 2.0 * SINGLE * (self.fill.entries + self.kept.entries) / SWEEP_RATE,
+            false => {
+                let bytes = 3.0 * self.block + 2.0 * NUMBER * self.fill.entries;
+                (bytes + products * self.shared.product(self.unknowns, cells)) / PRODUCT_RATE
+            }
+        };
+        let iteration = cells * CELL_TIME + self.history / 12.0 * POINT_TIME + sweep;
+        let factor = self.fill.flops / FACTOR_RATE + self.shared.factor;
+        let whole = self.kept.flops / FACTOR_RATE;
+        match self.on_ground {
+            true => {
+                let each = GROUND_ITERATIONS * (iteration + factor / RENEWED) + whole / KEPT;
+                [START * GROUND_START * (iteration + factor + whole / KEPT), each, each]
+            }
+            false => [
+                START * (ITERATIONS * iteration + factor),
+                ITERATIONS * iteration + factor / KEPT,
+                QUIET_ITERATIONS * iteration,
+            ],
+        }
+    }
+}
+
 fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
-    let depth = case.liquid.fill_height;
-    let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
-    // A bottom on the ground has rings of cells, too; contact asks for a factor of them in most iterations.
-    let rings = standing::rings(case, options) as f64;
-    let on_ground = rings > 0.0;
-    let (rows, columns) = (cells.rows() as f64 + rings, cells.columns() as f64);
-    let meridians = columns + if cells.half { 1.0 } else { 0.0 };
-    let wetted = cells.wet(depth) as f64 * meridians + AMPLITUDES;
-    let shells = leaves(case);
-    let node = SHELL * shells;
-    let unknowns = node * rows * meridians + wetted * f64::from(u8::from(options.contact == Contact::Opening));
-    let number = rows * columns;
-    let history: f64 = (0..cells.rows())
-        .map(|row| {
-            let middle = 0.5 * (cells.z[row] + cells.z[row + 1]);
-            slots(case.tank.course_at(middle), &options.integration)
-        })
-        .sum::<f64>()
-        * columns;
-    let points: f64 = history / 12.0;
-    let levels = cells.wet(depth) as f64;
-    let operator = on_ground || iterates((levels * meridians) as usize, options.contact);
-    let iterated = operator && !on_ground;
-    let block = if operator { 0.0 } else { NUMBER * wetted * wetted };
-    let shared = if iterated {
-        Rings::new(&cells, levels, node * rows, options.contact)
-    } else {
-        Rings::default()
-    };
-    // C of the liquid is another one.
-    let damped = matches!(options.damping, Damping::ByGroup { .. });
-    let model = block * (MODEL_BLOCKS + if damped { 1.0 } else { 0.0 });
-    // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
-    let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
-    let harmonic = NUMBER * section * (4.0 * (cells.wet(depth) as f64 + 11.0) + 100.0);
-    // Fill of what is kept, and of plate and ground with the block that it leaves on the foot.
-    let foot = FOOT * meridians;
-    let [kept_fill, zone] = match on_ground {
-        true => [
-            Fill::grid([meridians, cells.rows() as f64, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted + foot)),
-            Fill::grid([meridians, rings, 1.0], node, !cells.half).with(1.0, Fill::dense(foot)),
-        ],
-        false => [Fill::default(); 2],
-    };
-    let fill = match (operator, on_ground) {
-        (_, true) => zone,
-        (true, _) => Fill::default(),
-        (false, _) => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
-    };
+    let size = Size::of(case, options);
     let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
     let step = options.time_step.unwrap_or_else(|| {
         (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
@@ -176,90 +294,26 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let samples = response.samples();
     // A whole number of steps in a sample.
     let steps = samples * (response.dt / step - 1e-9).ceil().max(1.0);
-    let two = case
-        .ground_motion
-        .as_ref()
-        .is_some_and(|motion| motion.transverse.is_some());
-    // Hoop and axial stress of the meridians of a fan.
-    let meridian = if two {
-        2.0 * rows * two::fan(&cells).len() as f64
-    } else {
-        0.0
-    };
-    let kept = samples * (AT_SAMPLE + 2.0 * rows + meridian + 0.5 * wetted.min(LOOKS));
-    let parts = vec![
-        (THE_PROGRAM, PROGRAM),
-        ("liquid block", model + at_a_time * MARCH_BLOCKS * block + shared.blocks),
-        (
-            "liquid as entries of a factor",
-            if on_ground { ENTRIES * wetted * wetted } else { 0.0 },
-        ),
-        (
-            "factors of wall and liquid",
-            at_a_time * KEPT_FACTORS * NUMBER * kept_fill.entries,
-        ),
-        ("sections of the wall", (1.0 + at_a_time) * shared.sections),
-        ("open joints", at_a_time * shared.joints),
-        // A value, and its places.
-        ("vectors of the iteration", at_a_time * VECTORS * NUMBER * unknowns),
-        ("liquid of one harmonic", harmonic),
-        ("wall", number * shells * CELL * (1.0 + 0.5 * at_a_time)),
-        (
-            "matrices of wall and plate",
-            if on_ground {
-                at_a_time * GROUND_CELL * number
-            } else {
-                0.0
-            },
-        ),
-        ("history of the layers", at_a_time * STATES * NUMBER * history),
-        ("factors", (1.0 + at_a_time) * NUMBER * fill.entries),
-        ("histories", at_a_time * NUMBER * kept),
-    ];
-    let [bonded, opening] = PRODUCTS;
-    let products = match options.contact {
-        Contact::Bonded => bonded,
-        Contact::Opening => opening,
-    };
-    let sweep = match on_ground {
-        true => 2.0 * SINGLE * (fill.entries + kept_fill.entries) / SWEEP_RATE,
-        false => {
-            let bytes = 3.0 * block + 2.0 * NUMBER * fill.entries;
-            (bytes + products * shared.product(unknowns, number * shells)) / PRODUCT_RATE
-        }
-    };
-    let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep;
-    let factor = fill.flops / FACTOR_RATE + shared.factor;
-    let whole = kept_fill.flops / FACTOR_RATE;
     let free = steps * response.tail / (response.duration + response.tail);
-    let (elastic, quiet) = match on_ground {
-        true => {
-            let each = GROUND_ITERATIONS * (iteration + factor / RENEWED) + whole / KEPT;
-            (each, each)
-        }
-        false => (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration),
-    };
-    let start = match on_ground {
-        true => START * GROUND_START * (iteration + factor + whole / KEPT),
-        false => START * (ITERATIONS * iteration + factor),
-    };
+    let [start, elastic, quiet] = size.times(options.contact);
     let all = |record: f64, tail: f64| {
         let once = start + (steps - free) * record + free * tail;
-        BESIDE + once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE
+        BESIDE + once * runs.max(1) as f64 + 2.0 * (size.block / NUMBER).powf(1.5) / DENSE_RATE
     };
     let of_runs = if jobs > 0 {
         format!(", {runs} runs, {at_a_time:.0} at a time")
     } else {
         String::new()
     };
+    let (rows, unknowns, wetted) = (size.rows, size.unknowns, size.wetted);
     Estimate {
         run: "nonlinear run",
         size: format!(
             "{rows:.0} x {} elements, {unknowns:.0} unknowns, {wetted:.0} of them joined by the liquid{}, {steps:.0} steps{of_runs}",
-            cells.sectors,
-            if iterated { " (iterated)" } else { "" }
+            size.cells.sectors,
+            if size.iterated { " (iterated)" } else { "" }
         ),
-        parts,
+        parts: size.parts(case, options, at_a_time, size.histories(case, samples)),
         samples,
         steps,
         seconds: all(elastic, quiet),

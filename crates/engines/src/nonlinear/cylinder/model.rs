@@ -22,6 +22,7 @@ use fem::analysis::zone::Zone;
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::interlayer;
+use fem::element::shell::load::NodalLoads;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
 use fem::linalg::{Ordering, Pattern, Symbolic, dot};
@@ -40,7 +41,7 @@ use super::rings::name_rings;
 use super::section::RowBuild;
 use super::standing::{self, ANCHOR, Standing};
 use crate::error::failed;
-use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY};
+use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY, Plate};
 use crate::{FeError, out_of_round};
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
@@ -134,6 +135,204 @@ fn shape(case: &Case, imperfections: &Imperfections, radius: f64, perfect: &Foot
     Some(out)
 }
 
+/// Distance of the two shells of a wall [m]; 0 of one shell.
+///
+/// Errors: another distance from course to course.
+fn gap(rows: &[RowBuild], radius: f64) -> Result<f64, FeError> {
+    let gap = rows.first().map_or(0.0, |r| r.gap);
+    match rows.iter().any(|r| (r.gap - gap).abs() > 1e-9 * radius) {
+        true => Err(FeError::Unsupported(
+            "the nonlinear engine models walls of two shells whose distance is the same in all courses".into(),
+        )),
+        false => Ok(gap),
+    }
+}
+
+/// Nodes of the liquid's face: those of the wall's inner face, or others at the same places.
+fn wet_face(builder: &mut Builder, inner: &[usize], contact: Contact) -> Vec<usize> {
+    let mut own = |&n: &usize| {
+        let at = builder.position(n);
+        builder.node(at)
+    };
+    match contact {
+        Contact::Bonded => inner.to_vec(),
+        Contact::Opening => inner.iter().map(&mut own).collect(),
+    }
+}
+
+/// Gives the nodes of liquid and wall at these points their radial frames.
+fn turn_radially(builder: &mut Builder, [wetted, inner]: [&[usize]; 2], points: &[usize], footprint: &Footprint) {
+    for ((&wet, &own), &point) in wetted.iter().zip(inner).zip(points) {
+        let [c, s, _] = footprint.normals[point];
+        let radial = Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
+        builder.frame(wet, radial);
+        if wet != own {
+            builder.frame(own, radial);
+        }
+    }
+}
+
+/// Plate and ground as a part of the systems of equations.
+fn ground_zone(model: &Model, assembler: &Assembler) -> Result<Arc<Zone>, FeError> {
+    let named = |e: usize| ZONE.contains(&model.groups()[model.group_of(e)].as_str());
+    Ok(Arc::new(Zone::new(model, assembler, named).map_err(failed)?))
+}
+
+/// ω of the first sloshing mode of harmonic 1 [rad/s]; 0 without one.
+fn first_sloshing(liquid: &WallLiquid) -> f64 {
+    let first = liquid.rim().iter().position(|r| r.harmonic == 1);
+    (0..liquid.omega().len())
+        .find(|&j| first.is_some_and(|r| liquid.rim()[r].row[liquid.wall() + j].abs() > 1e-9))
+        .map_or(0.0, |j| liquid.omega()[j])
+}
+
+/// Adds the shells of the wall, on its bottom plate if it stands on one.
+///
+/// Errors: another distance of two shells from course to course; those of the elements.
+fn place_wall(
+    builder: &mut Builder,
+    case: &Case,
+    options: &NonlinearOptions,
+    (radius, rows): (f64, &[RowBuild]),
+    footprint: &Footprint,
+    plate: Option<&Plate>,
+) -> Result<(PlacedWall, Option<Standing>), FeError> {
+    let shape = shape(case, &options.imperfections, radius, footprint);
+    let mesh = WallMesh {
+        footprint: shape.as_ref().unwrap_or(footprint),
+        courses: &|row| rows[row].build.clone(),
+        offsets: [0.0, gap(rows, radius)?],
+        name: WALL,
+        mass: MassKind::Consistent,
+    };
+    match plate {
+        None => Ok((mesh.place(builder).map_err(failed)?, None)),
+        Some(plate) => {
+            let (wall, standing) = Standing::weld(plate, case, builder, &mesh, options)?;
+            Ok((wall, Some(standing)))
+        }
+    }
+}
+
+/// Wall, liquid and bottom in a builder.
+struct Parts {
+    radius: f64,
+    cells: Cells,
+    rows: Vec<RowBuild>,
+    footprint: Footprint,
+    wall: PlacedWall,
+    /// Wetted points of the wall, and the node of the liquid at each.
+    points: Vec<usize>,
+    wetted: Vec<usize>,
+    joints: Option<Joints>,
+    standing: Option<Standing>,
+    floor: Option<LiquidFloor>,
+    liquid: WallLiquid,
+    /// Number of its element, and whether that is not assembled.
+    liquid_element: usize,
+    operator: bool,
+    /// Nodes of the sloshing amplitudes.
+    amplitudes: Vec<usize>,
+    /// Loads of the hydrostatic pressure, and of a pressure of 1.
+    pressure: NodalLoads,
+    areas: NodalLoads,
+}
+
+impl Parts {
+    /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
+    fn place(
+        builder: &mut Builder,
+        case: &Case,
+        options: &NonlinearOptions,
+        iterates: impl Fn(usize) -> bool,
+    ) -> Result<Parts, FeError> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return Err(FeError::Unsupported("the tank is not a cylinder".into()));
+        };
+        let depth = case.liquid.fill_height;
+        let unit_weight = case.liquid.density * case.gravity;
+        let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
+        let rows = build_rows(case, &cells, radius, options)?;
+        let footprint = Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;
+        let plate = standing::plate(case, options, radius)?;
+        let (wall, mut standing) = place_wall(builder, case, options, (radius, &rows), &footprint, plate.as_ref())?;
+        support(builder, &footprint, &wall, &cells, plate.is_some());
+        if case.tank.roof.mass > 0.0 {
+            add_roof(case, builder, &footprint, &wall, &cells);
+        }
+        let wet = cells.wet(depth);
+        let points: Vec<usize> = footprint.levels[..wet].iter().flatten().copied().collect();
+        let inner: Vec<usize> = points.iter().map(|&p| wall.inner[p]).collect();
+        let wetted = wet_face(builder, &inner, options.contact);
+        turn_radially(builder, [&wetted, &inner], &points, &footprint);
+        let operator = iterates(wetted.len());
+        if operator && plate.is_none() {
+            name_rings(builder, &footprint, &wall, &wetted, &cells)?;
+        }
+        if options.contact == Contact::Opening {
+            for &node in &wetted[..footprint.levels[0].len()] {
+                builder.hold(node, Dof::Ux);
+            }
+        }
+        let floor = plate
+            .as_ref()
+            .map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
+        let (liquid, amplitudes, liquid_element) =
+            add_liquid(case, builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
+        let joints = match options.contact {
+            Contact::Bonded => None,
+            Contact::Opening => {
+                let join = Join {
+                    footprint: &footprint,
+                    wall: &wall,
+                    nodes: [&inner, &wetted],
+                    amplitudes: &amplitudes,
+                    liquid: &liquid,
+                    gravity: case.gravity,
+                    depth,
+                    unit_weight,
+                    penalty: penalty(case, radius),
+                };
+                Some(join.add_to(builder)?)
+            }
+        };
+        let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
+        let (mut pressure, areas) = pressures(
+            builder,
+            &footprint,
+            &wall,
+            &cells,
+            [unit_weight, depth],
+            &pressed,
+            options,
+        );
+        if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
+            standing.found(plate, case, builder, options, &mut pressure)?;
+            if let Some(floor) = &floor {
+                standing.wet(plate, builder, floor, operator)?;
+            }
+        }
+        Ok(Parts {
+            radius,
+            cells,
+            rows,
+            footprint,
+            wall,
+            points,
+            wetted,
+            joints,
+            standing,
+            floor,
+            liquid,
+            liquid_element,
+            operator,
+            amplitudes,
+            pressure,
+            areas,
+        })
+    }
+}
+
 impl CylinderModel {
     /// The model of a case.
     ///
@@ -151,150 +350,36 @@ impl CylinderModel {
         options: &NonlinearOptions,
         iterates: impl Fn(usize) -> bool,
     ) -> Result<CylinderModel, FeError> {
-        let Shape::Cylinder { radius } = case.tank.shape else {
-            return Err(FeError::Unsupported("the tank is not a cylinder".into()));
-        };
-        let depth = case.liquid.fill_height;
-        let unit_weight = case.liquid.density * case.gravity;
-        let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
-        let rows = build_rows(case, &cells, radius, options)?;
-        let footprint = Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;
         let mut builder = Builder::new();
-        let gap = rows.first().map_or(0.0, |r| r.gap);
-        if rows.iter().any(|r| (r.gap - gap).abs() > 1e-9 * radius) {
-            return Err(FeError::Unsupported(
-                "the nonlinear engine models walls of two shells whose distance is the same in all courses".into(),
-            ));
-        }
-        let shape = shape(case, &options.imperfections, radius, &footprint);
-        let plate = standing::plate(case, options, radius)?;
-        let mut standing = None;
-        let mesh = WallMesh {
-            footprint: shape.as_ref().unwrap_or(&footprint),
-            courses: &|row| rows[row].build.clone(),
-            offsets: [0.0, gap],
-            name: WALL,
-            mass: MassKind::Consistent,
-        };
-        let wall = match &plate {
-            None => mesh.place(&mut builder).map_err(failed)?,
-            Some(plate) => {
-                let (wall, own) = Standing::weld(plate, case, &mut builder, &mesh, options)?;
-                standing = Some(own);
-                wall
-            }
-        };
-        support(&mut builder, &footprint, &wall, &cells, plate.is_some());
-        if case.tank.roof.mass > 0.0 {
-            add_roof(case, &mut builder, &footprint, &wall, &cells);
-        }
-        let wet = cells.wet(depth);
-        let points: Vec<usize> = footprint.levels[..wet].iter().flatten().copied().collect();
-        let inner: Vec<usize> = points.iter().map(|&p| wall.inner[p]).collect();
-        let wetted: Vec<usize> = match options.contact {
-            Contact::Bonded => inner.clone(),
-            Contact::Opening => inner
-                .iter()
-                .map(|&n| {
-                    let at = builder.position(n);
-                    builder.node(at)
-                })
-                .collect(),
-        };
-        for (nodes, &point) in wetted.iter().zip(&inner).zip(&points) {
-            let [c, s, _] = footprint.normals[point];
-            let radial = Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
-            builder.frame(*nodes.0, radial);
-            if nodes.0 != nodes.1 {
-                builder.frame(*nodes.1, radial);
-            }
-        }
-        let operator = iterates(wetted.len());
-        if operator && plate.is_none() {
-            name_rings(&mut builder, &footprint, &wall, &wetted, &cells)?;
-        }
-        if options.contact == Contact::Opening {
-            for &node in &wetted[..footprint.levels[0].len()] {
-                builder.hold(node, Dof::Ux);
-            }
-        }
-        let floor = plate
-            .as_ref()
-            .map(|plate| LiquidFloor::over(plate, &mut builder, footprint.levels[0].len()));
-        let (liquid, amplitude_nodes, liquid_element) =
-            add_liquid(case, &mut builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
-        let joints = match options.contact {
-            Contact::Bonded => None,
-            Contact::Opening => {
-                let join = Join {
-                    footprint: &footprint,
-                    wall: &wall,
-                    nodes: [&inner, &wetted],
-                    amplitudes: &amplitude_nodes,
-                    liquid: &liquid,
-                    gravity: case.gravity,
-                    depth,
-                    unit_weight,
-                    penalty: penalty(case, radius),
-                };
-                Some(join.add_to(&mut builder)?)
-            }
-        };
-        let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
-        let (mut pressure_loads, area_loads) = pressures(
-            &mut builder,
-            &footprint,
-            &wall,
-            &cells,
-            [unit_weight, depth],
-            &pressed,
-            options,
-        );
-        if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
-            standing.found(plate, case, &mut builder, options, &mut pressure_loads)?;
-            if let Some(floor) = &floor {
-                standing.wet(plate, &mut builder, floor, operator)?;
-            }
-        }
+        let parts = Parts::place(&mut builder, case, options, iterates)?;
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
         let assembler = Assembler::new(&model);
-        let zone = match &plate {
-            Some(_) if operator => {
-                let named = |e: usize| ZONE.contains(&model.groups()[model.group_of(e)].as_str());
-                Some(Arc::new(Zone::new(&model, &assembler, named).map_err(failed)?))
-            }
+        let zone = match &parts.standing {
+            Some(_) if parts.operator => Some(ground_zone(&model, &assembler)?),
             _ => None,
         };
-        let symbolic = symbolic(&model, &assembler, liquid_element)?;
+        let symbolic = symbolic(&model, &assembler, parts.liquid_element)?;
         let system = System::new(&model, &assembler).map_err(failed)?;
         let weight = match options.self_weight {
             true => assembler.body_force(&model, [0.0, 0.0, -case.gravity]),
             false => vec![0.0; model.dofs().len()],
         };
-        let amplitudes = amplitude_nodes
-            .iter()
+        let amplitudes = { parts.amplitudes.iter() }
             .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
             .collect();
-        let areas = wetted
-            .iter()
-            .zip(footprint.levels[..wet].iter().flatten())
-            .map(|(&node, &point)| {
-                let [c, s, _] = footprint.normals[point];
-                let load = area_loads.at(node);
-                c * load[0] + s * load[1]
-            })
-            .collect();
-        let first = liquid.rim().iter().position(|r| r.harmonic == 1);
-        let sloshing_omega = (0..liquid.omega().len())
-            .find(|&j| first.is_some_and(|r| liquid.rim()[r].row[liquid.wall() + j].abs() > 1e-9))
-            .map_or(0.0, |j| liquid.omega()[j]);
-        let pressure = pressure_loads.vector(&model);
+        let radial = |(&node, &point): (&usize, &usize)| {
+            let [c, s, _] = parts.footprint.normals[point];
+            let load = parts.areas.at(node);
+            c * load[0] + s * load[1]
+        };
+        let areas = parts.wetted.iter().zip(&parts.points).map(radial).collect();
+        let pressure = parts.pressure.vector(&model);
         let mut out = CylinderModel {
-            cells,
-            footprint,
-            wall,
-            rows,
+            cells: parts.cells,
+            footprint: parts.footprint,
+            wall: parts.wall,
+            rows: parts.rows,
             rayleigh: vec![Rayleigh::NONE; model.groups().len()],
             model,
             assembler,
@@ -302,47 +387,52 @@ impl CylinderModel {
             system,
             weight,
             pressure,
-            wetted,
-            joints,
-            standing,
+            wetted: parts.wetted,
+            joints: parts.joints,
+            standing: parts.standing,
             zone,
-            floor,
+            floor: parts.floor,
             areas,
-            liquid,
+            sloshing_omega: first_sloshing(&parts.liquid),
+            liquid: parts.liquid,
             amplitudes,
             wall_omega: 0.0,
-            sloshing_omega,
             wall_ratio: 0.0,
-            radius,
-            depth,
-            unit_weight,
+            radius: parts.radius,
+            depth: case.liquid.fill_height,
+            unit_weight: case.liquid.density * case.gravity,
             gravity: case.gravity,
             imperfections: match options.imperfections.is_empty() {
                 true => Imperfections::NONE,
                 false => options.imperfections.clone(),
             },
         };
-        out.wall_omega = match out.imperfections.is_empty() {
+        out.wall_omega = out.damped_mode(case, options)?;
+        out.set_damping(options.damping)?;
+        Ok(out)
+    }
+
+    /// ω of the mode of wall and liquid that sets the damping [rad/s].
+    fn damped_mode(&self, case: &Case, options: &NonlinearOptions) -> Result<f64, FeError> {
+        match self.imperfections.is_empty() {
             // As in the harmonic engine, the mode of the wall held at its foot sets the damping of a tank on its bottom. In the state without weight
             // the ground carries nothing, and the first mode would be that of a tank that hangs on its plate.
-            true if out.standing.is_some() => {
+            true if self.standing.is_some() => {
                 let mut held = case.clone();
                 held.tank.support = Support::Anchored;
                 held.tank.anchors = None;
-                CylinderModel::new(&held, options)?.wall_omega
+                Ok(CylinderModel::new(&held, options)?.wall_omega)
             }
-            true => out.first_wall_mode()?,
+            true => self.first_wall_mode(),
             // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
             false => {
                 let perfect = NonlinearOptions {
                     imperfections: Imperfections::NONE,
                     ..options.clone()
                 };
-                CylinderModel::new(case, &perfect)?.wall_omega
+                Ok(CylinderModel::new(case, &perfect)?.wall_omega)
             }
-        };
-        out.set_damping(options.damping)?;
-        Ok(out)
+        }
     }
 
     /// Whether there are joints that open.

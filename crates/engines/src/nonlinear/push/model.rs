@@ -232,45 +232,11 @@ impl<'a> Plan<'a> {
 
     /// The model, with its imperfection.
     pub(super) fn build(&self, imperfection: Option<&Dent>) -> Result<PushModel, FeError> {
-        let (case, radius) = (self.case, self.radius);
+        let case = self.case;
         let (levels, angles) = (&self.levels, &self.angles);
         let mut builder = Builder::new();
-        let mut normals = Vec::new();
-        let mut rings = Vec::with_capacity(levels.len());
-        for (l, &z) in levels.iter().enumerate() {
-            let ring = angles.iter().enumerate().map(|(k, &angle)| {
-                let (s, c) = angle.sin_cos();
-                let perfect = (Vector3::zeros(), Vector3::new(c, s, 0.0));
-                let (offset, normal) = imperfection.map_or(perfect, |d| d.at((l, k), angle, z));
-                let place = Vector3::new(radius * c, radius * s, z) + offset;
-                let node = builder.node(place.into());
-                builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
-                normals.push(normal);
-                node
-            });
-            rings.push(ring.collect::<Vec<usize>>());
-        }
-        let mut joints = Vec::new();
-        for course in &case.tank.courses {
-            joints.push(joints.last().copied().unwrap_or(0.0) + course.height);
-        }
-        let mut corners = Vec::new();
-        let length = radius * (angles[1] - angles[0]);
-        for (z, pair) in levels.windows(2).zip(rings.windows(2)) {
-            let middle = 0.5 * (z[0] + z[1]);
-            let course = joints.iter().position(|top| middle < *top).unwrap_or(joints.len() - 1);
-            let layers = case.tank.courses[course].build_up();
-            let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration)?.build else {
-                return unsupported("a pushover supports walls of one shell, not of two with an interlayer");
-            };
-            for k in 0..angles.len() - 1 {
-                corners.push(ShellCell {
-                    nodes: [pair[0][k], pair[0][k + 1], pair[1][k + 1], pair[1][k]],
-                    section: leaf.section.clone(),
-                    group: "wall".into(),
-                });
-            }
-        }
+        let (rings, normals) = self.nodes(&mut builder, imperfection);
+        let mut corners = self.wall_cells(&rings)?;
         let pressed: Vec<[usize; 4]> = corners.iter().map(|c| c.nodes).collect();
         let of_wall = corners.len();
         let plates = match (&self.plate, &case.tank.bottom) {
@@ -348,6 +314,55 @@ impl<'a> Plan<'a> {
             inertia,
             wet,
         })
+    }
+
+    /// Adds the nodes of the wall, ring by ring from the base; with the normal of each.
+    fn nodes(&self, builder: &mut Builder, imperfection: Option<&Dent>) -> (Vec<Vec<usize>>, Vec<Vector3<f64>>) {
+        let mut normals = Vec::new();
+        let mut rings = Vec::with_capacity(self.levels.len());
+        for (l, &z) in self.levels.iter().enumerate() {
+            let ring = self.angles.iter().enumerate().map(|(k, &angle)| {
+                let (s, c) = angle.sin_cos();
+                let perfect = (Vector3::zeros(), Vector3::new(c, s, 0.0));
+                let (offset, normal) = imperfection.map_or(perfect, |d| d.at((l, k), angle, z));
+                let place = Vector3::new(self.radius * c, self.radius * s, z) + offset;
+                let node = builder.node(place.into());
+                builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+                normals.push(normal);
+                node
+            });
+            rings.push(ring.collect::<Vec<usize>>());
+        }
+        (rings, normals)
+    }
+
+    /// Shells between the rings of the wall.
+    ///
+    /// Errors: a wall of two shells; laws that shells do not have.
+    fn wall_cells(&self, rings: &[Vec<usize>]) -> Result<Vec<ShellCell>, FeError> {
+        let (case, angles) = (self.case, &self.angles);
+        let mut joints = Vec::new();
+        for course in &case.tank.courses {
+            joints.push(joints.last().copied().unwrap_or(0.0) + course.height);
+        }
+        let mut cells = Vec::new();
+        let length = self.radius * (angles[1] - angles[0]);
+        for (z, pair) in self.levels.windows(2).zip(rings.windows(2)) {
+            let middle = 0.5 * (z[0] + z[1]);
+            let course = joints.iter().position(|top| middle < *top).unwrap_or(joints.len() - 1);
+            let layers = case.tank.courses[course].build_up();
+            let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration)?.build else {
+                return unsupported("a pushover supports walls of one shell, not of two with an interlayer");
+            };
+            for k in 0..angles.len() - 1 {
+                cells.push(ShellCell {
+                    nodes: [pair[0][k], pair[0][k + 1], pair[1][k + 1], pair[1][k]],
+                    section: leaf.section.clone(),
+                    group: "wall".into(),
+                });
+            }
+        }
+        Ok(cells)
     }
 
     /// ρ g (H − z), bilinear over every element.

@@ -44,17 +44,8 @@ impl Newton<'_> {
             .map_err(|(number, source)| StepFailure::Element { number, source })
     }
 
-    /// Iterates from the committed state; `initial`: with the initial stiffness.
-    // Long: one iteration from top to bottom, as in the documentation of the module.
-    pub(super) fn iterate(
-        &mut self,
-        scheme: &dyn Scheme,
-        state: &mut State,
-        loads: [&[f64]; 2],
-        limit: usize,
-        initial: bool,
-    ) -> Result<StepReport, StepFailure> {
-        let modified = self.options.modified || initial || self.zoned.is_some();
+    /// The committed state with the scheme's guess for the step.
+    fn begin(&mut self, scheme: &dyn Scheme, state: &mut State) -> Result<(), StepFailure> {
         state.revert();
         self.secants.clear();
         if let Some(kept) = &mut self.kept {
@@ -67,6 +58,49 @@ impl Newton<'_> {
         if guess.iter().any(|g| *g != 0.0) {
             state.increment(self.model, &guess);
         }
+        Ok(())
+    }
+
+    /// Renews the factor where the iteration asks for it: always, or after a slow one if `modified`. Returns whether the zone remains to be
+    /// factored with the next solution.
+    fn refresh(
+        &mut self,
+        scheme: &dyn Scheme,
+        state: &mut State,
+        modified: bool,
+        slow: bool,
+    ) -> Result<bool, StepFailure> {
+        if self.zoned.is_some() {
+            let renew = self.what_to_renew(scheme.weights(), slow);
+            if renew != Renew::Nothing {
+                self.secants.clear();
+            }
+            let renewed = self.renew(scheme, state, renew)?;
+            self.secants.begin(&self.room.r);
+            return Ok(renewed);
+        }
+        let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
+        if !modified || !current || slow {
+            if modified {
+                self.evaluate(state, Want::ALL, scheme.collocation().1)?;
+            }
+            self.refactor(scheme).map_err(StepFailure::Tangent)?;
+        }
+        Ok(false)
+    }
+
+    /// Iterates from the committed state; `initial`: with the initial stiffness.
+    // Long: one iteration from top to bottom, as in the documentation of the module.
+    pub(super) fn iterate(
+        &mut self,
+        scheme: &dyn Scheme,
+        state: &mut State,
+        loads: [&[f64]; 2],
+        limit: usize,
+        initial: bool,
+    ) -> Result<StepReport, StepFailure> {
+        let modified = self.options.modified || initial || self.zoned.is_some();
+        self.begin(scheme, state)?;
         let mut residuals: Vec<f64> = Vec::new();
         let (mut first, mut energy, mut before) = (0.0_f64, f64::INFINITY, f64::INFINITY);
         // du·r at the beginning of the last increment.
@@ -117,26 +151,15 @@ impl Newton<'_> {
             }
             let rate = if self.zoned.is_some() { SLOW_WITH_ZONE } else { SLOW };
             let slow = iteration > 0 && norm > rate * residuals[iteration - 1];
-            let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
-            let mut renewed = false;
-            if self.zoned.is_some() {
-                let renew = self.what_to_renew(scheme.weights(), slow);
-                if renew != Renew::Nothing {
-                    self.secants.clear();
-                }
-                renewed = self.renew(scheme, state, renew)?;
-                self.secants.begin(&self.room.r);
-            } else if initial {
-                if iteration == 0 {
+            let renewed = match initial && self.zoned.is_none() {
+                true if iteration == 0 => {
                     self.take_initial()?;
                     self.refactor(scheme).map_err(StepFailure::Tangent)?;
+                    false
                 }
-            } else if !modified || !current || slow {
-                if modified {
-                    self.evaluate(state, Want::ALL, scheme.collocation().1)?;
-                }
-                self.refactor(scheme).map_err(StepFailure::Tangent)?;
-            }
+                true => false,
+                false => self.refresh(scheme, state, modified, slow)?,
+            };
             self.solve(renewed).map_err(StepFailure::Tangent)?;
             let work = dot(&self.room.du, &self.room.r);
             (before, energy) = (energy, work.abs());
