@@ -45,19 +45,8 @@ pub(crate) fn is_anchored(case: &Case) -> bool {
     case.tank.support == Support::Anchored
 }
 
-/// Lines of mass, arm, stiffness and static period; `None` without a slab on soil.
-///
-/// * `parts`: impulsive mass, wall, roof, with their heights, and the symbols of the first
-/// * `period`: T on a fixed base [s]
-pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f64, clause: &str) -> Option<Slab> {
-    let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else {
-        return None;
-    };
-    let velocity = foundation.shear_wave_velocity.filter(|_| is_on_soil(case))?;
-    sheet.section("Soil under the slab (information)");
-    let [(m_i, h_i), (m_w, h_w), (m_r, h_r)] = parts.map(|[m, h]| (m, h));
-    let r = radius + case.tank.bottom.as_ref().map_or(0.0, |bottom| bottom.projection);
-    let (rho, nu) = (foundation.soil_density, foundation.soil_poisson_ratio);
+/// Lines of the slab and its soil: radius, velocity of shear waves, density, Poisson's ratio.
+fn inputs(sheet: &mut Sheet, [r, velocity, rho, nu]: [f64; 4]) {
     for (symbol, name, value, dimension, source) in [
         (
             "r",
@@ -90,6 +79,22 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
     ] {
         sheet.input(symbol, name, value, dimension, source);
     }
+}
+
+/// Lines of mass, arm, stiffness and static period; `None` without a slab on soil.
+///
+/// * `parts`: impulsive mass, wall, roof, with their heights, and the symbols of the first
+/// * `period`: T on a fixed base [s]
+pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f64, clause: &str) -> Option<Slab> {
+    let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else {
+        return None;
+    };
+    let velocity = foundation.shear_wave_velocity.filter(|_| is_on_soil(case))?;
+    sheet.section("Soil under the slab (information)");
+    let [(m_i, h_i), (m_w, h_w), (m_r, h_r)] = parts.map(|[m, h]| (m, h));
+    let r = radius + case.tank.bottom.as_ref().map_or(0.0, |bottom| bottom.projection);
+    let (rho, nu) = (foundation.soil_density, foundation.soil_poisson_ratio);
+    inputs(sheet, [r, velocity, rho, nu]);
     let mut terms = vec![
         ("r", r, Length),
         ("V_s", velocity, Velocity),

@@ -99,16 +99,8 @@ fn missing(state: &State) -> Option<String> {
     }
 }
 
-/// What the base does, and the factor by which uplift raises the compression there, estimated by equilibrium.
-pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
-    let clause = work.edition.clause("9");
-    work.out.notes.push(format!(
-        "{clause}: the axial amplification of an unanchored wall needs the code's diagrams, which are not reproduced. The value \
-         used is the larger of two estimates from equilibrium, with the hold-down of wall weight and bottom plate on the lifted part: a \
-         linear compression on the rest of the circumference, and the rim of a wall that turns as a plane on the ground."
-    ));
-    let diameter = 2.0 * state.radius;
-    work.sheet.section("Uplift (estimate)");
+/// w_t: weight of wall and roof per length, less what lifts them [N/m].
+fn weight(work: &mut Work, state: &State, clause: &str) -> f64 {
     let name = "weight of wall and roof";
     let terms = [
         ("N_0", state.weight(0.0), LineForce),
@@ -126,10 +118,50 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         name += ", less the overpressure on the roof";
         formula += " - p_g·R/2";
     }
-    let weight = match formula.as_str() {
-        "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, &clause),
-        formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, &clause),
+    match formula.as_str() {
+        "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, clause),
+        formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, clause),
+    }
+}
+
+/// The compression with uplift over that of an anchored tank.
+///
+/// * `toe`: compression at the toe by strips of the bottom plate [N/m]
+fn amplification(
+    work: &mut Work,
+    state: &State,
+    [weight, compression]: [f64; 2],
+    toe: Option<f64>,
+    clause: &str,
+) -> f64 {
+    let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
+    let name = "the same if anchored";
+    let anchored = work
+        .sheet
+        .calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
+    let terms = [
+        ("N_u", compression, LineForce),
+        ("n_t", toe.unwrap_or_default(), LineForce),
+        ("N_a", anchored, LineForce),
+    ];
+    let (name, formula) = match toe {
+        Some(_) => ("amplification, the larger of both estimates", "max(N_u, n_t)/N_a"),
+        None => ("amplification", "N_u/N_a"),
     };
+    work.sheet.calc("N_u/N_a", name, formula, &terms, Dimensionless, clause)
+}
+
+/// What the base does, and the factor by which uplift raises the compression there, estimated by equilibrium.
+pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
+    let clause = work.edition.clause("9");
+    work.out.notes.push(format!(
+        "{clause}: the axial amplification of an unanchored wall needs the code's diagrams, which are not reproduced. The value \
+         used is the larger of two estimates from equilibrium, with the hold-down of wall weight and bottom plate on the lifted part: a \
+         linear compression on the rest of the circumference, and the rim of a wall that turns as a plane on the ground."
+    ));
+    let diameter = 2.0 * state.radius;
+    work.sheet.section("Uplift (estimate)");
+    let weight = weight(work, state, &clause);
     work.out.hold_down = Some(weight);
     if let Some(input) = missing(state) {
         let reason = format!("`{input}` is missing");
@@ -202,24 +234,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     };
     work.base = standing(how, compression, strips);
     work.rim = Some(compression);
-    let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
-    let name = "the same if anchored";
-    let anchored = work
-        .sheet
-        .calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
-    let terms = [
-        ("N_u", compression, LineForce),
-        ("n_t", toe.unwrap_or_default(), LineForce),
-        ("N_a", anchored, LineForce),
-    ];
-    let (name, formula) = match toe {
-        Some(_) => ("amplification, the larger of both estimates", "max(N_u, n_t)/N_a"),
-        None => ("amplification", "N_u/N_a"),
-    };
-    let factor = work
-        .sheet
-        .calc("N_u/N_a", name, formula, &terms, Dimensionless, &clause);
-    Amplification::Factor(factor)
+    Amplification::Factor(amplification(work, state, [weight, compression], toe, &clause))
 }
 
 /// Strips of the bottom plate; none under a wall of concrete, whose slab turns as a whole.

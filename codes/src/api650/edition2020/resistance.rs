@@ -102,23 +102,27 @@ impl Run<'_> {
         self.sheet.calc("w_int", name, "P·D/4", &terms, LineForce, E6_2_1_1)
     }
 
+    /// Leaves everything open where the vertical acceleration A_v [g] takes the weight away.
+    fn weightless(&mut self, a_v: f64) {
+        let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
+        self.base = BaseState::Unknown(reason.clone());
+        self.hold_down = HoldDown::Unknown(reason.clone(), None);
+        for id in [
+            limit_states::ANCHORAGE,
+            limit_states::ANNULUS,
+            limit_states::COMPRESSION,
+        ] {
+            self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
+        }
+    }
+
     /// Anchorage ratio, compression and annulus of a self-anchored tank.
     fn self_anchored(&mut self, load: &Load, thickness: f64, f_y: f64) {
         let b = self.basis;
         let (d, h) = (b.d, b.h);
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
-            let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
-            self.base = BaseState::Unknown(reason.clone());
-            self.hold_down = HoldDown::Unknown(reason.clone(), None);
-            for id in [
-                limit_states::ANCHORAGE,
-                limit_states::ANNULUS,
-                limit_states::COMPRESSION,
-            ] {
-                self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
-            }
-            return;
+            return self.weightless(a_v);
         }
         let sheet = &mut self.sheet;
         let terms = [("G", b.g, Dimensionless), ("A_v", a_v, Dimensionless)];
