@@ -207,9 +207,11 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
             .iter()
             .any(|d| d.method == m.id && d.excitation == m.excitation)
     };
+    let in_force = |m: &&Column| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&case.site));
     let (first, rest): (Vec<&Column>, Vec<&Column>) = methods.iter().partition(decides);
+    let (second, superseded): (Vec<&Column>, Vec<&Column>) = rest.into_iter().partition(in_force);
     let of = |quantity: Quantity| {
-        first.iter().chain(&rest).find_map(|m| {
+        first.iter().chain(&second).chain(&superseded).find_map(|m| {
             let name = codes::ALL.iter().find(|p| p.id() == m.id)?.label().short;
             Some((m.quantities.get(quantity.id())?.value, name))
         })

@@ -91,12 +91,15 @@ impl<'a> Source<'a> {
         columns.next()
     }
 
-    /// A quantity of the finite elements, or else of the first method that gives it, in SI.
+    /// A quantity of the finite elements, or else of the first deciding method that gives it, or of any, in SI.
     pub(super) fn best(&self, quantity: &str) -> Option<f64> {
         let of = |m: &Method| m.quantities.get(quantity).map(|v| v.value);
+        let methods = || self.results.methods.iter().filter(|m| m.id != MEASURED);
+        let deciding = || methods().filter(|m| self.results.verdict.decides(m)).find_map(of);
         self.fe()
             .and_then(of)
-            .or_else(|| self.results.methods.iter().filter(|m| m.id != MEASURED).find_map(of))
+            .or_else(deciding)
+            .or_else(|| methods().find_map(of))
     }
 
     /// A column of the series, to the end of its run.

@@ -29,9 +29,11 @@ fn rest() -> Record {
     swept(0.0, 1.0)
 }
 
+/// A coarse mesh: turned, scaled and projected motions are the same on every one.
 fn options() -> LinearOptions {
     LinearOptions {
         mesh_error: false,
+        refine: 0.25,
         stations: vec![0.3],
         ..LinearOptions::default()
     }
