@@ -15,6 +15,7 @@ pub mod finite;
 mod ida;
 pub mod impulsive;
 mod isolation_run;
+mod layout;
 pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;

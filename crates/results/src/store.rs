@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
-use super::{FORMAT, Results, Series, previous, transfer};
+use super::{FORMAT, Results, Series, layout, previous, transfer};
 use files::code::Code;
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
@@ -148,9 +148,7 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     let path = folder.join(RESULTS_FILE);
     let mut value = serde_json::to_value(results).map_err(|e| Error::Report(e.to_string()))?;
     round_numbers(&mut value, DIGITS);
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
-    text.push('\n');
-    put(&path, text.as_bytes())?;
+    put(&path, layout::text(&value).as_bytes())?;
     if let Some(found) = results.runs.iter().find_map(|run| run.transfer.as_ref()) {
         put(&folder.join(TRANSFER_FILE), transfer::csv(found).as_bytes())?;
     }
@@ -252,9 +250,7 @@ pub fn put(path: &Path, text: &[u8]) -> Result<(), Error> {
 pub(super) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), Error> {
     let mut value = serde_json::to_value(document).map_err(|e| Error::Report(e.to_string()))?;
     round_numbers(&mut value, DIGITS);
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
-    text.push('\n');
-    write_whole(path, text.as_bytes())
+    write_whole(path, layout::text(&value).as_bytes())
 }
 
 /// Significant digits of numbers in JSON.
