@@ -198,7 +198,7 @@ fn keeps_parts(args: &Args) -> Result<(), Error> {
 
 fn not_compared(report: &Report) -> String {
     format!(
-        "not compared, because results of selected parts do not have it: {}",
+        "not compared, because one of the two folders does not have it: {}",
         LeftOut::names(&report.not_compared)
     )
 }

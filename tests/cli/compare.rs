@@ -142,6 +142,20 @@ fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
             .expect("kept")
             .contains("another integrator")
     );
+    // Histories that are not kept are named; lost ones are a difference.
+    let numbers = home.path().join("numbers");
+    std::fs::create_dir(&numbers).expect("writable");
+    std::fs::copy(a.join("results.json"), numbers.join("results.json")).expect("writable");
+    let kept = tankcheck(&["diff", path(&numbers), path(&a)]);
+    assert_eq!(kept.status.code(), Some(0), "{}", stderr(&kept));
+    assert!(
+        stdout(&kept).contains("does not have it: time histories"),
+        "{}",
+        stdout(&kept)
+    );
+    let lost = tankcheck(&["diff", path(&a), path(&numbers), "--all"]);
+    assert_eq!(lost.status.code(), Some(1));
+    assert!(stdout(&lost).contains("series.csv: columns"), "{}", stdout(&lost));
 }
 
 #[test]

@@ -9,7 +9,8 @@
 //!
 //! Times of maxima have an absolute tolerance of their own: two equal peaks may change places. Numbers inside text (the
 //! substituted formulas of calculation sheets) are compared as numbers, at the precision they are printed with.
-//! The `volatile` object is skipped. What one of both has not computed because it was not selected is left out of both, and named.
+//! The `volatile` object is skipped. What one of both has not computed because it was not selected is left out of both, and named;
+//! so are histories of which the old folder keeps no `series.csv`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -67,7 +68,7 @@ pub struct Report {
     pub largest_drift: f64,
     /// Differences beyond the tolerance, largest first.
     pub moved: Vec<Difference>,
-    /// Parts that one of both has not computed.
+    /// Parts that one of both has not computed or does not keep.
     pub not_compared: Vec<LeftOut>,
 }
 
@@ -98,12 +99,12 @@ pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Erro
     };
     let mut report = values(&load(old)?, &load(new)?, options);
     if left_out.iter().all(|left| left.part != Part::Histories) {
-        series(
-            &results::read_series(old)?,
-            &results::read_series(new)?,
-            options,
-            &mut report,
-        );
+        let [kept, found] = [results::read_series(old)?, results::read_series(new)?];
+        if kept.time.is_empty() && !found.time.is_empty() {
+            left_out.push(LeftOut::of(Part::Histories));
+        } else {
+            series(&kept, &found, options, &mut report);
+        }
     }
     sort(&mut report);
     report.not_compared = left_out;
