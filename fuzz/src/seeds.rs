@@ -1,4 +1,4 @@
-//! First inputs: the examples, the kept reports cut short, and inputs made by the targets.
+//! First inputs: the examples, the kept results cut short, and inputs made by the targets.
 
 use std::path::{Path, PathBuf};
 
@@ -78,7 +78,8 @@ pub fn agencies(root: &Path) -> Vec<Vec<u8>> {
 /// The kept results with short arrays and short histories, and those of rising scales and of a pushover.
 pub fn results(root: &Path) -> Vec<Vec<u8>> {
     let mut all = Vec::new();
-    for path in below(&root.join("reports"), &["results.json", "ida.json", "push.json"]) {
+    let reports = root.join("reports");
+    for path in below(&reports, &["results.json", "ida.json", "push.json"]) {
         let Some(mut document) = Json::parse(&String::from_utf8_lossy(&bytes(&path))) else {
             continue;
         };
@@ -89,7 +90,11 @@ pub fn results(root: &Path) -> Vec<Vec<u8>> {
             }
         });
         let mut seed = document.print().into_bytes();
-        if let Ok(series) = std::fs::read(path.with_file_name("series.csv")) {
+        let series = path
+            .strip_prefix(&reports)
+            .unwrap_or(&path)
+            .with_file_name("series.csv");
+        if let Ok(series) = std::fs::read(root.join("tests/golden/histories").join(series)) {
             seed.push(0);
             seed.extend(short(&series));
         }

@@ -1,26 +1,24 @@
-//! Every example against its accepted report in `reports/`.
+//! Every example against its accepted results in `reports/`.
 //!
-//! An example is a tank file `examples/NN_name/tank.json` (report in `reports/NN_name`) or `tank_X.json` (report in
-//! `reports/NN_name/X`), shaken by the folder's own `record.csv` or by `examples/records/elcentro.csv`.
-//! After a reviewed change, `TANKCHECK_BLESS="reason" cargo test --test golden` rewrites the reports.
+//! An example is a tank file `examples/NN_name/tank.json` (results in `reports/NN_name`) or `tank_X.json` (results in
+//! `reports/NN_name/X`), shaken by the folder's own `record.csv` or by `examples/records/elcentro.csv`. The last tank file of a folder
+//! keeps its report, too.
+//! After a reviewed change, `TANKCHECK_BLESS="reason" cargo test --test golden` replaces what moved.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use results::numdiff;
+use crate::accepted::{self, root};
 
-/// One tank file, its record or its set of records, and its accepted report, relative to the root of the repository.
-struct Example {
+/// One tank file, its record or its set of records, and its accepted results, relative to the root of the repository.
+pub(crate) struct Example {
     tank: PathBuf,
     /// `--quake` or `--set`.
     option: &'static str,
     record: PathBuf,
-    golden: PathBuf,
-}
-
-/// Root of the repository.
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    pub(crate) golden: String,
+    /// Whether its report is kept.
+    pub(crate) page: bool,
 }
 
 /// A path below the root, relative to it: it goes into the report as part of the command line.
@@ -28,7 +26,7 @@ fn relative(path: &Path) -> PathBuf {
     path.strip_prefix(root()).expect("below the root").to_path_buf()
 }
 
-fn examples() -> Vec<Example> {
+pub(crate) fn examples() -> Vec<Example> {
     let root = root();
     let mut folders: Vec<PathBuf> = std::fs::read_dir(root.join("examples"))
         .expect("examples/ exists")
@@ -38,7 +36,11 @@ fn examples() -> Vec<Example> {
     folders.sort();
     let mut examples = Vec::new();
     for folder in folders {
-        let name = folder.file_name().expect("a folder has a name").to_owned();
+        let name = folder
+            .file_name()
+            .expect("a folder has a name")
+            .to_string_lossy()
+            .into_owned();
         let own = folder.join("record.csv");
         let record = if own.exists() {
             own
@@ -56,32 +58,33 @@ fn examples() -> Vec<Example> {
             })
             .collect();
         tanks.sort();
-        for tank in tanks {
+        for tank in &tanks {
             let stem = tank
                 .file_stem()
                 .expect("a file has a stem")
                 .to_string_lossy()
                 .into_owned();
-            let golden = root.join("reports").join(&name);
             let golden = match stem.strip_prefix("tank_") {
-                Some(variant) => golden.join(variant),
-                None => golden,
+                Some(variant) => format!("reports/{name}/{variant}"),
+                None => format!("reports/{name}"),
             };
-            // A set of records stands beside the first tank, with a report of its own.
+            // A set of records stands beside the first tank, with results of its own.
             let set = folder.join("set.json");
             if set.exists() && stem == "tank" {
                 examples.push(Example {
-                    tank: relative(&tank),
+                    tank: relative(tank),
                     option: "--set",
                     record: relative(&set),
-                    golden: relative(&root.join("reports").join(format!("{}_set", name.to_string_lossy()))),
+                    golden: format!("reports/{name}_set"),
+                    page: false,
                 });
             }
             examples.push(Example {
-                tank: relative(&tank),
+                tank: relative(tank),
                 option: "--quake",
                 record: relative(&record),
-                golden: relative(&golden),
+                golden,
+                page: tanks.last() == Some(tank),
             });
         }
     }
@@ -89,10 +92,9 @@ fn examples() -> Vec<Example> {
 }
 
 #[test]
-fn examples_give_their_accepted_reports() {
+fn examples_give_their_accepted_results() {
     let examples = examples();
     assert!(examples.len() >= 9, "only {} example files found", examples.len());
-    let bless = std::env::var("TANKCHECK_BLESS").ok();
     let mut faults = Vec::new();
     for example in &examples {
         let home = tempfile::tempdir().expect("a temporary folder");
@@ -107,26 +109,7 @@ fn examples_give_their_accepted_reports() {
             ));
             continue;
         }
-        if let Some(reason) = &bless {
-            accept(&out, &example.golden, reason);
-            // A second run into its final place, so that the report shows the command line a reader types.
-            compare(example, &example.golden);
-        }
-        match numdiff::folders(&root().join(&example.golden), &out, &numdiff::Options::default()) {
-            Err(error) => faults.push(format!("{}: {error}", example.golden.display())),
-            Ok(report) => {
-                for moved in report.moved.iter().take(10) {
-                    faults.push(format!(
-                        "{}: {}: {} -> {} ({:.1e})",
-                        example.golden.display(),
-                        moved.path,
-                        moved.old,
-                        moved.new,
-                        moved.change
-                    ));
-                }
-            }
-        }
+        faults.extend(accepted::check(&example.golden, &out, example.page));
     }
     assert!(
         faults.is_empty(),
@@ -147,18 +130,6 @@ fn compare(example: &Example, out: &Path) -> std::process::Output {
         .arg(out)
         .output()
         .expect("tankcheck runs")
-}
-
-fn accept(out: &Path, golden: &Path, reason: &str) {
-    let status = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .current_dir(root())
-        .args(["diff", "--quiet", "--bless", "--reason", reason, "--format", "csv"])
-        .arg(golden)
-        .arg(out)
-        .stdout(std::process::Stdio::null())
-        .status()
-        .expect("tankcheck runs");
-    assert!(status.success(), "cannot accept {}", golden.display());
 }
 
 fn text(bytes: &[u8]) -> String {

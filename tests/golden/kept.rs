@@ -1,8 +1,7 @@
 //! Kept results of `ida`, `push`, nonlinear and opening runs, short ones in every test and full ones on request.
 //!
-//! A row of [`KEPT`] is a command and the folder of its results. The short ones are runs on coarse meshes of
-//! `tests/golden/short/`; their folders hold numbers alone (`results.json` and `series.csv`, `ida.json`, `push.json`), the report is
-//! rendered again and inspected. The full ones are the reports of the examples:
+//! A row of [`SHORT`] or [`FULL`] is a command and the folder of its results. The short ones are runs on coarse meshes of
+//! `tests/golden/short/`; their reports are inspected and not kept. The full ones belong to the examples:
 //!
 //! ```text
 //! cargo test --release --test golden kept::full -- --ignored --nocapture
@@ -11,11 +10,15 @@
 //! Their last result stands in `docs/verification/kept-reports.md`. After a reviewed change TANKCHECK_BLESS="reason" accepts the
 //! short ones, and with `--ignored` the full ones, as for the examples.
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Instant;
 
 use results::numdiff;
+
+use crate::accepted::{self, NUMBERS, root};
+use crate::examples::examples;
 
 /// A command whose results are kept.
 struct Kept {
@@ -25,6 +28,13 @@ struct Kept {
     golden: &'static str,
     /// Words that its report must have.
     shows: &'static [&'static str],
+}
+
+impl Kept {
+    /// Whether the report is kept: those of the full runs of `ida` and `push`.
+    fn page(&self) -> bool {
+        self.golden.starts_with("reports/") && self.command[0] != "compare"
+    }
 }
 
 /// On coarse meshes, seconds in all.
@@ -83,7 +93,7 @@ const SHORT: [Kept; 4] = [
 
 const ELCENTRO: &str = "examples/records/elcentro.csv";
 
-/// Reports of the examples, from seconds to minutes each in the release profile.
+/// Runs of the examples, from seconds to minutes each in the release profile.
 const FULL: [Kept; 6] = [
     Kept {
         command: &[
@@ -159,13 +169,6 @@ const FULL: [Kept; 6] = [
     },
 ];
 
-/// Files that hold numbers.
-const NUMBERS: [&str; 5] = ["results.json", "series.csv", "ida.json", "ida.csv", "push.json"];
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 fn tankcheck(command: &[&str], out: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tankcheck"))
         .current_dir(root())
@@ -193,62 +196,11 @@ fn check(kept: &Kept, faults: &mut Vec<String>) {
             String::from_utf8_lossy(&run.stderr)
         ));
     }
-    let golden = root().join(kept.golden);
-    if let Ok(reason) = std::env::var("TANKCHECK_BLESS") {
-        accept(kept, &golden, &out, &reason);
-    }
-    match numdiff::folders(&golden, &out, &numdiff::Options::default()) {
-        Err(error) => fault(error.to_string()),
-        Ok(report) => {
-            assert!(report.compared > 100, "{}: {} values", kept.golden, report.compared);
-            for m in report.moved.iter().take(10) {
-                fault(format!("{}: {} -> {} ({:.1e})", m.path, m.old, m.new, m.change));
-            }
-        }
-    }
     let page = std::fs::read_to_string(out.join("report.html")).expect("a report");
     for words in kept.shows.iter().filter(|words| !page.contains(**words)) {
         fault(format!("`{words}` is missing in the report"));
     }
-    let numbers = NUMBERS.iter().filter(|name| out.join(name).exists());
-    for name in numbers.filter(|name| !golden.join(name).exists()) {
-        fault(format!("`{name}` is not kept"));
-    }
-}
-
-/// Keeps the numbers of a run with the reason; below `reports/` the report as well.
-fn accept(kept: &Kept, golden: &Path, out: &Path, reason: &str) {
-    let moved: Vec<String> = match numdiff::folders(golden, out, &numdiff::Options::default()) {
-        Ok(report) => report
-            .moved
-            .iter()
-            .map(|m| format!("{}: {} -> {}", m.path, m.old, m.new))
-            .collect(),
-        // There is no kept report yet.
-        Err(_) => Vec::new(),
-    };
-    std::fs::create_dir_all(golden).expect("writable");
-    if kept.golden.starts_with("reports/") {
-        // A second run into its final place, with report, figures and manifest, by the command that a reader types.
-        let again = tankcheck(kept.command, Path::new(kept.golden));
-        let message = String::from_utf8_lossy(&again.stderr);
-        assert!(matches!(again.status.code(), Some(0 | 1 | 3 | 4)), "{message}");
-    } else {
-        for name in NUMBERS.iter().filter(|name| out.join(name).exists()) {
-            let text = std::fs::read_to_string(out.join(name)).expect("text");
-            std::fs::write(golden.join(name), text.replace(&out.display().to_string(), "out")).expect("writable");
-        }
-    }
-    let path: PathBuf = golden.join("accepted.json");
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|_| "[]".into());
-    let mut history: Vec<serde_json::Value> = serde_json::from_str(&text).expect("a list");
-    history.push(serde_json::json!({
-        "reason": reason,
-        "moved": moved.len(),
-        "largest": moved.iter().take(5).collect::<Vec<_>>(),
-    }));
-    let text = format!("{:#}\n", serde_json::Value::Array(history));
-    std::fs::write(&path, text).expect("writable");
+    faults.extend(accepted::check(kept.golden, &out, kept.page()));
 }
 
 fn all_hold(kept: &[Kept]) {
@@ -271,41 +223,41 @@ fn short_runs_give_their_kept_numbers() {
 /// Half an hour of processor time.
 #[test]
 #[ignore = "slow: cargo test --release --test golden kept::full -- --ignored --nocapture; last result in docs/verification/kept-reports.md"]
-fn full_runs_give_their_kept_reports() {
+fn full_runs_give_their_kept_numbers() {
     all_hold(&FULL);
 }
 
-/// A report without its numbers cannot be compared.
+/// A folder of `reports/` for each run, with its numbers; reports, with their figures inside, of one run of each example and of `ida`
+/// and `push`.
 #[test]
-fn every_kept_report_has_its_numbers() {
-    for kept in SHORT.iter().chain(&FULL) {
-        let folder = root().join(kept.golden);
-        let file = match kept.command[0] {
-            "ida" => "ida.json",
-            "push" => "push.json",
-            _ => "results.json",
-        };
-        assert!(folder.join(file).exists(), "{}: {file} is missing", kept.golden);
-    }
+fn reports_hold_numbers_and_pages_alone() {
+    let (mut found, mut pages) = (BTreeSet::new(), BTreeSet::new());
     let mut folders = vec![root().join("reports")];
-    let mut reports = 0;
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(&folder).expect("readable") {
             let path = entry.expect("readable").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            let place = folder.strip_prefix(root()).expect("below").display().to_string();
             if path.is_dir() {
                 folders.push(path);
-            } else if path.ends_with("report.html") {
-                reports += 1;
-                let numbers = ["results.json", "ida.json", "push.json"];
-                assert!(
-                    numbers.iter().any(|name| folder.join(name).exists()),
-                    "{} is without its numbers",
-                    path.display()
-                );
+            } else if NUMBERS.contains(&name.as_str()) {
+                assert!(found.insert(place), "{}: two kinds of results", folder.display());
+            } else {
+                assert_eq!(name, "report.html", "{place}");
+                let html = std::fs::read_to_string(&path).expect("text");
+                assert!(html.contains("</svg>") && !html.contains("figures/"), "{place}");
+                pages.insert(place);
             }
         }
     }
-    assert!(reports >= 16, "{reports} reports found");
+    let examples = examples();
+    let runs = examples.iter().map(|e| (e.golden.clone(), e.page));
+    let runs: Vec<(String, bool)> = runs.chain(FULL.iter().map(|k| (k.golden.into(), k.page()))).collect();
+    assert_eq!(found, runs.iter().map(|run| run.0.clone()).collect());
+    assert_eq!(
+        pages,
+        runs.into_iter().filter_map(|run| run.1.then_some(run.0)).collect()
+    );
 }
 
 /// The numbers of `ida` and `push` are compared like those of `compare`: a changed number is found, volatile fields are ignored.

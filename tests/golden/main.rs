@@ -1,5 +1,6 @@
 //! Golden reports of the examples, and the rendering of reports.
 
+mod accepted;
 mod examples;
 mod kept;
 mod languages;

@@ -1,32 +1,13 @@
 //! Captions and line numbers in the reports of the examples.
 
+mod kept;
+
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
 
 use report::Level;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reports")
-}
-
-/// Accepted results of the examples.
-fn folders() -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut open = vec![root()];
-    while let Some(folder) = open.pop() {
-        if folder.join("results.json").is_file() {
-            found.push(folder.clone());
-        }
-        let entries = std::fs::read_dir(&folder).expect("a folder");
-        open.extend(entries.map(|e| e.expect("an entry").path()).filter(|p| p.is_dir()));
-    }
-    found.sort();
-    assert!(found.len() >= 15, "only {} results", found.len());
-    found
-}
-
-fn page(folder: &Path, level: Level) -> String {
-    report::of_folder(folder, None, level).expect("renders").html
+fn page(name: &str, level: Level) -> String {
+    kept::page(name, level).html
 }
 
 /// Texts between two tags, without the tags within.
@@ -51,9 +32,8 @@ fn between(html: &str, open: &str, close: &str) -> Vec<String> {
 /// `Figure 2. Wave height. Over time …`: words behind the number of every figure; no two tables with one title.
 #[test]
 fn figures_say_what_they_show_and_tables_differ() {
-    for folder in folders() {
-        let html = page(&folder, Level::Full);
-        let place = folder.display();
+    for place in kept::names() {
+        let html = page(&place, Level::Full);
         let figures = between(&html, "<figcaption>", "</figcaption>");
         for caption in &figures {
             let (number, rest) = caption.split_once(". ").unwrap_or((caption, ""));
@@ -80,8 +60,8 @@ fn figures_say_what_they_show_and_tables_differ() {
 #[test]
 fn lines_have_one_number_at_every_level() {
     let mut compared = 0;
-    for folder in folders() {
-        let [standard, full] = [Level::Standard, Level::Full].map(|level| page(&folder, level));
+    for name in kept::names() {
+        let [standard, full] = [Level::Standard, Level::Full].map(|level| page(&name, level));
         let sheets = |html: &str| -> Vec<(String, BTreeSet<(usize, String)>)> {
             let parts = html.split("<details class=\"sheet\" id=\"").skip(1);
             parts
@@ -101,13 +81,13 @@ fn lines_have_one_number_at_every_level() {
         let full = sheets(&full);
         for (id, lines) in sheets(&standard) {
             let of_full = full.iter().find(|s| s.0 == id).map(|s| &s.1);
-            for (number, name) in lines {
+            for (number, line) in lines {
                 // The full sheet leaves out lines that the sheet of the record has; lines of several grounds have one name here.
                 let there = of_full.and_then(|all| all.iter().find(|l| l.0 == number));
-                let Some((_, found)) = there.filter(|_| !name.contains(';')) else {
+                let Some((_, found)) = there.filter(|_| !line.contains(';')) else {
                     continue;
                 };
-                assert_eq!(&name, found, "{} {id} line {number}", folder.display());
+                assert_eq!(&line, found, "{name} {id} line {number}");
                 compared += 1;
             }
         }
@@ -118,9 +98,7 @@ fn lines_have_one_number_at_every_level() {
 /// The labels of many courses stand above one another higher than a flat wall: all of them within the drawing, none over another.
 #[test]
 fn labels_of_many_courses_stay_within_the_sketch() {
-    let folder = root().join("05_oil_tank");
-    let mut results = results::read(&folder).expect("results");
-    let series = results::read_series(&folder).expect("series");
+    let (mut results, series) = kept::read("05_oil_tank");
     let wall = results.tank.tank.wall_height();
     let mut course = results.tank.tank.courses[0].clone();
     course.height = wall / 16.0;

@@ -3,8 +3,10 @@
 //! `TANKCHECK_SHOW=folder cargo test -p report --test german` writes the pages and, as `missing.txt`, what the catalogue
 //! lacks. Remedy: two lines in a file of `crates/report/src/language/german/`.
 
+mod kept;
+
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use report::Level;
 use report::language::untranslated;
@@ -15,36 +17,12 @@ use tank::units::System;
 /// Texts that are the same in both languages: names of tanks, records, files and persons.
 const NAMES: &str = include_str!("german/names.txt");
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// Accepted results of the examples.
-fn folders() -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut open = vec![root().join("reports")];
-    while let Some(folder) = open.pop() {
-        if folder.join("results.json").is_file() {
-            found.push(folder.clone());
-        }
-        let entries = std::fs::read_dir(&folder).expect("a folder");
-        open.extend(entries.map(|e| e.expect("an entry").path()).filter(|p| p.is_dir()));
-    }
-    found.sort();
-    found
-}
-
 fn show(name: &str, text: &str) {
     if let Ok(folder) = std::env::var("TANKCHECK_SHOW") {
         let path = Path::new(&folder).join(name);
         std::fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
         std::fs::write(path, text).expect("writable");
     }
-}
-
-fn name(folder: &Path) -> String {
-    let below = folder.strip_prefix(root().join("reports")).expect("below");
-    below.to_string_lossy().replace('/', "_")
 }
 
 #[test]
@@ -54,21 +32,20 @@ fn no_english_is_left() {
         units: None,
     });
     let mut missing = BTreeSet::new();
-    let folders = folders();
-    assert!(folders.len() >= 15, "only {} results", folders.len());
-    for folder in &folders {
-        let page = report::of_folder(folder, None, Level::Full).expect("renders");
-        show(&format!("{}.html", name(folder)), &page.html);
+    for name in kept::names() {
+        let page = kept::page(&name, Level::Full);
+        let name = name.replace('/', "_");
+        show(&format!("{name}.html"), &page.html);
         assert!(page.html.contains("<html lang=\"de\">"));
         let mut found = untranslated();
         found.extend(english(&page.html));
-        show(&format!("missing_{}.txt", name(folder)), &found.join("\n"));
+        show(&format!("missing_{name}.txt"), &found.join("\n"));
         missing.extend(found);
     }
-    let ida = results::read_ida(&root().join("reports/06_sandwich_strip/ida/ida.json")).expect("an analysis");
+    let ida = results::read_ida(&kept::reports().join("06_sandwich_strip/ida/ida.json")).expect("an analysis");
     let ida = report::ida::report(&ida).expect("renders").html;
     show("ida.html", &ida);
-    let push = results::read_push(&root().join("reports/07_steel_cylinder/push/push.json")).expect("a pushover");
+    let push = results::read_push(&kept::reports().join("07_steel_cylinder/push/push.json")).expect("a pushover");
     let push = report::push::report(&push).expect("renders").html;
     show("push.html", &push);
     let mut found = untranslated();
@@ -115,9 +92,9 @@ fn us_units_reach_every_number() {
         units: Some(System::Us),
     });
     let mut all = Vec::new();
-    for folder in folders() {
-        let page = report::of_folder(&folder, None, Level::Full).expect("renders");
-        let name = name(&folder);
+    for name in kept::names() {
+        let page = kept::page(&name, Level::Full);
+        let name = name.replace('/', "_");
         show(&format!("us_{name}.html"), &page.html);
         let shown = plain(&page.html);
         let mut left = BTreeSet::new();
@@ -187,7 +164,7 @@ fn both_systems_side_by_side() {
         language: None,
         units: Some(System::Both),
     });
-    let page = report::of_folder(&root().join("reports/05_oil_tank"), None, Level::Standard).expect("renders");
+    let page = kept::page("05_oil_tank", Level::Standard);
     show("both.html", &page.html);
     let shown = plain(&page.html);
     assert!(shown.contains("m (ft)") && shown.contains("MPa (ksi)"));
