@@ -427,7 +427,6 @@ fn a_code_that_fails_and_does_not_decide_is_named() {
     let thin = failing::tanks()
         .into_iter()
         .find(|tank| tank.name == "hoop-bottom-course");
-    let thin = thin.expect("a tank of the battery");
     let sound = sound::tanks().into_iter().find(|tank| tank.name == "sound-both-codes");
     let sound = sound.expect("a tank of the battery");
     let mut shaken = sound.clone();
