@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use codes::Procedure;
 use codes::base_state;
 use codes::procedure::CodeError;
-use codes::time_history::{self, Codes, Findings, Ready};
+use codes::time_history::{self, Findings, Ready};
 use fem::progress::Progress;
 use tank::Quantity;
 use tank::assessment::{Assessment, Check, Excitation};
@@ -237,8 +237,8 @@ pub fn sloshing_period(methods: &[Method]) -> Option<f64> {
 ///
 /// * `errors`: relative mesh errors by quantity id
 pub fn findings(job: &Job, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
-    let codes = Codes::of(&job.case, &job.decision.decide);
-    time_history::assess(&job.case, codes, demands, errors)
+    let codes = time_history::counted(&job.case, &job.decision.decide);
+    time_history::assess(&job.case, &codes, demands, errors)
 }
 
 /// Adds what only figures need, before results are written: the base of an unanchored tank under the moments of the codes.
@@ -280,8 +280,8 @@ pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
 
 /// The checks of the demands of the first engine under the record times a factor, which is 1 where the response is not linear.
 pub fn checks_of_demands(job: &Job, ready: &Ready<'_>, factor: f64) -> Vec<Check> {
-    let codes = Codes::of(&job.case, &job.decision.decide);
-    let found = time_history::assess_at(&job.case, codes, (ready, factor), &BTreeMap::new());
+    let codes = time_history::counted(&job.case, &job.decision.decide);
+    let found = time_history::assess_at(&job.case, &codes, (ready, factor), &BTreeMap::new());
     decision::checks_of_run(job, results::FE, found.checks)
 }
 

@@ -32,6 +32,9 @@ mod ingredients;
 pub mod masses;
 #[cfg(test)]
 mod own_spectrum;
+mod run;
 pub mod site_specific;
 #[cfg(test)]
 mod tests1993;
+
+pub use run::Api650;

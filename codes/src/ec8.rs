@@ -56,6 +56,7 @@ pub mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;
+mod run;
 #[cfg(test)]
 mod scope;
 pub mod shell_mode;
@@ -74,10 +75,12 @@ mod walls;
 mod work;
 
 use demand::{Demand, Edition};
+pub use run::Eurocode8;
 use work::Work;
 
 use crate::base_state::BaseState;
 use crate::hazard;
+use crate::limit_state::LimitStateDef;
 use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
@@ -111,6 +114,10 @@ impl Procedure for En2006 {
 
     fn decides(&self, site: &Site) -> bool {
         site.ec8.is_some()
+    }
+
+    fn table(&self) -> &'static [LimitStateDef] {
+        limit_states::TABLE
     }
 
     fn limit_states(&self, case: &Case) -> Vec<LimitState> {
@@ -169,6 +176,10 @@ impl Procedure for Env1998 {
             short: "ENV 1998-4",
             figure_key: "k-ec8-env",
         }
+    }
+
+    fn table(&self) -> &'static [LimitStateDef] {
+        limit_states::TABLE
     }
 
     fn limit_states(&self, case: &Case) -> Vec<LimitState> {

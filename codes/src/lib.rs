@@ -12,12 +12,14 @@
 //! | [`hazard`] | ordinates of the user's spectrum |
 //! | [`ordinates`] | ordinates of a record, shared by its multiples |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
-//! | [`meaning`] | what each check compares, in words |
+//! | [`limit_state`], [`meaning`] | limit states as constants: clause, requirement, what is compared |
+//! | [`code`] | a code as the judge of a run knows it |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
 pub mod base_state;
 pub mod bessel;
+pub mod code;
 mod corrosion;
 pub mod deformability;
 pub mod ec8;
@@ -27,6 +29,7 @@ pub mod housner;
 #[cfg(test)]
 mod ingredients;
 pub mod lifted;
+pub mod limit_state;
 pub mod meaning;
 pub mod mechanical;
 pub mod modal_action;
@@ -42,6 +45,7 @@ mod slab;
 pub mod time_history;
 pub mod wall_period;
 
+pub use code::Code;
 pub use procedure::Procedure;
 
 /// All procedures in report order; the only list of them.
@@ -52,6 +56,9 @@ pub const ALL: &[&dyn Procedure] = &[
     &api650::edition1993::Api6501993,
     &api650::edition2020::Api6502020,
 ];
+
+/// All codes; without a site the first counts.
+pub const CODES: &[&dyn Code] = &[&ec8::Eurocode8, &api650::Api650];
 
 #[cfg(test)]
 mod tests {

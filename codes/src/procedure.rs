@@ -4,6 +4,7 @@ use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Site};
 use tank::formula::FormulaError;
 
+use crate::limit_state::LimitStateDef;
 use crate::modal_action::ModalAction;
 
 /// Failure of a computation inside a procedure.
@@ -71,6 +72,10 @@ pub trait Procedure: Sync {
     /// Whether it is the edition in force of a code that the site names, so that it decides unless the user says otherwise.
     fn decides(&self, _site: &Site) -> bool {
         false
+    }
+    /// The limit states that the code knows, in the order of its checks.
+    fn table(&self) -> &'static [LimitStateDef] {
+        &[]
     }
     /// The limit states that the code requires of a tank, and those that it does not require of this one. Each check of
     /// [`Procedure::assess`] belongs to one of them.

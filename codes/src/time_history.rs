@@ -23,13 +23,14 @@
 //! ([`Findings::outside`]). The same is true of a base that moves further than the engine follows ([`tank::demand::Footing::Beyond`]); only
 //! its anchors then have a demand.
 //!
-//! Formulas of the capacities are those of [`crate::ec8`] and [`crate::api650`]. `docs/theory/limit-states-of-runs.md` has the details.
+//! Capacities are those of the codes that count, which are known by [`Code`] alone. `docs/theory/limit-states-of-runs.md` has the details.
 
 mod base;
 mod bearing;
 mod field;
 mod isolators;
-mod limit_states;
+pub(crate) mod limit_states;
+mod lists;
 mod ready;
 mod search;
 mod surface;
@@ -47,11 +48,14 @@ use tank::demand::{Angles, Demands, Footing};
 use tank::outside::Outside;
 use tank::units::{Dimension, display};
 
+use crate::CODES;
+use crate::code::Code;
 use crate::sheet::Sheet;
-use limit_states::{ANCHORS, API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
+use limit_states::{ANCHORS, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
-pub use limit_states::{Codes, ground_motion, limit_states};
+pub(crate) use lists::tables;
+pub use lists::{counted, ground_motion, limit_states};
 pub use ready::Ready;
 
 /// What the demands of a run amount to.
@@ -70,7 +74,7 @@ pub struct Findings {
 /// The demands of a run against the capacities of codes.
 ///
 /// * `errors`: relative mesh errors of the run by quantity id
-pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+pub fn assess(case: &Case, codes: &[&'static dyn Code], demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
     assess_at(case, codes, (&Ready::new(case, demands), 1.0), errors)
 }
 
@@ -81,7 +85,7 @@ pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<St
 /// * `errors`: relative mesh errors of the run by quantity id
 pub fn assess_at(
     case: &Case,
-    codes: Codes,
+    codes: &[&'static dyn Code],
     (ready, factor): (&Ready<'_>, f64),
     errors: &BTreeMap<String, f64>,
 ) -> Findings {
@@ -96,7 +100,7 @@ pub fn assess_at(
 /// The same of one run.
 fn of_demands(
     case: &Case,
-    codes: Codes,
+    codes: &[&'static dyn Code],
     (ready, factor): (&Ready<'_>, f64),
     errors: &BTreeMap<String, f64>,
 ) -> Findings {
@@ -167,13 +171,13 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
     let ratio = tank.breadth_to_height()?;
     if work.demands.plates {
         let reason = "the engine models the four walls as plates";
-        work.without(PLATES, CheckStatus::NotApplicable, reason, None);
+        work.without(PLATES.id, CheckStatus::NotApplicable, reason, None);
         return None;
     }
     let (breadth, limit) = (format!("{ratio:.2} heights of the wall broad"), tank::PLANE_WALLS);
     if !tank.bends_as_plates() {
         let reason = format!("the box is {breadth}, at least {limit:.0}: its walls across the shaking are cantilevers");
-        work.without(PLATES, CheckStatus::NotApplicable, &reason, None);
+        work.without(PLATES.id, CheckStatus::NotApplicable, &reason, None);
         return None;
     }
     let height = display(tank.wall_height(), Dimension::Length);
@@ -201,7 +205,7 @@ fn leave_open(check: &mut Check, reason: &str) {
 
 /// Checks of what depends on the wall and its base; the wave hardly does.
 fn of_wall<'c>(work: &'c mut Work<'_>) -> impl Iterator<Item = &'c mut Check> {
-    let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
+    let depends = |check: &&mut Check| ![FREEBOARD.id, ROOF.id, OTHER_WALL.id].contains(&check.limit_state.as_str());
     work.checks.iter_mut().filter(depends)
 }
 
@@ -223,7 +227,7 @@ fn beyond(reason: &str) -> String {
 
 /// A wall held down has no demands of one that moves further than the engine follows. Its anchors have: they are judged as if elastic.
 fn withdraw(work: &mut Work<'_>, reason: &str) {
-    for check in of_wall(work).filter(|check| check.compared() && check.limit_state != ANCHORS) {
+    for check in of_wall(work).filter(|check| check.compared() && check.limit_state != ANCHORS.id) {
         *check = check.left_open(reason.to_owned());
     }
 }
@@ -250,17 +254,8 @@ fn notes(work: &mut Work<'_>) {
          factor, and no importance factor beside the scaling of the record."
             .into(),
     );
-    if work.codes.api {
-        work.notes.push(format!(
-            "{API} E.1: a dynamic analysis with interaction of liquid and wall may take the place of the annex if \
-             the purchaser agrees and the tank is as safe as by the annex; E.4.3 and ASCE 7 keep a site-specific spectrum at \
-             or above 80 % of the mapped one, and a design needs several records, not one."
-        ));
-    }
-    if case.site.ec8.is_none() && case.site.api650.is_none() {
-        work.notes.push(
-            "`site` is not given: the wall is judged by EN 1998-4 A.10 with its lowest quality of construction (a = 1).".into(),
-        );
+    for code in work.codes {
+        work.notes.extend(code.notes(case));
     }
     if !work.ready.bounds.is_empty() {
         work.notes.push(
@@ -274,7 +269,7 @@ fn notes(work: &mut Work<'_>) {
     }
     if case.tank.support == Support::Anchored
         && work.demands.vertical.is_none()
-        && case.site.ec8.is_some_and(|s| s.vertical)
+        && CODES.iter().any(|code| code.asks_vertical(&case.site))
     {
         work.notes
             .push("No vertical record is given: the limit states under the record are without vertical motion.".into());

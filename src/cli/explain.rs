@@ -1,14 +1,14 @@
 //! `tankcheck explain`: what a code of an error or warning, a quantity, a check or a procedure means.
 //!
-//! Every text is where its subject is declared: [`Code`] for faults, [`Quantity`] and [`codes::meaning`] for results, names and
-//! clauses in the procedures. This file only finds and prints them.
+//! Every text is where its subject is declared: [`Code`] for faults, [`Quantity`] and the tables of limit states for checks
+//! ([`codes::meaning`]). This file only finds and prints them.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use clap::ValueEnum;
-use codes::meaning::{self, Meaning};
-use codes::time_history;
+use codes::limit_state::Part;
+use codes::{meaning, time_history};
 use files::code::Code;
 use serde::Serialize;
 use tank::assessment::LimitState;
@@ -86,7 +86,12 @@ pub(crate) fn entries() -> Vec<Entry> {
     let faults = Code::ALL.into_iter().map(of_code);
     let quantities = Quantity::ALL.into_iter().map(of_quantity);
     let declared = declared();
-    let checks = meaning::ALL.iter().map(|meaning| of_check(meaning, &declared));
+    let checks = meaning::all().into_iter().flat_map(|(state, parts)| {
+        let own = |(_, other): &&(&str, LimitState)| other.id == state.id;
+        let own: Vec<&(&str, LimitState)> = declared.iter().filter(own).collect();
+        let checks = [state.check()].into_iter().chain(parts);
+        checks.map(|check| of_check(&check, state.id, &own)).collect::<Vec<_>>()
+    });
     let procedures = codes::ALL.iter().map(|procedure| {
         let label = procedure.label();
         Entry {
@@ -165,7 +170,7 @@ fn declared() -> Vec<(&'static str, LimitState)> {
         }
         add(
             "engines",
-            time_history::limit_states(case, time_history::Codes::of(case, &[])),
+            time_history::limit_states(case, &time_history::counted(case, &[])),
         );
         let asked = time_history::ground_motion(case);
         add("engines", asked.map(|(state, _)| state).into_iter().collect());
@@ -188,58 +193,45 @@ fn on_isolators(mut case: Case) -> Case {
     case
 }
 
-fn of_check(meaning: &Meaning, declared: &[(&'static str, LimitState)]) -> Entry {
-    let own: Vec<&(&str, LimitState)> = declared.iter().filter(|(_, state)| state.id == meaning.state).collect();
-    let title = match (meaning.id == meaning.state, own.first()) {
-        (true, Some((_, state))) => state.name.into(),
-        _ => meaning
-            .name()
-            .map_or_else(|| capital(&meaning.id.replace('_', " ")), str::to_owned),
-    };
-    let unit = match meaning.dimension.si_symbol() {
+fn of_check(check: &Part, state: &str, declared: &[&(&'static str, LimitState)]) -> Entry {
+    let unit = match check.dimension.si_symbol() {
         "" => "–",
         unit => unit,
     };
     let mut facts = vec![
         Fact {
             name: "demand",
-            value: meaning.demand.into(),
+            value: check.demand.into(),
         },
         Fact {
             name: "capacity",
-            value: meaning.capacity.into(),
+            value: check.capacity.into(),
         },
         Fact {
             name: "unit",
             value: unit.into(),
         },
     ];
-    if meaning.id != meaning.state {
+    if check.id != state {
         facts.push(Fact {
             name: "limit state",
-            value: meaning.state.into(),
+            value: state.into(),
         });
     }
     let clause = |(who, state): &&(&str, LimitState)| Fact {
         name: "clause",
         value: format!("{} ({who})", state.clause),
     };
-    facts.extend(own.iter().map(clause));
+    facts.extend(declared.iter().map(clause));
     Entry {
         kind: "check",
-        id: meaning.id.into(),
-        title,
+        id: check.id.into(),
+        title: check.name.into(),
         chapter: CHECKS,
         meaning: "Demand over capacity is the utilisation; above 1 the check fails.".into(),
         facts,
         example: String::new(),
     }
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 /// Runs the subcommand; returns the exit code.
@@ -423,9 +415,6 @@ mod tests {
         assert_eq!(ids.len(), all.len());
         for entry in &all {
             assert!(!entry.meaning.is_empty() && !entry.title.is_empty(), "{entry:?}");
-            // A name, not the id in another spelling.
-            let part = codes::meaning::ALL.iter().find(|m| m.id == entry.id && m.id != m.state);
-            assert!(part.is_none_or(|m| m.name().is_some()), "{entry:?}");
         }
     }
 

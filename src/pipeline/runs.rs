@@ -1,6 +1,6 @@
 //! The runs of the engines: in sequence, as columns of the comparison, with the reason for an incomplete one.
 
-use codes::time_history::{self, Codes, Findings};
+use codes::time_history::{self, Findings};
 use fem::progress::Progress;
 use files::code::Code;
 use tank::Course;
@@ -64,8 +64,8 @@ pub(super) fn beside(
 pub(super) fn findings(job: &Job, simulation: &Simulation) -> Findings {
     let none = Demands::default();
     let demands = simulation.demands.as_ref().unwrap_or(&none);
-    let codes = Codes::of(&job.case, &job.decision.decide);
-    time_history::assess(&job.case, codes, demands, &simulation.result.mesh_error)
+    let codes = time_history::counted(&job.case, &job.decision.decide);
+    time_history::assess(&job.case, &codes, demands, &simulation.result.mesh_error)
 }
 
 /// A run as a column of the comparison.

@@ -9,32 +9,13 @@
 //!
 //! A tank without pipes has no limit state of pipes. Studies, whose rows are numbers, leave nothing open.
 
+use codes::meaning;
 use tank::Support;
 use tank::assessment::{Check, CheckStatus, LimitState, Requirement};
 use tank::check::TankPart;
 
 use crate::job::Job;
 
-/// Limit states that need to know of a part.
-const NEED: [(TankPart, &[&str]); 3] = [
-    (
-        TankPart::Roof,
-        &[
-            "freeboard",
-            "buckling_elastic",
-            "buckling_elastic_plastic",
-            "shell_compression",
-            "upper_compression",
-            "equivalent_stress",
-            "overturning",
-            "anchorage",
-            "anchor_tension",
-            "anchorage_ratio",
-        ],
-    ),
-    (TankPart::Foundation, &["bearing", "foundation", "overturning"]),
-    (TankPart::Bottom, &["uplift", "overturning"]),
-];
 /// A check that takes bare ground for a foundation of which nothing is said: it does not fail by that either.
 const ON_BARE_GROUND: &str = "bearing_toe";
 /// Limit states of pipes.
@@ -63,13 +44,19 @@ pub(super) fn required(states: &[LimitState], checks: Vec<Check>) -> Vec<Check> 
 
 /// Leaves open what holds, or assumes bare ground, although it needs to know of a part of which nothing is said; such checks keep their numbers.
 pub(super) fn leave_open(job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
-    for (part, needing) in NEED {
+    let states = meaning::all();
+    let needs = |id: &str, part: TankPart| {
+        states
+            .iter()
+            .any(|(state, _)| state.id == id && state.needs.contains(&part))
+    };
+    for part in [TankPart::Roof, TankPart::Foundation, TankPart::Bottom] {
         let needed = part != TankPart::Bottom || job.case.tank.support == Support::Unanchored;
         if !needed || !job.decision.unstated.contains(&part) {
             continue;
         }
         let held = (checks.iter_mut()).filter(|check| check.holds() || check.compared() && check.id == ON_BARE_GROUND);
-        for check in held.filter(|check| needing.contains(&check.limit_state.as_str())) {
+        for check in held.filter(|check| needs(&check.limit_state, part)) {
             let key = part.key();
             check.status = CheckStatus::NotChecked;
             check.within_error = false;

@@ -424,9 +424,6 @@ fn a_code_that_fails_and_does_not_decide_is_named() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let path = home.path().join("tank.json");
     let decide = |id: &str| json!({ "procedures": { "decide": [id] } });
-    let thin = failing::tanks()
-        .into_iter()
-        .find(|tank| tank.name == "hoop-bottom-course");
     let sound = sound::tanks().into_iter().find(|tank| tank.name == "sound-both-codes");
     let sound = sound.expect("a tank of the battery");
     let mut shaken = sound.clone();

@@ -1,5 +1,6 @@
 //! The tank in the terms of API 650, and the lines that both editions share.
 
+use super::edition2020::limit_states::ANCHORS;
 use crate::sheet::{Sheet, with_unit};
 use tank::assessment::{Assessment, Check, CheckStatus, NotApplicable};
 use tank::case::Case;
@@ -267,14 +268,6 @@ impl<'a> Basis<'a> {
             .capacity
             .ok_or((CheckStatus::NotChecked, "tank.anchors.capacity".to_string()))?;
         let name = "Tension of an anchor";
-        Ok(Check::new(
-            "anchor_tension",
-            name,
-            tension,
-            capacity,
-            Force,
-            clause,
-            note,
-        ))
+        Ok(Check::new(ANCHORS.id, name, tension, capacity, Force, clause, note))
     }
 }

@@ -15,11 +15,15 @@
 //!
 //! The appendix does not cover base shear, moment with base pressure, wave height and vertical motion.
 
+mod limit_states;
+
+use super::edition2020::limit_states::COMPRESSION;
 use crate::base_state::BaseState;
 use crate::lifted;
+use crate::limit_state::LimitStateDef;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
-use tank::assessment::{Assessment, Check, CheckStatus, Excitation, NotApplicable};
+use tank::assessment::{Assessment, CheckStatus, Excitation, NotApplicable};
 use tank::case::{Case, Combination};
 use tank::factor::Factor;
 use tank::formula::evaluate;
@@ -87,6 +91,11 @@ impl Procedure for Api6501993 {
             short: "API 650, 9th ed.",
             figure_key: "k-api650-1993",
         }
+    }
+
+    /// It knows them and requires none: a superseded edition gives comparisons, not a verdict.
+    fn table(&self) -> &'static [LimitStateDef] {
+        limit_states::TABLE
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
@@ -370,15 +379,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         let name = "compressive stress of the bottom course";
         let f = sheet.calc("f", name, "b/t_s", &terms, Stress, E5_3);
         match basis.allowable_compression(sheet, "F_a", E5_3, false) {
-            Ok(allowable) => out.checks.push(Check::new(
-                "shell_compression",
-                "Compression of the bottom course",
-                f,
-                allowable,
-                Stress,
-                E5_3,
-                "",
-            )),
+            Ok(allowable) => out.checks.push(COMPRESSION.check().of(f, allowable, E5_3, "")),
             Err(missing) => out.notes.push(format!(
                 "{E5_3}, shell compression: not checked, `{missing}` is missing."
             )),
@@ -437,15 +438,8 @@ fn self_anchored(
     let x = sheet.calc("x", name, formula, &terms, Dimensionless, E5_1);
     let last = 1.0 / 0.637;
     let note = "1.57 as printed; the formula above 1.5 is undefined from 1/0.637 = 1.5699 on.";
-    out.checks.push(Check::new(
-        "stability",
-        "Stability of the unanchored tank",
-        x,
-        last,
-        Dimensionless,
-        E5_1,
-        note,
-    ));
+    let stability = limit_states::STABILITY.named("Stability of the unanchored tank");
+    out.checks.push(stability.check().of(x, last, E5_1, note));
     let b = compression(sheet, x, &terms);
     match b {
         None => out.notes.push(format!(

@@ -48,6 +48,7 @@ use crate::api650::ground_motion::DesignSpectrum;
 use crate::api650::site_specific::SiteSpecific;
 use crate::base_state::BaseState;
 use crate::hazard;
+use crate::limit_state::LimitStateDef;
 use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
@@ -165,8 +166,15 @@ impl Procedure for Api6502020 {
         site.api650.is_some()
     }
 
+    fn table(&self) -> &'static [LimitStateDef] {
+        limit_states::TABLE
+    }
+
     fn limit_states(&self, case: &Case) -> Vec<LimitState> {
-        limit_states::all(case)
+        match Basis::new(case, EDITION) {
+            Ok(_) => limit_states::all(case),
+            Err(_) => Vec::new(),
+        }
     }
 
     /// ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.

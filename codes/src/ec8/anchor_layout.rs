@@ -19,7 +19,7 @@ pub(super) fn assess(work: &mut Work) {
     if work.case.tank.support != Support::Anchored {
         return;
     }
-    let mut tension = work.out.checks.iter().filter(|check| check.limit_state == ANCHORS);
+    let mut tension = work.out.checks.iter().filter(|check| check.limit_state == ANCHORS.id);
     let pulls = tension.any(|check| check.status != CheckStatus::NotApplicable && check.demand != Some(0.0));
     let given = work.case.tank.anchors.filter(|anchors| anchors.count > 0);
     let Some(anchors) = given else {
@@ -31,7 +31,7 @@ pub(super) fn assess(work: &mut Work) {
             ),
             false => (CheckStatus::NotApplicable, "the tank stands without anchors", None),
         };
-        for id in [ANCHOR_COUNT, ANCHOR_SPACING] {
+        for id in [ANCHOR_COUNT.id, ANCHOR_SPACING.id] {
             work.without_comparison(id, status, reason, input);
         }
         return;
@@ -59,9 +59,9 @@ pub(super) fn assess(work: &mut Work) {
     let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
     let largest = sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
     let name = "Least number of anchors over that given";
-    let number = Check::new(ANCHOR_COUNT, name, least, count, Dimensionless, COUNT, note);
+    let number = Check::new(ANCHOR_COUNT.id, name, least, count, Dimensionless, COUNT, note);
     let name = "Spacing of the anchors";
     let note = "good practice, not a clause of EN 1998-4";
-    let apart = Check::new(ANCHOR_SPACING, name, spacing, largest, Length, SPACING, note);
+    let apart = Check::new(ANCHOR_SPACING.id, name, spacing, largest, Length, SPACING, note);
     work.out.checks.extend([number, apart]);
 }

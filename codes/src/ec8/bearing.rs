@@ -176,7 +176,7 @@ pub(super) fn assess(work: &mut Work, at_toe: f64) {
     };
     let Some(resistance) = work.demand.site.and_then(|site| site.bearing_capacity) else {
         let reason = format!("`{RESISTANCE}` is missing");
-        work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
+        work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
         return;
     };
     let case = work.case;
@@ -232,7 +232,7 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
     let bears = base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms));
     match (bears, work.base.clone()) {
         (Bears::Pressure(pressure), BaseState::Unknown(reason)) if pressure <= resistance => {
-            work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, None);
+            work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, None);
         }
         (Bears::Pressure(pressure), BaseState::Lifts(lift)) if pressure <= resistance => {
             let toe = Toe {
@@ -241,27 +241,27 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
                 lifts: true,
             };
             if toe::assess(work, toe, resistance) {
-                work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+                work.check(BEARING.named(name), pressure, resistance, CLAUSE, &note);
             }
         }
         (Bears::Pressure(pressure), BaseState::Bears) if pressure <= resistance && toe::on_a_ring(case) => {
             if toe::of_a_rim(work, at_toe, resistance) {
-                work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+                work.check(BEARING.named(name), pressure, resistance, CLAUSE, &note);
             }
         }
         (Bears::Pressure(pressure), _)
             if pressure > resistance && anchored && leaves_kern(shape, normal, x * moment) =>
         {
-            work.without_comparison(BEARING, CheckStatus::NotChecked, BEYOND_KERN, None);
+            work.without_comparison(BEARING.id, CheckStatus::NotChecked, BEYOND_KERN, None);
         }
-        (Bears::Pressure(pressure), _) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
+        (Bears::Pressure(pressure), _) => work.check(BEARING.named(name), pressure, resistance, CLAUSE, &note),
         (Bears::Leaves { .. }, _) if anchored => {
-            work.without_comparison(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
+            work.without_comparison(BEARING.id, CheckStatus::NotChecked, ON_ANCHORS, None);
         }
         (Bears::Leaves { limit }, _) => {
             let note = format!("the resultant leaves the base; {note}");
             let name = "Moment that a base without tension carries";
-            work.check(BEARING, name, x * moment, limit, Moment, CLAUSE, &note);
+            work.check(BEARING.named(name).measured(Moment), x * moment, limit, CLAUSE, &note);
         }
     }
 }

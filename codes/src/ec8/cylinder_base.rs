@@ -48,7 +48,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
             let spacing = 2.0 * PI * state.radius / f64::from(count.max(1));
             let force = (largest * spacing).max(0.0);
             let note = format!("{count} anchors, one every {}", with_unit(spacing, Length));
-            work.check(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, &note);
+            work.check(ANCHORS.named("Tension of an anchor"), force, capacity, &clause, &note);
         }
         None if largest > 0.0 => {
             let input = match state.tank.anchors {
@@ -59,11 +59,11 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
                 "the wall pulls at its base with {}; `{input}` is missing",
                 with_unit(largest, LineForce)
             );
-            work.without_comparison(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+            work.without_comparison(ANCHORS.id, CheckStatus::NotChecked, &reason, Some(input));
         }
         None => {
             let reason = "the wall does not pull at its base";
-            work.without_comparison(ANCHORS, CheckStatus::NotApplicable, reason, None);
+            work.without_comparison(ANCHORS.id, CheckStatus::NotApplicable, reason, None);
         }
     }
     work.base = BaseState::on_anchors(&work.out.checks);
@@ -165,7 +165,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     work.out.hold_down = Some(weight);
     if let Some(input) = missing(state) {
         let reason = format!("`{input}` is missing");
-        work.without_comparison(OVERTURNING, CheckStatus::NotChecked, &reason, Some(&input));
+        work.without_comparison(OVERTURNING.id, CheckStatus::NotChecked, &reason, Some(&input));
         let _ = strips(work, state, weight);
         work.base = BaseState::Unknown(reason);
         return Amplification::Missing(input);
@@ -189,11 +189,9 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it they overturn",
     };
     work.check(
-        OVERTURNING,
-        "Overturning of the unanchored tank",
+        OVERTURNING.named("Overturning of the unanchored tank"),
         state.base_moment,
         limit,
-        Moment,
         &clause,
         note,
     );

@@ -4,12 +4,12 @@
 //! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure. Over- or
 //! underpressure above the liquid enters the interior pressure and, over the roof, the axial force with p R/2.
 
-use super::buckling::{elastic, elastic_plastic, exponent};
+use super::buckling::{Wall, collapse_lines, elastic_lines, limit};
 use super::cylinder_base::{self, Amplification};
 use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
-use crate::sheet::{Sheet, Term, number, with_unit};
+use crate::sheet::{number, with_unit};
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::*;
 use tank::{Course, Support};
@@ -44,13 +44,9 @@ impl Place<'_> {
         (self.axial + self.weight - self.lift) / self.course.net_thickness()
     }
 
-    fn young(&self) -> f64 {
-        self.course.material.youngs_modulus
-    }
-
     fn wall(&self, radius: f64, quality: f64) -> Wall {
         Wall {
-            youngs_modulus: self.young(),
+            youngs_modulus: self.course.material.youngs_modulus,
             yield_strength: self.yield_strength,
             thickness: self.course.net_thickness(),
             radius,
@@ -83,15 +79,18 @@ fn governing<'a>(
     demand: impl Fn(&Place) -> f64,
     capacity: impl Fn(&Place) -> f64,
 ) -> Option<(Place<'a>, f64)> {
-    let utilisation = |p: &Place| {
-        let limit = capacity(p);
-        if limit > 0.0 { demand(p) / limit } else { f64::INFINITY }
-    };
-    let worst = places.iter().max_by(|a, b| {
-        // Equal utilisation: the lower place.
-        utilisation(a).total_cmp(&utilisation(b)).then(b.z.total_cmp(&a.z))
-    })?;
-    Some((*worst, capacity(worst)))
+    let judged = places.iter().map(|place| {
+        let limit = capacity(place);
+        let utilisation = if limit > 0.0 {
+            demand(place) / limit
+        } else {
+            f64::INFINITY
+        };
+        (place, limit, utilisation)
+    });
+    // Equal utilisation: the lower place.
+    let (worst, limit, _) = judged.max_by(|a, b| a.2.total_cmp(&b.2).then(b.0.z.total_cmp(&a.0.z)))?;
+    Some((*worst, limit))
 }
 
 /// Writes the checks.
@@ -111,7 +110,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     if let Some(course) = missing {
         let input = format!("materials.{}.yield_strength", course.material.name);
         let reason = format!("`{input}` is missing");
-        for id in [HOOP, ELASTIC_BUCKLING, ELEPHANT_FOOT] {
+        for id in [HOOP.id, ELASTIC_BUCKLING.id, ELEPHANT_FOOT.id] {
             work.without_comparison(id, CheckStatus::NotChecked, &reason, Some(&input));
         }
         return;
@@ -138,7 +137,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     if let Amplification::Missing(input) = amplification {
         // What uplift does to the compression at the base is not known.
         let reason = format!("`{input}` is missing");
-        for id in [ELASTIC_BUCKLING, ELEPHANT_FOOT] {
+        for id in [ELASTIC_BUCKLING.id, ELEPHANT_FOOT.id] {
             work.without_comparison(id, CheckStatus::NotChecked, &reason, Some(&input));
         }
         return;
@@ -152,7 +151,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
 
 /// Leaves checks open if the tank overturns: the compression of an anchored wall is then a lower bound, which can only fail a check.
 fn leave_open(work: &mut Work) {
-    let of_wall = |check: &&mut Check| [ELASTIC_BUCKLING, ELEPHANT_FOOT].contains(&check.limit_state.as_str());
+    let of_wall = |check: &&mut Check| [ELASTIC_BUCKLING.id, ELEPHANT_FOOT.id].contains(&check.limit_state.as_str());
     let holding = work.out.checks.iter_mut().filter(of_wall).filter(|check| check.holds());
     for check in holding {
         let share = check.utilisation.unwrap_or_default();
@@ -216,7 +215,7 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
     let note = format!("p R/(s f_y) < 1 with γ_M = 1, {}", place.describe(vertical));
     let name = "Hoop stress below yield";
-    work.check(HOOP, name, stress, capacity, Stress, &clause, &note);
+    work.check(HOOP.named(name), stress, capacity, &clause, &note);
 }
 
 /// Line of the largest (`p_max`) or smallest (`p_min`) interior pressure at a place, with the factors of the seismic design
@@ -274,17 +273,8 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     let site = work.demand.site;
     let quality = site.map_or(1.0, |s| s.construction_quality);
     let radius = state.radius;
-    let of = |p: &Place| {
-        elastic(
-            p.young(),
-            p.yield_strength,
-            p.course.net_thickness(),
-            radius,
-            p.p_min,
-            quality,
-        )
-    };
-    let Some((place, _)) = governing(places, |p| p.compression(), |p| of(p).limit) else {
+    let of = |p: &Place| limit(elastic_lines, &p.wall(radius, quality), p.p_min);
+    let Some((place, _)) = governing(places, |p| p.compression(), of) else {
         return;
     };
     let clause = work.edition.clause("10.2");
@@ -307,73 +297,12 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
         ));
     }
     let note = place.describe(vertical);
-    work.check(
-        ELASTIC_BUCKLING,
-        "Elastic buckling of the wall",
-        compression,
-        limit,
-        Stress,
-        &clause,
-        &note,
-    );
-}
-
-/// A wall for the lines of A.10.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wall {
-    /// E [Pa].
-    pub(crate) youngs_modulus: f64,
-    /// f_y [Pa].
-    pub(crate) yield_strength: f64,
-    /// s [m].
-    pub(crate) thickness: f64,
-    /// R [m].
-    pub(crate) radius: f64,
-    /// a, the quality of construction.
-    pub(crate) quality: f64,
-}
-
-/// Lines of A.10.2 at one place under the smallest interior pressure [Pa]; returns the limit [Pa].
-pub(crate) fn elastic_lines(sheet: &mut Sheet, wall: &Wall, p_min: f64, clause: &str) -> f64 {
-    let mut terms: Vec<Term> = vec![
-        ("E", wall.youngs_modulus, Stress),
-        ("s", wall.thickness, Length),
-        ("R", wall.radius, Length),
-        ("a", wall.quality, Dimensionless),
-        ("f_y", wall.yield_strength, Stress),
-        ("p_min", p_min.max(0.0), Stress),
-    ];
-    let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
-        let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
-        terms.push((symbol, value, dimension));
-        value
-    };
-    line("σ_c1", "ideal buckling stress", "0.6·E·s/R", Stress);
-    let name = "imperfection δ/s, a = quality of construction";
-    line("δ_s", name, "0.06/a·√(R/s)", Dimensionless);
-    let formula = "1 - 1.24·δ_s·(√(1 + 2/(1.24·δ_s)) - 1)";
-    line("k_s", "knock-down s̄ without pressure", formula, Dimensionless);
-    let slenderness = line("λ2", "slenderness λ²", "f_y/(k_s·σ_c1)", Dimensionless);
-    let formula = if slenderness <= 2.0 {
-        "f_y·(1 - λ2/4)"
-    } else {
-        "k_s·σ_c1"
-    };
-    line("σ_o", "buckling stress without pressure", formula, Stress);
-    let name = "pressure parameter p̄, smallest interior pressure";
-    let pressure = line("p_r", name, "p_min·R/(s·σ_c1)", Dimensionless);
-    let formula = if pressure < 5.0 {
-        "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)"
-    } else {
-        "σ_c1"
-    };
-    line("σ_p", "buckling stress with pressure", formula, Stress);
-    line("σ_lim", "limit of elastic buckling", "0.19·σ_c1 + 0.81·σ_p", Stress)
+    work.check(ELASTIC_BUCKLING, compression, limit, &clause, &note);
 }
 
 fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let radius = state.radius;
-    let of = |p: &Place| elastic_plastic(p.young(), p.yield_strength, p.course.net_thickness(), radius, p.p_max);
+    let of = |p: &Place| limit(collapse_lines, &p.wall(radius, 1.0), p.p_max);
     let Some((place, _)) = governing(places, |p| p.compression(), of) else {
         return;
     };
@@ -384,42 +313,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     pressure_line(work, state, &place, "p_max");
     let limit = collapse_lines(&mut work.sheet, &place.wall(radius, 1.0), place.p_max, &clause);
     let note = place.describe(vertical);
-    let name = "Elastic-plastic collapse of the wall";
-    work.check(ELEPHANT_FOOT, name, compression, limit, Stress, &clause, &note);
-}
-
-/// Lines of A.10.3 at one place under the largest interior pressure [Pa]; returns the limit [Pa].
-pub(crate) fn collapse_lines(sheet: &mut Sheet, wall: &Wall, p_max: f64, clause: &str) -> f64 {
-    let mut terms = vec![
-        ("E", wall.youngs_modulus, Stress),
-        ("s", wall.thickness, Length),
-        ("R", wall.radius, Length),
-        ("f_y", wall.yield_strength, Stress),
-        ("p_max", p_max.max(0.0), Stress),
-    ];
-    let name = "radius to thickness over 400";
-    let r = sheet.calc("r", name, "R/s/400", &terms, Dimensionless, clause);
-    let name = "ideal buckling stress";
-    let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, clause);
-    terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
-    let hoop = p_max * wall.radius / (wall.thickness * wall.yield_strength);
-    let x = exponent(r);
-    let (name, formula) = if hoop < 1.0 {
-        (
-            "limit of elastic-plastic collapse, largest interior pressure",
-            if x == 1.15 {
-                "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)"
-            } else {
-                "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.5))·(r + f_y/250 MPa)/(r + 1)"
-            },
-        )
-    } else {
-        (
-            "limit of elastic-plastic collapse: the hoop stress of the largest interior pressure reaches f_y",
-            "0 MPa",
-        )
-    };
-    sheet.calc("σ_lim", name, formula, &terms, Stress, clause)
+    work.check(ELEPHANT_FOOT, compression, limit, &clause, &note);
 }
 
 #[cfg(test)]

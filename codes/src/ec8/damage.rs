@@ -12,13 +12,13 @@
 //! Source: EN 1998-4:2006 2.1.3, EN 1998-1:2004 2.2.3(2), recalled.
 
 use super::cylinder_stress::{Factors, State};
-use super::limit_states::DAMAGE;
+use super::limit_states::{DAMAGE, DAMAGE_FREEBOARD, DAMAGE_HOOP};
 use super::work::Work;
 use crate::sheet::{Sheet, number, with_unit};
 use tank::Course;
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::CheckStatus;
 use tank::case::Combination;
-use tank::units::Dimension::{self, *};
+use tank::units::Dimension::*;
 
 /// Path of the reduction factor.
 const REDUCTION: &str = "site.ec8.reduction_factor";
@@ -40,7 +40,7 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     };
     let Some(reduction) = work.demand.site.and_then(|site| site.reduction_factor) else {
         let reason = format!("`{REDUCTION}` is missing");
-        return work.without_comparison(DAMAGE, CheckStatus::NotChecked, &reason, Some(REDUCTION));
+        return work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(REDUCTION));
     };
     let clause = work.edition.main("2.1.3");
     work.sheet.section("Damage limitation");
@@ -50,8 +50,7 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     let name = "wave height, damage limitation";
     let height = work.sheet.calc("d_DL", name, "ν·d_f", &terms, Length, &clause);
     let freeboard = work.case.freeboard();
-    let name = "Freeboard, damage limitation";
-    part(work, ("damage_freeboard", name), height, freeboard, Length, "");
+    work.part((DAMAGE, DAMAGE_FREEBOARD), height, freeboard, "");
     // The part of other walls is in `walls`.
     if let Some(state) = state.filter(|state| state.tank.is_metal()) {
         hoop(work, state, reduction, vertical);
@@ -66,20 +65,13 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     }
 }
 
-/// Adds a check of the limit state.
-fn part(work: &mut Work, (id, name): (&str, &str), demand: f64, capacity: f64, dimension: Dimension, note: &str) {
-    let clause = work.edition.main("2.1.3");
-    let check = Check::new(id, name, demand, capacity, dimension, &clause, note);
-    work.out.checks.push(check.of(DAMAGE));
-}
-
 /// Hoop stress of a metal wall below yield.
 fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
     let missing = state.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
     if let Some(course) = missing {
         let input = format!("materials.{}.yield_strength", course.material.name);
         let reason = format!("`{input}` is missing");
-        return work.without_comparison(DAMAGE, CheckStatus::NotChecked, &reason, Some(&input));
+        return work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(&input));
     }
     let q = work.demand.behaviour_factor;
     let mut governing: Option<(f64, Place)> = None;
@@ -110,8 +102,7 @@ fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
         let (x, z) = place.factors;
         note = format!("{note}, {} E_x + {} E_z", number(x), number(z));
     }
-    let name = "Hoop stress below yield, damage limitation";
-    part(work, ("damage_hoop", name), stress, capacity, Stress, &note);
+    work.part((DAMAGE, DAMAGE_HOOP), stress, capacity, &note);
 }
 
 /// Lines of the hoop stress [Pa] at one place.

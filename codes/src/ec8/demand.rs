@@ -41,6 +41,15 @@ impl Edition {
         }
     }
 
+    /// A clause of the edition of 2006 in this one.
+    pub(super) fn alike(self, clause: &str) -> String {
+        let own = |number: &str| match number.strip_prefix("A.") {
+            Some(number) => self.clause(number),
+            None => self.main(number),
+        };
+        (clause.strip_prefix("EN 1998-4:2006 ")).map_or(clause.into(), own)
+    }
+
     /// Clause of the main text.
     pub fn main(self, number: &str) -> String {
         match self {

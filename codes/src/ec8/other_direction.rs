@@ -9,7 +9,6 @@ use crate::sheet::without_lines;
 use tank::Shape;
 use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::check::complete;
-use tank::units::Dimension::Dimensionless;
 
 const CLAUSE: &str = "EN 1998-1:2004 4.3.3.5.1";
 
@@ -37,14 +36,14 @@ pub(super) fn assess(work: &mut Work, excitation: Excitation) {
         Ok(out) => complete(&limit_states::all(&turned, work.edition), out.checks),
         Err(error) => {
             let reason = format!("not computed along the breadth: {error}");
-            return work.without_comparison(OTHER_DIRECTION, CheckStatus::NotChecked, &reason, None);
+            return work.without_comparison(OTHER_DIRECTION.id, CheckStatus::NotChecked, &reason, None);
         }
     };
     // What is open along the length as well has its own line.
     let own = complete(&limit_states::all(work.case, work.edition), work.out.checks.clone());
     let known = |check: &Check| {
         let open = |other: &Check| other.limit_state == check.limit_state && other.status == CheckStatus::NotChecked;
-        check.limit_state == OTHER_DIRECTION || own.iter().any(open)
+        check.limit_state == OTHER_DIRECTION.id || own.iter().any(open)
     };
     let worst = checks.iter().filter(|check| check.compared()).max_by(|a, b| {
         let of = |check: &Check| check.ratio().unwrap_or(0.0);
@@ -57,14 +56,14 @@ pub(super) fn assess(work: &mut Work, excitation: Excitation) {
     match (fails, open, worst) {
         (None, Some(check), _) => {
             let reason = format!("along the breadth `{}` is not checked: {}", check.id, check.reason);
-            work.without_comparison(OTHER_DIRECTION, CheckStatus::NotChecked, &reason, None);
+            work.without_comparison(OTHER_DIRECTION.id, CheckStatus::NotChecked, &reason, None);
         }
         (None, None, None) => {}
         (Some(check), ..) | (None, None, Some(check)) => {
             let (demand, capacity) = check.utilisation.map_or((1.0, 0.0), |ratio| (ratio, 1.0));
             let name = "Largest utilisation along the breadth";
             let note = format!("`{}` with length and breadth exchanged", check.id);
-            work.check(OTHER_DIRECTION, name, demand, capacity, Dimensionless, CLAUSE, &note);
+            work.check(OTHER_DIRECTION.named(name), demand, capacity, CLAUSE, &note);
         }
     }
 }

@@ -27,7 +27,7 @@ const ALLOWED: &str = "tank.pipes.allowable_displacement";
 pub(super) fn assess(work: &mut Work) {
     let missing = |work: &mut Work, input: &str| {
         let reason = format!("`{input}` is missing");
-        work.without_comparison(PIPES, CheckStatus::NotChecked, &reason, Some(input));
+        work.without_comparison(PIPES.id, CheckStatus::NotChecked, &reason, Some(input));
     };
     let Some(pipes) = work.case.tank.pipes else {
         return missing(work, PATH);
@@ -45,7 +45,7 @@ pub(super) fn assess(work: &mut Work) {
         Ok(uplift) => uplift,
         Err(reason) => {
             let reason = format!("the uplift is not known: {reason}");
-            return work.without_comparison(PIPES, CheckStatus::NotChecked, &reason, None);
+            return work.without_comparison(PIPES.id, CheckStatus::NotChecked, &reason, None);
         }
     };
     let main = work.edition.main("4.5.1.3");
@@ -72,7 +72,7 @@ pub(super) fn assess(work: &mut Work) {
     let clause = work.edition.main("4.5.2.3");
     let name = "Displacement of a pipe against its support";
     let note = "without sliding and deformation of the wall";
-    work.check(PIPES, name, demand, allowed, Length, &clause, note);
+    work.check(PIPES.named(name), demand, allowed, &clause, note);
 }
 
 /// Factor of d_g, its clause, and a_g [m/s²], S, T_C, T_D [s] of the site.

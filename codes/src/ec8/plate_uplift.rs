@@ -17,14 +17,14 @@
 use ::base::{Base, Stand};
 
 use super::cylinder_stress::State;
-use super::limit_states::UPLIFT;
+use super::limit_states::{UPLIFT, UPLIFT_EQUILIBRIUM, UPLIFT_MEMBRANE, UPLIFT_ROTATION, UPLIFT_WIDTH};
 use super::work::Work;
 use crate::base_state::Lift;
 use crate::lifted::{self, Ground};
 use crate::sheet::{Term, with_unit};
 use tank::Bottom;
-use tank::assessment::{Check, CheckStatus};
-use tank::units::Dimension::{self, *};
+use tank::assessment::CheckStatus;
+use tank::units::Dimension::*;
 
 /// Largest plastic rotation of the joint of wall and bottom [rad], EN 1998-4:2006 A.9.
 pub const ROTATION: f64 = 0.20;
@@ -34,7 +34,7 @@ pub const ROTATION: f64 = 0.20;
 pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift, String> {
     let missing = |work: &mut Work, input: &str| {
         let reason = format!("`{input}` is missing");
-        work.without_comparison(UPLIFT, CheckStatus::NotChecked, &reason, Some(input));
+        work.without_comparison(UPLIFT.id, CheckStatus::NotChecked, &reason, Some(input));
         Err(reason)
     };
     let Some(bottom) = &state.tank.bottom else {
@@ -47,7 +47,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
         .section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
     let Some(grounds) = lifted::grounds(work.case) else {
         let reason = "the uplift is computed for bottom plates of metal";
-        work.without_comparison(UPLIFT, CheckStatus::NotChecked, reason, Some("tank.bottom"));
+        work.without_comparison(UPLIFT.id, CheckStatus::NotChecked, reason, Some("tank.bottom"));
         return Err(reason.into());
     };
     let mut rims = Vec::new();
@@ -140,21 +140,8 @@ fn no_equilibrium(work: &mut Work, state: &State, base: &Base, weight: f64) {
     let limit = lifted::held(base, state.base_moment, weight);
     let note = "no equilibrium of the lifted rim up to a rotation of 0.1 rad";
     let name = "Uplift of the bottom plate: moment that weight and plate hold";
-    part(
-        work,
-        ("uplift_equilibrium", name),
-        state.base_moment,
-        limit,
-        Moment,
-        note,
-    );
-}
-
-/// Adds a check of the limit state.
-fn part(work: &mut Work, (id, name): (&str, &str), demand: f64, capacity: f64, dimension: Dimension, note: &str) {
-    let clause = work.edition.clause("9");
-    let check = Check::new(id, name, demand, capacity, dimension, &clause, note);
-    work.out.checks.push(check.of(UPLIFT));
+    let check = UPLIFT_EQUILIBRIUM.named(name);
+    work.part((UPLIFT, check), state.base_moment, limit, note);
 }
 
 /// The remark of the rotation: on which ground, why on that, and what stands beside it.
@@ -181,7 +168,7 @@ fn remark(rims: &[Rim], decisive: &Rim) -> String {
 /// Lines of the membrane stress, and the checks.
 fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim]) {
     let clause = work.edition.clause("9");
-    let rotation_check = ("uplift_rotation", "Rotation of the joint of wall and bottom plate");
+    let rotation_check = (UPLIFT, UPLIFT_ROTATION);
     let most = |value: fn(&Rim) -> f64| {
         let deciding = rims.iter().filter(|r| r.decides);
         deciding.max_by(|a, b| value(a).total_cmp(&value(b)))
@@ -190,7 +177,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
         return;
     };
     if turned.rotation == 0.0 {
-        part(work, rotation_check, 0.0, ROTATION, Angle, "all of the rim bears");
+        work.part(rotation_check, 0.0, ROTATION, "all of the rim bears");
         return;
     }
     work.out.notes.push(format!(
@@ -229,13 +216,13 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
     };
     let stress = line("σ_rb", name, formula, Stress, &clause);
     let note = remark(rims, turned);
-    part(work, rotation_check, turned.rotation, ROTATION, Angle, &note);
+    work.part(rotation_check, turned.rotation, ROTATION, &note);
     let name = "Radial membrane stress of the bottom plate";
-    part(work, ("uplift_membrane", name), stress, f_y, Stress, "with γ_M = 1");
+    work.part((UPLIFT, UPLIFT_MEMBRANE.named(name)), stress, f_y, "with γ_M = 1");
     if let Some(width) = bottom.width {
         let name = "Lifted length within the plate under the wall";
         let note = "beyond the width given in the file the plate may be thinner";
-        part(work, ("uplift_width", name), length, width, Length, note);
+        work.part((UPLIFT, UPLIFT_WIDTH.named(name)), length, width, note);
     }
 }
 

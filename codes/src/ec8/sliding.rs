@@ -29,7 +29,7 @@ pub(super) fn assess(work: &mut Work) {
     };
     let Some(friction) = work.demand.site.and_then(|site| site.friction) else {
         let reason = format!("`{FRICTION}` is missing");
-        work.without_comparison(SLIDING, CheckStatus::NotChecked, &reason, Some(FRICTION));
+        work.without_comparison(SLIDING.id, CheckStatus::NotChecked, &reason, Some(FRICTION));
         return;
     };
     let case = work.case;
@@ -65,8 +65,7 @@ pub(super) fn assess(work: &mut Work) {
         .sheet
         .calc("V_Rd", "sliding resistance", "μ·N_Ed", &terms, Force, CLAUSE);
     let note = "without the weight of bottom plate and foundation and without earth pressure";
-    let name = "Sliding on the foundation";
-    work.check(SLIDING, name, shear, capacity, Force, CLAUSE, note);
+    work.check(SLIDING, shear, capacity, CLAUSE, note);
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
         Support::Unanchored => {
             let note = "rigid body about the toe of the wall, without the weight of the bottom";
             let name = "Overturning of the unanchored tank";
-            work.check(OVERTURNING, name, moment, resisted, Moment, &clause, note);
+            work.check(OVERTURNING.named(name), moment, resisted, &clause, note);
             if moment > resisted {
                 work.base = BaseState::Unknown("the unanchored tank overturns".into());
             } else if !work.case.tank.is_metal() {
@@ -73,7 +73,7 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
                 with_unit(moment, Moment),
                 with_unit(resisted, Moment)
             );
-            work.without_comparison(ANCHORS, CheckStatus::NotApplicable, &reason, None);
+            work.without_comparison(ANCHORS.id, CheckStatus::NotApplicable, &reason, None);
         }
         Support::Anchored => {
             anchors(work, (half, breadth), moment, resisted);
@@ -96,7 +96,7 @@ fn anchors(work: &mut Work, (half, breadth): (f64, f64), moment: f64, resisted: 
             with_unit(moment, Moment),
             with_unit(resisted, Moment)
         );
-        return work.without_comparison(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+        return work.without_comparison(ANCHORS.id, CheckStatus::NotChecked, &reason, Some(input));
     };
     let terms = [
         ("M", moment, Moment),
@@ -110,7 +110,7 @@ fn anchors(work: &mut Work, (half, breadth): (f64, f64), moment: f64, resisted: 
     let formula = "(M - M_Rd)/(2·L)/(n·b/P)";
     let force = work.sheet.calc("F_a", name, formula, &terms, Force, &clause);
     let note = "rigid body; the anchors of the wall across the shaking alone";
-    work.check(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, note);
+    work.check(ANCHORS.named("Tension of an anchor"), force, capacity, &clause, note);
 }
 
 #[cfg(test)]

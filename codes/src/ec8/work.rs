@@ -3,6 +3,7 @@
 use super::demand::{Demand, Edition};
 use super::limit_states;
 use crate::base_state::BaseState;
+use crate::limit_state::{LimitStateDef, Part};
 use crate::mechanical::Lumped;
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term};
@@ -204,15 +205,7 @@ impl Work<'_> {
             note += why;
         }
         let freeboard = self.case.freeboard();
-        self.check(
-            limit_states::FREEBOARD,
-            "Freeboard",
-            height,
-            freeboard,
-            Length,
-            &clause,
-            &note,
-        );
+        self.check(limit_states::FREEBOARD, height, freeboard, &clause, &note);
     }
 
     /// Base shear and moments; adds lines and quantities. Returns the moment just above the base plate [N·m].
@@ -287,20 +280,16 @@ impl Work<'_> {
         moment
     }
 
-    /// Adds a check.
-    pub(super) fn check(
-        &mut self,
-        id: &str,
-        name: &str,
-        demand: f64,
-        capacity: f64,
-        dimension: Dimension,
-        clause: &str,
-        note: &str,
-    ) {
-        self.out
-            .checks
-            .push(Check::new(id, name, demand, capacity, dimension, clause, note));
+    /// Adds a check of a limit state.
+    pub(super) fn check(&mut self, state: LimitStateDef, demand: f64, capacity: f64, clause: &str, note: &str) {
+        self.out.checks.push(state.check().of(demand, capacity, clause, note));
+    }
+
+    /// Adds one of the checks in which a limit state ends.
+    pub(super) fn part(&mut self, (state, part): (LimitStateDef, Part), demand: f64, capacity: f64, note: &str) {
+        let clause = self.edition.alike(state.clause);
+        let check = part.of(demand, capacity, &clause, note);
+        self.out.checks.push(check.of(state.id));
     }
 
     /// Ends a limit state without a comparison.

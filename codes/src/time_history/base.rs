@@ -9,16 +9,12 @@ use tank::quantity::Quantity;
 use tank::units::Dimension::{Acceleration, Angle, Dimensionless, Force, LineForce, Mass};
 use tank::{Shape, Support};
 
-use super::limit_states::{ANCHORS, API, Codes, SLIDING, UPLIFT};
+use super::limit_states::{ANCHORS, SLIDING, UPLIFT};
+use super::ready::History;
 use super::search::Found;
 use super::work::Work;
-use crate::ec8::plate_uplift::ROTATION;
+use crate::code::{Friction, Open};
 use crate::sheet::with_unit;
-
-/// Path of the friction of Eurocode 8.
-const FRICTION: &str = "site.ec8.friction";
-/// Largest friction that API 650 allows (E.7.6).
-const API_FRICTION: f64 = 0.4;
 
 /// Tension at the base of a cylinder's wall. Returns where an unanchored wall pulls, in words.
 pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
@@ -49,7 +45,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             true => Some(pulls),
             false => {
                 let reason = "the wall does not pull at its base: it stays in contact";
-                work.without(UPLIFT, CheckStatus::NotApplicable, reason, None);
+                work.without(UPLIFT.id, CheckStatus::NotApplicable, reason, None);
                 None
             }
         };
@@ -58,7 +54,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let spring = demands.base.as_ref().and_then(|base| base.anchor);
     if pull <= 0.0 && spring.is_none_or(|anchor| anchor.value <= 0.0) {
         let reason = "the wall does not pull at its base";
-        work.without(ANCHORS, CheckStatus::NotApplicable, reason, None);
+        work.without(ANCHORS.id, CheckStatus::NotApplicable, reason, None);
         return None;
     }
     let anchors = work.case.tank.anchors.filter(|anchors| anchors.count > 0);
@@ -68,11 +64,11 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             None => "tank.anchors",
         };
         let reason = format!("{pulls}; `{input}` is missing");
-        work.without(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+        work.without(ANCHORS.id, CheckStatus::NotChecked, &reason, Some(input));
         return None;
     };
     let spacing = TAU * radius / f64::from(count);
-    let clause = work.clause(ANCHORS);
+    let clause = work.clause(ANCHORS.id);
     work.sheet.section(&format!("Anchors: {}", moment.words()));
     work.sheet.input(
         "n_a",
@@ -110,7 +106,8 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
         "{count} anchors, one every {}",
         with_unit(spacing, tank::units::Dimension::Length)
     );
-    let check = Check::new(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, &note);
+    let anchor = ANCHORS.named("Tension of an anchor").check();
+    let check = anchor.of(force, capacity, &clause, &note);
     let check = check.at(Some(place.0), Some(0.0), Some(place.1)).with_error(error);
     work.checks.push(check);
     None
@@ -120,49 +117,37 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
 fn lifting(work: &mut Work<'_>, base: &FreeBase) {
     if !base.lifts {
         let reason = "the rim stays on the ground";
-        work.without(UPLIFT, CheckStatus::NotApplicable, reason, None);
+        work.without(UPLIFT.id, CheckStatus::NotApplicable, reason, None);
         return;
     }
-    if !work.codes.ec8 {
-        let reason = "the rim lifts; API 650 judges uplift by the anchorage ratio of its annex, not by a time history";
-        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
-        return;
-    }
+    let limits = work.codes.iter().map(|code| code.joint_rotation());
+    let rotation = match limits.reduce(Result::or) {
+        Some(Ok(rotation)) => rotation,
+        why => {
+            let reason = format!("the rim lifts; {}", why.and_then(Result::err).unwrap_or_default());
+            work.without(UPLIFT.id, CheckStatus::NotChecked, &reason, None);
+            return;
+        }
+    };
     let Some(joint) = base.joint else {
         let reason = "the rim lifts; the material of the bottom plate has no yield_strength";
-        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
+        work.without(UPLIFT.id, CheckStatus::NotChecked, reason, None);
         return;
     };
     let bottom = work.case.tank.bottom.as_ref();
     let lowest = work.case.tank.courses.first().map_or(0.0, |course| course.thickness);
     let wall_first = base.elastic_wall && bottom.is_some_and(|bottom| bottom.thickness > lowest);
-    if wall_first && joint.value <= ROTATION {
+    if wall_first && joint.value <= rotation {
         let reason = "the rim lifts; the bottom plate is thicker than the lowest course, which yields before it and which the run leaves elastic";
-        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
+        work.without(UPLIFT.id, CheckStatus::NotChecked, reason, None);
         return;
     }
-    let clause = work.clause(UPLIFT);
+    let clause = work.clause(UPLIFT.id);
     let name = "Plastic rotation of the joint of the bottom plate";
     let note = "joint of wall and bottom plate, the largest of the run";
-    let check = Check::new(UPLIFT, name, joint.value, ROTATION, Angle, &clause, note);
+    let check = Check::new(UPLIFT.id, name, joint.value, rotation, Angle, &clause, note);
     work.checks
         .push(check.at(Some(joint.time), Some(0.0), Some(joint.theta)));
-}
-
-/// Friction coefficients with their clauses, and the reason where one is missing.
-fn frictions(case: &Case, codes: Codes) -> (Vec<(&'static str, f64, String)>, Option<String>) {
-    let (mut found, mut missing) = (Vec::new(), None);
-    if codes.ec8 {
-        match case.site.ec8.and_then(|site| site.friction) {
-            Some(friction) => found.push(("sliding", friction, "EN 1998-5:2004 5.4.1.1".to_owned())),
-            None => missing = Some(format!("`{FRICTION}` is missing")),
-        }
-    }
-    if let (true, Some(site), Support::Unanchored) = (codes.api, case.site.api650, case.tank.support) {
-        let friction = site.friction.min(API_FRICTION);
-        found.push(("sliding_api", friction, format!("{API} E.7.6")));
-    }
-    (found, missing)
 }
 
 /// Base shear against the friction under the weight of the same instant.
@@ -176,12 +161,18 @@ fn frictions(case: &Case, codes: Codes) -> (Vec<(&'static str, f64, String)>, Op
 /// M is the mass of liquid, wall and roof. The weight of the bottom plate is left out, on the safe side.
 pub(super) fn sliding(work: &mut Work<'_>) {
     let case = work.case;
-    let (frictions, missing) = frictions(case, work.codes);
-    if let Some(reason) = missing {
-        work.without(SLIDING, CheckStatus::NotChecked, &reason, Some(FRICTION));
-    } else if frictions.is_empty() {
-        let reason = format!("{API} E.7.6: the check is for self-anchored tanks");
-        work.without(SLIDING, CheckStatus::NotApplicable, &reason, None);
+    let (mut frictions, mut open) = (Vec::new(), Vec::new());
+    for code in work.codes {
+        match code.friction(case) {
+            Ok(friction) => frictions.push(friction),
+            Err(why) => open.push(why),
+        }
+    }
+    // A check that does not apply under one code says nothing beside one that another makes or misses.
+    let missing = open.iter().find(|open| open.status == CheckStatus::NotChecked);
+    let open = missing.or(open.first().filter(|_| frictions.is_empty()));
+    if let Some(Open { status, reason, input }) = open {
+        work.without(SLIDING.id, *status, reason, *input);
     }
     // Friction caps the shear of a tank that slides: it is judged by that of the tank held in place.
     let slides = (work.demands.base.as_ref()).is_some_and(|base| base.held_shear.is_some());
@@ -189,34 +180,21 @@ pub(super) fn sliding(work: &mut Work<'_>) {
     let Some(shear) = &ready.shear else {
         if !frictions.is_empty() {
             let reason = "the engine does not give the base shear";
-            work.without(SLIDING, CheckStatus::NotChecked, reason, None);
+            work.without(SLIDING.id, CheckStatus::NotChecked, reason, None);
         }
         return;
     };
     let size = |k: usize| factor * shear.size(k);
     let upwards = |k: usize| factor * ready.upwards(k);
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
-    for (id, friction, clause) in frictions {
-        // It grows with the size and falls with the acceleration, rounding included: extremes of a row bound its instants.
-        let ratio = |size: f64, upwards: f64| match friction * mass * (case.gravity + factor * upwards) {
-            c if c > 0.0 => factor * size / c,
-            _ => f64::INFINITY,
-        };
-        let mut worst: Option<(usize, f64)> = None;
-        let more =
-            |ratio: f64, worst: Option<(usize, f64)>| worst.is_none_or(|(_, most)| ratio.total_cmp(&most).is_gt());
-        for (number, (row, largest)) in shear.rows().enumerate() {
-            if !more(ratio(largest, ready.least_upwards(number)), worst) {
-                continue;
-            }
-            for k in row {
-                let ratio = ratio(shear.size(k), ready.upwards(k));
-                if more(ratio, worst) {
-                    worst = Some((k, ratio));
-                }
-            }
-        }
-        let Some((k, utilisation)) = worst else {
+    for friction in frictions {
+        let Friction {
+            id,
+            name: title,
+            coefficient: friction,
+            clause,
+        } = friction;
+        let Some((k, utilisation)) = slides_most(work, shear, friction * mass) else {
             continue;
         };
         let (time, upwards) = (work.demands.times[k], upwards(k));
@@ -234,7 +212,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             ("a_v", upwards, Acceleration),
         ];
         let name = "friction under the weight of liquid, wall and roof then";
-        let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, &clause);
+        let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, clause);
         let found = Found {
             utilisation,
             demand,
@@ -250,11 +228,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             }
             false => "weight of the same instant, without bottom plate and foundation",
         };
-        let title = match id == SLIDING {
-            true => "Sliding on the foundation",
-            false => "Sliding on the foundation, API 650",
-        };
-        let check = Check::new(id, title, demand, capacity, Force, &clause, note);
+        let check = Check::new(id, title, demand, capacity, Force, clause, note);
         let theta = match shear.at(k) {
             (x, Some(y)) => y.atan2(x).rem_euclid(TAU),
             (x, None) if x < 0.0 => PI,
@@ -262,11 +236,37 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         };
         work.checks.push(
             check
-                .of(SLIDING)
+                .of(SLIDING.id)
                 .at(Some(time), Some(0.0), Some(theta))
                 .with_error(error),
         );
     }
+}
+
+/// The first instant of the largest ratio of shear to friction, and that ratio.
+///
+/// * `held`: friction times mass [kg]
+fn slides_most(work: &Work<'_>, shear: &History, held: f64) -> Option<(usize, f64)> {
+    let (ready, factor) = (work.ready, work.factor);
+    // It grows with the size and falls with the acceleration, rounding included: extremes of a row bound its instants.
+    let ratio = |size: f64, upwards: f64| match held * (work.case.gravity + factor * upwards) {
+        c if c > 0.0 => factor * size / c,
+        _ => f64::INFINITY,
+    };
+    let mut worst: Option<(usize, f64)> = None;
+    let more = |ratio: f64, worst: Option<(usize, f64)>| worst.is_none_or(|(_, most)| ratio.total_cmp(&most).is_gt());
+    for (number, (row, largest)) in shear.rows().enumerate() {
+        if !more(ratio(largest, ready.least_upwards(number)), worst) {
+            continue;
+        }
+        for k in row {
+            let ratio = ratio(shear.size(k), ready.upwards(k));
+            if more(ratio, worst) {
+                worst = Some((k, ratio));
+            }
+        }
+    }
+    worst
 }
 
 /// Inner radius of a cylinder [m].

@@ -27,17 +27,22 @@ const LARGEST_ERROR: f64 = 10.0;
 /// Adds the check, or what is missing for it.
 pub(super) fn assess(work: &mut Work<'_>) {
     // Bearings stand on the ground in place of the tank.
-    if !work.codes.ec8 || work.case.tank.isolators.is_some() {
+    if work.case.tank.isolators.is_some() {
         return;
     }
-    let Some(resistance) = work.case.site.ec8.and_then(|site| site.bearing_capacity) else {
-        let reason = format!("`{RESISTANCE}` is missing");
-        return work.without(BEARING, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
+    let mut codes = work.codes.iter();
+    let resistance = match codes.find_map(|code| code.bearing_resistance(work.case)) {
+        Some(Ok(resistance)) => resistance,
+        Some(Err(input)) => {
+            let reason = format!("`{input}` is missing");
+            return work.without(BEARING.id, CheckStatus::NotChecked, &reason, Some(input));
+        }
+        None => return,
     };
     let (ready, factor) = (work.ready, work.factor);
     let Some(moments) = &ready.moment else {
         let reason = "the engine does not give the moment below the base plate";
-        return work.without(BEARING, CheckStatus::NotChecked, reason, None);
+        return work.without(BEARING.id, CheckStatus::NotChecked, reason, None);
     };
     let moment = |k: usize| factor * moments.size(k);
     let upwards = |k: usize| factor * ready.upwards(k);
@@ -79,31 +84,31 @@ pub(super) fn assess(work: &mut Work<'_>) {
         Bears::Leaves { .. } => more,
     });
     if work.case.tank.support == Support::Anchored && matches!(bears, Bears::Leaves { .. }) {
-        return work.without(BEARING, CheckStatus::NotChecked, ON_ANCHORS, None);
+        return work.without(BEARING.id, CheckStatus::NotChecked, ON_ANCHORS, None);
     }
     if let Bears::Pressure(pressure) = bears {
         let lifts = work.demands.base.as_ref().is_some_and(|base| base.lifts);
         // A slab spreads the toe.
         let slab = case.tank.foundation.is_some_and(|f| f.kind == FoundationKind::Slab);
         if pressure <= resistance && lifts && !slab {
-            return work.without(BEARING, CheckStatus::NotChecked, LIFTS, None);
+            return work.without(BEARING.id, CheckStatus::NotChecked, LIFTS, None);
         }
         let leaves = leaves_kern(case.tank.shape, normal(k), moment(k));
         if pressure > resistance && leaves && case.tank.support == Support::Anchored {
-            return work.without(BEARING, CheckStatus::NotChecked, BEYOND_KERN, None);
+            return work.without(BEARING.id, CheckStatus::NotChecked, BEYOND_KERN, None);
         }
     }
-    let clause = work.clause(BEARING);
+    let clause = work.clause(BEARING.id);
     let note = "rigid base without tension, weight of the same instant, without bottom plate and foundation";
     let check = match bears {
         Bears::Pressure(pressure) => {
             let name = "Pressure under a rigid base";
-            Check::new(BEARING, name, pressure, resistance, Stress, &clause, note)
+            Check::new(BEARING.id, name, pressure, resistance, Stress, &clause, note)
         }
         Bears::Leaves { limit } => {
             let name = "Moment that a base without tension carries";
             let note = format!("the resultant leaves the base; {note}");
-            Check::new(BEARING, name, at.moment, limit, Moment, &clause, &note)
+            Check::new(BEARING.id, name, at.moment, limit, Moment, &clause, &note)
         }
     };
     // M′ is that of the accelerations towards θ = 0: tank and liquid lean back, to θ = 180°.
@@ -130,7 +135,7 @@ struct At {
 
 /// Lines of the governing instant.
 fn lines(work: &mut Work<'_>, at: &At, resistance: f64) -> Bears {
-    let clause = work.clause(BEARING);
+    let clause = work.clause(BEARING.id);
     let time = work.demands.times.get(at.instant).copied().unwrap_or_default();
     let (shape, gravity) = (work.case.tank.shape, work.case.gravity);
     let sheet = &mut work.sheet;

@@ -18,8 +18,6 @@ use super::limit_states::{ISOLATORS, TENSION};
 use super::work::Work;
 use crate::sheet::number;
 
-/// Magnification γ_x of the displacement (EN 1998-1:2004 10.3(2), recommended value).
-const MAGNIFICATION: f64 = 1.2;
 /// Path of the capacity.
 const CAPACITY: &str = "tank.isolators.displacement_capacity";
 /// Why nothing is compared where the base is held still.
@@ -39,31 +37,31 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let run = "the run of the engine";
     work.sheet.section("Isolators");
     let displacement = work.factor * found.displacement.value;
-    match isolators.displacement_capacity {
-        _ if !work.codes.ec8 => {}
-        None => {
+    let factor = work.codes.iter().find_map(|code| code.isolator_factor());
+    match (factor, isolators.displacement_capacity) {
+        (None, _) => {}
+        (Some(_), None) => {
             let reason = format!("`{CAPACITY}` is missing");
-            work.without(ISOLATORS, CheckStatus::NotChecked, &reason, Some(CAPACITY));
+            work.without(ISOLATORS.id, CheckStatus::NotChecked, &reason, Some(CAPACITY));
         }
-        Some(capacity) => {
-            let clause = work.clause(ISOLATORS);
+        (Some(factor), Some(capacity)) => {
+            let clause = work.clause(ISOLATORS.id);
             let name = "largest displacement of the isolators";
             work.sheet.input("d_b", name, displacement, Length, run);
             work.sheet.input(
                 "γ_x",
                 "magnification of the displacement",
-                MAGNIFICATION,
+                factor,
                 Dimensionless,
                 &clause,
             );
             work.sheet
                 .input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
-            let terms = [("γ_x", MAGNIFICATION, Dimensionless), ("d_b", displacement, Length)];
+            let terms = [("γ_x", factor, Dimensionless), ("d_b", displacement, Length)];
             let name = "displacement to be provided for";
             let demand = work.sheet.calc("d_x", name, "γ_x·d_b", &terms, Length, &clause);
-            let name = "Displacement of the isolators";
-            let note = "1.2 times the largest displacement of the run";
-            let check = Check::new(ISOLATORS, name, demand, capacity, Length, &clause, note);
+            let note = format!("{} times the largest displacement of the run", number(factor));
+            let check = ISOLATORS.check().of(demand, capacity, &clause, &note);
             let peak = found.displacement;
             work.checks.push(check.at(Some(peak.time), None, Some(peak.theta)));
         }
@@ -71,22 +69,14 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let Some(share) = found.bearing_share else {
         return;
     };
-    let clause = work.clause(TENSION);
+    let clause = work.clause(TENSION.id);
     let name = "smallest force of the outermost bearing over that at rest";
     work.sheet.input("n_b", name, share.value, Dimensionless, run);
     let terms = [("n_b", share.value, Dimensionless)];
     let name = "part of its force at rest that the bearing loses";
     let lost = work.sheet.calc("n_l", name, "1 − n_b", &terms, Dimensionless, &clause);
     let note = "bearings of equal load under the whole plan; beyond 1 the outermost one is in tension";
-    let check = Check::new(
-        TENSION,
-        "Tension of the outermost bearing",
-        lost,
-        1.0,
-        Dimensionless,
-        &clause,
-        note,
-    );
+    let check = TENSION.check().of(lost, 1.0, &clause, note);
     work.checks.push(check.at(Some(share.time), None, Some(share.theta)));
 }
 

@@ -16,21 +16,21 @@ const NOT_SMALL: &str =
 /// The largest wave against the freeboard; no small wave holds where it is not small.
 pub(super) fn assess(work: &mut Work<'_>) {
     let Some(wave) = work.demands.wave else {
-        for id in [FREEBOARD, ROOF] {
+        for id in [FREEBOARD.id, ROOF.id] {
             work.without(id, CheckStatus::NotChecked, "the engine does not give the wave", None);
         }
         return;
     };
     let rise = work.factor * wave.value;
     let freeboard = work.case.freeboard();
-    let clause = work.clause(FREEBOARD);
+    let clause = work.clause(FREEBOARD.id);
     work.sheet.section("Freeboard");
     let name = "largest rise of the surface at the wall";
     work.sheet.input("d", name, rise, Length, "the run of the engine");
     work.sheet
         .input("h_f", "freeboard", freeboard, Length, "tank.courses, liquid");
     let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
-    let check = Check::new(FREEBOARD, "Freeboard", rise, freeboard, Length, &clause, note)
+    let check = Check::new(FREEBOARD.id, "Freeboard", rise, freeboard, Length, &clause, note)
         .at(Some(wave.time), None, Some(wave.theta))
         .with_error(work.mesh_error(Quantity::SloshingHeight));
     let indicative = work.demands.small_waves && rise > SMALL_WAVE * work.case.tank.shape.half_length();
@@ -51,5 +51,5 @@ pub(super) fn assess(work: &mut Work<'_>) {
             (CheckStatus::NotChecked, reason)
         }
     };
-    work.without(ROOF, status, &reason, None);
+    work.without(ROOF.id, status, &reason, None);
 }

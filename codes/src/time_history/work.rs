@@ -9,9 +9,9 @@ use tank::quantity::Quantity;
 use tank::units::Dimension;
 
 use super::field::angle;
-use super::limit_states::Codes;
 use super::ready::Ready;
 use super::search::{Found, Search, Searched};
+use crate::code::Code;
 use crate::sheet::{Sheet, with_unit};
 
 /// Where and when a demand governs.
@@ -39,7 +39,7 @@ impl Moment {
 /// The growing assessment.
 pub(super) struct Work<'a> {
     pub(super) case: &'a Case,
-    pub(super) codes: Codes,
+    pub(super) codes: &'a [&'static dyn Code],
     pub(super) ready: &'a Ready<'a>,
     pub(super) demands: &'a Demands,
     /// Factor on the motion.
@@ -54,7 +54,7 @@ pub(super) struct Work<'a> {
 
 impl<'a> Work<'a> {
     pub(super) fn new(
-        (case, codes): (&'a Case, Codes),
+        (case, codes): (&'a Case, &'a [&'static dyn Code]),
         (ready, factor): (&'a Ready<'a>, f64),
         errors: &'a BTreeMap<String, f64>,
         states: &'a [LimitState],

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use codes::time_history::{self, Codes};
+use codes::time_history;
 use tank::assessment::{LimitState, Requirement};
 use tank::case::Case;
 
@@ -84,7 +84,7 @@ fn page() -> String {
         };
         table(&mut page, procedure.id(), &kinds, (longest, &lists));
     }
-    let of_runs = |case: &Case| time_history::limit_states(case, Codes::of(case, &[]));
+    let of_runs = |case: &Case| time_history::limit_states(case, &time_history::counted(case, &[]));
     let lists: Vec<Vec<LimitState>> = kinds.iter().map(|(_, case)| of_runs(case)).collect();
     page.push_str("\n## Finite-element runs under the record (`fe`, `fe-solid`, `fe-nonlinear`), both codes\n\n");
     page.push_str("`fe-nonlinear` of a rectangle gives wave and base shear alone.\n\n");

@@ -27,10 +27,10 @@ impl Run<'_> {
     ///
     /// * `w_ab`: uplift per length of shell [N/m]
     pub(super) fn anchor_attachment(&mut self, w_ab: f64) {
-        let id = limit_states::ATTACHMENT;
+        let id = limit_states::ATTACHMENT.id;
         if w_ab <= 0.0 {
             let reason = "the weight outweighs the uplift; the anchors carry no tension";
-            for id in [id, limit_states::CONNECTIONS] {
+            for id in [id, limit_states::CONNECTIONS.id] {
                 self.without_comparison(id, CheckStatus::NotApplicable, reason, None);
             }
             return;
@@ -46,7 +46,7 @@ impl Run<'_> {
             Ok(found) => found,
             Err(input) => {
                 self.missing(id, input);
-                return self.missing(limit_states::CONNECTIONS, input);
+                return self.missing(limit_states::CONNECTIONS.id, input);
             }
         };
         let terms = [
@@ -96,14 +96,14 @@ impl Run<'_> {
         let force = self.sheet.calc("P_4", name, formula, &terms, Force, E7_4);
         let name = "Connection of an anchor, 4 P_AB";
         let note = "or the yield force of an anchor, where that is given and less";
-        self.check(limit_states::CONNECTIONS, name, force, capacity, Force, E7_4, note);
+        self.check(limit_states::CONNECTIONS.id, name, force, capacity, Force, E7_4, note);
     }
 
     /// Number of the anchors against the least.
     ///
     /// * `w_ab`: uplift per length of shell [N/m]
     pub(super) fn anchor_count(&mut self, w_ab: f64) {
-        let id = limit_states::COUNT;
+        let id = limit_states::COUNT.id;
         let Some(anchors) = self.counted_anchors() else {
             return self.missing(id, "tank.anchors");
         };
@@ -121,7 +121,7 @@ impl Run<'_> {
 
     /// Spacing of the anchors against the largest allowed.
     pub(super) fn anchor_spacing(&mut self) {
-        let id = limit_states::SPACING;
+        let id = limit_states::SPACING.id;
         let Some(anchors) = self.counted_anchors() else {
             return self.missing(id, "tank.anchors");
         };

@@ -40,7 +40,7 @@ impl Run<'_> {
         if self.excitation != Excitation::Site {
             return;
         }
-        let (b, id) = (self.basis, limit_states::SHEAR);
+        let (b, id) = (self.basis, limit_states::SHEAR.id);
         let shell = &b.case.tank.courses[0].material;
         if !shell.is_metal() {
             let reason = "the shell is not welded to its bottom: `wall_material`";
@@ -93,7 +93,7 @@ impl Run<'_> {
 
     /// Welds of the annular plates of a self-anchored tank.
     pub(super) fn annular_weld(&mut self) {
-        let (id, Some(site)) = (limit_states::ANNULAR_WELD, self.site) else {
+        let (id, Some(site)) = (limit_states::ANNULAR_WELD.id, self.site) else {
             return;
         };
         if self.excitation != Excitation::Site || self.basis.anchored() {
@@ -128,7 +128,7 @@ impl Run<'_> {
 
     /// What a shell on concrete stands on.
     pub(super) fn shell_support(&mut self) {
-        let id = limit_states::SUPPORT;
+        let id = limit_states::SUPPORT.id;
         let required = |state: &tank::assessment::LimitState| {
             state.id == id && state.requirement == tank::assessment::Requirement::Required
         };
@@ -160,7 +160,7 @@ impl Run<'_> {
 
     /// Distance of connections through the bottom of a self-anchored tank from its shell.
     pub(super) fn bottom_connections(&mut self) {
-        let id = limit_states::CONNECTIONS;
+        let id = limit_states::CONNECTIONS.id;
         if self.excitation != Excitation::Site || self.basis.anchored() {
             return;
         }

@@ -149,14 +149,14 @@ impl Run<'_> {
                         metres(freeboard)
                     ));
                 }
-                self.without_comparison(limit_states::FREEBOARD, CheckStatus::NotApplicable, &reason, None);
+                self.without_comparison(limit_states::FREEBOARD.id, CheckStatus::NotApplicable, &reason, None);
                 return delta;
             }
         };
         let note = "Less is allowed with a roof or shell designed for the liquid, or with secondary containment.";
         let name = format!("Freeboard, {share} δ_s for seismic use group {}", site.sug);
         self.check(
-            limit_states::FREEBOARD,
+            limit_states::FREEBOARD.id,
             &name,
             share * delta,
             freeboard,

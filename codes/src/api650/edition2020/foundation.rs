@@ -63,7 +63,7 @@ impl Run<'_> {
 
     /// Pressure on the ground against the allowable one.
     fn bearing(&mut self, a: &Accelerations, forces: &Forces) {
-        let (b, id) = (self.basis, limit_states::BEARING);
+        let (b, id) = (self.basis, limit_states::BEARING.id);
         let Some(allowed) = self.site.and_then(|site| site.bearing_capacity) else {
             return self.missing(id, "site.api650.bearing_capacity");
         };
@@ -141,7 +141,7 @@ impl Run<'_> {
             self.bearing(a, forces);
         }
         let Some(weight) = self.site.and_then(|site| site.foundation_weight) else {
-            return self.missing(limit_states::FOUNDATION, "site.api650.foundation_weight");
+            return self.missing(limit_states::FOUNDATION.id, "site.api650.foundation_weight");
         };
         let sheet = &mut self.sheet;
         sheet.section("Overturning of the foundation");
@@ -164,7 +164,7 @@ impl Run<'_> {
         let demand = sheet.calc("M_2", name, "2·M_s", &terms, Moment, E6_2_3);
         let ratio = sheet.calc("S", "stability ratio", "M_R/M_s", &terms, Dimensionless, E6_2_3);
         let note = format!("stability ratio {ratio:.2}, at least 2 is required");
-        let (id, name) = (limit_states::FOUNDATION, "Overturning of the foundation");
+        let (id, name) = (limit_states::FOUNDATION.id, "Overturning of the foundation");
         self.check(id, name, demand, resisting, Moment, E6_2_3, &note);
     }
 }

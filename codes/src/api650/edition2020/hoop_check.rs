@@ -126,9 +126,9 @@ impl Run<'_> {
                 );
                 let capacity = allowed[governing.course];
                 let name = "Hoop stress, hydrostatic and seismic";
-                self.check("hoop_stress", name, total, capacity, Stress, E6_2_4, &note);
+                self.check(limit_states::HOOP.id, name, total, capacity, Stress, E6_2_4, &note);
             }
-            Err(input) => self.missing(limit_states::HOOP, &input),
+            Err(input) => self.missing(limit_states::HOOP.id, &input),
         }
         dynamic
     }
@@ -171,7 +171,7 @@ impl Run<'_> {
         }
         let allowed = match allowable {
             Ok(allowed) => allowed,
-            Err(input) => return self.missing(limit_states::PRESSURE, input),
+            Err(input) => return self.missing(limit_states::PRESSURE.id, input),
         };
         let used = |s: &Station| s.with_pressure(n_p) / allowed[s.course];
         let governing = stations
@@ -187,7 +187,7 @@ impl Run<'_> {
         );
         let name = "Hoop stress with the design pressure";
         let capacity = allowed[governing.course];
-        self.check(limit_states::PRESSURE, name, stress, capacity, Stress, E6_2_4, &note);
+        self.check(limit_states::PRESSURE.id, name, stress, capacity, Stress, E6_2_4, &note);
     }
 
     fn stations(&self, a: &Accelerations) -> Vec<Station> {

@@ -3,51 +3,304 @@
 //! Whatever the annex asks for is here: checked, open, or answered by the tank file. The list "Not implemented" of
 //! `docs/theory/api650.md` follows from it.
 
-use super::super::basis::Basis;
-use super::EDITION;
+use crate::limit_state::{ASKED, LimitStateDef, Part, common};
 use tank::assessment::LimitState;
 use tank::assessment::Requirement::{self, Missing, NotApplicable, NotImplemented, Required};
-use tank::case::{Api650Site, Case, SiteClass};
+use tank::case::{Case, SiteClass};
+use tank::check::TankPart;
+use tank::units::Dimension::{Dimensionless, Force, Length, Moment, Stress};
 use tank::{Family, FoundationKind, Presence, RoofKind, Snow, Support};
 
-/// Hoop stress of the shell.
-pub(super) const HOOP: &str = "hoop_stress";
-/// Compression of the bottom course.
-pub(super) const COMPRESSION: &str = "shell_compression";
-/// Compression of the courses above the bottom course.
-pub(super) const UPPER_COMPRESSION: &str = "upper_compression";
-/// Anchorage ratio of a self-anchored tank.
-pub(super) const ANCHORAGE: &str = "anchorage_ratio";
-/// Width of the annular plate.
-pub(super) const ANNULUS: &str = "annulus_width";
-/// Weld of the annular plates.
-pub(super) const ANNULAR_WELD: &str = "annular_weld";
-/// Tension of the anchors.
-pub(super) const ANCHORS: &str = "anchor_tension";
-/// Attachment of the anchors.
-pub(super) const ATTACHMENT: &str = "anchor_attachment";
-/// Number of the anchors.
-pub(super) const COUNT: &str = "anchor_count";
-/// Spacing of the anchors.
-pub(super) const SPACING: &str = "anchor_spacing";
-/// Sliding.
-pub(super) const SLIDING: &str = "sliding";
-/// Shear between shell and bottom.
-pub(super) const SHEAR: &str = "shear_transfer";
-/// Overturning of the foundation.
-pub(super) const FOUNDATION: &str = "foundation";
-/// Pressure on the ground.
-pub(super) const BEARING: &str = "bearing";
-/// What the shell stands on.
-pub(super) const SUPPORT: &str = "shell_support";
-/// Freeboard.
-pub(super) const FREEBOARD: &str = "freeboard";
-/// Displacements of the pipes.
-pub(super) const PIPING: &str = "piping";
-/// Connections of anchors and through the bottom.
-pub(super) const CONNECTIONS: &str = "connections";
-/// Hoop stress with the design pressure.
-pub(super) const PRESSURE: &str = "pressure_hoop";
+/// All, in the order of the checks.
+pub(super) const TABLE: &[LimitStateDef] = &[
+    HOOP,
+    COMPRESSION,
+    UPPER_COMPRESSION,
+    ANCHORAGE,
+    ANNULUS,
+    ANNULAR_WELD,
+    ANCHORS,
+    ATTACHMENT,
+    COUNT,
+    SPACING,
+    SLIDING,
+    SHEAR,
+    FOUNDATION,
+    BEARING,
+    SUPPORT,
+    MATERIAL,
+    PRESSURE,
+    VACUUM,
+    FREEBOARD,
+    PIPING,
+    CONNECTIONS,
+    INTERNALS,
+    NEIGHBOURS,
+    SNOW,
+    STUDY,
+];
+
+pub(crate) const HOOP: LimitStateDef = LimitStateDef {
+    id: "hoop_stress",
+    name: "Hoop stress of the shell",
+    clause: "API 650:2020 E.6.2.4",
+    demand: "product hoop stress and seismic hoop stress of each course",
+    capacity: "the lesser of 1.33 times the allowable product stress times joint efficiency, and 0.9 F_y times joint efficiency",
+    dimension: Stress,
+    page: 40,
+    ..ASKED
+};
+
+pub(crate) const COMPRESSION: LimitStateDef = LimitStateDef {
+    id: "shell_compression",
+    name: "Compression of the bottom course",
+    clause: "API 650:2020 E.6.2.2",
+    demand: "longitudinal compression at the foot of the bottom course",
+    capacity: "allowable compression F_C, from G H D²/t² and at most 0.5 F_ty",
+    dimension: Stress,
+    page: 100,
+    needs: &[TankPart::Roof],
+    ..ASKED
+};
+
+pub(crate) const UPPER_COMPRESSION: LimitStateDef = LimitStateDef {
+    id: "upper_compression",
+    name: "Compression of the courses above",
+    clause: "API 650:2020 E.6.2.2",
+    applies: several_courses,
+    demand: "longitudinal compression at the foot of each course above the bottom one",
+    capacity: "its allowable compression F_C, as shell_compression",
+    dimension: Stress,
+    page: 110,
+    needs: &[TankPart::Roof],
+    ..ASKED
+};
+
+pub(crate) const ANCHORAGE: LimitStateDef = LimitStateDef {
+    id: "anchorage_ratio",
+    name: "Anchorage ratio J",
+    clause: "API 650:2020 E.6.2.1.1",
+    applies: self_anchored,
+    demand: "anchorage ratio J, moment over what weight and bottom plate hold down",
+    capacity: "1.54; up to 0.785 the shell does not lift",
+    dimension: Dimensionless,
+    page: 270,
+    needs: &[TankPart::Roof],
+    ..ASKED
+};
+
+pub(crate) const ANNULUS: LimitStateDef = LimitStateDef {
+    id: "annulus_width",
+    name: "Width of the annular plate",
+    clause: "API 650:2020 E.6.2.1.1.2",
+    applies: self_anchored,
+    demand: "width of the annular plate that the hold-down needs",
+    capacity: "width of the plate inside the shell, given",
+    dimension: Length,
+    page: 280,
+    ..ASKED
+};
+
+pub(crate) const ANNULAR_WELD: LimitStateDef = LimitStateDef {
+    id: "annular_weld",
+    name: "Weld of the annular plates",
+    clause: "API 650:2020 E.6.2.1.1",
+    applies: self_anchored,
+    demand: "lap welds between the annular plates, 1 or 0",
+    capacity: "none in seismic use group III from S_DS = 0.5 g on, nor in annular plates thicker than 10 mm",
+    dimension: Dimensionless,
+    page: 290,
+    ..ASKED
+};
+
+pub(crate) const ANCHORS: LimitStateDef = LimitStateDef {
+    id: "anchor_tension",
+    name: "Tension of the anchors",
+    clause: "API 650:2020 E.6.2.1.2",
+    applies: anchored,
+    demand: "largest tension of an anchor from overturning, less the weight of shell and roof",
+    capacity: "capacity of an anchor, given",
+    dimension: Force,
+    page: 220,
+    needs: &[TankPart::Roof],
+    ..ASKED
+};
+
+pub(crate) const ATTACHMENT: LimitStateDef = LimitStateDef {
+    id: "anchor_attachment",
+    name: "Attachment of the anchors, 3 P_AB",
+    clause: "API 650:2020 E.6.2.1.2",
+    applies: anchored,
+    demand: "three times the design tension of an anchor, 3 P_AB",
+    capacity: "capacity of its attachment to the shell, given",
+    dimension: Force,
+    page: 230,
+    ..ASKED
+};
+
+pub(crate) const COUNT: LimitStateDef = common::ANCHOR_COUNT.by("API 650:2020 5.12.2").when(anchored);
+
+pub(crate) const SPACING: LimitStateDef = common::ANCHOR_SPACING.by("API 650:2020 5.12.3").when(anchored);
+
+pub(crate) const SLIDING: LimitStateDef = common::SLIDING.by("API 650:2020 E.7.6").when(self_anchored);
+
+pub(crate) const SHEAR: LimitStateDef = LimitStateDef {
+    id: "shear_transfer",
+    name: "Shear between shell and bottom",
+    clause: "API 650:2020 E.7.7",
+    demand: "shear stress of the welds between shell and bottom, 2 V/(π D) on two fillets",
+    capacity: "80 % of the yield strength of the weaker plate",
+    dimension: Stress,
+    page: 310,
+    ..ASKED
+};
+
+pub(crate) const FOUNDATION: LimitStateDef = LimitStateDef {
+    id: "foundation",
+    name: "Overturning of the foundation",
+    clause: "API 650:2020 E.6.2.3",
+    demand: "overturning moment on the foundation",
+    capacity: "moment that ring wall or slab with the liquid above it holds, with a factor of 2",
+    dimension: Moment,
+    page: 370,
+    needs: &[TankPart::Foundation],
+    ..ASKED
+};
+
+pub(crate) const BEARING: LimitStateDef = common::BEARING
+    .named("Pressure on the ground")
+    .by("API 650:2020 E.6.2.3");
+
+pub(crate) const SUPPORT: LimitStateDef = LimitStateDef {
+    id: "shell_support",
+    name: "Support of the shell on concrete",
+    clause: "API 650:2020 E.7.9",
+    applies: support,
+    demand: "supports of the shell on concrete that the clause excludes, 1 or 0",
+    capacity: "none: shims and grout of an anchored tank; grout, a pad or butt-welded plates of a self-anchored one",
+    dimension: Dimensionless,
+    page: 300,
+    ..ASKED
+};
+
+pub(crate) const MATERIAL: LimitStateDef = common::MATERIAL
+    .named("Wall of another material than carbon steel")
+    .by("API 650:2020 annexes S, AL")
+    .when(material);
+
+pub(crate) const PRESSURE: LimitStateDef = LimitStateDef {
+    id: "pressure_hoop",
+    name: "Hoop stress with the design pressure",
+    clause: "API 650:2020 E.6.2.4",
+    applies: pressed,
+    demand: "hoop stress with the design pressure above the liquid",
+    capacity: "as hoop_stress",
+    dimension: Stress,
+    page: 50,
+    ..ASKED
+};
+
+pub(crate) const VACUUM: LimitStateDef = LimitStateDef {
+    id: "vacuum",
+    name: "Buckling of the shell by vacuum",
+    clause: "API 650:2020 annex V",
+    applies: vacuum,
+    demand: "buckling of the shell by the vacuum above the liquid",
+    capacity: "not compared: API 650 annex V is not implemented",
+    dimension: Stress,
+    page: 170,
+    ..ASKED
+};
+
+pub(crate) const FREEBOARD: LimitStateDef = common::FREEBOARD.by("API 650:2020 E.7.2");
+
+pub(crate) const PIPING: LimitStateDef = LimitStateDef {
+    id: "piping",
+    name: "Flexibility of the piping",
+    clause: "API 650:2020 E.7.3",
+    demand: "displacements for which pipes must be flexible (table E.8; of its values in mm and inches the lesser counts)",
+    capacity: "displacements that the pipes allow, given; ends in piping_uplift, piping_settlement and piping_horizontal",
+    dimension: Length,
+    page: 500,
+    parts: &[PIPING_UPLIFT, PIPING_SETTLEMENT, PIPING_HORIZONTAL],
+    ..ASKED
+};
+
+pub(crate) const PIPING_UPLIFT: Part = Part {
+    id: "piping_uplift",
+    name: "Pipes, upward displacement",
+    demand: "upward displacement for which the pipes must be flexible",
+    capacity: "upward displacement that they allow, given",
+    dimension: Length,
+};
+
+pub(crate) const PIPING_SETTLEMENT: Part = Part {
+    id: "piping_settlement",
+    name: "Pipes, downward displacement",
+    demand: "downward displacement for which the pipes must be flexible",
+    capacity: "downward displacement that they allow, given",
+    dimension: Length,
+};
+
+pub(crate) const PIPING_HORIZONTAL: Part = Part {
+    id: "piping_horizontal",
+    name: "Pipes, horizontal displacement",
+    demand: "horizontal displacement for which the pipes must be flexible",
+    capacity: "horizontal displacement that they allow, given",
+    dimension: Length,
+};
+
+pub(crate) const CONNECTIONS: LimitStateDef = LimitStateDef {
+    id: "connections",
+    name: "Connections of anchors and bottom",
+    clause: "API 650:2020 E.7.4",
+    demand: "4 P_AB of an anchor, or the distance from the shell that connections through the bottom need, L + 300 mm",
+    capacity: "capacity of the attachment, or that distance, given",
+    dimension: Force,
+    page: 250,
+    ..ASKED
+};
+
+pub(crate) const INTERNALS: LimitStateDef = LimitStateDef {
+    id: "internals",
+    name: "Equipment within the liquid",
+    clause: "API 650:2020 E.7.5",
+    applies: internals,
+    demand: "equipment within the liquid that wall or bottom carry",
+    capacity: "not compared: answered by the tank file",
+    dimension: Force,
+    page: 420,
+    ..ASKED
+};
+
+pub(crate) const NEIGHBOURS: LimitStateDef = LimitStateDef {
+    id: "adjacent_structures",
+    name: "Connections with other structures",
+    clause: "API 650:2020 E.7.8",
+    applies: neighbours,
+    demand: "displacements of structures that are connected to the tank",
+    capacity: "not compared: answered by the tank file",
+    dimension: Length,
+    page: 430,
+    ..ASKED
+};
+
+pub(crate) const SNOW: LimitStateDef = common::SNOW
+    .named("Snow in the weight of the roof")
+    .by("API 650:2020 E.2.2")
+    .when(snow);
+
+pub(crate) const STUDY: LimitStateDef = LimitStateDef {
+    id: "site_study",
+    name: "Ground motion study of the site",
+    clause: "API 650:2020 E.4, ASCE 7-16 11.4.8",
+    applies: study,
+    demand: "ground motion study that ASCE 7-16 asks for on soft sites",
+    capacity: "not compared: the user's spectrum or site coefficients stand for it",
+    dimension: Dimensionless,
+    page: 400,
+    ..ASKED
+};
 
 /// Whether every course is a plate of this family, without layers.
 fn all_of(case: &Case, families: &[Family]) -> bool {
@@ -106,12 +359,12 @@ pub(crate) fn snow(case: &Case) -> Requirement {
 }
 
 /// ASCE 7-16 asks for a ground motion study on soft sites; its exceptions are not examined.
-fn study(site: Option<&Api650Site>, own: bool) -> Requirement {
+fn study(case: &Case) -> Requirement {
     let none = |reason: &str| NotApplicable(reason.into());
-    let Some(site) = site else {
+    let Some(site) = &case.site.api650 else {
         return none("`site.api650` is not given");
     };
-    if own {
+    if case.site.spectrum.is_some() {
         return none("the user's spectrum stands for the study");
     }
     if site.fa.is_some() && site.fv.is_some() {
@@ -128,119 +381,64 @@ fn study(site: Option<&Api650Site>, own: bool) -> Requirement {
     }
 }
 
-/// All limit states of a case; none outside the scope of the standard.
+/// All limit states of a case within the scope of the standard.
 pub(super) fn all(case: &Case) -> Vec<LimitState> {
-    if Basis::new(case, EDITION).is_err() {
-        return Vec::new();
-    }
-    [base(case), surroundings(case)]
-        .concat()
-        .into_iter()
-        .map(|(id, name, clause, requirement)| LimitState {
-            id,
-            name,
-            clause: format!("{EDITION} {clause}"),
-            requirement,
-        })
-        .collect()
+    let of = |state: &LimitStateDef| state.under(state.clause.into(), case);
+    TABLE.iter().map(of).collect()
 }
 
-/// Id, name, clause, requirement.
-type Entry = (&'static str, &'static str, &'static str, Requirement);
+fn anchored(case: &Case) -> Requirement {
+    match case.tank.support {
+        Support::Anchored => Required,
+        Support::Unanchored => NotApplicable("the tank is self-anchored".into()),
+    }
+}
 
-/// Shell, base and foundation.
-fn base(case: &Case) -> Vec<Entry> {
-    let anchored = case.tank.support == Support::Anchored;
-    let mechanical = || match anchored {
-        true => Required,
-        false => NotApplicable("the tank is self-anchored".into()),
-    };
-    let self_anchored = || match anchored {
-        true => NotApplicable("the tank is mechanically anchored".into()),
-        false => Required,
-    };
-    let pressed = case.tank.pressure.internal > 0.0 || case.site.api650.is_some_and(|site| site.design_pressure > 0.0);
-    let pressure = match pressed {
-        true => Required,
-        false => NotApplicable("there is no design pressure".into()),
-    };
-    let vacuum = match case.tank.pressure.vacuum > 0.0 {
-        true => NotImplemented,
-        false => NotApplicable("there is no vacuum".into()),
-    };
-    let upper = match case.tank.courses.len() {
+fn self_anchored(case: &Case) -> Requirement {
+    match case.tank.support {
+        Support::Anchored => NotApplicable("the tank is mechanically anchored".into()),
+        Support::Unanchored => Required,
+    }
+}
+
+fn several_courses(case: &Case) -> Requirement {
+    match case.tank.courses.len() {
         1 => NotApplicable("the shell has one course".into()),
         _ => Required,
-    };
-    let support = match (case.tank.foundation.as_ref().map(|f| f.kind), anchored) {
-        (Some(FoundationKind::Soil), false) => {
-            NotApplicable("the self-anchored tank stands on neither a ring wall nor a slab".into())
-        }
-        (None, false) => Missing("tank.foundation".into()),
-        _ => Required,
-    };
-    vec![
-        (HOOP, "Hoop stress of the shell", "E.6.2.4", Required),
-        (COMPRESSION, "Compression of the bottom course", "E.6.2.2", Required),
-        (UPPER_COMPRESSION, "Compression of the courses above", "E.6.2.2", upper),
-        (ANCHORAGE, "Anchorage ratio J", "E.6.2.1.1", self_anchored()),
-        (ANNULUS, "Width of the annular plate", "E.6.2.1.1.2", self_anchored()),
-        (ANNULAR_WELD, "Weld of the annular plates", "E.6.2.1.1", self_anchored()),
-        (ANCHORS, "Tension of the anchors", "E.6.2.1.2", mechanical()),
-        (
-            ATTACHMENT,
-            "Attachment of the anchors, 3 P_AB",
-            "E.6.2.1.2",
-            mechanical(),
-        ),
-        (COUNT, "Number of the anchors", "5.12.2", mechanical()),
-        (SPACING, "Spacing of the anchors", "5.12.3", mechanical()),
-        (SLIDING, "Sliding on the foundation", "E.7.6", self_anchored()),
-        (SHEAR, "Shear between shell and bottom", "E.7.7", Required),
-        (FOUNDATION, "Overturning of the foundation", "E.6.2.3", Required),
-        (BEARING, "Pressure on the ground", "E.6.2.3", Required),
-        (SUPPORT, "Support of the shell on concrete", "E.7.9", support),
-        (
-            "wall_material",
-            "Wall of another material than carbon steel",
-            "annexes S, AL",
-            material(case),
-        ),
-        (PRESSURE, "Hoop stress with the design pressure", "E.6.2.4", pressure),
-        ("vacuum", "Buckling of the shell by vacuum", "annex V", vacuum),
-    ]
+    }
 }
 
-/// Liquid surface, loads and what is connected to the tank.
-fn surroundings(case: &Case) -> Vec<Entry> {
-    let details = &case.tank.details;
-    let internals = presence(
-        details.internals,
-        "tank.internals",
-        "wall and bottom carry no equipment within the liquid",
-    );
-    let neighbours = presence(
-        details.adjacent_structures,
-        "tank.adjacent_structures",
-        "no structure is connected to the tank",
-    );
-    vec![
-        (FREEBOARD, "Freeboard", "E.7.2", Required),
-        (PIPING, "Flexibility of the piping", "E.7.3", Required),
-        (CONNECTIONS, "Connections of anchors and bottom", "E.7.4", Required),
-        ("internals", "Equipment within the liquid", "E.7.5", internals),
-        (
-            "adjacent_structures",
-            "Connections with other structures",
-            "E.7.8",
-            neighbours,
-        ),
-        ("snow", "Snow in the weight of the roof", "E.2.2", snow(case)),
-        (
-            "site_study",
-            "Ground motion study of the site",
-            "E.4, ASCE 7-16 11.4.8",
-            study(case.site.api650.as_ref(), case.site.spectrum.is_some()),
-        ),
-    ]
+fn pressed(case: &Case) -> Requirement {
+    let design = case.site.api650.is_some_and(|site| site.design_pressure > 0.0);
+    match case.tank.pressure.internal > 0.0 || design {
+        true => Required,
+        false => NotApplicable("there is no design pressure".into()),
+    }
+}
+
+fn vacuum(case: &Case) -> Requirement {
+    match case.tank.pressure.vacuum > 0.0 {
+        true => NotImplemented,
+        false => NotApplicable("there is no vacuum".into()),
+    }
+}
+
+fn support(case: &Case) -> Requirement {
+    match (case.tank.foundation.map(|f| f.kind), case.tank.support) {
+        (Some(FoundationKind::Soil), Support::Unanchored) => {
+            NotApplicable("the self-anchored tank stands on neither a ring wall nor a slab".into())
+        }
+        (None, Support::Unanchored) => Missing("tank.foundation".into()),
+        _ => Required,
+    }
+}
+
+fn internals(case: &Case) -> Requirement {
+    let none = "wall and bottom carry no equipment within the liquid";
+    presence(case.tank.details.internals, "tank.internals", none)
+}
+
+fn neighbours(case: &Case) -> Requirement {
+    let none = "no structure is connected to the tank";
+    presence(case.tank.details.adjacent_structures, "tank.adjacent_structures", none)
 }

@@ -10,11 +10,12 @@
 //! The same values stand in ASCE 7, table 15.7-1. They are minima: where the uplift y_u of E.7.3.1 is larger, it counts. A self-anchored tank
 //! without `tank.foundation`, or on soil, takes the value of a berm. Recalled, not compared with the printed standard.
 
+use super::limit_states::PIPING;
 use tank::FoundationKind;
-use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::Length;
 
-use super::{Run, limit_states};
+use super::Run;
 use crate::base_state::BaseState;
 
 const TABLE_E8: &str = "API 650:2020 E.7.3, table E.8";
@@ -83,26 +84,13 @@ impl Run<'_> {
         };
         let pipes = self.basis.case.tank.pipes.unwrap_or_default();
         let parts = [
-            ("u_z", "uplift", "upward displacement", required.up, pipes.uplift, up),
-            (
-                "u_s",
-                "settlement",
-                "downward displacement",
-                Some(required.down),
-                pipes.settlement,
-                down,
-            ),
-            (
-                "u_h",
-                "horizontal",
-                "horizontal displacement",
-                Some(required.horizontal),
-                pipes.horizontal,
-                "",
-            ),
+            ("u_z", "uplift", required.up, pipes.uplift, up),
+            ("u_s", "settlement", Some(required.down), pipes.settlement, down),
+            ("u_h", "horizontal", Some(required.horizontal), pipes.horizontal, ""),
         ];
         let mut open: Option<(String, Option<String>)> = None;
-        for (symbol, key, name, demand, capacity, note) in parts {
+        for (part, (symbol, key, demand, capacity, note)) in PIPING.parts.iter().zip(parts) {
+            let name = part.name.trim_start_matches("Pipes, ");
             let path = format!("tank.pipes.{key}");
             if let Some(demand) = demand {
                 let source = match (&self.base, key) {
@@ -114,10 +102,8 @@ impl Run<'_> {
             }
             match (demand, capacity) {
                 (Some(demand), Some(capacity)) => {
-                    let id = format!("piping_{key}");
-                    let name = format!("Pipes, {name}");
-                    let check = Check::new(&id, &name, demand, capacity, Length, TABLE_E8, note);
-                    self.out.checks.push(check.of(limit_states::PIPING));
+                    let check = part.of(demand, capacity, TABLE_E8, note);
+                    self.out.checks.push(check.of(PIPING.id));
                 }
                 (Some(demand), None) => {
                     let needed = crate::sheet::with_unit(demand, Length);
@@ -132,7 +118,7 @@ impl Run<'_> {
             }
         }
         if let Some((reason, path)) = open {
-            let (id, status) = (limit_states::PIPING, CheckStatus::NotChecked);
+            let (id, status) = (PIPING.id, CheckStatus::NotChecked);
             self.without_comparison(id, status, &reason, path.as_deref());
         }
     }

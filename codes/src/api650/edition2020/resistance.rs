@@ -53,9 +53,9 @@ impl Run<'_> {
                 Err(input) if !self.weight_alone(&load) => {
                     self.base = BaseState::Unknown(format!("`{input}` is missing"));
                     self.hold_down = HoldDown::Unknown(format!("`{input}` is missing"), Some(input.clone()));
-                    self.missing(limit_states::ANCHORAGE, &input);
-                    self.missing(limit_states::ANNULUS, &input);
-                    self.missing(limit_states::COMPRESSION, &input);
+                    self.missing(limit_states::ANCHORAGE.id, &input);
+                    self.missing(limit_states::ANNULUS.id, &input);
+                    self.missing(limit_states::COMPRESSION.id, &input);
                 }
                 Err(_) => {}
             }
@@ -87,11 +87,11 @@ impl Run<'_> {
         };
         let j = self.sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
         let note = "J ≤ 0.785 with w_a = 0: the weight alone keeps the shell down; the bottom plate is not needed";
-        let (id, limit) = (limit_states::ANCHORAGE, hd::NOT_SELF_ANCHORED);
+        let (id, limit) = (limit_states::ANCHORAGE.id, hd::NOT_SELF_ANCHORED);
         self.check(id, "Anchorage ratio J", j, limit, Dimensionless, E6_2_1_1, note);
         self.compression_linear(load);
         let reason = "the weight alone keeps the shell down (J ≤ 0.785): w_a is not needed";
-        self.without_comparison(limit_states::ANNULUS, CheckStatus::NotApplicable, reason, None);
+        self.without_comparison(limit_states::ANNULUS.id, CheckStatus::NotApplicable, reason, None);
         true
     }
 
@@ -108,9 +108,9 @@ impl Run<'_> {
         self.base = BaseState::Unknown(reason.clone());
         self.hold_down = HoldDown::Unknown(reason.clone(), None);
         for id in [
-            limit_states::ANCHORAGE,
-            limit_states::ANNULUS,
-            limit_states::COMPRESSION,
+            limit_states::ANCHORAGE.id,
+            limit_states::ANNULUS.id,
+            limit_states::COMPRESSION.id,
         ] {
             self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
         }
@@ -172,7 +172,7 @@ impl Run<'_> {
         };
         let limit_j = hd::NOT_SELF_ANCHORED;
         self.check(
-            "anchorage_ratio",
+            limit_states::ANCHORAGE.id,
             "Anchorage ratio J",
             j,
             limit_j,
@@ -192,10 +192,10 @@ impl Run<'_> {
         } else {
             self.base = BaseState::Unknown("the tank is not stable, J is above 1.54".into());
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
-            self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
+            self.without_comparison(limit_states::COMPRESSION.id, CheckStatus::NotChecked, reason, None);
             let reason = "no width holds down a shell with J above 1.54: the tank is not stable";
             self.hold_down = HoldDown::Unknown(reason.into(), None);
-            self.without_comparison(limit_states::ANNULUS, CheckStatus::NotChecked, reason, None);
+            self.without_comparison(limit_states::ANNULUS.id, CheckStatus::NotChecked, reason, None);
         }
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.
@@ -203,7 +203,7 @@ impl Run<'_> {
             let width = self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
             if held {
                 let reason = "the weight alone keeps the shell down (J_0 ≤ 0.785): w_a is not needed";
-                self.without_comparison(limit_states::ANNULUS, CheckStatus::NotApplicable, reason, None);
+                self.without_comparison(limit_states::ANNULUS.id, CheckStatus::NotApplicable, reason, None);
             } else {
                 self.hold_down = HoldDown::Width(width);
                 self.annulus_width(width);
@@ -257,7 +257,7 @@ impl Run<'_> {
     /// The needed width L [m] against the width of the plate.
     fn annulus_width(&mut self, needed: f64) {
         const PATH: &str = "tank.bottom.width";
-        let id = limit_states::ANNULUS;
+        let id = limit_states::ANNULUS.id;
         match self.basis.case.tank.bottom.as_ref().and_then(|plate| plate.width) {
             Some(width) => {
                 let (name, note) = ("Width of the annular plate", "L inside the shell");
@@ -306,9 +306,9 @@ impl Run<'_> {
         match allowable {
             Ok(f_c) => {
                 let name = "Compression of the bottom course";
-                self.check("shell_compression", name, sigma, f_c, Stress, E6_2_2_3, "");
+                self.check(limit_states::COMPRESSION.id, name, sigma, f_c, Stress, E6_2_2_3, "");
             }
-            Err(input) => self.missing(limit_states::COMPRESSION, &input),
+            Err(input) => self.missing(limit_states::COMPRESSION.id, &input),
         }
     }
 
@@ -331,8 +331,8 @@ impl Run<'_> {
                         connections; the texts differ).";
             match b.anchors(&mut self.sheet, w_ab, "w_AB", E6_2_1_2, note) {
                 Ok(check) => self.out.checks.push(check),
-                Err((CheckStatus::NotChecked, input)) => self.missing(limit_states::ANCHORS, &input),
-                Err((status, reason)) => self.without_comparison(limit_states::ANCHORS, status, &reason, None),
+                Err((CheckStatus::NotChecked, input)) => self.missing(limit_states::ANCHORS.id, &input),
+                Err((status, reason)) => self.without_comparison(limit_states::ANCHORS.id, status, &reason, None),
             }
             self.anchor_attachment(w_ab);
             self.anchor_count(w_ab);
@@ -375,7 +375,15 @@ impl Run<'_> {
                 "{E7_6}: the sliding check is for self-anchored tanks; V_s is shown for information."
             ));
         } else {
-            self.check("sliding", "Sliding on the foundation", v, v_s, Force, E7_6, "");
+            self.check(
+                limit_states::SLIDING.id,
+                "Sliding on the foundation",
+                v,
+                v_s,
+                Force,
+                E7_6,
+                "",
+            );
         }
     }
 }

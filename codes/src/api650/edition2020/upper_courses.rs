@@ -77,7 +77,7 @@ impl Run<'_> {
             let sigma = self.compression_at(&mut scratch, edge, &shares, a, forces);
             let Some(allowed) = self.allowable_at(&mut scratch, edge) else {
                 let input = format!("materials.{}.yield_strength", edge.course.material.name);
-                return self.missing(limit_states::UPPER_COMPRESSION, &input);
+                return self.missing(limit_states::UPPER_COMPRESSION.id, &input);
             };
             let utilisation = sigma / allowed;
             if governing.is_none_or(|(largest, _)| utilisation > largest) {
@@ -96,7 +96,7 @@ impl Run<'_> {
         if let Some(allowed) = allowed {
             let name = "Compression of the courses above";
             let note = format!("{place}; moment above it derived from potential flow");
-            let id = limit_states::UPPER_COMPRESSION;
+            let id = limit_states::UPPER_COMPRESSION.id;
             self.check(id, name, sigma, allowed, Stress, E6_2_2, &note);
         }
     }

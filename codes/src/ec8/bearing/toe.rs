@@ -16,11 +16,11 @@
 //!
 //! Source: EN 1998-5:2004 5.4.1.1 with equilibrium, derived here; EN 1993-1-8:2005 6.2.5(4), recalled.
 
-use super::super::limit_states::BEARING;
+use super::super::limit_states::{BEARING, BEARING_RING, BEARING_TOE};
 use super::super::work::Work;
 use super::CLAUSE;
 use tank::FoundationKind;
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::CheckStatus;
 use tank::case::Case;
 use tank::units::Dimension::*;
 
@@ -51,7 +51,7 @@ pub(super) fn on_a_ring(case: &Case) -> bool {
 /// Adds the check of a ring wall under a wall that does not lift; returns false where it is open.
 pub(super) fn of_a_rim(work: &mut Work, pressure: f64, resistance: f64) -> bool {
     let Some(force) = work.rim else {
-        work.without_comparison(BEARING, CheckStatus::NotChecked, NO_RIM, None);
+        work.without_comparison(BEARING.id, CheckStatus::NotChecked, NO_RIM, None);
         return false;
     };
     let toe = Toe {
@@ -72,7 +72,7 @@ pub(super) fn assess(work: &mut Work, toe: Toe, resistance: f64) -> bool {
             false => "the wall presses on a narrow ring",
         };
         let reason = format!("{what}: `{input}` is missing");
-        work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(input));
+        work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, Some(input));
         false
     };
     // Without a foundation the plate lies on the ground.
@@ -138,12 +138,11 @@ fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f6
     let name = "pressure under the ring wall at the toe";
     let formula = "n_T/b_R + p_T + ρ_c·g·h_R";
     let demand = sheet.calc("σ_T", name, formula, &terms, Stress, CLAUSE);
-    let name = "Pressure under the ring wall at the toe";
     let note = match toe.lifts {
         true => "the wall lifts; the wall in the middle of the ring, the liquid on its whole width",
         false => "the wall in the middle of the ring, the liquid on its whole width",
     };
-    part(work, ("bearing_ring", name), demand, resistance, Stress, note);
+    work.part((BEARING, BEARING_RING), demand, resistance, note);
 }
 
 fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
@@ -154,10 +153,9 @@ fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
         return;
     };
     inputs(work, toe);
-    let name = "Force of the toe on the ground under the bottom plate";
     let note = "the wall lifts; the plate spreads its toe as far as it does not yield";
     if toe.pressure >= resistance {
-        return part(work, ("bearing_toe", name), toe.force, 0.0, LineForce, note);
+        return work.part((BEARING, BEARING_TOE), toe.force, 0.0, note);
     }
     let mut terms = vec![
         ("R_d", resistance, Stress),
@@ -178,20 +176,7 @@ fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
     let title = "force of the toe that the ground bears";
     let formula = "(R_d - p_T)·c_i + R_d·(s + c_o)";
     let capacity = sheet.calc("n_Rd", title, formula, &terms, LineForce, CLAUSE);
-    part(work, ("bearing_toe", name), toe.force, capacity, LineForce, note);
-}
-
-/// Adds a check of the limit state.
-fn part(
-    work: &mut Work,
-    (id, name): (&str, &str),
-    demand: f64,
-    capacity: f64,
-    dimension: tank::units::Dimension,
-    note: &str,
-) {
-    let check = Check::new(id, name, demand, capacity, dimension, CLAUSE, note);
-    work.out.checks.push(check.of(BEARING));
+    work.part((BEARING, BEARING_TOE), toe.force, capacity, note);
 }
 
 #[cfg(test)]

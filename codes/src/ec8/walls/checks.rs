@@ -69,12 +69,12 @@ fn left_out(work: &mut Work, places: &[Place], sections: &Sections, missing: &Mi
         reason = format!("{reason}; bars needed in the ultimate limit state: {areas}");
     }
     let input = missing.input.as_deref();
-    work.without_comparison(WALL_BENDING, CheckStatus::NotChecked, &reason, input);
-    for state in [WALL_SHEAR, CRACKS] {
+    work.without_comparison(WALL_BENDING.id, CheckStatus::NotChecked, &reason, input);
+    for state in [WALL_SHEAR.id, CRACKS.id] {
         work.without_comparison(state, CheckStatus::NotChecked, &missing.reason, input);
     }
     if damage {
-        work.without_comparison(DAMAGE, CheckStatus::NotChecked, &missing.reason, input);
+        work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &missing.reason, input);
     }
 }
 
@@ -135,8 +135,8 @@ fn shear(work: &mut Work, places: &[Place], sections: &Sections) {
 
 fn cracks(work: &mut Work, places: &[Place], sections: &Sections, situation: Situation) {
     let (state, duration) = match situation {
-        Situation::Damage => (DAMAGE, SHORT),
-        _ => (CRACKS, LASTING),
+        Situation::Damage => (DAMAGE.id, SHORT),
+        _ => (CRACKS.id, LASTING),
     };
     let class = work.case.procedures.concrete.tightness_class;
     if class > 1 {

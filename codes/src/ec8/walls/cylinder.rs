@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use super::checks;
 use super::place::{Factors, Horizontal, Place, cases, course_index};
 use crate::ec8::cylinder_stress::State;
-use crate::ec8::limit_states::WALL_SHEAR;
+use crate::ec8::limit_states::{WALL_JOINT, WALL_SHEAR};
 use crate::ec8::wall_bending::{Plan, State as Bent, Wall};
 use crate::ec8::work::Work;
 use tank::assessment::{Check, CheckStatus};
@@ -20,8 +20,6 @@ use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 use tank::{BarDirection, WallBase};
 
-/// Id of the check of the shear along a joint.
-const JOINT: &str = "wall_joint";
 /// Clause of what statics alone gives.
 const STATICS: &str = "statics";
 
@@ -155,7 +153,7 @@ fn along_the_joint(work: &mut Work, state: &State, (flow, friction): (f64, Optio
     let Some(friction) = friction else {
         let reason = "the shear of the earthquake along the sliding joint: `tank.wall_base.friction` is missing";
         return work.without_comparison(
-            WALL_SHEAR,
+            WALL_SHEAR.id,
             CheckStatus::NotChecked,
             reason,
             Some("tank.wall_base.friction"),
@@ -173,8 +171,8 @@ fn along_the_joint(work: &mut Work, state: &State, (flow, friction): (f64, Optio
     let terms = [("μ", friction, Dimensionless), ("n", n, LineForce)];
     let capacity = sheet.calc("v_Rd", "friction of the joint", "μ·n", &terms, LineForce, STATICS);
     let name = "Shear along the joint at the base";
-    let check = Check::new(JOINT, name, demand, capacity, LineForce, STATICS, "");
-    work.out.checks.push(check.of(WALL_SHEAR));
+    let check = Check::new(WALL_JOINT.id, name, demand, capacity, LineForce, STATICS, "");
+    work.out.checks.push(check.of(WALL_SHEAR.id));
 }
 
 /// Axial force of the membrane shear in hoop direction, and axial force in vertical direction [N/m].

@@ -1,7 +1,7 @@
 //! Calculation lines and comparisons of a governing section of concrete.
 
 use super::place::{Place, Situation};
-use crate::ec8::limit_states::{CRACKS, DAMAGE, WALL_BENDING, WALL_SHEAR};
+use crate::ec8::limit_states::{CRACKS, DAMAGE, DAMAGE_CRACKS, WALL_BENDING, WALL_SHEAR};
 use crate::ec8::work::Work;
 use crate::en1992::crack::{self, Width};
 use crate::en1992::section::{Face, Section};
@@ -92,10 +92,10 @@ pub(super) fn bending(work: &mut Work, governing: &Governing) {
         (false, false) => ("m_Rd", "moment resisted with n_Ed"),
     };
     sheet.look_up(symbol, name, source, capacity, dimension, BENDING);
-    let id = format!("{WALL_BENDING}_{bars}");
+    let id = format!("{}_{bars}", WALL_BENDING.id);
     let name = format!("{title} bars: tension and bending of the wall");
     let check = Check::new(&id, &name, demand, capacity, dimension, BENDING, &place.describe());
-    work.out.checks.push(check.of(WALL_BENDING));
+    work.out.checks.push(check.of(WALL_BENDING.id));
 }
 
 fn shear_terms<'t>(section: &Section, terms: &Shear) -> [Term<'t>; 7] {
@@ -144,7 +144,7 @@ pub(super) fn shear(work: &mut Work, governing: &Governing, terms: Option<Shear>
         capacity = sheet.calc("v_Rd,c", name, RESISTANCE, &terms, LineForce, SHEAR);
     }
     let (name, note) = ("Shear of the wall without links", place.describe());
-    work.check(WALL_SHEAR, name, demand, capacity, LineForce, SHEAR, &note);
+    work.check(WALL_SHEAR.named(name), demand, capacity, SHEAR, &note);
 }
 
 /// Crack width.
@@ -214,8 +214,8 @@ pub(super) fn crack(
     sheet.look_up("w_k1", "its limit", source, limit, Length, LIMIT);
     let clause = format!("{CRACK}, {LIMIT}");
     let (id, name, state) = match situation {
-        Situation::Damage => ("damage_crack_width", "Crack width, damage limitation", DAMAGE),
-        _ => (CRACKS, "Crack width (leak tightness)", CRACKS),
+        Situation::Damage => (DAMAGE_CRACKS.id, DAMAGE_CRACKS.name, DAMAGE.id),
+        _ => (CRACKS.id, CRACKS.name, CRACKS.id),
     };
     let note = format!("{bars} bars, {}", place.describe());
     let check = Check::new(id, name, demand, limit, Length, &clause, &note);

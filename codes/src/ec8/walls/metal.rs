@@ -1,7 +1,7 @@
 //! Walls of a metal box: elastic stress of axial force and bending below the yield strength.
 
 use super::place::{Place, Situation};
-use crate::ec8::limit_states::{DAMAGE, WALL_BENDING};
+use crate::ec8::limit_states::{DAMAGE, DAMAGE_WALL, WALL_BENDING};
 use crate::ec8::work::Work;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::*;
@@ -12,15 +12,15 @@ pub(super) fn assess(work: &mut Work, places: &[Place], damage: bool) {
     if let Some(course) = courses.iter().find(|c| c.material.yield_strength.is_none()) {
         let input = format!("materials.{}.yield_strength", course.material.name);
         let reason = format!("`{input}` is missing");
-        work.without_comparison(WALL_BENDING, CheckStatus::NotChecked, &reason, Some(&input));
+        work.without_comparison(WALL_BENDING.id, CheckStatus::NotChecked, &reason, Some(&input));
         if damage {
-            work.without_comparison(DAMAGE, CheckStatus::NotChecked, &reason, Some(&input));
+            work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(&input));
         }
         return;
     }
-    one(work, places, Situation::Seismic, WALL_BENDING);
+    one(work, places, Situation::Seismic, WALL_BENDING.id);
     if damage {
-        one(work, places, Situation::Damage, DAMAGE);
+        one(work, places, Situation::Damage, DAMAGE.id);
     }
 }
 
@@ -45,7 +45,11 @@ fn one(work: &mut Work, places: &[Place], situation: Situation, state: &str) {
     let stress = work
         .sheet
         .calc("σ_Ed", &name, "max(n, -n)/s + 6·max(m, -m)/s²", &terms, Stress, clause);
-    let id = if state == DAMAGE { "damage_wall" } else { WALL_BENDING };
+    let id = if state == DAMAGE.id {
+        DAMAGE_WALL.id
+    } else {
+        WALL_BENDING.id
+    };
     let name = "Tension and bending of the wall below yield";
     let check = Check::new(id, name, stress, capacity(place), Stress, clause, &place.describe());
     work.out.checks.push(check.of(state));

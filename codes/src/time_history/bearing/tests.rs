@@ -11,7 +11,7 @@ use tank::case::{Case, Ec8Site};
 use tank::demand::{Demands, FreeBase};
 use tank::{Shape, Support};
 
-use super::super::{Codes, assess as assess_all};
+use super::super::{assess as assess_all, counted};
 use crate::samples::{case, course, steel};
 
 const G: f64 = 9.80665;
@@ -39,7 +39,7 @@ fn shaken(moments: [f64; 3], vertical: [f64; 3]) -> Demands {
 }
 
 fn bearing(case: &Case, demands: &Demands, errors: &BTreeMap<String, f64>) -> tank::assessment::Check {
-    let findings = assess_all(case, Codes::of(case, &[]), demands, errors);
+    let findings = assess_all(case, &counted(case, &[]), demands, errors);
     let check = findings.checks.into_iter().find(|check| check.limit_state == "bearing");
     check.expect("a check of the bearing")
 }

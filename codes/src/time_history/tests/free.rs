@@ -30,7 +30,7 @@ fn the_joint_is_judged_and_nothing_is_outside() {
         ..FreeBase::default()
     };
     let findings = assessed(&case, &free(lifts(Some(joint(0.05)))));
-    let check = found(&findings, UPLIFT);
+    let check = found(&findings, UPLIFT.id);
     assert_eq!((findings.outside, check.status), (None, CheckStatus::Holds));
     close(check.utilisation.unwrap(), 0.25, 1e-12);
     assert_eq!(
@@ -38,9 +38,9 @@ fn the_joint_is_judged_and_nothing_is_outside() {
         CheckStatus::NotChecked
     );
     let fails = assessed(&case, &free(lifts(Some(joint(0.21)))));
-    assert_eq!(found(&fails, UPLIFT).status, CheckStatus::Fails);
+    assert_eq!(found(&fails, UPLIFT.id).status, CheckStatus::Fails);
     let elastic = assessed(&case, &free(lifts(None)));
-    assert_eq!(found(&elastic, UPLIFT).status, CheckStatus::NotChecked);
+    assert_eq!(found(&elastic, UPLIFT.id).status, CheckStatus::NotChecked);
     // A base that does not repeat holds nothing but the wave, and fails what it fails.
     let scatters = |value| FreeBase {
         scatters: true,
@@ -49,13 +49,13 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     let draw = assessed(&case, &free(scatters(0.05)));
     let holds = draw.checks.iter().filter(|check| check.status == CheckStatus::Holds);
     assert!(holds.clone().all(|check| check.limit_state == "freeboard"), "{holds:?}");
-    assert_eq!(found(&draw, UPLIFT).status, CheckStatus::NotChecked);
-    assert!(found(&draw, UPLIFT).reason.contains("does not repeat"));
+    assert_eq!(found(&draw, UPLIFT.id).status, CheckStatus::NotChecked);
+    assert!(found(&draw, UPLIFT.id).reason.contains("does not repeat"));
     let draw = assessed(&case, &free(scatters(0.21)));
-    assert_eq!(found(&draw, UPLIFT).status, CheckStatus::Fails);
+    assert_eq!(found(&draw, UPLIFT.id).status, CheckStatus::Fails);
     let rests = assessed(&case, &free(FreeBase::default()));
     assert_eq!(
-        (rests.outside, found(&rests, UPLIFT).status),
+        (rests.outside, found(&rests, UPLIFT.id).status),
         (None, CheckStatus::NotApplicable)
     );
 }
@@ -86,7 +86,7 @@ fn a_base_beyond_the_model_has_no_demands() {
             let judged = ["freeboard", "anchorage"].contains(&check.limit_state.as_str());
             assert!(judged || !check.compared(), "{support:?}, {state}: {check:?}");
         }
-        let open = found(&findings, UPLIFT);
+        let open = found(&findings, UPLIFT.id);
         assert_eq!((open.status, open.demand), (CheckStatus::NotChecked, None));
         assert!(open.reason.contains("the base turns by 0.06 rad"), "{}", open.reason);
     }
@@ -231,7 +231,7 @@ fn a_joint_does_not_hold_where_the_wall_yields_first() {
             elastic_wall,
             ..FreeBase::default()
         };
-        found(&assessed(&case, &free(base)), UPLIFT).status
+        found(&assessed(&case, &free(base)), UPLIFT.id).status
     };
     assert_eq!(status(0.010, 0.05, true), CheckStatus::Holds);
     assert_eq!(status(0.016, 0.05, true), CheckStatus::NotChecked);

@@ -75,7 +75,7 @@ fn a_factor_is_a_multiplied_motion() {
             if let Some(wave) = &mut scaled.wave {
                 wave.value *= factor;
             }
-            let codes = Codes::of(&case, &[]);
+            let codes = &counted(&case, &[]);
             let found = assess_at(&case, codes, (&ready, factor), &BTreeMap::new());
             let wanted = assess(&case, codes, &scaled, &BTreeMap::new());
             assert_eq!(found.checks.len(), wanted.checks.len());
