@@ -229,15 +229,13 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
     }
     if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
         let g = peak_si / tank::STANDARD_GRAVITY;
-        return Err(Fault::new(
-            Code::PeakAcceleration,
-            format!("implausible peak ground acceleration of {g:.4} g"),
-        )
-        .at(token_at(text, place as usize))
-        .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
-        .allowed("up to 5 g (the largest recorded are near 3 g)")
-        .help("correct the unit in the header or --units; if the peak is right, add --allow-implausible")
-        .into());
+        let message = format!("implausible peak ground acceleration of {g:.4} g");
+        return Err(Fault::new(Code::PeakAcceleration, message)
+            .at(token_at(text, place as usize))
+            .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
+            .allowed("up to 5 g (the largest recorded are near 3 g)")
+            .help("correct the unit in the header or --units; if the peak is right, add --allow-implausible")
+            .into());
     }
     Ok(())
 }

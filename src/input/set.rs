@@ -12,7 +12,7 @@ use crate::input::diagnostic::{Faults, Source};
 use crate::input::records::{self, ReadOptions};
 use crate::input::tank::bytes;
 use crate::input::tank::read::{Field, FromNode, Opt};
-use crate::input::tank::resolver::{Resolver, range_fault, record_unit};
+use crate::input::tank::resolver::{Resolver, record_unit};
 use crate::input::tank::{schema, syntax};
 use crate::input::target;
 use files::error::Error;
@@ -166,12 +166,9 @@ fn entry(r: &mut Resolver<'_>, given: &SetRecord, folder: &Path) -> Option<SetEn
 fn file(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Option<PathBuf> {
     let path = folder.join(r.text(field)?);
     if !records::located(&path).0.is_file() {
-        r.faults.push(range_fault(
-            Code::FileUnreadable,
-            field,
-            "no such file",
-            "a record, or FILE#CHANNEL, relative to the set file",
-        ));
+        let message = "no such file";
+        let allowed = "a record, or FILE#CHANNEL, relative to the set file";
+        r.refuse(Code::FileUnreadable, field, message, allowed);
         return None;
     }
     Some(path)

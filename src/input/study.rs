@@ -159,12 +159,9 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
     let hazard = file.hazard.given.as_ref().and_then(|field| {
         let path = folder.join(r.text(field)?);
         if !path.is_file() {
-            r.faults.push(range_fault(
-                Code::FileUnreadable,
-                field,
-                "no such file",
-                "a CSV file with the columns im and rate",
-            ));
+            let message = "no such file";
+            let allowed = "a CSV file with the columns im and rate";
+            r.refuse(Code::FileUnreadable, field, message, allowed);
         }
         Some(path)
     });
@@ -212,13 +209,9 @@ fn method(r: &mut Resolver<'_>, file: &StudyFile, scales: Option<&Scales>) -> Me
     match field.value {
         Some(CurveMethod::Cloud) => Method::Cloud,
         Some(CurveMethod::Capacities) if !levels => {
-            let fault = range_fault(
-                Code::Incomplete,
-                field,
-                "capacities without levels",
-                "`scales.levels`, the same for every record",
-            );
-            r.faults.push(fault);
+            let message = "capacities without levels";
+            let allowed = "`scales.levels`, the same for every record";
+            r.refuse(Code::Incomplete, field, message, allowed);
             Method::Capacities
         }
         Some(CurveMethod::Capacities) => Method::Capacities,
@@ -261,7 +254,7 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
     let Some(text) = r.text(field) else { return Vec::new() };
     let path = folder.join(&text);
     let mut fault = |code: Code, message: &str, allowed: &str| {
-        r.faults.push(range_fault(code, field, message, allowed));
+        r.refuse(code, field, message, allowed);
         Vec::new()
     };
     if !pattern::is_pattern(&text) {

@@ -50,10 +50,8 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
             match factor {
                 Some(factor) => acceleration = Some((i, factor)),
                 None => {
-                    let fault = Fault::new(
-                        Code::TableColumn,
-                        format!("the column `{}` does not say its unit", cell.text),
-                    );
+                    let message = format!("the column `{}` does not say its unit", cell.text);
+                    let fault = Fault::new(Code::TableColumn, message);
                     let fault = fault.at(cell.span.clone()).allowed("a name that ends with _g or _m_s2");
                     faults.push(fault.help("rename the column, or give --units"));
                     acceleration = Some((i, f64::NAN));

@@ -35,11 +35,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let lines = lines(text);
     let first = lines.first().copied().unwrap_or((0, ""));
     if !first.1.to_ascii_uppercase().starts_with("* VOL1") {
-        let fault = Fault::new(
-            Code::RecordFormat,
-            "this is a BHRC file of another volume, which is not supported",
-        )
-        .at(place(first));
+        let message = "this is a BHRC file of another volume, which is not supported";
+        let fault = Fault::new(Code::RecordFormat, message).at(place(first));
         return Err(fault.found(printable(first.1)).allowed("`* VOL1DS`").into());
     }
     let starts: Vec<usize> = (0..lines.len()).filter(|i| begins(lines[*i].1)).collect();
@@ -52,11 +49,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         after(counts.1, "NO. OF POINTS").filter(|n| *n >= 2.0 && n.fract() == 0.0 && *n <= MAX_SAMPLES as f64);
     let duration = after(counts.1, "DURATION").filter(|d| *d > 0.0);
     let (Some(samples), Some(duration)) = (samples, duration) else {
-        let fault = Fault::new(
-            Code::RecordLength,
-            "number of points and duration of this BHRC file cannot be read",
-        )
-        .at(place(counts));
+        let message = "number of points and duration of this BHRC file cannot be read";
+        let fault = Fault::new(Code::RecordLength, message).at(place(counts));
         return Err(fault
             .found(printable(counts.1))
             .allowed("`NO. OF POINTS =  13056      DURATION =  65.280`")

@@ -1,7 +1,7 @@
 //! Lines with their places, and blocks of numbers in columns of fixed width, as Fortran programs write them: fields may touch.
 
 use files::code::Code;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use super::draft::Collector;
 use super::number::parse;
@@ -62,12 +62,10 @@ pub(super) fn fields(
     let mut next = first;
     while values.len() < count {
         let Some(&(start, text)) = lines.get(next) else {
-            let fault = Fault::new(
-                Code::CutOff,
-                format!("the file ends before {what} that its header counts"),
-            )
-            .found(format!("{} of {count} numbers", values.len()))
-            .help("the file may have been cut off");
+            let message = format!("the file ends before {what} that its header counts");
+            let fault = Fault::new(Code::CutOff, message)
+                .found(format!("{} of {count} numbers", values.len()))
+                .help("the file may have been cut off");
             let fault = at_end(fault, lines);
             // With the faults before it.
             let _ = faults.push(fault);
@@ -115,6 +113,13 @@ pub(super) fn after(line: &str, word: &str) -> Option<f64> {
         .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+')))
         .unwrap_or(token.len());
     parse(token.get(..end)?.trim_end_matches('.')).ok()
+}
+
+/// A whole number of a header within a range.
+pub(super) fn whole(value: f64, range: RangeInclusive<usize>) -> Option<usize> {
+    (value >= 0.0 && value.fract() == 0.0)
+        .then_some(value as usize)
+        .filter(|n| range.contains(n))
 }
 
 /// Count and width of a Fortran format such as `(8F10.5)`.

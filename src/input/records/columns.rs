@@ -199,49 +199,12 @@ fn layout(
         2 => return Ok(Layout::plain(Some(0), Values::Column(1), 2)),
         _ => {}
     }
-    let fault = |help: &str| {
-        let fault = Fault::new(Code::RecordFormat, format!("{columns} columns without a header")).at(whole.clone());
-        fault
+    if let Some(help) = not_in_order(separator, rows, (said, leading), options) {
+        let fault = Fault::new(Code::RecordFormat, format!("{columns} columns without a header")).at(whole);
+        return Err(fault
             .found(first.1.trim())
             .allowed("one column (acceleration), two (time, acceleration), or a header that names the columns")
-            .help(help)
-    };
-    let column = |k: usize| -> Vec<f64> {
-        let cell = |row: &Line| {
-            separator
-                .cells(row.1)
-                .get(k)
-                .and_then(|c| parse(&c.1.replace(',', ".")).ok())
-        };
-        rows.iter().take(TELLING).map_while(cell).collect()
-    };
-    let order: Vec<f64> = rows
-        .iter()
-        .take(TELLING)
-        .flat_map(|row| separator.cells(row.1))
-        .step_by(2)
-        .map_while(|c| parse(c.1).ok())
-        .collect();
-    if looks_like_time(&order) {
-        return Err(fault(
-            "the values look like pairs of time and acceleration: write one pair a line",
-        ));
-    }
-    if looks_like_time(&column(0)) {
-        return Err(fault(
-            "the first column looks like a time: give the columns of time and acceleration, such as --columns 1,2",
-        ));
-    }
-    let short = rows.last().is_some_and(|row| separator.cells(row.1).len() < columns);
-    if columns < IN_ORDER && !short && leading.count.is_none() {
-        return Err(fault(
-            "--columns 2 reads the second of several components, --columns all reads values in reading order",
-        ));
-    }
-    if options.dt.or(said.dt).or(leading.dt).is_none() {
-        return Err(fault(
-            "values in reading order need --dt; of a table, name the columns in a header or with --columns 1,2",
-        ));
+            .help(help));
     }
     // The name of all columns.
     let unit = header::layout(titles, Separator::Semicolon, 1, options)?.and_then(|l| l.unit);
@@ -251,6 +214,42 @@ fn layout(
     })
 }
 
+/// What to do about three or more columns without a header that are not values in reading order; none where they are.
+fn not_in_order(
+    separator: Separator,
+    rows: &[Line],
+    (said, leading): (&Stated, &Leading),
+    options: &ReadOptions,
+) -> Option<&'static str> {
+    let cells = |row: &Line<'_>| separator.cells(row.1).len();
+    let columns = rows.first().map_or(0, cells);
+    let first = |row: &Line| {
+        let cells = separator.cells(row.1);
+        cells.first().and_then(|c| parse(&c.1.replace(',', ".")).ok())
+    };
+    let times: Vec<f64> = rows.iter().take(TELLING).map_while(first).collect();
+    let order: Vec<f64> = rows
+        .iter()
+        .take(TELLING)
+        .flat_map(|row| separator.cells(row.1))
+        .step_by(2)
+        .map_while(|c| parse(c.1).ok())
+        .collect();
+    let short = rows.last().is_some_and(|row| cells(row) < columns);
+    if looks_like_time(&order) {
+        Some("the values look like pairs of time and acceleration: write one pair a line")
+    } else if looks_like_time(&times) {
+        Some("the first column looks like a time: give the columns of time and acceleration, such as --columns 1,2")
+    } else if columns < IN_ORDER && !short && leading.count.is_none() {
+        Some("--columns 2 reads the second of several components, --columns all reads values in reading order")
+    } else if options.dt.or(said.dt).or(leading.dt).is_none() {
+        Some("values in reading order need --dt; of a table, name the columns in a header or with --columns 1,2")
+    } else {
+        None
+    }
+}
+
+/// The record of a table.
 fn draft(
     table: Table,
     separator: Separator,
@@ -266,14 +265,12 @@ fn draft(
     if let (Some(step), None, Some(first)) = (named_dt, layout.time_unit, table.stamps.get(1))
         && step >= MILLISECONDS
     {
-        return Err(Fault::new(
-            Code::TimeStep,
-            "the time column does not have a unit, and its step looks like milliseconds",
-        )
-        .at(token_at(text, first.place as usize))
-        .found(format!("a step of {step}"))
-        .allowed("steps below 0.5 s in a time column without a unit; usual values are 0.002 to 0.02 s")
-        .help("give the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"));
+        let message = "the time column does not have a unit, and its step looks like milliseconds";
+        return Err(Fault::new(Code::TimeStep, message)
+            .at(token_at(text, first.place as usize))
+            .found(format!("a step of {step}"))
+            .allowed("steps below 0.5 s in a time column without a unit; usual values are 0.002 to 0.02 s")
+            .help("give the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"));
     }
     if layout.time.is_some() && layout.time_unit.is_none() {
         notes.push("the time column names no unit; this format takes it in seconds".to_string());

@@ -3,7 +3,7 @@
 //! `SAMPLING_INTERVAL_S`, `NDATA` and `UNITS` are read; `DATA_TYPE` has to be an acceleration. `LOW_CUT_FREQUENCY_HZ` is the corner of the
 //! filter, beyond whose period the record says nothing. Licence and citation are passed on.
 
-use super::block::{Line, fields, line, lines, place};
+use super::block::{Line, fields, line, lines, place, whole};
 use super::draft::{Draft, choose, printable, settle_dt, settle_unit};
 use super::header::unknown_unit;
 use super::number::parse;
@@ -58,18 +58,18 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
                 .into(),
         );
     }
-    let count = number("NDATA")?;
-    if !(count >= 2.0 && count.fract() == 0.0 && count <= MAX_SAMPLES as f64) {
-        let fault = Fault::new(Code::RecordLength, "NDATA is out of range").found(format!("{count}"));
-        return Err(fault.allowed(format!("2 to {MAX_SAMPLES} samples")).into());
-    }
-    let (values, places, next) = fields(&lines, HEADER, (count as usize, usize::MAX), "an acceleration")?;
+    let said = number("NDATA")?;
+    let count = whole(said, 2..=MAX_SAMPLES).ok_or_else(|| {
+        let fault = Fault::new(Code::RecordLength, "NDATA is out of range").found(format!("{said}"));
+        fault.allowed(format!("2 to {MAX_SAMPLES} samples"))
+    })?;
+    let (values, places, next) = fields(&lines, HEADER, (count, usize::MAX), "an acceleration")?;
     if let Ok(extra) = line(&lines, next, "") {
         let more = lines[next..].iter().filter(|l| !l.1.trim().is_empty()).count();
         if more > 0 {
             let fault = Fault::new(Code::RecordLength, "more numbers than NDATA says").at(place(extra));
             return Err(fault
-                .found(format!("{} numbers", count as usize + more))
+                .found(format!("{} numbers", count + more))
                 .allowed(format!("{count}"))
                 .into());
         }
@@ -77,22 +77,18 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     let text_of = |key: &str| find(key).map(|(_, v)| printable(v)).filter(|v| !v.is_empty());
     choose(&[text_of("STREAM").unwrap_or_default()], options)?;
     let corner = number("LOW_CUT_FREQUENCY_HZ").ok().filter(|f| *f > 0.0);
-    let mut notes = Vec::new();
-    for (key, words) in [
+    let notes = [
         ("BASELINE_CORRECTION", "baseline"),
         ("DATA_LICENSE", "licence"),
         ("DATA_CITATION", "citation"),
-    ] {
-        notes.extend(text_of(key).map(|value| format!("{words}: {value}")));
-    }
+    ];
+    let notes = (notes.into_iter()).filter_map(|(key, words)| Some(format!("{words}: {}", text_of(key)?)));
     let station = [text_of("NETWORK"), text_of("STATION_CODE"), text_of("STREAM")];
     let station: Vec<String> = station.into_iter().flatten().collect();
-    let title: Vec<String> = [text_of("EVENT_NAME"), Some(station.join(" "))]
-        .into_iter()
-        .flatten()
-        .collect();
+    let title = text_of("EVENT_NAME").into_iter().chain([station.join(" ")]);
+    let title = title.collect::<Vec<String>>().join(", ");
     Ok(Draft {
-        title: Some(title.join(", ")).filter(|t| !t.trim().is_empty()),
+        title: Some(title).filter(|t| !t.trim().is_empty()),
         format: format!("ESM ASCII (NDATA = {count}, interval {dt} s)"),
         channel: None,
         unit,
@@ -100,7 +96,7 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
         dt,
         values,
         places,
-        notes,
+        notes: notes.collect(),
         low_cut: corner,
     })
 }

@@ -3,7 +3,7 @@
 //!
 //! Integer 31 is the number of raw samples, integer 34 that of the processed ones.
 
-use super::block::{Line, after, fields, line, lines, place};
+use super::block::{Line, after, fields, line, lines, place, whole};
 use super::draft::{Draft, choose, printable, settle_dt, settle_unit};
 use super::filter::corner;
 use super::header::unknown_unit;
@@ -32,6 +32,22 @@ pub(super) fn sniff(text: &str) -> bool {
             .is_some_and(|l| l.to_ascii_lowercase().starts_with("site "))
 }
 
+/// The time step [s] of a line such as `… data at 0.010 sec intervals`.
+fn time_step(said: Line<'_>) -> Result<f64, Fault> {
+    let upper = said.1.to_ascii_uppercase();
+    let behind = upper.split_once("INTERVALS OF").or_else(|| upper.split_once(" AT "));
+    match behind.and_then(|(_, rest)| step(rest)) {
+        Some(Step::Seconds(dt)) if dt > 0.0 => Ok(dt),
+        _ => {
+            let message = "the header of this GeoNet file does not give a time step";
+            let fault = Fault::new(Code::TimeStep, message).at(place(said));
+            Err(fault
+                .found(printable(said.1))
+                .allowed("`… data at 0.010 sec intervals`"))
+        }
+    }
+}
+
 /// Reads the text; call [`sniff`] before.
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let lines = lines(text);
@@ -54,35 +70,15 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         2
     };
     let (counts, ..) = fields(&lines, header + TEXT + 3, FIELDS, "an integer of the header")?;
-    let samples = counts[if volume == 1 { 0 } else { 3 }];
-    if !(samples >= 2.0 && samples.fract() == 0.0 && samples <= MAX_SAMPLES as f64) {
-        let fault = Fault::new(
-            Code::RecordLength,
-            "the number of samples in the header is out of range",
-        )
-        .at(place(at(TEXT + 3)?));
-        return Err(fault
-            .found(format!("{samples}"))
-            .allowed(format!("2 to {MAX_SAMPLES}"))
-            .into());
-    }
-    let said = at(10)?;
-    let upper = said.1.to_ascii_uppercase();
-    let behind = upper.split_once("INTERVALS OF").or_else(|| upper.split_once(" AT "));
-    let Some(Step::Seconds(dt)) = behind
-        .and_then(|(_, rest)| step(rest))
-        .filter(|s| matches!(s, Step::Seconds(dt) if *dt > 0.0))
-    else {
-        let fault = Fault::new(
-            Code::TimeStep,
-            "the header of this GeoNet file does not give a time step",
-        )
-        .at(place(said));
-        return Err(fault
-            .found(printable(said.1))
-            .allowed("`… data at 0.010 sec intervals`")
-            .into());
+    let counted = counts[if volume == 1 { 0 } else { 3 }];
+    let Some(samples) = whole(counted, 2..=MAX_SAMPLES) else {
+        let message = "the number of samples in the header is out of range";
+        let fault = Fault::new(Code::RecordLength, message).at(place(at(TEXT + 3)?));
+        let allowed = format!("2 to {MAX_SAMPLES}");
+        return Err(fault.found(format!("{counted}")).allowed(allowed).into());
     };
+    let said = at(10)?;
+    let dt = time_step(said)?;
     let dt = settle_dt(Some(dt), options)?.unwrap_or(dt);
     let peak = at(13)?;
     let unit = peak
@@ -96,7 +92,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     } else {
         1.0
     };
-    let (mut values, places, _) = fields(&lines, header + HEADER, (samples as usize, FIELDS.1), "an acceleration")?;
+    let (mut values, places, _) = fields(&lines, header + HEADER, (samples, FIELDS.1), "an acceleration")?;
     values.iter_mut().for_each(|v| *v *= factor);
     let filter: Option<f64> = lines[header..(header + TEXT).min(lines.len())]
         .iter()

@@ -28,50 +28,37 @@ pub(super) fn sniff(text: &str) -> bool {
         .is_some_and(|key| key.eq_ignore_ascii_case("Origin Time"))
 }
 
-/// Reads the text; call [`sniff`] before.
-pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
-    let lines = lines(text);
-    let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
-    let find = |key: &str| -> Result<(Line<'_>, &str), Fault> {
-        let found = header
-            .iter()
-            .find(|(_, l)| l.get(..key.len()).is_some_and(|k| k.eq_ignore_ascii_case(key)));
+/// The lines of the header.
+struct Header<'t>(&'t [Line<'t>]);
+
+impl<'t> Header<'t> {
+    /// The line of a key and its value.
+    fn get(&self, key: &str) -> Result<(Line<'t>, &'t str), Fault> {
+        let is = |l: &&Line<'t>| l.1.get(..key.len()).is_some_and(|k| k.eq_ignore_ascii_case(key));
+        let found = self.0.iter().find(is);
         let missing =
             || Fault::new(Code::CutOff, format!("the header has no `{key}`")).help("the file may have been cut off");
         found
             .map(|l| (*l, l.1.get(KEY..).unwrap_or_default().trim()))
             .ok_or_else(missing)
-    };
-    let positive = |key: &str, end: &str| -> Result<f64, Fault> {
-        let (at, value) = find(key)?;
-        let bare = value.to_lowercase();
-        match parse(bare.trim_end_matches(&end.to_lowercase())) {
-            Ok(number) if number > 0.0 => Ok(number),
-            _ => Err(
-                Fault::new(Code::NotANumber, format!("`{key}` is not a positive number"))
-                    .at(place(at))
-                    .found(value),
-            ),
-        }
-    };
-    let rate = positive("Sampling Freq(Hz)", "Hz")?;
-    let duration = positive("Duration Time(s)", "s")?;
-    let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
-    let (at, written) = find("Scale Factor")?;
-    let scale = scale(written).ok_or_else(|| {
-        Fault::new(Code::RecordFormat, "the scale factor cannot be read")
-            .at(place(at))
-            .found(written)
-            .allowed("2000(gal)/8388608")
-    })?;
-    let source = (
-        AccelerationUnit::Gal,
-        format!("header, `Scale Factor {}`", printable(written)),
-    );
-    let (unit, unit_source) = settle_unit(Some(source), options, "a scale factor in gal")?;
+    }
+
+    /// A positive number with its unit.
+    fn positive(&self, key: &str, unit: &str) -> Result<f64, Fault> {
+        let (at, value) = self.get(key)?;
+        let number = parse(value.to_lowercase().trim_end_matches(&unit.to_lowercase()));
+        number.ok().filter(|number| *number > 0.0).ok_or_else(|| {
+            let message = format!("`{key}` is not a positive number");
+            Fault::new(Code::NotANumber, message).at(place(at)).found(value)
+        })
+    }
+}
+
+/// Values and places of the counts.
+fn counts(lines: &[Line<'_>], scale: f64) -> Result<(Vec<f64>, Vec<u32>), Faults> {
     let mut faults = Collector::new();
     let (mut values, mut places) = (Vec::new(), Vec::new());
-    'all: for &(start, line) in lines.iter().skip(HEADER) {
+    'all: for &(start, line) in lines {
         for token in line.split_whitespace() {
             // A token is a part of its line.
             let from = start + (token.as_ptr() as usize - line.as_ptr() as usize);
@@ -90,12 +77,34 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         }
     }
     faults.finish()?;
+    Ok((values, places))
+}
+
+/// Reads the text; call [`sniff`] before.
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
+    let lines = lines(text);
+    let (header, data) = lines.split_at(HEADER.min(lines.len()));
+    let header = Header(header);
+    let rate = header.positive("Sampling Freq(Hz)", "Hz")?;
+    let duration = header.positive("Duration Time(s)", "s")?;
+    let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
+    let (at, written) = header.get("Scale Factor")?;
+    let scale = scale(written).ok_or_else(|| {
+        Fault::new(Code::RecordFormat, "the scale factor cannot be read")
+            .at(place(at))
+            .found(written)
+            .allowed("2000(gal)/8388608")
+    })?;
+    let source = (
+        AccelerationUnit::Gal,
+        format!("header, `Scale Factor {}`", printable(written)),
+    );
+    let (unit, unit_source) = settle_unit(Some(source), options, "a scale factor in gal")?;
+    let (mut values, places) = counts(data, scale)?;
     let expected = (duration * rate).round();
     if values.len() as f64 != expected || values.len() > MAX_SAMPLES {
-        let fault = Fault::new(
-            Code::RecordLength,
-            "another number of samples than duration times frequency",
-        );
+        let message = "another number of samples than duration times frequency";
+        let fault = Fault::new(Code::RecordLength, message);
         let fault = fault
             .found(format!("{} samples", values.len()))
             .allowed(format!("{expected} samples"));
@@ -103,7 +112,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     }
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     values.iter_mut().for_each(|v| *v -= mean);
-    let of = |key: &str| find(key).map(|(_, v)| printable(v)).unwrap_or_default();
+    let of = |key: &str| header.get(key).map(|(_, v)| printable(v)).unwrap_or_default();
     choose(&[of("Dir.")], options)?;
     Ok(Draft {
         title: Some(format!("{} {} {}", of("Station Code"), of("Dir."), of("Origin Time"))),

@@ -135,10 +135,8 @@ fn record(head: &Head, (mut values, mut places): (Vec<f64>, Vec<u32>), options: 
         );
     }
     if !(2.0..=MAX_SAMPLES as f64).contains(&samples) || (values.len() as f64) < samples {
-        let fault = Fault::new(
-            Code::RecordLength,
-            "another number of samples than the header of this SAC file says",
-        );
+        let message = "another number of samples than the header of this SAC file says";
+        let fault = Fault::new(Code::RecordLength, message);
         let fault = fault.found(format!("{} samples, {samples} in the header", values.len()));
         return Err(fault
             .allowed(format!("2 to {MAX_SAMPLES}"))

@@ -3,7 +3,7 @@
 //! Integer 16 is the number of comments and 17 that of the samples, real 2 the sampling rate; real 33 is the corner of the low-cut filter, where
 //! it is not real 1, which stands for what is not known.
 
-use super::block::{Line, fields, line, lines, place};
+use super::block::{Line, fields, line, lines, place, whole};
 use super::draft::{Draft, choose, printable, settle_dt, settle_unit};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
@@ -52,27 +52,20 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     choose(&[component(&lines)], options)?;
     let (integers, _, next) = fields(&lines, TEXT, INTEGERS, "an integer of the header")?;
     let (reals, _, next) = fields(&lines, next, REALS, "a real of the header")?;
-    let whole = |i: usize, what: &str, most: usize| -> Result<usize, Fault> {
-        let value = integers[i];
-        match value >= 0.0 && value.fract() == 0.0 && value <= most as f64 {
-            true => Ok(value as usize),
-            false => Err(Fault::new(
-                Code::RecordLength,
-                format!("integer {} of the header, {what}, is out of range", i + 1),
-            )
-            .found(format!("{value}"))
-            .allowed(format!("0 to {most}"))),
-        }
+    let integer = |i: usize, what: &str, most: usize| -> Result<usize, Fault> {
+        whole(integers[i], 0..=most).ok_or_else(|| {
+            let message = format!("integer {} of the header, {what}, is out of range", i + 1);
+            Fault::new(Code::RecordLength, message)
+                .found(format!("{}", integers[i]))
+                .allowed(format!("0 to {most}"))
+        })
     };
-    let comments = whole(COMMENTS, "the number of comments", 10_000)?;
-    let samples = whole(SAMPLES, "the number of samples", MAX_SAMPLES)?;
+    let comments = integer(COMMENTS, "the number of comments", 10_000)?;
+    let samples = integer(SAMPLES, "the number of samples", MAX_SAMPLES)?;
     let rate = reals[RATE];
     if rate >= NO_RATE || rate == reals[UNKNOWN] {
-        let fault = Fault::new(
-            Code::TimeStep,
-            "the record was digitised at uneven times, which is not read",
-        )
-        .at(place(first));
+        let message = "the record was digitised at uneven times, which is not read";
+        let fault = Fault::new(Code::TimeStep, message).at(place(first));
         let fault = fault
             .found(printable(first.1))
             .allowed("a corrected record, which has a sampling rate");
@@ -81,10 +74,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             .into());
     }
     if rate <= 0.0 || rate.is_nan() {
-        let fault = Fault::new(
-            Code::TimeStep,
-            "real 2 of the header, the sampling rate, is out of range",
-        );
+        let message = "real 2 of the header, the sampling rate, is out of range";
+        let fault = Fault::new(Code::TimeStep, message);
         return Err(fault
             .found(format!("{rate}"))
             .allowed("samples a second greater than 0")

@@ -100,12 +100,9 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
             };
             let id = name_of(&path, folder);
             if all.iter().any(|other| other.id == id) {
-                let fault = range_fault(
-                    Code::Repeated,
-                    item,
-                    &format!("the record `{id}` is named twice"),
-                    "each record once",
-                );
+                let message = format!("the record `{id}` is named twice");
+                let allowed = "each record once";
+                let fault = range_fault(Code::Repeated, item, &message, allowed);
                 r.faults.push(fault.found("{ … }"));
                 continue;
             }
@@ -167,12 +164,7 @@ fn components_of(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts
         let other = path.with_file_name(name.replacen(&parts.along, part.as_ref()?, 1));
         if !other.is_file() {
             let message = format!("{name} has no other component {}", other.display());
-            r.faults.push(range_fault(
-                Code::Contradiction,
-                field,
-                &message,
-                "a file for every component",
-            ));
+            r.refuse(Code::Contradiction, field, &message, "a file for every component");
         }
         Some(other)
     };

@@ -7,7 +7,7 @@ use tank::units::{self, Dimension};
 
 use super::keys;
 use crate::input::tank::read::Field;
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::target;
 use files::code::Code;
 use files::error::Error;
@@ -70,8 +70,7 @@ pub(super) fn rule(
             _ => {
                 let field = field.value.as_ref().and_then(|rule| rule.periods.given.as_ref())?;
                 let allowed = "both, impulsive, sloshing, or a time such as 0.3 s";
-                r.faults
-                    .push(range_fault(Code::UnknownChoice, field, "unknown periods", allowed));
+                r.refuse(Code::UnknownChoice, field, "unknown periods", allowed);
                 return None;
             }
         },

@@ -134,13 +134,9 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
             continue;
         };
         if parameters.iter().any(|other: &Sampled| other.path == found.path) {
-            let fault = range_fault(
-                Code::Repeated,
-                &parameter.path,
-                "a parameter that is sampled twice",
-                "each path once",
-            );
-            r.faults.push(fault);
+            let message = "a parameter that is sampled twice";
+            let allowed = "each path once";
+            r.refuse(Code::Repeated, &parameter.path, message, allowed);
         }
         parameters.push(found);
     }
@@ -165,13 +161,9 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
             let (low, unit) = measured(r, &range.low)?;
             let (high, other) = measured(r, &range.high)?;
             if other != unit || high <= low {
-                let fault = range_fault(
-                    Code::Contradiction,
-                    &range.high,
-                    "a faulty range",
-                    &format!("more than `low`, in {unit}"),
-                );
-                r.faults.push(fault);
+                let message = "a faulty range";
+                let allowed = format!("more than `low`, in {unit}");
+                r.refuse(Code::Contradiction, &range.high, message, &allowed);
             }
             (Distribution::Uniform([low, high]), unit)
         }
@@ -183,23 +175,16 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
         (None, None, Some(lognormal), None) => {
             let (median, unit) = measured(r, &lognormal.median)?;
             if median <= 0.0 {
-                r.faults.push(range_fault(
-                    Code::OutOfRange,
-                    &lognormal.median,
-                    "a median of 0 or less",
-                    "a median greater than 0",
-                ));
+                let message = "a median of 0 or less";
+                r.refuse(Code::OutOfRange, &lognormal.median, message, "a median greater than 0");
             }
             (Distribution::Lognormal([median, r.number(&lognormal.beta)]), unit)
         }
         (None, None, None, Some(beta)) => shares(r, beta)?,
         _ => {
-            let fault = range_fault(
-                Code::Incomplete,
-                item,
-                "a parameter needs one distribution",
-                "one of uniform, normal, lognormal, beta",
-            );
+            let message = "a parameter needs one distribution";
+            let allowed = "one of uniform, normal, lognormal, beta";
+            let fault = range_fault(Code::Incomplete, item, message, allowed);
             r.faults.push(fault.found("{ … }"));
             return None;
         }
@@ -224,12 +209,8 @@ fn shares(r: &mut Resolver<'_>, given: &keys::Beta) -> Option<(Distribution, Str
                 "a mean between {} and {}, and a deviation below that of its ends, √((mean − min)(max − mean))",
                 bounds[0], bounds[1]
             );
-            r.faults.push(range_fault(
-                Code::Contradiction,
-                &given.mean,
-                "no beta distribution has this mean and deviation",
-                &allowed,
-            ));
+            let message = "no beta distribution has this mean and deviation";
+            r.refuse(Code::Contradiction, &given.mean, message, &allowed);
             None
         }
     }
@@ -255,12 +236,8 @@ fn measured(r: &mut Resolver<'_>, field: &Field<String>) -> Option<(f64, String)
     match text[..end].parse::<f64>() {
         Ok(number) if number.is_finite() => Some((number, text[end..].trim().to_owned())),
         _ => {
-            r.faults.push(range_fault(
-                Code::BadForm,
-                field,
-                "not a number with its unit",
-                "a value such as \"8 m\"",
-            ));
+            let message = "not a number with its unit";
+            r.refuse(Code::BadForm, field, message, "a value such as \"8 m\"");
             None
         }
     }

@@ -6,7 +6,7 @@ use tank::units::{self, Dimension, Unit};
 
 use super::keys;
 use crate::input::tank::read::Opt;
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::unit_code;
 use results::EngineId;
 
@@ -148,12 +148,7 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
         name = r.text(field)?;
         let Some(found) = Axis::parse(&name) else {
             let allowed = "PGA, PGV, PGD, Sa(T), Sa(T, xi), AvgSa(T) or AvgSa(T, xi), with T such as 0.3 s, Ti or Tc";
-            r.faults.push(range_fault(
-                Code::UnknownChoice,
-                field,
-                "an unknown intensity measure",
-                allowed,
-            ));
+            r.refuse(Code::UnknownChoice, field, "an unknown intensity measure", allowed);
             return None;
         };
         axis = found;
@@ -162,12 +157,8 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
     let mut written = Vec::new();
     match (&given.levels.given, &given.factors.given) {
         (Some(levels), Some(_)) => {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                levels,
-                "levels and factors exclude each other",
-                "one of them",
-            ));
+            let message = "levels and factors exclude each other";
+            r.refuse(Code::Exclusive, levels, message, "one of them");
             return None;
         }
         (Some(field), None) => {
@@ -178,18 +169,8 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
                 written.push(Unit::find(item.text.trim().trim_start_matches(number), dimension).map(|unit| unit.text));
                 match units::parse(&r.text(item)?, dimension) {
                     Ok(level) if level > 0.0 => ascending(r, item, &mut levels, level),
-                    Ok(_) => r.faults.push(range_fault(
-                        Code::OutOfRange,
-                        item,
-                        "a level of 0 or less",
-                        &dimension.allowed(),
-                    )),
-                    Err(error) => r.faults.push(range_fault(
-                        unit_code(&error),
-                        item,
-                        &error.to_string(),
-                        &dimension.allowed(),
-                    )),
+                    Ok(_) => r.refuse(Code::OutOfRange, item, "a level of 0 or less", &dimension.allowed()),
+                    Err(error) => r.refuse(unit_code(&error), item, &error.to_string(), &dimension.allowed()),
                 }
             }
         }
@@ -216,12 +197,8 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
 
 fn ascending<T>(r: &mut Resolver<'_>, item: &crate::input::tank::read::Field<T>, all: &mut Vec<f64>, value: f64) {
     if all.last().is_some_and(|last| *last >= value) {
-        r.faults.push(range_fault(
-            Code::Repeated,
-            item,
-            "not in ascending order",
-            "each value once, ascending",
-        ));
+        let message = "not in ascending order";
+        r.refuse(Code::Repeated, item, message, "each value once, ascending");
     }
     all.push(value);
 }
@@ -237,13 +214,9 @@ pub(super) fn admit(r: &mut Resolver<'_>, option: &Opt<keys::Scales>, engine: Op
             .is_some_and(Axis::of_the_tank)
         && engine != Some(EngineId::Harmonic)
     {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            field,
-            "Ti and Tc are periods of the harmonic engine",
-            "\"engine\": \"harmonic\", or a period in seconds",
-        );
-        r.faults.push(fault);
+        let message = "Ti and Tc are periods of the harmonic engine";
+        let allowed = "\"engine\": \"harmonic\", or a period in seconds";
+        r.refuse(Code::DoesNotApply, field, message, allowed);
     }
 }
 

@@ -157,12 +157,9 @@ pub(super) fn tanks(
             (Some(files), None, None) => from_files(r, files, folder, broken),
             (None, Some(template), Some(table)) => from_table(r, given, (template, table), folder, broken),
             _ => {
-                let fault = range_fault(
-                    Code::Incomplete,
-                    item,
-                    "tanks without files",
-                    "`files`, or `template` with `table`",
-                );
+                let message = "tanks without files";
+                let allowed = "`files`, or `template` with `table`";
+                let fault = range_fault(Code::Incomplete, item, message, allowed);
                 r.faults.push(fault.found("{ … }"));
                 Vec::new()
             }
@@ -171,12 +168,8 @@ pub(super) fn tanks(
             if let Some(what) = unfit(&tank.id) {
                 let place = tank.place().map_or_else(String::new, |place| format!(" at {place}"));
                 let message = format!("the name of a tank{place} {what}");
-                let fault = range_fault(
-                    Code::BadForm,
-                    item,
-                    &message,
-                    &format!("1 to {LONGEST_NAME} characters"),
-                );
+                let allowed = format!("1 to {LONGEST_NAME} characters");
+                let fault = range_fault(Code::BadForm, item, &message, &allowed);
                 r.faults.push(fault.found(tank.id.chars().take(40).collect::<String>()));
                 continue;
             }
@@ -217,6 +210,17 @@ fn from_files(r: &mut Resolver<'_>, files: &Field<String>, folder: &Path, broken
     all
 }
 
+/// The first of the files that is not a regular one. A pipe is a file for a command that reads it once, and none for a study, whose tasks
+/// read it again.
+fn irregular(files: &[PathBuf]) -> Option<Error> {
+    let found = files.iter().find(|file| file.exists() && !file.is_file())?;
+    Some(Error::File {
+        code: Code::FileUnreadable,
+        path: found.clone(),
+        what: "is not a regular file".into(),
+    })
+}
+
 fn from_table(
     r: &mut Resolver<'_>,
     given: &Tanks,
@@ -228,16 +232,9 @@ fn from_table(
         return Vec::new();
     };
     let path: PathBuf = folder.join(&name);
-    // A pipe is a file for a command that reads it once, and none for a study, whose tasks read it again.
-    for file in [&folder.join(&template), &path] {
-        if file.exists() && !file.is_file() {
-            broken.push(Error::File {
-                code: Code::FileUnreadable,
-                path: file.clone(),
-                what: "is not a regular file".into(),
-            });
-            return Vec::new();
-        }
+    if let Some(error) = irregular(&[folder.join(&template), path.clone()]) {
+        broken.push(error);
+        return Vec::new();
     }
     let read = read_tank(&folder.join(template)).and_then(|base| Ok((base, csv::read(&path)?)));
     let (base, raw) = match read {
@@ -251,13 +248,8 @@ fn from_table(
     let mut column = |field: &Field<String>, name: &str| {
         let found = names.iter().position(|n| *n == name);
         if found.is_none() {
-            let fault = range_fault(
-                Code::UnknownChoice,
-                field,
-                &format!("the table has no column `{name}`"),
-                &names.join(", "),
-            );
-            r.faults.push(fault);
+            let message = format!("the table has no column `{name}`");
+            r.refuse(Code::UnknownChoice, field, &message, &names.join(", "));
         }
         found
     };

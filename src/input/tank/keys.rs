@@ -4,6 +4,7 @@
 
 mod accepted;
 mod after_record;
+mod bar_layout;
 mod bars;
 mod base;
 mod contradictions;
@@ -106,7 +107,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         published,
     };
     contradictions::warn(&mut r, &case, &decision.without);
-    bars::warn(&mut r, &case.tank);
+    bar_layout::warn(&mut r, &case.tank);
     let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);
     Some(Resolved {
         case,

@@ -7,6 +7,7 @@ use tank::units::{Dimension, display_in, unit_for};
 
 use super::key::{Absent, Limits};
 use super::read::{Field, FromNode, Opt, unit_of};
+use super::syntax::join;
 use super::values::{Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::AccelerationUnit;
@@ -34,17 +35,16 @@ impl<'f> Resolver<'f> {
     /// Echoes a value of the file.
     pub(crate) fn echo_given<T>(&mut self, field: &Field<T>) {
         if field.value.is_some() {
-            self.echo.push(InputValue {
-                path: field.path.clone(),
-                text: field.text.clone(),
-                default: false,
-                source: String::new(),
-            });
+            self.echo_text(field);
         }
     }
 
     /// Echoes that a part is not there.
     pub(crate) fn echo_none(&mut self, field: &Field<()>) {
+        self.echo_text(field);
+    }
+
+    fn echo_text<T>(&mut self, field: &Field<T>) {
         self.echo.push(InputValue {
             path: field.path.clone(),
             text: field.text.clone(),
@@ -93,13 +93,30 @@ impl<'f> Resolver<'f> {
         if let Some(found) = limits.values.iter().find(|a| (*a - value.si()).abs() <= 1e-12) {
             return *found;
         }
-        self.faults.push(range_fault(
-            Code::OutOfRange,
-            field,
-            "not one of the values in the code",
-            &limits.words(),
-        ));
+        let message = "not one of the values in the code";
+        self.refuse(Code::OutOfRange, field, message, &limits.words());
         f64::NAN
+    }
+
+    /// Reports a fault about the value of a field.
+    pub(in crate::input) fn refuse<T>(&mut self, code: Code, field: &Field<T>, message: &str, allowed: &str) {
+        self.faults.push(range_fault(code, field, message, allowed));
+    }
+
+    /// Reports a key that an object does not have and needs.
+    pub(in crate::input) fn missing<T>(&mut self, object: &Field<T>, key: &str, allowed: &str, help: String) {
+        let place = object.span.start..object.span.start + 1;
+        let missing = Field::<()>::missing(place, join(&object.path, key));
+        let message = format!("the key `{key}` is missing");
+        let fault = range_fault(Code::MissingKey, &missing, &message, allowed);
+        self.faults.push(fault.help(help));
+    }
+
+    /// Reports a key that is given and does not apply.
+    pub(in crate::input) fn inapplicable<T>(&mut self, option: &Opt<T>, message: &str, allowed: &str) {
+        if let Some(given) = &option.given {
+            self.refuse(Code::DoesNotApply, given, message, allowed);
+        }
     }
 
     /// Warns of a value that is allowed and unusual.
@@ -204,8 +221,7 @@ impl<'f> Resolver<'f> {
         self.echo_given(field);
         let text = field.value.as_ref()?;
         if text.trim().is_empty() {
-            self.faults
-                .push(range_fault(Code::BadForm, field, "an empty text", "a text"));
+            self.refuse(Code::BadForm, field, "an empty text", "a text");
             return None;
         }
         Some(text.clone())
@@ -246,12 +262,9 @@ impl<'f> Resolver<'f> {
         let found = field.value.as_ref().map_or(fewest, Vec::len);
         let sound = (fewest..=most).contains(&found);
         if !sound {
-            let fault = range_fault(
-                Code::ItemCount,
-                field,
-                &format!("too few or too many {what}"),
-                &format!("{fewest} to {most} {what}"),
-            );
+            let message = format!("too few or too many {what}");
+            let allowed = format!("{fewest} to {most} {what}");
+            let fault = range_fault(Code::ItemCount, field, &message, &allowed);
             self.faults.push(fault.found(format!("{found} {what}")));
         }
         sound
@@ -274,12 +287,7 @@ pub(in crate::input) fn record_unit(r: &mut Resolver<'_>, option: &Opt<String>) 
     let field = option.given.as_ref()?;
     let unit = AccelerationUnit::parse(&r.text(field)?);
     if unit.is_none() {
-        r.faults.push(range_fault(
-            Code::UnitUnknown,
-            field,
-            "an unknown unit",
-            AccelerationUnit::ALLOWED,
-        ));
+        r.refuse(Code::UnitUnknown, field, "an unknown unit", AccelerationUnit::ALLOWED);
     }
     unit
 }

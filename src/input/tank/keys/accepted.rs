@@ -7,7 +7,7 @@ use files::code::Code;
 
 use super::project::is_date;
 use crate::input::tank::read::{Field, Opt, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 
 object! {
     /// A limit state that is not checked and accepted all the same. It is printed before everything else, with who accepts it, when and why.
@@ -44,28 +44,21 @@ pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>)
             continue;
         };
         if !seen.insert(check.clone()) {
-            r.faults.push(range_fault(
-                Code::Repeated,
-                &given.check,
-                "duplicate limit state",
-                "each limit state once",
-            ));
+            let message = "duplicate limit state";
+            r.refuse(Code::Repeated, &given.check, message, "each limit state once");
         }
         if !has_words(&reason) {
             let found = format!("the reason `{reason}`");
             let expected = "why the gap is acceptable, in several words";
-            r.faults
-                .push(range_fault(Code::BadForm, &given.reason, &found, expected));
+            r.refuse(Code::BadForm, &given.reason, &found, expected);
         }
         if !by.chars().any(char::is_alphabetic) {
             let found = format!("the name `{by}`");
-            r.faults
-                .push(range_fault(Code::BadForm, &given.by, &found, "who accepts the gap"));
+            r.refuse(Code::BadForm, &given.by, &found, "who accepts the gap");
         }
         if !is_date(&date) {
             let found = format!("the date `{date}`");
-            r.faults
-                .push(range_fault(Code::BadForm, &given.date, &found, "a date as 2026-03-14"));
+            r.refuse(Code::BadForm, &given.date, &found, "a date as 2026-03-14");
         }
         all.push(check::Accepted {
             check,

@@ -1,83 +1,190 @@
-//! Bars that their concrete cannot hold: outside of it, on each other, or too many of them.
-//!
-//! Source: EN 1992-1-1:2004 8.2(2) (clear distance), 4.4.1.2 (cover), 9.2.1.1(3) and 9.6.2(1) (largest area), recalled.
+//! `reinforcement` of a wall and of its layers.
 
-use std::f64::consts::PI;
+use files::code::Code;
+use tank::units::Dimension;
+use tank::{BarDirection, Behaviour, LayerKind};
 
-use files::code::{Code, Warning};
-use tank::units::{Dimension, display};
-use tank::{BarDirection, Layer, Reinforcement, Tank};
+use super::materials::Materials;
+use super::wall::{Use, material};
+use crate::input::tank::key::{Absent, Limits};
+use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::values::{Length, LineArea};
 
-use crate::input::tank::resolver::Resolver;
+/// Bars: more than a tenth of a metre of steel is not reinforcement.
+const AREA: Limits = Limits::from(1e-6).to(0.1);
+/// Diameters of bars.
+const DIAMETER: Limits = Limits::from(3e-3).to(60e-3);
+/// Distances between bars.
+const SPACING: Limits = Limits::from(0.02).to(1.0);
+/// Distances of bars from a face.
+const COVER: Limits = Limits::above(0.0).to(10.0);
 
-/// Least cover and clear distance of bars [m]; a bar's diameter where that is more.
-const COVER: f64 = 0.01;
-const CLEAR: f64 = 0.02;
-/// Largest usual share of bars of one direction in a section.
-const SHARE: f64 = 0.04;
-
-/// All layers of bars; what is the same in several courses is told once.
-pub(super) fn warn(r: &mut Resolver<'_>, tank: &Tank) {
-    let mut told: Vec<String> = Vec::new();
-    let layers = tank.courses.iter().flat_map(|course| &course.layers);
-    for (code, text) in layers.flat_map(faults) {
-        if !told.contains(&text) {
-            r.warnings.push(Warning::new(code, format!("tank.courses: {text}")));
-            told.push(text);
-        }
+object! {
+    /// A layer of bars. Give its area (and the diameter), or diameter and spacing; and its distance either from the inner or from the
+    /// outer face of the shell.
+    Reinforcement {
+        /// Direction of the bars.
+        direction: Field<BarDirection>,
+        /// Area of steel per metre of wall.
+        area ("15 cm2/m"): Opt<LineArea> [AREA] = Absent::Follows("that of diameter and spacing; needed without them"),
+        /// Diameter of a bar, needed by the crack width of EN 1992.
+        diameter ("16 mm"): Opt<Length> [DIAMETER] = Absent::Follows("without it the crack width is not checked"),
+        /// Distance from bar to bar; together with diameter.
+        spacing ("150 mm"): Opt<Length> [SPACING] = Absent::Follows("that of area and diameter"),
+        /// Distance of the axis of the bars from the inner face of their shell.
+        from_inner ("4 cm"): Opt<Length> [COVER],
+        /// Distance of the axis of the bars from the outer face of their shell.
+        from_outer ("4 cm"): Opt<Length> [COVER],
+        /// Name of their material.
+        material ("bars"): Field<String>,
     }
 }
 
-fn faults(layer: &Layer) -> Vec<(Code, String)> {
-    let mut found: Vec<(Code, String)> = layer.reinforcement.iter().flat_map(|bars| of(layer, bars)).collect();
-    for direction in [BarDirection::Hoop, BarDirection::Vertical] {
-        let bars = layer.reinforcement.iter().filter(|bars| bars.direction == direction);
-        let share = bars.map(|bars| bars.area).sum::<f64>() / layer.thickness;
-        if share > SHARE {
-            let text = format!(
-                "{} bars are {:.1} % of the section, usual are at most {:.0} %, EN 1992-1-1 9.2.1.1(3)",
-                name(direction),
-                100.0 * share,
-                100.0 * SHARE
-            );
-            found.push((Code::UnusualTank, text));
-        }
-    }
-    found
-}
-
-fn name(direction: BarDirection) -> &'static str {
-    match direction {
-        BarDirection::Hoop => "hoop",
-        BarDirection::Vertical => "vertical",
+choice! {
+    /// Direction of bars.
+    BarDirection {
+        /// Around the tank; along the wall of a rectangle.
+        Hoop = "hoop",
+        /// Up the wall.
+        Vertical = "vertical",
     }
 }
 
-/// One layer of bars whose diameter is known.
-fn of(layer: &Layer, bars: &Reinforcement) -> Vec<(Code, String)> {
-    let Some(diameter) = bars.diameter else {
-        return Vec::new();
+/// A layer whose concrete has a bond law: its bars need a diameter, and cracks a spacing.
+pub(super) fn bonded(
+    r: &mut Resolver<'_>,
+    mut layer: tank::Layer,
+    bars: Option<&Field<Vec<Field<Reinforcement>>>>,
+) -> tank::Layer {
+    let Behaviour::Concrete(concrete) = layer.material.behaviour else {
+        return layer;
     };
-    let length = |value: f64| display(value, Dimension::Length);
-    let what = format!("{} bars of {}", name(bars.direction), length(diameter));
-    let cover = bars.depth.min(layer.thickness - bars.depth) - 0.5 * diameter;
-    let clear = PI * diameter * diameter / (4.0 * bars.area) - diameter;
-    let mut found = Vec::new();
-    if cover < 0.0 {
-        found.push((Code::Inconsistent, format!("{what} stand out of the concrete")));
-    } else if cover < COVER * (1.0 - 1e-9) {
-        let text = format!("{what} have a cover of {}, usual are 10 mm and more", length(cover));
-        found.push((Code::UnusualTank, text));
+    if concrete.bond.is_perfect() {
+        return layer;
     }
-    if clear < 0.0 {
-        found.push((Code::Inconsistent, format!("{what} overlap")));
-    } else if clear < CLEAR.max(diameter) * (1.0 - 1e-9) {
-        let text = format!(
-            "{what} are {} apart, usual are {} and more",
-            length(clear),
-            length(CLEAR.max(diameter))
-        );
-        found.push((Code::UnusualTank, text));
+    let name = layer.material.name.clone();
+    let list = bars
+        .and_then(|field| field.value.as_ref())
+        .map_or(&[][..], Vec::as_slice);
+    for field in list {
+        if field.value.as_ref().is_some_and(|b| b.diameter.given.is_none()) {
+            let message = format!("the bond of `{name}` needs the diameter of the bars");
+            r.faults.push(
+                range_fault(Code::MissingKey, field, &message, "a diameter from 3 mm to 60 mm")
+                    .help("add \"diameter\": \"16 mm\""),
+            );
+        }
     }
-    found
+    if concrete.crack_spacing.is_none()
+        && let Some(spacing) = layer.mean_crack_spacing()
+    {
+        let text = tank::units::display(spacing, Dimension::Length);
+        r.remarks.push(format!(
+            "materials.{name}: crack_spacing {text} (mean spacing of stabilised cracks, CEB-FIP Model Code 1990)"
+        ));
+        layer.material.behaviour = Behaviour::Concrete(tank::Concrete {
+            crack_spacing: Some(spacing),
+            ..concrete
+        });
+    }
+    layer
+}
+
+/// Layers of bars in a shell.
+///
+/// * `(kind, behaviour, name)`: of the shell and its material
+/// * `thickness`: of the shell, as given and in m
+pub(super) fn all_bars(
+    r: &mut Resolver<'_>,
+    field: &Field<Vec<Field<Reinforcement>>>,
+    (kind, behaviour, name): (LayerKind, Option<Behaviour>, &str),
+    thickness: (&Field<Length>, f64),
+    materials: &Materials,
+) -> Vec<tank::Reinforcement> {
+    let mut reinforcement = Vec::new();
+    let Some(list) = &field.value else {
+        return reinforcement;
+    };
+    let fault = match (kind, behaviour) {
+        (LayerKind::Interlayer, _) => Some("bars in an interlayer"),
+        (_, Some(Behaviour::Steel(_))) => Some("bars in a layer of steel"),
+        (_, Some(Behaviour::Elastic)) => Some("bars in an elastic layer"),
+        _ => None,
+    };
+    if let Some(message) = fault {
+        let found = format!("layer of `{name}`");
+        r.faults
+            .push(range_fault(Code::DoesNotApply, field, message, "bars in shells of concrete only").found(found));
+    } else if r.sized(field, "layers of bars") {
+        for field in list {
+            reinforcement.extend(bars(r, field, thickness, materials));
+        }
+    }
+    reinforcement
+}
+
+/// Area of a layer of bars per length of wall [m²/m]; NaN if it is not given.
+fn area(r: &mut Resolver<'_>, field: &Field<Reinforcement>, b: &Reinforcement) -> (f64, Option<f64>) {
+    let diameter = b.diameter.given.as_ref().map(|f| r.number(f));
+    let spacing = b.spacing.given.as_ref().map(|f| r.number(f));
+    let of_bars = diameter
+        .zip(spacing)
+        .map(|(d, s)| std::f64::consts::PI * d * d / (4.0 * s));
+    match (&b.area.given, of_bars) {
+        (None, Some(area)) => (area, diameter),
+        (Some(given), _) if spacing.is_none() => (r.number(given), diameter),
+        _ => {
+            let allowed = "either area (and diameter), or diameter and spacing";
+            r.refuse(Code::Exclusive, field, "not exactly one area of the bars", allowed);
+            (f64::NAN, diameter)
+        }
+    }
+}
+
+/// One layer of bars in a shell; its thickness as given and in m.
+fn bars(
+    r: &mut Resolver<'_>,
+    field: &Field<Reinforcement>,
+    (shell, thickness): (&Field<Length>, f64),
+    materials: &Materials,
+) -> Option<tank::Reinforcement> {
+    let b = field.value.as_ref()?;
+    r.echo_given(&b.direction);
+    let (area, diameter) = area(r, field, b);
+    let given = match (&b.from_inner.given, &b.from_outer.given) {
+        (Some(f), None) => Some((f, false)),
+        (None, Some(f)) => Some((f, true)),
+        _ => None,
+    };
+    let depth = match given {
+        None => {
+            let message = "not exactly one distance from a face";
+            r.refuse(Code::Exclusive, field, message, "either from_inner or from_outer");
+            f64::NAN
+        }
+        Some((f, from_outer)) => {
+            let distance = r.number(f);
+            if distance >= thickness {
+                let allowed = format!(
+                    "less than {}, the thickness of the shell",
+                    like_unit(f, thickness, Dimension::Length)
+                );
+                let message = "the bars are outside their shell";
+                r.faults.push(
+                    range_fault(Code::Contradiction, f, message, &allowed)
+                        .help(format!("the shell is given as {}", shell.text)),
+                );
+            }
+            if from_outer { thickness - distance } else { distance }
+        }
+    };
+    let material = material(r, &b.material, materials, Use::Bars);
+    Some(tank::Reinforcement {
+        direction: b.direction.value?,
+        area,
+        depth,
+        diameter,
+        material: material?,
+    })
 }

@@ -2,24 +2,152 @@
 
 use ::base::{Plate, Soil, subgrade_modulus};
 use files::code::{Code, Warning};
-use tank::FoundationKind;
+use tank::units::{Dimension, display};
+use tank::{FoundationKind, Joint, Shape, ShellSupport, Support};
 
 use super::corrosion::loss;
+use super::details::Connections;
 use super::materials::Materials;
-use super::tank::{Anchors, Bottom, Foundation};
-use super::wall::{self, Use};
-use crate::input::tank::read::Field;
-use crate::input::tank::resolver::{Resolver, range_fault};
+use super::tank::{SIZE, Tank};
+use super::wall::{self, CORROSION, THICKNESS, Use};
+use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::resolver::Resolver;
+use crate::input::tank::values::{Density, Force, Length, LineForce, Number, Subgrade, Velocity, Whole};
+
+/// Forces of an anchor, from one of a model up.
+const FORCE: Limits = Limits::from(1.0).to(1e9);
+
+object! {
+    /// Bottom plate under the wall.
+    Bottom {
+        /// Thickness of the bottom plate; of the plates within the annular plate where annular_thickness is given.
+        thickness ("8 mm"): Field<Length> [THICKNESS],
+        /// Corrosion allowance; it does not resist uplift.
+        corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
+        /// Measured thickness of a corroded plate, instead of the allowance; thickness is that as built.
+        measured_thickness ("6.5 mm"): Opt<Length> [THICKNESS],
+        /// Thickness of the annular plate under the wall; together with annular_width.
+        annular_thickness ("12 mm"): Opt<Length> [THICKNESS] = Absent::Follows("that of the bottom plate"),
+        /// Width of the annular plate, from the inside of the shell towards the centre.
+        annular_width ("1.2 m"): Opt<Length> [SIZE] = Absent::Follows("width"),
+        /// The same for a plate of `thickness` under the wall. Give one of the widths.
+        width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
+        /// Weld between the plates under the shell.
+        annular_weld ("butt"): Opt<Joint> = Absent::Follows("not known"),
+        /// Leg of each of the two fillet welds between shell and bottom.
+        shell_weld ("8 mm"): Opt<Length> [THICKNESS] = Absent::Follows("the least of API 650 5.1.5.7 for the thickness of the shell"),
+        /// Connections through the bottom: least distance from the inside of the shell to the edge of a reinforcement, or "none".
+        connections ("1.5 m"): Opt<Connections> = Absent::Follows("not known; API 650 E.7.4 stays open"),
+        /// Projection of the plate outside the wall; it rests on the ground without liquid on it.
+        projection ("50 mm"): Opt<Length> [Limits::from(0.0).to(1.0)] = default(Length(0.0)),
+        /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
+        subgrade_modulus (100): Opt<Number> [Limits::from(1.0).to(1e6)]
+            = without("without tank.foundation: uplift and toe on ground of 33 to 300 and of 10 000 MN/m³, the worst decides, EN 1998-4:2006 A.9"),
+        /// Name of its material.
+        material ("steel"): Field<String>,
+    }
+
+    /// Foundation, and the soil below it.
+    Foundation {
+        /// Kind of foundation.
+        kind: Field<FoundationKind>,
+        /// Modulus of the ground under the rim of the bottom plate, pressure over settlement. The rim loads a strip some decimetres
+        /// wide, so it is much stiffer than a plate-load test of the whole bottom.
+        stiffness ("100 MN/m3"): Opt<Subgrade> [Limits::from(1e6).to(1e12)]
+            = Absent::Follows("from shear_wave_velocity after Vesic; else 100 MN/m³ of soil, 10 000 MN/m³ of a ring wall or slab"),
+        /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
+        /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks. An anchored
+        /// cylinder on a slab moves with it on this soil, a uniform half-space, in the harmonic engine; EN 1998-4 A.7 and ASCE 7 chapter 19
+        /// stand beside it for information.
+        shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
+            = without("the soil under the rim radiates no energy, a slab does not move"),
+        /// Density of the soil.
+        soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0).usual(1400.0, 2500.0)]
+            = default(Density(1900.0)).because("moist sand or gravel"),
+        /// Poisson's ratio of the soil.
+        soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
+            = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
+        /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate; without it the
+        /// slab has no mass. Of a ring wall its height, for its weight on the ground.
+        thickness ("0.6 m"): Opt<Length> [THICKNESS],
+        /// Width of a ring wall, or of the compacted pad under the shell, on the ground; the shell stands on its middle. The toe of a tank that
+        /// lifts presses on the ground over the width of a ring wall.
+        width ("0.6 m"): Opt<Length> [Limits::above(0.0).to(10.0)]
+            = without("the pressure under a ring wall is not checked, API 650 E.6.2.3, EN 1998-5:2004 5.4.1.1"),
+        /// What lies between the plate under the shell and a foundation of concrete.
+        shell_support ("grouted"): Opt<ShellSupport> = Absent::Follows("not known; API 650 E.7.9 stays open"),
+        /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
+        friction (0.4): Opt<Number> [Limits::from(1e-3).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
+    }
+
+    /// Anchor bolts.
+    Anchors {
+        /// Number of anchors around the circumference.
+        count (36): Field<Whole> [Limits::count(1, 10_000)],
+        /// Design tension capacity of one anchor.
+        capacity ("120 kN"): Opt<Force> [FORCE]
+            = without("the force of an anchor is given without a check"),
+        /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
+        attachment_capacity ("300 kN"): Opt<Force> [FORCE]
+            = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
+        /// Stiffness of one anchor with its chair and embedment, force over elongation: E A/l of the bolt between nut and anchor plate, less
+        /// what chair and concrete give way. With it, and with tank.bottom, the base lifts on its anchors in the time history of the
+        /// harmonic engine where one yields.
+        stiffness ("80 MN/m"): Opt<LineForce> [Limits::from(1e4).to(1e12)]
+            = Absent::Follows("the wall is held down also where an anchor yields"),
+        /// Force at which one anchor yields, at least capacity.
+        yield_force ("150 kN"): Opt<Force> [FORCE] = Absent::Follows("capacity"),
+        /// Play of the nut: the uplift of the rim before the anchor pulls.
+        gap ("1 mm"): Opt<Length> [Limits::from(0.0).to(0.1)] = Absent::Follows("no play"),
+        /// Elongation at which one anchor breaks, play not counted; the uniform elongation of its steel over the free length.
+        rupture_elongation ("40 mm"): Opt<Length> [Limits::from(1e-6).to(10.0)] = Absent::Follows("anchors do not break"),
+    }
+}
+
+choice! {
+    /// Kind of foundation.
+    FoundationKind {
+        /// The bottom plate lies on soil or on a pad of gravel.
+        Soil = "soil",
+        /// A ring of concrete under the wall, soil within it.
+        RingWall = "ring_wall",
+        /// A stiff slab or raft of concrete under the whole bottom.
+        Slab = "slab",
+    }
+}
+
+/// Bottom plate and foundation.
+pub(super) fn base(
+    r: &mut Resolver<'_>,
+    t: &Tank,
+    courses: Option<&[tank::Course]>,
+    shape: Option<Shape>,
+    materials: &Materials,
+) -> (Option<tank::Bottom>, Option<tank::Foundation>) {
+    let founded = t.foundation.given.is_some();
+    let bottom = (t.bottom.value()).and_then(|given| bottom(r, given, materials, founded));
+    if let (Some(field), Some(plate)) = (&t.bottom.given, &bottom)
+        && let Some(first) = courses.and_then(|c| c.first())
+        && t.support.value == Some(Support::Unanchored)
+    {
+        thicker_than_the_wall(r, field, plate, first.thickness);
+    }
+    if let (Some(given), Some(plate), Some(Shape::Cylinder { radius })) = (t.bottom.value(), &bottom, shape) {
+        wider_than_the_tank(r, given, plate, radius);
+    }
+    let isolated = t.isolators.given.is_some();
+    let foundation = (t.foundation.value()).and_then(|given| foundation(r, given, t.bottom.value(), isolated));
+    if let (Some(given), Some(ground), Some(plate)) = (t.foundation.value(), &foundation, &bottom) {
+        ground_of_waves(r, given, ground, plate);
+    }
+    (bottom, foundation)
+}
 
 /// The bottom plate: that under the wall first, the plates within it as `sketch`.
 ///
 /// * `founded`: whether there is a `tank.foundation`, whose ground is that of the plate
-pub(super) fn bottom(
-    r: &mut Resolver<'_>,
-    given: &Bottom,
-    materials: &Materials,
-    founded: bool,
-) -> Option<tank::Bottom> {
+fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials, founded: bool) -> Option<tank::Bottom> {
     let inner = r.number(&given.thickness);
     let annular = r.optional(&given.annular_thickness);
     let thickness = annular.unwrap_or(inner);
@@ -27,12 +155,7 @@ pub(super) fn bottom(
     let width = match (&given.annular_width.given, &given.width.given) {
         (Some(_), Some(field)) => {
             let message = "the width of the annular plate is given twice";
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                message,
-                "either annular_width or width",
-            ));
+            r.refuse(Code::Exclusive, field, message, "either annular_width or width");
             r.optional(&given.width)
         }
         (Some(field), None) => Some(r.number(field)),
@@ -41,18 +164,13 @@ pub(super) fn bottom(
     if let (Some(field), None) = (&given.annular_thickness.given, width) {
         let message = "an annular plate without its width";
         let allowed = "annular_thickness together with annular_width";
-        r.faults.push(range_fault(Code::Incomplete, field, message, allowed));
+        r.refuse(Code::Incomplete, field, message, allowed);
     }
     if let (Some(field), Some(plate)) = (&given.annular_thickness.given, annular)
         && plate < inner
     {
         let message = "the annular plate is thinner than the plates within it";
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            message,
-            "at least tank.bottom.thickness",
-        ));
+        r.refuse(Code::Contradiction, field, message, "at least tank.bottom.thickness");
     }
     let projection = r.or_default(&given.projection);
     // The foundation gives the ground, or the kind that it is assumed for.
@@ -73,52 +191,53 @@ pub(super) fn bottom(
 }
 
 /// An annular plate that is wider than the bottom.
-pub(super) fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &tank::Bottom, radius: f64) {
+fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &tank::Bottom, radius: f64) {
     let field = given.annular_width.given.as_ref().or(given.width.given.as_ref());
     if let (Some(field), Some(width)) = (field, plate.width)
         && width > radius
     {
         let message = "the annular plate is wider than the bottom";
-        let allowed = format!(
-            "at most {}, the radius",
-            tank::units::display(radius, tank::units::Dimension::Length)
-        );
-        r.faults
-            .push(range_fault(Code::Contradiction, field, message, &allowed));
+        let allowed = format!("at most {}, the radius", display(radius, Dimension::Length));
+        r.refuse(Code::Contradiction, field, message, &allowed);
     }
 }
 
+/// The anchors.
+pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors) -> tank::Anchors {
+    let found = tank::Anchors {
+        count: r.count(&given.count).unwrap_or(0),
+        capacity: r.optional(&given.capacity),
+        attachment_capacity: r.optional(&given.attachment_capacity),
+        stiffness: r.optional(&given.stiffness),
+        yield_force: r.optional(&given.yield_force),
+        gap: r.optional(&given.gap),
+        rupture_elongation: r.optional(&given.rupture_elongation),
+    };
+    springs(r, given, &found);
+    found
+}
+
 /// Anchors that cannot be springs: a spring without a strength, a strength below its design value, an elongation that comes before yielding.
-pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Anchors) {
+fn springs(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Anchors) {
     let strength = found.yield_force.or(found.capacity);
     let Some(field) = &given.stiffness.given else {
         let needless = [given.gap.given.as_ref(), given.rupture_elongation.given.as_ref()];
         for field in needless.into_iter().flatten() {
             let message = "anchors without a stiffness do not stretch: this has no effect";
-            r.faults.push(range_fault(
-                Code::Incomplete,
-                field,
-                message,
-                "together with tank.anchors.stiffness",
-            ));
+            r.refuse(Code::Incomplete, field, message, "together with tank.anchors.stiffness");
         }
         return;
     };
     if strength.is_none() {
         let message = "anchors with a stiffness and without a strength";
         let allowed = "tank.anchors.capacity or tank.anchors.yield_force beside it";
-        r.faults.push(range_fault(Code::Incomplete, field, message, allowed));
+        r.refuse(Code::Incomplete, field, message, allowed);
     }
     if let (Some(field), Some(yields), Some(capacity)) = (&given.yield_force.given, found.yield_force, found.capacity)
         && yields < capacity
     {
         let message = "an anchor yields below its design capacity";
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            message,
-            "at least tank.anchors.capacity",
-        ));
+        r.refuse(Code::Contradiction, field, message, "at least tank.anchors.capacity");
     }
     if let (Some(field), Some(rupture), Some(stiffness), Some(strength)) = (
         &given.rupture_elongation.given,
@@ -130,15 +249,14 @@ pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Ancho
         let message = "an anchor breaks before it yields";
         let allowed = format!(
             "at least {}, its yield force over its stiffness",
-            tank::units::display(strength / stiffness, tank::units::Dimension::Length)
+            display(strength / stiffness, Dimension::Length)
         );
-        r.faults
-            .push(range_fault(Code::Contradiction, field, message, &allowed));
+        r.refuse(Code::Contradiction, field, message, &allowed);
     }
 }
 
 /// A plate that is thicker than the lowest course: the joint then yields in the wall, which the strips do not follow.
-pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
+fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
     if plate.thickness > course {
         r.warnings.push(Warning::new(Code::BaseModel, format!(
             "{}: the plate under the wall ({} mm) is thicker than the lowest course ({} mm): in an uplift the wall yields before the \
@@ -156,12 +274,7 @@ const LOOSE_SAND: f64 = 5e6;
 const HARDEST: f64 = 1e12;
 
 /// The modulus that the velocity of shear waves gives under a plate has the limits of one that is given.
-pub(super) fn ground_of_waves(
-    r: &mut Resolver<'_>,
-    given: &Foundation,
-    ground: &tank::Foundation,
-    plate: &tank::Bottom,
-) {
+fn ground_of_waves(r: &mut Resolver<'_>, given: &Foundation, ground: &tank::Foundation, plate: &tank::Bottom) {
     let (Some(field), Some(velocity), FoundationKind::Soil) = (
         &given.shear_wave_velocity.given,
         ground.shear_wave_velocity,
@@ -182,17 +295,17 @@ pub(super) fn ground_of_waves(
     if let Ok(k) = subgrade_modulus(soil, &rim)
         && k > HARDEST
     {
-        let text = |k: f64| tank::units::display(k, tank::units::Dimension::Subgrade);
+        let text = |k: f64| display(k, Dimension::Subgrade);
         let message = format!("these waves give the ground under the rim {}", text(k));
         let allowed = format!("at most {}, or tank.foundation.stiffness", text(HARDEST));
-        r.faults.push(range_fault(Code::OutOfRange, field, &message, &allowed));
+        r.refuse(Code::OutOfRange, field, &message, &allowed);
     }
 }
 
 /// The foundation.
 ///
 /// * `isolated`: whether its slab stands on isolators
-pub(super) fn foundation(
+fn foundation(
     r: &mut Resolver<'_>,
     given: &Foundation,
     bottom: Option<&Bottom>,
@@ -203,7 +316,7 @@ pub(super) fn foundation(
     if let (Some(_), Some(field)) = (stiffness, bottom.and_then(|b| b.subgrade_modulus.given.as_ref())) {
         let message = "the ground under the rim is given twice";
         let allowed = "either tank.foundation.stiffness or tank.bottom.subgrade_modulus";
-        r.faults.push(range_fault(Code::Exclusive, field, message, allowed));
+        r.refuse(Code::Exclusive, field, message, allowed);
     }
     if let (Some(k), Some(field)) = (stiffness, &given.stiffness.given)
         && k < LOOSE_SAND
@@ -213,7 +326,7 @@ pub(super) fn foundation(
             format!(
                 "{}: {} is softer than loose sand under a plate of 0.3 m (5 MN/m³ and more; the rim loads a strip as narrow)",
                 field.path,
-                tank::units::display(k, tank::units::Dimension::Subgrade)
+                display(k, Dimension::Subgrade)
             ),
         ));
     }
@@ -228,23 +341,13 @@ pub(super) fn foundation(
         _ => None,
     };
     let kind = given.kind.value?;
-    if let Some(field) = &given.width.given
-        && kind == FoundationKind::Slab
-    {
+    if kind == FoundationKind::Slab {
         let message = "width does not apply to this foundation";
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            field,
-            message,
-            "\"kind\": \"ring_wall\" or \"soil\"",
-        ));
+        r.inapplicable(&given.width, message, "\"kind\": \"ring_wall\" or \"soil\"");
     }
-    if let Some(field) = &given.thickness.given
-        && kind == FoundationKind::Soil
-    {
+    if kind == FoundationKind::Soil {
         let message = "thickness does not apply to a tank on soil";
-        let allowed = "\"kind\": \"slab\" or \"ring_wall\"";
-        r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
+        r.inapplicable(&given.thickness, message, "\"kind\": \"slab\" or \"ring_wall\"");
     }
     // The mass of a slab moves with it on the soil.
     let reason = match (kind, shear_wave_velocity) {

@@ -1,7 +1,7 @@
 //! `corrosion_allowance` and `measured_thickness` of a course or plate.
 
 use crate::input::tank::read::Opt;
-use crate::input::tank::resolver::{Resolver, like_field, range_fault};
+use crate::input::tank::resolver::{Resolver, like_field};
 use crate::input::tank::values::Length;
 use files::code::Code;
 
@@ -18,8 +18,7 @@ pub(super) fn loss(r: &mut Resolver<'_>, thickness: f64, allowance: &Opt<Length>
             }
             let allowed = format!("less than {}, the thickness", like_field(field, thickness));
             let message = "the corrosion allowance takes the whole plate";
-            r.faults
-                .push(range_fault(Code::Contradiction, field, message, &allowed));
+            r.refuse(Code::Contradiction, field, message, &allowed);
             0.0
         }
         (None, Some(field)) => {
@@ -29,17 +28,13 @@ pub(super) fn loss(r: &mut Resolver<'_>, thickness: f64, allowance: &Opt<Length>
             }
             let allowed = format!("at most {}, the thickness", like_field(field, thickness));
             let message = "the measured plate is thicker than the plate as built";
-            r.faults
-                .push(range_fault(Code::Contradiction, field, message, &allowed));
+            r.refuse(Code::Contradiction, field, message, &allowed);
             0.0
         }
         (Some(_), Some(field)) => {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                "corrosion is given twice",
-                "either corrosion_allowance or measured_thickness",
-            ));
+            let message = "corrosion is given twice";
+            let allowed = "either corrosion_allowance or measured_thickness";
+            r.refuse(Code::Exclusive, field, message, allowed);
             0.0
         }
     }

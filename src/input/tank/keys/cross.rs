@@ -8,7 +8,9 @@ use tank::units::{Dimension, Unit};
 use tank::{Liquid, Shape, Tank};
 
 use super::file::TankFile;
+use super::tank::{Roof, Tank as TankKeys};
 use super::wall::{Course, Layer, THICKNESS};
+use crate::input::diagnostic::Fault;
 use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::values::Length;
@@ -21,31 +23,7 @@ const SHALLOWEST: f64 = 1e-3;
 /// Checks values that are valid one by one but not together.
 pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
     let Some(t) = &file.tank.value else { return };
-    if let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) {
-        // Uses only the heights, so that a misspelt material does not hide this fault.
-        let heights: Option<Vec<f64>> = courses
-            .iter()
-            .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
-            .collect();
-        // A list without courses is a fault already.
-        let heights = heights.filter(|heights| !heights.is_empty());
-        let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
-        if liquid.fill_height > wall * (1.0 + ROUNDING) {
-            let field = &given.fill_height;
-            r.faults.push(
-                range_fault(
-                    Code::LiquidAboveWall,
-                    field,
-                    "the liquid is higher than the wall",
-                    &format!(
-                        "at most {}, the sum of the heights of tank.courses",
-                        like_field(field, wall)
-                    ),
-                )
-                .help("lower fill_height or add a course"),
-            );
-        }
-    }
+    overfilled(r, file, t, liquid);
     let Some(tank) = tank else { return };
     shallow(r, file, tank, liquid);
     let components = (file.site.value())
@@ -58,9 +36,37 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         r.faults
             .push(fault.help("assess the other direction with length and breadth exchanged"));
     }
-    if let (Some(roof), Some(height)) = (t.roof.value(), tank.roof.height)
-        && let Some(field) = &roof.height.given
-    {
+    if let Some(given) = t.roof.value() {
+        roof(r, given, tank, liquid);
+    }
+    thicknesses(r, t, tank.shape);
+}
+
+/// A liquid above the wall, whose height comes from the heights of the courses, so that a misspelt material does not hide this fault.
+fn overfilled(r: &mut Resolver<'_>, file: &TankFile, t: &TankKeys, liquid: Option<Liquid>) {
+    let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) else {
+        return;
+    };
+    let heights: Option<Vec<f64>> = courses
+        .iter()
+        .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
+        .collect();
+    // A list without courses is a fault already.
+    let heights = heights.filter(|heights| !heights.is_empty());
+    let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
+    if liquid.fill_height > wall * (1.0 + ROUNDING) {
+        let field = &given.fill_height;
+        let most = like_field(field, wall);
+        let allowed = format!("at most {most}, the sum of the heights of tank.courses");
+        let message = "the liquid is higher than the wall";
+        let fault = range_fault(Code::LiquidAboveWall, field, message, &allowed);
+        r.faults.push(fault.help("lower fill_height or add a course"));
+    }
+}
+
+/// A roof in the liquid or in the lower half of the wall, and one that sinks.
+fn roof(r: &mut Resolver<'_>, given: &Roof, tank: &Tank, liquid: Option<Liquid>) {
+    if let (Some(height), Some(field)) = (tank.roof.height, &given.height.given) {
         let half = 0.5 * tank.wall_height();
         let fill = liquid.map_or(0.0, |liquid| liquid.fill_height);
         let (least, message, what) = match fill > half {
@@ -73,95 +79,129 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         };
         if height < least * (1.0 - ROUNDING) {
             let allowed = format!("at least {}, {what}", like_field(field, least));
-            r.faults
-                .push(range_fault(Code::Contradiction, field, message, &allowed));
+            r.refuse(Code::Contradiction, field, message, &allowed);
         }
     }
-    if let (Some(roof), Some(liquid)) = (t.roof.value(), liquid)
-        && tank.roof.afloat > 0.0
-        && tank.roof.afloat >= liquid.mass(tank.shape)
-    {
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            &roof.mass,
-            "the floating roof is heavier than the liquid",
-            "less than the mass of the liquid, which contains the roof's",
-        ));
+    if liquid.is_some_and(|liquid| tank.roof.afloat > 0.0 && tank.roof.afloat >= liquid.mass(tank.shape)) {
+        let message = "the floating roof is heavier than the liquid";
+        let allowed = "less than the mass of the liquid, which contains the roof's";
+        r.refuse(Code::Contradiction, &given.mass, message, allowed);
     }
-    let half = tank.shape.half_length();
-    let (thickest, what) = match tank.shape {
-        Shape::Cylinder { .. } => (half / 5.0, "a fifth of the radius"),
-        Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
-    };
-    let thinnest = half / 20_000.0;
-    let plan = t.radius.given.as_ref().or(t.length.given.as_ref());
+}
+
+/// Bounds of the thickness of the plates of a tank.
+struct Bounds {
+    /// Thickest plate over the half length.
+    thickest: f64,
+    /// Share of a plan dimension of the tank file that is its half length.
+    whole: f64,
+    /// The thickest plate in words.
+    what: &'static str,
+}
+
+impl Bounds {
+    /// Half length over the thinnest plate.
+    const THINNEST: f64 = 20_000.0;
+
+    const fn of(shape: Shape) -> Bounds {
+        match shape {
+            Shape::Cylinder { .. } => Bounds {
+                thickest: 5.0,
+                whole: 1.0,
+                what: "a fifth of the radius",
+            },
+            Shape::Rectangle { .. } => Bounds {
+                thickest: 2.0,
+                whole: 0.5,
+                what: "a quarter of the length",
+            },
+        }
+    }
+
+    /// Whether no tank of this half length [m] has a plate this thick or thin [m].
+    fn exclude(&self, half: f64, thickness: f64) -> bool {
+        thickness > half / self.thickest || thickness < half / Self::THINNEST
+    }
+}
+
+/// Plates that are too thick or too thin for the tank, or a tank that is too small or too large for all its plates.
+fn thicknesses(r: &mut Resolver<'_>, t: &TankKeys, shape: Shape) {
     let courses: Vec<&Course> = (t.courses.value.iter().flatten())
         .filter_map(|c| c.value.as_ref())
         .collect();
     let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.given.as_ref()).collect();
     plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
     plates.extend(t.bottom.value().map(|b| &b.thickness));
-    plates.retain(|field| field.value.is_some_and(|l| THICKNESS.hold(l.0)));
-    let thicknesses: Vec<f64> = plates.iter().filter_map(|field| field.value).map(|l| l.0).collect();
-    let impossible = |half: f64| {
-        let thickest = thickest / tank.shape.half_length() * half;
-        let outside = |t: &&f64| **t > thickest || **t < half / 20_000.0;
-        thicknesses.iter().filter(outside).count()
-    };
+    let plates: Vec<(&Field<Length>, f64)> = (plates.into_iter())
+        .filter_map(|field| Some((field, field.value?.0)))
+        .filter(|(_, thickness)| THICKNESS.hold(*thickness))
+        .collect();
+    let bounds = Bounds::of(shape);
+    let half = shape.half_length();
     // Several plates that all contradict one dimension: that dimension is wrong, not each of them.
-    if let Some(field) = plan
-        && thicknesses.len() > 1
-        && impossible(half) == thicknesses.len()
+    if let Some(field) = t.radius.given.as_ref().or(t.length.given.as_ref())
+        && plates.len() > 1
+        && plates.iter().all(|(_, t)| bounds.exclude(half, *t))
     {
         let key = if t.radius.given.is_some() { "radius" } else { "length" };
-        let whole = match tank.shape {
-            Shape::Cylinder { .. } => 1.0,
-            Shape::Rectangle { .. } => 0.5,
-        };
-        let small = thicknesses.iter().all(|t| *t > thickest);
-        let largest = thicknesses.iter().copied().fold(0.0, f64::max);
-        let least = thicknesses.iter().copied().fold(f64::INFINITY, f64::min);
-        let (message, allowed) = match small {
-            true => (
-                format!("the {key} is too small for the thickness of the wall"),
-                format!("at least {}", like_field(field, largest * half / thickest / whole)),
-            ),
-            false => (
-                format!("the {key} is too large for the thickness of the wall"),
-                format!("at most {}", like_field(field, least * 20_000.0 / whole)),
-            ),
-        };
-        let mut fault = range_fault(Code::OutOfRange, field, &message, &allowed);
-        if let Some(meant) = meant(&field.text, &["m", "ft", "cm", "mm"], |size| {
-            impossible(whole * size) == 0
-        }) {
-            fault = fault.help(format!("did you mean \"{meant}\"?"));
-        }
-        r.faults.push(fault);
+        let thicknesses: Vec<f64> = plates.iter().map(|(_, thickness)| *thickness).collect();
+        wrong_dimension(r, (key, field), &thicknesses, (half, &bounds));
         return;
     }
-    for field in plates {
-        let Some(Length(thickness)) = field.value else { continue };
-        let (message, allowed) = if thickness > thickest {
+    for (field, thickness) in plates.into_iter().filter(|(_, t)| bounds.exclude(half, *t)) {
+        let (message, allowed) = if thickness > half / bounds.thickest {
+            let most = like_field(field, half / bounds.thickest);
             (
                 "the wall is thicker than any tank's",
-                format!("at most {}, {what}", like_field(field, thickest)),
-            )
-        } else if thickness < thinnest {
-            (
-                "the wall is thinner than any tank's",
-                format!("at least {}, R/20000", like_field(field, thinnest)),
+                format!("at most {most}, {}", bounds.what),
             )
         } else {
-            continue;
+            let least = like_field(field, half / Bounds::THINNEST);
+            (
+                "the wall is thinner than any tank's",
+                format!("at least {least}, R/20000"),
+            )
         };
-        let mut fault = range_fault(Code::OutOfRange, field, message, &allowed);
         // R/t from 20 to 5000.
         let usual = |thickness: f64| (half / 5000.0..=half / 20.0).contains(&thickness);
-        if let Some(meant) = meant(&field.text, &["mm", "cm", "m", "in"], usual) {
-            fault = fault.help(format!("did you mean \"{meant}\"?"));
+        let fault = range_fault(Code::OutOfRange, field, message, &allowed);
+        r.faults
+            .push(suggest(fault, meant(&field.text, &["mm", "cm", "m", "in"], usual)));
+    }
+}
+
+/// A radius or length that contradicts the thickness of every plate.
+fn wrong_dimension(
+    r: &mut Resolver<'_>,
+    (key, field): (&str, &Field<Length>),
+    thicknesses: &[f64],
+    (half, bounds): (f64, &Bounds),
+) {
+    let small = thicknesses.iter().all(|t| *t > half / bounds.thickest);
+    let (size, bound) = match small {
+        true => {
+            let largest = thicknesses.iter().copied().fold(0.0, f64::max);
+            let least = largest * bounds.thickest / bounds.whole;
+            ("small", format!("at least {}", like_field(field, least)))
         }
-        r.faults.push(fault);
+        false => {
+            let least = thicknesses.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = least * Bounds::THINNEST / bounds.whole;
+            ("large", format!("at most {}", like_field(field, most)))
+        }
+    };
+    let message = format!("the {key} is too {size} for the thickness of the wall");
+    let fits = |length: f64| !thicknesses.iter().any(|t| bounds.exclude(bounds.whole * length, *t));
+    let fault = range_fault(Code::OutOfRange, field, &message, &bound);
+    r.faults
+        .push(suggest(fault, meant(&field.text, &["m", "ft", "cm", "mm"], fits)));
+}
+
+/// A fault with the value that was probably meant.
+fn suggest(fault: Fault, meant: Option<String>) -> Fault {
+    match meant {
+        Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
+        None => fault,
     }
 }
 
@@ -177,12 +217,8 @@ fn shallow(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank, liquid: Option<Li
     if liquid.fill_height < SHALLOWEST * half * (1.0 - ROUNDING) {
         let field = &given.fill_height;
         let allowed = format!("at least {}, {what}", like_field(field, SHALLOWEST * half));
-        let fault = range_fault(
-            Code::OutOfRange,
-            field,
-            "the liquid is shallower than any tank's",
-            &allowed,
-        );
+        let message = "the liquid is shallower than any tank's";
+        let fault = range_fault(Code::OutOfRange, field, message, &allowed);
         r.faults
             .push(fault.help("correct the unit; an empty tank is not assessed"));
     }

@@ -5,7 +5,7 @@ use tank::options::frequency::{FrequencyDamping, FrequencyOptions};
 
 use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, Opt, choice, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Pitch, Whole};
 
 /// Defaults.
@@ -46,13 +46,9 @@ pub(super) fn frequency(r: &mut Resolver<'_>, given: &Opt<Frequency>) -> Option<
     let (from, to) = (end(&given.from), end(&given.to));
     let above = |field: &&Field<Pitch>| from.zip(to).is_some_and(|(from, to)| from >= to) && field.value.is_some();
     if let Some(field) = given.to.given.as_ref().filter(above) {
-        let fault = range_fault(
-            Code::Contradiction,
-            field,
-            "the range of frequencies is empty",
-            "a frequency above `from`",
-        );
-        r.faults.push(fault);
+        let message = "the range of frequencies is empty";
+        let allowed = "a frequency above `from`";
+        r.refuse(Code::Contradiction, field, message, allowed);
     }
     Some(FrequencyOptions {
         from,

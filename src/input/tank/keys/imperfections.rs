@@ -158,24 +158,18 @@ pub(super) fn imperfections(
     let all = Imperfections { parts };
     if let Some(tank) = tank {
         let Shape::Cylinder { radius } = tank.shape else {
-            let fault = range_fault(
-                Code::DoesNotApply,
-                field,
-                "a rectangle has no waves around it",
-                "a tank of shape \"cylinder\"",
-            );
+            let message = "a rectangle has no waves around it";
+            let allowed = "a tank of shape \"cylinder\"";
+            let fault = range_fault(Code::DoesNotApply, field, message, allowed);
             r.faults.push(fault.help("remove analysis.imperfections"));
             return Imperfections::NONE;
         };
         let (largest, ..) = all.largest(tank.wall_height());
         if largest > LARGEST * radius {
             let limit = like_field(field, LARGEST * radius);
-            let fault = range_fault(
-                Code::OutOfRange,
-                field,
-                "the wall deviates by more than a twentieth of its radius",
-                &format!("at most {limit} in all"),
-            );
+            let message = "the wall deviates by more than a twentieth of its radius";
+            let allowed = format!("at most {limit} in all");
+            let fault = range_fault(Code::OutOfRange, field, message, &allowed);
             r.faults.push(fault.found(like_field(field, largest)));
         }
     }
@@ -203,13 +197,9 @@ fn one(
     ];
     match (&given.table.given, wave.into_iter().flatten().next()) {
         (Some(_), Some(place)) => {
-            let fault = range_fault(
-                Code::Exclusive,
-                &place,
-                "a table and a wave exclude each other",
-                "one of them",
-            );
-            r.faults.push(fault);
+            let message = "a table and a wave exclude each other";
+            let allowed = "one of them";
+            r.refuse(Code::Exclusive, &place, message, allowed);
             None
         }
         (Some(name), None) => table(r, name, factor, folder).map(imperfection::Imperfection::Table),
@@ -221,23 +211,16 @@ fn one(
                 (None, None) => "neither n and amplitude nor table",
             };
             if !missing.is_empty() {
-                let fault = range_fault(
-                    Code::Incomplete,
-                    field,
-                    "an incomplete imperfection",
-                    "n and amplitude, or table",
-                );
+                let message = "an incomplete imperfection";
+                let allowed = "n and amplitude, or table";
+                let fault = range_fault(Code::Incomplete, field, message, allowed);
                 r.faults.push(fault.found(missing));
                 return None;
             }
             if let Some(place) = given.factor.place() {
-                let fault = range_fault(
-                    Code::DoesNotApply,
-                    &place,
-                    "this belongs to `table`",
-                    "amplitude alone for a wave",
-                );
-                r.faults.push(fault);
+                let message = "this belongs to `table`";
+                let allowed = "amplitude alone for a wave";
+                r.refuse(Code::DoesNotApply, &place, message, allowed);
             }
             let profile = match &given.shape.given {
                 Some(shape) => shape.value.clone()?.0,
@@ -299,15 +282,13 @@ fn grid(source: &Source, factor: f64) -> Result<Table, String> {
     let Some((head, rows)) = rows.split_first() else {
         return Err(format!("{}: an empty file", source.name));
     };
-    let mut units = Vec::new();
-    for (i, cell) in head.iter().enumerate() {
-        units.push(match (i, cell.text.as_str()) {
-            (0, "theta_deg") => PI / 180.0,
-            (0, "theta_rad") | (1, "z_m") | (2, "w_m") => 1.0,
-            (1, "z_mm") | (2, "w_mm") => 1e-3,
-            (_, name) => return Err(at(cell.span.start, &format!("unexpected column `{name}`"))),
-        });
-    }
+    let unit = |(i, cell): (usize, &csv::Cell)| match (i, cell.text.as_str()) {
+        (0, "theta_deg") => Ok(PI / 180.0),
+        (0, "theta_rad") | (1, "z_m") | (2, "w_m") => Ok(1.0),
+        (1, "z_mm") | (2, "w_mm") => Ok(1e-3),
+        (_, name) => Err(at(cell.span.start, &format!("unexpected column `{name}`"))),
+    };
+    let units: Vec<f64> = head.iter().enumerate().map(unit).collect::<Result<_, _>>()?;
     if head.len() != 3 {
         return Err(at(0, "other than three columns"));
     }
@@ -327,10 +308,8 @@ fn grid(source: &Source, factor: f64) -> Result<Table, String> {
         }
         let [theta, z, w] = numbers;
         if !(0.0..TAU - 1e-6).contains(&theta) || z < 0.0 {
-            return Err(at(
-                start,
-                "an angle outside 0 to below 360°, or a height below the base",
-            ));
+            let what = "an angle outside 0 to below 360°, or a height below the base";
+            return Err(at(start, what));
         }
         if found.insert((key(z), key(theta)), (z, theta, factor * w)).is_some() {
             return Err(at(start, "an angle twice at one height"));

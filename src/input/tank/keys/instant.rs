@@ -64,8 +64,7 @@ pub(super) fn instants(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Moment>>>) -
             && !field.limits.hold(time)
         {
             let allowed = field.limits.describe(Dimension::Time);
-            r.faults
-                .push(range_fault(Code::OutOfRange, one, field.limits.message(time), &allowed));
+            r.refuse(Code::OutOfRange, one, field.limits.message(time), &allowed);
         }
         found.push(instant);
     }

@@ -3,15 +3,83 @@
 use files::code::{Code, Warning};
 use tank::{Bearing, FoundationKind, Shape, Support};
 
-use super::tank::{Isolation, Isolators, Tank};
-use crate::input::tank::key::Absent;
-use crate::input::tank::read::{Field, FromNode, Opt};
-use crate::input::tank::resolver::{Resolver, range_fault};
-use crate::input::tank::syntax::join;
-use crate::input::tank::values::Si;
+use super::tank::Tank;
+use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
+use crate::input::tank::resolver::Resolver;
+use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Si};
 
 /// Reinforced concrete [kg/m³].
 const CONCRETE: f64 = 2500.0;
+
+object! {
+    /// Isolators under the slab. Forces and stiffnesses are those of all bearings or dampers together; of a strip, per metre of breadth.
+    Isolators {
+        /// Kind of bearing.
+        kind: Field<Isolation>,
+        /// Radius of the concave surface of friction pendulums, which need it.
+        radius ("2.24 m"): Opt<Length> [Limits::from(0.05).to(100.0)],
+        /// Coefficient of friction of friction pendulums in fast sliding; they need it.
+        friction (0.05): Opt<Number> [Limits::from(1e-4).to(0.5)],
+        /// Coefficient of friction at rest; not above that of fast sliding.
+        friction_slow (0.03): Opt<Number> [Limits::from(1e-4).to(0.5)] = Absent::Follows("friction"),
+        /// Rate a of the friction with the speed v in s/m, friction − (friction − friction_slow) exp(−a v).
+        friction_rate (50): Opt<Number> [Limits::from(0.0).to(1000.0)] = default(Number(50.0)).because("20 to 100 s/m"),
+        /// Elastic displacement of friction pendulums before they slide.
+        slip ("1 mm"): Opt<Length> [Limits::from(1e-5).to(0.02)] = default(Length(1e-3)).because("it gives sticking a stiffness"),
+        /// Characteristic strength of lead-rubber bearings, the force at no displacement; they need it.
+        strength ("5 MN"): Opt<Force> [Limits::from(1.0).to(1e12)],
+        /// Stiffness: of lead-rubber bearings after yielding, of elastomers, and of the bearings beside dampers. All but friction
+        /// pendulums need it.
+        stiffness ("60 MN/m"): Opt<LineForce> [Limits::from(1.0).to(1e15)],
+        /// Stiffness of lead-rubber bearings before yielding, above that after it.
+        initial_stiffness ("600 MN/m"): Opt<LineForce> [Limits::from(1.0).to(1e15)] = Absent::Follows("10 times stiffness"),
+        /// Damping ratio of elastomers at the period of the mass above them on their stiffness; they need it.
+        damping (0.12): Opt<Number> [Limits::from(0.0).to(0.5)],
+        /// Coefficient C of viscous dampers in N (s/m)^α: their force is C |v|^α. The kind `damper` needs it; any other may have dampers
+        /// beside its bearings.
+        damper_coefficient (5e6): Opt<Number> [Limits::from(1.0).to(1e13)] = Absent::Follows("no dampers"),
+        /// Exponent α of the dampers.
+        damper_exponent (0.5): Opt<Number> [Limits::from(0.1).to(2.0)] = default(Number(1.0)).because("linear dampers"),
+        /// Mass on the isolators besides the tank.
+        slab_mass ("900 t"): Opt<Mass> [Limits::from(0.0).to(1e10)]
+            = Absent::Follows("tank.foundation.thickness under the tank, of 2500 kg/m³"),
+        /// Strength, stiffness, friction and damper coefficient of the lower bound over the nominal ones.
+        lower_bound (0.6): Opt<Number> [Limits::from(0.1).to(1.0)] = default(Number(0.6)).because("ASCE 7-16 17.2.8.4 without tests"),
+        /// The same of the upper bound.
+        upper_bound (1.8): Opt<Number> [Limits::from(1.0).to(5.0)] = default(Number(1.8)).because("ASCE 7-16 17.2.8.4 without tests"),
+        /// Displacement that bearings, joints and pipes have room for.
+        displacement_capacity ("250 mm"): Opt<Length> [Limits::from(1e-4).to(5.0)]
+            = without("the displacement of the isolators is given without a check"),
+    }
+}
+
+/// Kind of isolators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Isolation {
+    /// Friction pendulums.
+    FrictionPendulum,
+    /// Lead-rubber bearings.
+    LeadRubber,
+    /// Elastomers.
+    Elastomer,
+    /// Viscous dampers.
+    Damper,
+}
+
+choice! {
+    /// Kind of isolators.
+    Isolation {
+        /// Friction pendulums: a slider on a concave surface; needs radius and friction.
+        FrictionPendulum = "friction_pendulum",
+        /// Lead-rubber bearings, bilinear; needs strength and stiffness.
+        LeadRubber = "lead_rubber",
+        /// Elastomeric bearings, linear; needs stiffness and damping.
+        Elastomer = "elastomer",
+        /// Viscous dampers beside linear bearings without damping; needs damper_coefficient and stiffness.
+        Damper = "damper",
+    }
+}
 
 /// The isolators, of a tank that is held down on a slab.
 pub(super) fn isolators(
@@ -22,90 +90,14 @@ pub(super) fn isolators(
     shape: Option<Shape>,
 ) -> Option<tank::Isolators> {
     r.echo_given(&given.kind);
-    let kind = given.kind.value;
-    let mut keys = Keys { r, field, kind };
-    let pendulum = &[Isolation::FrictionPendulum][..];
-    let rubber = &[Isolation::LeadRubber][..];
-    let springs = &[Isolation::LeadRubber, Isolation::Elastomer, Isolation::Damper][..];
-    let radius = keys.needed(&given.radius, pendulum);
-    let friction = keys.needed(&given.friction, pendulum);
-    let slow = keys.follows(&given.friction_slow, friction, pendulum);
-    let rate = keys.or_default(&given.friction_rate, pendulum, given.friction_slow.given.is_some());
-    let slip = keys.or_default(&given.slip, pendulum, true);
-    let strength = keys.needed(&given.strength, rubber);
-    let stiffness = keys.needed(&given.stiffness, springs);
-    let initial = keys.follows(&given.initial_stiffness, 10.0 * stiffness, rubber);
-    let damping = keys.needed(&given.damping, &[Isolation::Elastomer]);
-    let coefficient = match kind {
-        Some(Isolation::Damper) => Some(keys.needed(&given.damper_coefficient, &[Isolation::Damper])),
-        _ => keys.r.optional(&given.damper_coefficient),
-    };
-    let dampers = coefficient.is_some() || given.damper_exponent.given.is_some();
-    let exponent = if dampers {
-        keys.r.or_default(&given.damper_exponent)
-    } else {
-        1.0
-    };
-    let bounds = [&given.lower_bound, &given.upper_bound].map(|bound| keys.r.or_default(bound));
-    let displacement_capacity = keys.r.optional(&given.displacement_capacity);
-    let slab_mass = keys.r.optional(&given.slab_mass);
+    let bearing = bearing(r, field, given);
+    let damper = damper(r, field, given);
+    let bounds = [&given.lower_bound, &given.upper_bound].map(|bound| r.or_default(bound));
+    let displacement_capacity = r.optional(&given.displacement_capacity);
+    let slab_mass = r.optional(&given.slab_mass);
     let slab = foundation.filter(|f| f.kind == FoundationKind::Slab);
-    if tank.foundation.value().is_none_or(|f| f.kind.value.is_some()) && slab.is_none() {
-        let message = "isolators without a slab: the bottom of the tank would not stand on one rigid body";
-        let allowed = "\"foundation\": { \"kind\": \"slab\", … }";
-        r.faults.push(range_fault(Code::Unsupported, field, message, allowed));
-    }
-    let waves = tank
-        .foundation
-        .value()
-        .and_then(|f| f.shear_wave_velocity.given.as_ref());
-    if let Some(waves) = waves {
-        let message = "isolators and soil under one slab: no engine follows both";
-        let allowed = "no shear_wave_velocity, or no isolators";
-        r.faults.push(range_fault(Code::Unsupported, waves, message, allowed));
-    }
-    if tank.support.value == Some(Support::Unanchored) {
-        let message = "isolators under an unanchored tank: no engine follows uplift and isolators together";
-        r.faults.push(range_fault(
-            Code::Unsupported,
-            field,
-            message,
-            "\"support\": \"anchored\", or no isolators",
-        ));
-    }
-    if kind == Some(Isolation::FrictionPendulum)
-        && let Some(given) = &given.friction_slow.given
-        && slow > friction
-    {
-        let message = "friction at rest above that of fast sliding";
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            given,
-            message,
-            "at most tank.isolators.friction",
-        ));
-    }
-    if kind == Some(Isolation::LeadRubber)
-        && let Some(given) = &given.initial_stiffness.given
-        && initial <= stiffness
-    {
-        let message = "the stiffness before yielding is not above that after it";
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            given,
-            message,
-            "more than tank.isolators.stiffness",
-        ));
-    }
-    if let (Some(given), None) = (&given.damper_exponent.given, coefficient) {
-        let message = "damper_exponent does not apply to a tank without dampers";
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            given,
-            message,
-            "together with damper_coefficient",
-        ));
-    }
+    unsupported(r, field, tank, slab.is_some());
+    contradictions(r, given, bearing, damper);
     r.warnings.push(Warning::new(Code::NotUsed, "`tank.isolators` enters the time history of the harmonic engine; the codes' procedures, the response-spectrum method, transfer \
          functions and the other engines take the base as fixed"));
     let thickness = slab.and_then(|slab| slab.thickness);
@@ -122,7 +114,33 @@ pub(super) fn isolators(
             0.0
         }
     };
-    let bearing = match kind? {
+    Some(tank::Isolators {
+        bearing: bearing?,
+        damper,
+        slab_mass,
+        slab_thickness: thickness.unwrap_or(0.0),
+        bounds,
+        displacement_capacity,
+    })
+}
+
+/// The bearings of the kind.
+fn bearing(r: &mut Resolver<'_>, field: &Field<Isolators>, given: &Isolators) -> Option<Bearing> {
+    let kind = given.kind.value;
+    let mut keys = Keys { r, field, kind };
+    let pendulum = &[Isolation::FrictionPendulum][..];
+    let rubber = &[Isolation::LeadRubber][..];
+    let springs = &[Isolation::LeadRubber, Isolation::Elastomer, Isolation::Damper][..];
+    let radius = keys.needed(&given.radius, pendulum);
+    let friction = keys.needed(&given.friction, pendulum);
+    let slow = keys.follows(&given.friction_slow, friction, pendulum);
+    let rate = keys.or_default(&given.friction_rate, pendulum, given.friction_slow.given.is_some());
+    let slip = keys.or_default(&given.slip, pendulum, true);
+    let strength = keys.needed(&given.strength, rubber);
+    let stiffness = keys.needed(&given.stiffness, springs);
+    let initial = keys.follows(&given.initial_stiffness, 10.0 * stiffness, rubber);
+    let damping = keys.needed(&given.damping, &[Isolation::Elastomer]);
+    Some(match kind? {
         Isolation::FrictionPendulum => Bearing::FrictionPendulum {
             radius,
             friction,
@@ -140,15 +158,62 @@ pub(super) fn isolators(
             stiffness,
             damping: 0.0,
         },
-    };
-    Some(tank::Isolators {
-        bearing,
-        damper: coefficient.map(|c| [c, exponent]),
-        slab_mass,
-        slab_thickness: thickness.unwrap_or(0.0),
-        bounds,
-        displacement_capacity,
     })
+}
+
+/// Coefficient and exponent of the dampers, which all kinds may have and the kind `damper` needs.
+fn damper(r: &mut Resolver<'_>, field: &Field<Isolators>, given: &Isolators) -> Option<[f64; 2]> {
+    let kind = given.kind.value;
+    let coefficient = match kind {
+        Some(Isolation::Damper) => {
+            Some(Keys { r, field, kind }.needed(&given.damper_coefficient, &[Isolation::Damper]))
+        }
+        _ => r.optional(&given.damper_coefficient),
+    };
+    let dampers = coefficient.is_some() || given.damper_exponent.given.is_some();
+    let exponent = dampers.then(|| r.or_default(&given.damper_exponent))?;
+    coefficient.map(|coefficient| [coefficient, exponent])
+}
+
+/// Tanks that no engine follows on isolators.
+fn unsupported(r: &mut Resolver<'_>, field: &Field<Isolators>, tank: &Tank, on_slab: bool) {
+    if tank.foundation.value().is_none_or(|f| f.kind.value.is_some()) && !on_slab {
+        let message = "isolators without a slab: the bottom of the tank would not stand on one rigid body";
+        let allowed = "\"foundation\": { \"kind\": \"slab\", … }";
+        r.refuse(Code::Unsupported, field, message, allowed);
+    }
+    let foundation = tank.foundation.value();
+    if let Some(waves) = foundation.and_then(|f| f.shear_wave_velocity.given.as_ref()) {
+        let message = "isolators and soil under one slab: no engine follows both";
+        let allowed = "no shear_wave_velocity, or no isolators";
+        r.refuse(Code::Unsupported, waves, message, allowed);
+    }
+    if tank.support.value == Some(Support::Unanchored) {
+        let message = "isolators under an unanchored tank: no engine follows uplift and isolators together";
+        let allowed = "\"support\": \"anchored\", or no isolators";
+        r.refuse(Code::Unsupported, field, message, allowed);
+    }
+}
+
+/// Values that are valid one by one but not together.
+fn contradictions(r: &mut Resolver<'_>, given: &Isolators, bearing: Option<Bearing>, damper: Option<[f64; 2]>) {
+    match (bearing, &given.friction_slow.given, &given.initial_stiffness.given) {
+        (Some(Bearing::FrictionPendulum { friction, slow, .. }), Some(field), _) if slow > friction => {
+            let message = "friction at rest above that of fast sliding";
+            let allowed = "at most tank.isolators.friction";
+            r.refuse(Code::Contradiction, field, message, allowed);
+        }
+        (Some(Bearing::LeadRubber { initial, yielded, .. }), _, Some(field)) if initial <= yielded => {
+            let message = "the stiffness before yielding is not above that after it";
+            let allowed = "more than tank.isolators.stiffness";
+            r.refuse(Code::Contradiction, field, message, allowed);
+        }
+        _ => {}
+    }
+    if let (Some(field), None) = (&given.damper_exponent.given, damper) {
+        let message = "damper_exponent does not apply to a tank without dampers";
+        r.refuse(Code::DoesNotApply, field, message, "together with damper_coefficient");
+    }
 }
 
 /// The keys of a kind.
@@ -167,11 +232,10 @@ impl Keys<'_, '_> {
             let message = format!("{} does not apply to a {}", option.key.name, words(kind));
             let allowed: Vec<String> = kinds
                 .iter()
-                .map(|kind| format!("\"kind\": \"{}\"", id(*kind)))
+                .map(|kind| format!("\"kind\": \"{}\"", kind.written().unwrap_or_default()))
                 .collect();
             self.r
-                .faults
-                .push(range_fault(Code::DoesNotApply, given, &message, &allowed.join(" or ")));
+                .refuse(Code::DoesNotApply, given, &message, &allowed.join(" or "));
         }
         applies
     }
@@ -185,22 +249,15 @@ impl Keys<'_, '_> {
             (None, true) => {
                 let key = option.key.name;
                 if !self.r.faults.suggest(&format!("did you mean `{key}`?")) {
-                    let place = self.field.span.start..self.field.span.start + 1;
-                    let missing = Field::<T>::missing(place, join(&self.field.path, key));
-                    let message = format!("the key `{key}` is missing");
-                    let fault = range_fault(
-                        Code::MissingKey,
-                        &missing,
-                        &message,
-                        &option.key.limits.describe(T::DIMENSION),
-                    );
                     let own = option.key.example;
                     let example = match (own.is_empty(), own.parse::<f64>().is_ok()) {
                         (true, _) => T::example(),
                         (false, true) => own.into(),
                         (false, false) => format!("\"{own}\""),
                     };
-                    self.r.faults.push(fault.help(format!("add \"{key}\": {example}")));
+                    let allowed = option.key.limits.describe(T::DIMENSION);
+                    self.r
+                        .missing(self.field, key, &allowed, format!("add \"{key}\": {example}"));
                 }
                 f64::NAN
             }
@@ -229,15 +286,6 @@ impl Keys<'_, '_> {
             None if applies && used => self.r.or_default(option),
             None => 0.0,
         }
-    }
-}
-
-fn id(kind: Isolation) -> &'static str {
-    match kind {
-        Isolation::FrictionPendulum => "friction_pendulum",
-        Isolation::LeadRubber => "lead_rubber",
-        Isolation::Elastomer => "elastomer",
-        Isolation::Damper => "damper",
     }
 }
 

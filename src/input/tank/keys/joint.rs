@@ -5,7 +5,7 @@ use tank::Shape;
 
 use crate::input::tank::key::{Limits, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Number, Stress};
 
 object! {
@@ -64,7 +64,7 @@ pub(super) fn wall_base(
     if shape.is_some() && !concrete {
         let message = "wall_base does not apply to a metal shell or to the walls of a box";
         let allowed = "a cylinder of concrete, or no wall_base";
-        r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
+        r.refuse(Code::DoesNotApply, field, message, allowed);
     }
     let given = field.value.as_ref()?;
     r.echo_given(&given.kind);
@@ -75,16 +75,16 @@ pub(super) fn wall_base(
         let allowed = "\"kind\": \"sliding\", or a joint without it";
         if let Some(field) = &given.stiffness.given {
             let message = "stiffness does not apply to a joint that does not slide";
-            r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
+            r.refuse(Code::DoesNotApply, field, message, allowed);
         }
         if let Some(field) = &given.friction.given {
             let message = "friction does not apply to a joint that does not slide";
-            r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
+            r.refuse(Code::DoesNotApply, field, message, allowed);
         }
     } else if given.stiffness.given.is_none() && given.friction.given.is_none() {
         let message = "a sliding joint without the force with which it resists";
         let allowed = "stiffness or friction beside \"kind\": \"sliding\"; 0 is an answer";
-        r.faults.push(range_fault(Code::Incomplete, field, message, allowed));
+        r.refuse(Code::Incomplete, field, message, allowed);
     }
     Some(match kind {
         Joint::Fixed => tank::WallBase::Fixed,

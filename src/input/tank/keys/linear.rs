@@ -249,12 +249,9 @@ fn of_cylinder<'a, T>(
     }
     let (_, most) = field.limits.items;
     if list.len() > most {
-        let fault = range_fault(
-            Code::ItemCount,
-            field,
-            &format!("too many {items}"),
-            &format!("at most {most}"),
-        );
+        let message = format!("too many {items}");
+        let allowed = format!("at most {most}");
+        let fault = range_fault(Code::ItemCount, field, &message, &allowed);
         r.faults.push(fault.found(format!("{} {items}", list.len())));
     }
     list
@@ -273,16 +270,10 @@ fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, 
         };
         if place.z > height * (1.0 + 1e-9) {
             let allowed = format!("from 0 to {}, the height of the wall", like_field(&given.z, height));
-            r.faults
-                .push(range_fault(Code::OutOfRange, &given.z, "outside the tank", &allowed));
+            r.refuse(Code::OutOfRange, &given.z, "outside the tank", &allowed);
         }
         if all.iter().any(|o| o.z == place.z && o.degrees() == place.degrees()) {
-            r.faults.push(range_fault(
-                Code::Repeated,
-                one,
-                "two stations at one place",
-                "different places",
-            ));
+            r.refuse(Code::Repeated, one, "two stations at one place", "different places");
         }
         all.push(place);
     }
@@ -306,8 +297,7 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
         let value = r.within(place, field.limits);
         if value > end * (1.0 + 1e-9) {
             let allowed = format!("from 0 to {}, {what}", like_field(place, end));
-            r.faults
-                .push(range_fault(Code::OutOfRange, place, "outside the tank", &allowed));
+            r.refuse(Code::OutOfRange, place, "outside the tank", &allowed);
         }
         all.push(value);
     }
@@ -343,15 +333,11 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
         }),
         (None, None, None, None) if model.dashpots.given.is_some() => Some(DampingModel::Modal),
         _ => {
-            r.faults.push(
-                range_fault(
-                    Code::Exclusive,
-                    field,
-                    "not exactly one damping model",
-                    "one of by_group, caughey, rayleigh and coefficients",
-                )
-                .help("remove analysis.damping to use the modal ratios of `damping`"),
-            );
+            let message = "not exactly one damping model";
+            let allowed = "one of by_group, caughey, rayleigh and coefficients";
+            let fault = range_fault(Code::Exclusive, field, message, allowed);
+            r.faults
+                .push(fault.help("remove analysis.damping to use the modal ratios of `damping`"));
             None
         }
     };
@@ -367,8 +353,7 @@ fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank
         let z = r.number(&given.z);
         if z > height * (1.0 + 1e-9) {
             let allowed = format!("above 0 to {}, the height of the wall", like_field(&given.z, height));
-            r.faults
-                .push(range_fault(Code::OutOfRange, &given.z, "outside the tank", &allowed));
+            r.refuse(Code::OutOfRange, &given.z, "outside the tank", &allowed);
         }
         all.push(Dashpots {
             z,
@@ -385,24 +370,17 @@ fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Fi
     for one in given {
         let pair = ratio_at(r, one);
         if pairs.iter().any(|(omega, _)| (omega - pair.0).abs() <= 1e-6 * pair.0) {
-            let fault = range_fault(
-                Code::Repeated,
-                one,
-                "two pairs have the same frequency",
-                "different frequencies",
-            );
-            r.faults.push(fault);
+            let message = "two pairs have the same frequency";
+            let allowed = "different frequencies";
+            r.refuse(Code::Repeated, one, message, allowed);
         }
         pairs.push(pair);
     }
     let (least, most) = field.limits.items;
     if !(least..=most).contains(&pairs.len()) {
-        let fault = range_fault(
-            Code::ItemCount,
-            field,
-            "too few or too many pairs",
-            &format!("{least} to {most} pairs"),
-        );
+        let message = "too few or too many pairs";
+        let allowed = format!("{least} to {most} pairs");
+        let fault = range_fault(Code::ItemCount, field, message, &allowed);
         r.faults.push(fault.found(format!("{} pairs", pairs.len())));
         return None;
     }

@@ -81,20 +81,13 @@ pub(super) fn materials(
         return all;
     };
     if named.0.is_empty() {
-        r.faults.push(range_fault(
-            Code::ItemCount,
-            field,
-            "the list of materials is empty",
-            "at least one material",
-        ));
+        let message = "the list of materials is empty";
+        r.refuse(Code::ItemCount, field, message, "at least one material");
     }
     if named.0.len() > MAX_MATERIALS {
-        let fault = range_fault(
-            Code::ItemCount,
-            field,
-            "too many materials",
-            &format!("at most {MAX_MATERIALS} materials"),
-        );
+        let message = "too many materials";
+        let allowed = format!("at most {MAX_MATERIALS} materials");
+        let fault = range_fault(Code::ItemCount, field, message, &allowed);
         r.faults.push(fault.found(format!("{} materials", named.0.len())));
         return named.0.iter().map(|(name, _)| (name.clone(), None)).collect();
     }
@@ -126,25 +119,22 @@ fn material(
         path: field.path.clone(),
         head: field.span.start..field.span.start + 1,
     };
-    let kinds = match m.behaviour.given.as_ref().map(|f| (f, f.value.as_ref())) {
+    let kinds = match &m.behaviour.given {
         None => None,
-        Some((_, None)) => return None,
-        Some((f, Some(value))) => Some((f, value)),
+        Some(field) => Some((field, field.value.as_ref()?)),
     };
     let interlayer = kinds
         .as_ref()
         .is_some_and(|(_, value)| matches!(value, Behaviour::Kinds(kinds) if kinds.interlayer.given.is_some()));
     let (youngs_modulus, poisson_ratio) = if interlayer {
-        let foreign = [
+        let allowed = "only e_normal, e_parallel and shear_modulus";
+        for (key, given) in [
             ("youngs_modulus", m.youngs_modulus.place()),
             ("poisson_ratio", m.poisson_ratio.place()),
-        ];
-        for (key, given) in foreign {
+        ] {
             if let Some(given) = given {
                 let message = format!("{key} does not apply to an interlayer with e_normal");
-                let allowed = "only e_normal, e_parallel and shear_modulus";
-                r.faults
-                    .push(range_fault(Code::DoesNotApply, &given, &message, allowed));
+                r.refuse(Code::DoesNotApply, &given, &message, allowed);
             }
         }
         (f64::NAN, 0.0)
@@ -217,12 +207,8 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -
         }
         Found::Unknown => {
             let (near, meant) = grades::near(name);
-            let fault = range_fault(
-                Code::UnknownChoice,
-                field,
-                &format!("unknown grade `{name}`"),
-                &grades::allowed(&near),
-            );
+            let message = format!("unknown grade `{name}`");
+            let fault = range_fault(Code::UnknownChoice, field, &message, &grades::allowed(&near));
             match meant {
                 Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,

@@ -225,23 +225,17 @@ pub(super) fn nonlinear(
     let elements = elements(r, &given.elements, tank);
     if let (Some(symmetry), Some(Shape::Rectangle { strip: true, .. })) = (&given.symmetry.given, tank.map(|t| t.shape))
     {
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            symmetry,
-            "symmetry does not apply to a strip",
-            "symmetry for a cylinder or a rectangle",
-        ));
+        let message = "symmetry does not apply to a strip";
+        let allowed = "symmetry for a cylinder or a rectangle";
+        r.refuse(Code::DoesNotApply, symmetry, message, allowed);
     }
     if let (Some(wall), Some(false)) = (
         &given.wall.given,
         tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. })),
     ) {
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            wall,
-            "wall applies to a strip alone",
-            "no `wall`: walls of this tank are shells",
-        ));
+        let message = "wall applies to a strip alone";
+        let allowed = "no `wall`: walls of this tank are shells";
+        r.refuse(Code::DoesNotApply, wall, message, allowed);
     }
     let symmetry = r.choice(&given.symmetry);
     if symmetry {
@@ -276,12 +270,8 @@ fn step(r: &mut Resolver<'_>, option: &Opt<StepLength>, tank: Option<&Tank>, con
     if let (StepLength::Adaptive, Some(field)) = (found, &option.given)
         && (!cylinder || opening)
     {
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            field,
-            "adaptive steps are for cylinders with bonded liquid",
-            "\"fixed\"",
-        ));
+        let message = "adaptive steps are for cylinders with bonded liquid";
+        r.refuse(Code::DoesNotApply, field, message, "\"fixed\"");
     }
     found
 }
@@ -296,12 +286,8 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
     let strip = tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. }));
     let circumference = match (&given.circumference.given, strip) {
         (Some(field), Some(true)) => {
-            r.faults.push(range_fault(
-                Code::DoesNotApply,
-                field,
-                "circumference does not apply to a strip",
-                "only height for a strip",
-            ));
+            let message = "circumference does not apply to a strip";
+            r.refuse(Code::DoesNotApply, field, message, "only height for a strip");
             None
         }
         (Some(field), _) => r.count(field),
@@ -333,15 +319,11 @@ fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
     if let (true, Some((field, Whole(around)))) = (cylinder, given.and_then(|f| Some((f, f.value?))))
         && around % 2 == 1
     {
-        r.faults.push(
-            range_fault(
-                Code::Contradiction,
-                field,
-                "half a tank needs an even number of elements around the whole circumference",
-                "an even number",
-            )
-            .help(format!("write {}, or add \"symmetry\": false", around + 1)),
-        );
+        let message = "half a tank needs an even number of elements around the whole circumference";
+        let allowed = "an even number";
+        let fault = range_fault(Code::Contradiction, field, message, allowed);
+        r.faults
+            .push(fault.help(format!("write {}, or add \"symmetry\": false", around + 1)));
     }
 }
 
@@ -425,12 +407,9 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::D
             Damping::MassProportional { ratio, at }
         }
         _ => {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                "not exactly one damping model",
-                "one of by_group, rayleigh and mass_proportional",
-            ));
+            let message = "not exactly one damping model";
+            let allowed = "one of by_group, rayleigh and mass_proportional";
+            r.refuse(Code::Exclusive, field, message, allowed);
             default
         }
     }

@@ -8,7 +8,7 @@ use tank::{LayerKind, Liquid, Shape, Tank};
 
 use super::file::TankFile;
 use super::tank::Tank as Given;
-use crate::input::tank::resolver::{Resolver, like_field, range_fault};
+use crate::input::tank::resolver::{Resolver, like_field};
 use crate::input::tank::syntax::join;
 
 /// Usual densities of walls [kg/m³], from wood to tungsten.
@@ -43,12 +43,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
                 "at most {}, {HIGHEST_ROOF} heights of the wall",
                 like_field(field, HIGHEST_ROOF * wall)
             );
-            r.faults.push(range_fault(
-                Code::OutOfRange,
-                field,
-                "the roof is far above the wall",
-                &allowed,
-            ));
+            r.refuse(Code::OutOfRange, field, "the roof is far above the wall", &allowed);
         } else if height > wall + tank.shape.half_length() {
             r.warnings.push(Warning::new(
                 Code::UnusualTank,

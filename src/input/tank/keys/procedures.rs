@@ -8,7 +8,7 @@ use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, Procedur
 use crate::input::diagnostic::Faults;
 use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object, one_of_words, quoted};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::Node;
 use crate::input::tank::values::{Number, Whole};
@@ -162,18 +162,14 @@ pub(super) fn deciding(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> Vec<St
     for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
         r.echo_given(id);
         if all.contains(&id.text) {
-            r.faults
-                .push(range_fault(Code::Repeated, id, "duplicate method", "each method once"));
+            r.refuse(Code::Repeated, id, "duplicate method", "each method once");
         }
         all.push(id.text.clone());
     }
     if list.value.as_ref().is_some_and(Vec::is_empty) {
-        r.faults.push(range_fault(
-            Code::ItemCount,
-            list,
-            "the list of deciding methods is empty",
-            "at least one id; remove `decide` for the editions in force",
-        ));
+        let message = "the list of deciding methods is empty";
+        let allowed = "at least one id; remove `decide` for the editions in force";
+        r.refuse(Code::ItemCount, list, message, allowed);
     }
     all
 }
@@ -186,22 +182,14 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
             for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
                 r.echo_given(id);
                 if run.contains(&id.text) {
-                    r.faults.push(range_fault(
-                        Code::Repeated,
-                        id,
-                        "duplicate procedure",
-                        "each procedure once",
-                    ));
+                    r.refuse(Code::Repeated, id, "duplicate procedure", "each procedure once");
                 }
                 run.push(id.text.clone());
             }
             if list.value.as_ref().is_some_and(Vec::is_empty) {
-                r.faults.push(range_fault(
-                    Code::ItemCount,
-                    list,
-                    "the list of procedures is empty",
-                    "at least one id; remove `run` to run all",
-                ));
+                let message = "the list of procedures is empty";
+                let allowed = "at least one id; remove `run` to run all";
+                r.refuse(Code::ItemCount, list, message, allowed);
             }
         }
         None => r.echo_default("procedures.run", "all", "every procedure that applies"),

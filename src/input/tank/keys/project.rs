@@ -4,7 +4,7 @@ use ::tank::Language;
 use ::tank::units::System;
 
 use crate::input::tank::read::{Opt, choice, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use files::code::Code;
 
 object! {
@@ -77,12 +77,8 @@ pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> 
     if let (Some(field), Some(date)) = (&given.date.given, &found.date)
         && !is_date(date)
     {
-        r.faults.push(range_fault(
-            Code::BadForm,
-            field,
-            &format!("the date `{date}`"),
-            "a date as 2026-03-14",
-        ));
+        let message = format!("the date `{date}`");
+        r.refuse(Code::BadForm, field, &message, "a date as 2026-03-14");
     }
     Some(found)
 }

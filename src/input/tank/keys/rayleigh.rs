@@ -43,12 +43,8 @@ pub(super) fn ratio_at(r: &mut Resolver<'_>, field: &Field<RatioAt>) -> Pair {
 pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair, bool) {
     let (first, second) = (ratio_at(r, &rayleigh.first), ratio_at(r, &rayleigh.second));
     if (first.0 - second.0).abs() <= 1e-9 * first.0 {
-        r.faults.push(range_fault(
-            Code::Repeated,
-            &rayleigh.second,
-            "both pairs have the same frequency",
-            "two frequencies",
-        ));
+        let message = "both pairs have the same frequency";
+        r.refuse(Code::Repeated, &rayleigh.second, message, "two frequencies");
     }
     let allow_negative = r.choice(&rayleigh.allow_negative);
     // ζ = a_M/(2ω) + a_K ω/2 through both pairs.

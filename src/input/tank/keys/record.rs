@@ -31,22 +31,14 @@ pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
     let scale_by = r.optional(&given.scale_by);
     if let (Some(factor), Some(field)) = (scale_by, &given.scale_by.given) {
         if factor == 0.0 {
-            r.faults.push(range_fault(
-                Code::OutOfRange,
-                field,
-                "a factor of 0 removes all motion",
-                "any other number",
-            ));
+            let message = "a factor of 0 removes all motion";
+            r.refuse(Code::OutOfRange, field, message, "any other number");
         } else if given.scale_to.given.is_some() && factor != 1.0 && factor.is_finite() {
-            r.faults.push(
-                range_fault(
-                    Code::Exclusive,
-                    field,
-                    "scale_to and scale_by exclude each other",
-                    "either scale_to or scale_by (1.0 together with scale_to)",
-                )
-                .help("remove scale_by to scale to the peak, or scale_to to scale by a factor"),
-            );
+            let message = "scale_to and scale_by exclude each other";
+            let allowed = "either scale_to or scale_by (1.0 together with scale_to)";
+            let fault = range_fault(Code::Exclusive, field, message, allowed);
+            r.faults
+                .push(fault.help("remove scale_by to scale to the peak, or scale_to to scale by a factor"));
         }
     }
     Processing {

@@ -8,7 +8,7 @@ use tank::units::Dimension;
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::tank::key::{Limits, list, without};
 use crate::input::tank::read::{Field, FromNode, Opt, nearest, object, wrong_kind};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Acceleration, Pitch, Time, quantity};
@@ -180,12 +180,9 @@ fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
     match value {
         Some(value) if (0.0..=1e18).contains(&value) => value,
         Some(_) => {
-            r.faults.push(range_fault(
-                Code::OutOfRange,
-                field,
-                "out of range",
-                "values are absolute maxima, 0 or greater",
-            ));
+            let message = "out of range";
+            let allowed = "values are absolute maxima, 0 or greater";
+            r.refuse(Code::OutOfRange, field, message, allowed);
             f64::NAN
         }
         None => f64::NAN,
@@ -200,12 +197,9 @@ fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotio
         let text = r.text(field)?;
         let hash = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
         if !hash {
-            r.faults.push(range_fault(
-                Code::BadForm,
-                field,
-                "not a SHA-256",
-                "64 hexadecimal digits, as sha256sum prints them",
-            ));
+            let message = "not a SHA-256";
+            let allowed = "64 hexadecimal digits, as sha256sum prints them";
+            r.refuse(Code::BadForm, field, message, allowed);
         }
         hash.then(|| text.to_lowercase())
     });
@@ -218,12 +212,9 @@ fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotio
         sha256,
     };
     if given.sha256.given.is_none() && (given.peak.given.is_none() || given.step.given.is_none()) {
-        r.faults.push(range_fault(
-            Code::Incomplete,
-            field,
-            "the ground motion is not named",
-            "`sha256` of the record file, or `peak` and `step` of the record",
-        ));
+        let message = "the ground motion is not named";
+        let allowed = "`sha256` of the record file, or `peak` and `step` of the record";
+        r.refuse(Code::Incomplete, field, message, allowed);
     }
     Some(named)
 }

@@ -12,7 +12,7 @@ use super::spectrum::{self, Spectrum};
 use crate::input::diagnostic::Fault;
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Acceleration, Force, InG, Number, Seconds, Si, Stress, Whole};
 
 /// Mapped accelerations in g.
@@ -242,12 +242,9 @@ fn ec8(r: &mut Resolver<'_>, object: &Field<Ec8>, s: &Ec8, own: bool) -> Option<
             .into_iter()
             .flatten()
         {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                &place,
-                "this and site.spectrum exclude each other",
-                "neither ground, spectrum nor ag beside site.spectrum",
-            ));
+            let message = "this and site.spectrum exclude each other";
+            let allowed = "neither ground, spectrum nor ag beside site.spectrum";
+            r.refuse(Code::Exclusive, &place, message, allowed);
         }
     } else {
         needed(r, object, &s.ground, "");
@@ -362,6 +359,37 @@ fn mapped<T: Si>(r: &mut Resolver<'_>, option: &Opt<T>) -> f64 {
     option.given.as_ref().map_or(0.0, |field| r.number(field))
 }
 
+/// Site coefficients that are incomplete, or missing for site class F.
+fn coefficients(r: &mut Resolver<'_>, s: &Api650, site_class: Option<SiteClass>) {
+    if let (Some(given), None) | (None, Some(given)) = (&s.fa.given, &s.fv.given) {
+        let message = "one site coefficient without the other";
+        r.refuse(Code::Incomplete, given, message, "fa and fv together, or neither");
+    }
+    if let (Some(SiteClass::F), Some(field), None, None) = (site_class, &s.site_class.given, &s.fa.given, &s.fv.given) {
+        let message = "site class F needs a site study";
+        let allowed = "fa and fv from the study, or another class";
+        r.refuse(Code::Incomplete, field, message, allowed);
+    }
+}
+
+/// The design pressure, of which that of the tank is the default [Pa].
+fn design_pressure(r: &mut Resolver<'_>, s: &Api650, internal: f64) -> f64 {
+    let text = display_in(internal, unit_for(internal, Dimension::Stress), 4);
+    let pressure = r.or_else(&s.design_pressure, internal, &text, "tank.pressure.internal");
+    if let (None, Some(most)) = (&s.design_pressure.given, Some(PRESSURE.high))
+        && internal > most
+    {
+        let message = format!("tank.pressure.internal is {text}, more than API 650 annex F covers");
+        let fault = Fault::new(Code::OutOfRange, message)
+            .path("tank.pressure.internal")
+            .found(text.clone())
+            .allowed(PRESSURE.describe(Dimension::Stress));
+        r.faults
+            .push(fault.help("leave site.api650 out, or give its design_pressure"));
+    }
+    pressure
+}
+
 fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Option<Api650Site> {
     let ss = mapped(r, &s.ss);
     let s1 = mapped(r, &s.s1);
@@ -373,22 +401,7 @@ fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Opti
     let asce7 = r.count_or_default(&s.asce7);
     let fa = r.optional(&s.fa);
     let fv = r.optional(&s.fv);
-    if let (Some(given), None) | (None, Some(given)) = (&s.fa.given, &s.fv.given) {
-        r.faults.push(range_fault(
-            Code::Incomplete,
-            given,
-            "one site coefficient without the other",
-            "fa and fv together, or neither",
-        ));
-    }
-    if let (Some(SiteClass::F), Some(field), None, None) = (site_class, &s.site_class.given, &s.fa.given, &s.fv.given) {
-        r.faults.push(range_fault(
-            Code::Incomplete,
-            field,
-            "site class F needs a site study",
-            "fa and fv from the study, or another class",
-        ));
-    }
+    coefficients(r, s, site_class);
     let q = r.or_default(&s.q);
     if let Some(field) = &s.q.given
         && (q - 2.0 / 3.0).abs() > 0.007
@@ -403,19 +416,7 @@ fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Opti
     let sug = s.sug.given.as_ref().and_then(|field| r.count(field));
     let tl = mapped(r, &s.tl);
     let av = r.optional(&s.av);
-    let text = display_in(internal, unit_for(internal, Dimension::Stress), 4);
-    let design_pressure = r.or_else(&s.design_pressure, internal, &text, "tank.pressure.internal");
-    if let (None, Some(most)) = (&s.design_pressure.given, Some(PRESSURE.high))
-        && internal > most
-    {
-        let message = format!("tank.pressure.internal is {text}, more than API 650 annex F covers");
-        let fault = Fault::new(Code::OutOfRange, message)
-            .path("tank.pressure.internal")
-            .found(text.clone())
-            .allowed(PRESSURE.describe(Dimension::Stress));
-        r.faults
-            .push(fault.help("leave site.api650 out, or give its design_pressure"));
-    }
+    let design_pressure = design_pressure(r, s, internal);
     let joint_efficiency = r.or_default(&s.joint_efficiency);
     let friction = r.or_default(&s.friction);
     let foundation_weight = r.optional(&s.foundation_weight);

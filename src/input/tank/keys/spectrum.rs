@@ -138,13 +138,9 @@ pub(super) fn spectrum(r: &mut Resolver<'_>, option: &Opt<Spectrum>, folder: &Pa
     let vertical_ratio = r.or_default(&given.vertical_ratio);
     let form = match (&given.table.given, &given.file.given) {
         (Some(table), Some(_)) => {
-            let fault = range_fault(
-                Code::Exclusive,
-                table,
-                "table and file exclude each other",
-                "one of them",
-            );
-            r.faults.push(fault);
+            let message = "table and file exclude each other";
+            let allowed = "one of them";
+            r.refuse(Code::Exclusive, table, message, allowed);
             return None;
         }
         (None, None) => SpectrumForm::Parameters(parameters(r, field, given)?),
@@ -185,13 +181,9 @@ fn alone(r: &mut Resolver<'_>, given: &Spectrum) -> Option<()> {
     match place {
         None => Some(()),
         Some(place) => {
-            let fault = range_fault(
-                Code::Exclusive,
-                &place,
-                "a table and parameters exclude each other",
-                "one of them",
-            );
-            r.faults.push(fault);
+            let message = "a table and parameters exclude each other";
+            let allowed = "one of them";
+            r.refuse(Code::Exclusive, &place, message, allowed);
             None
         }
     }
@@ -200,22 +192,14 @@ fn alone(r: &mut Resolver<'_>, given: &Spectrum) -> Option<()> {
 /// The parameters; all are needed.
 fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -> Option<SpectrumParameters> {
     for place in [given.vertical.place(), given.unit.place()].into_iter().flatten() {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            &place,
-            "this belongs to a table",
-            "`table` or `file` with it",
-        );
-        r.faults.push(fault);
+        let message = "this belongs to a table";
+        let allowed = "`table` or `file` with it";
+        r.refuse(Code::DoesNotApply, &place, message, allowed);
     }
     if let Some(damping) = &given.damping.given {
-        let fault = range_fault(
-            Code::Exclusive,
-            damping,
-            "damping and parameters exclude each other",
-            "no damping: η gives every damping",
-        );
-        r.faults.push(fault);
+        let message = "damping and parameters exclude each other";
+        let allowed = "no damping: η gives every damping";
+        r.refuse(Code::Exclusive, damping, message, allowed);
     }
     let missing: Vec<&str> = [
         ("ag", given.ag.given.is_none()),
@@ -246,22 +230,13 @@ fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -
             && pair[1].1 <= pair[0].1
         {
             let allowed = format!("more than {} s, tb < tc < td < te < tf", pair[0].1);
-            r.faults.push(range_fault(
-                Code::Contradiction,
-                &place,
-                "control periods out of order",
-                &allowed,
-            ));
+            r.refuse(Code::Contradiction, &place, "control periods out of order", &allowed);
         }
     }
     if let (Some(place), None) | (None, Some(place)) = (given.te.place(), given.tf.place()) {
-        let fault = range_fault(
-            Code::Incomplete,
-            &place,
-            "one control period without the other",
-            "te and tf together, or neither",
-        );
-        r.faults.push(fault);
+        let message = "one control period without the other";
+        let allowed = "te and tf together, or neither";
+        r.refuse(Code::Incomplete, &place, message, allowed);
     }
     Some(SpectrumParameters {
         ag: ag?,
@@ -274,13 +249,9 @@ fn parameters(r: &mut Resolver<'_>, field: &Field<Spectrum>, given: &Spectrum) -
 /// The tables of the tank file.
 fn tables(r: &mut Resolver<'_>, given: &Spectrum, rows: &Field<Vec<Field<Row>>>) -> Option<Tables> {
     let Some(unit) = &given.unit.given else {
-        let fault = range_fault(
-            Code::Incomplete,
-            rows,
-            "a table without unit",
-            "\"unit\": \"g\" or \"m/s2\" beside it",
-        );
-        r.faults.push(fault);
+        let message = "a table without unit";
+        let allowed = "\"unit\": \"g\" or \"m/s2\" beside it";
+        r.refuse(Code::Incomplete, rows, message, allowed);
         return None;
     };
     r.echo_given(unit);
@@ -366,13 +337,9 @@ fn echo(r: &mut Resolver<'_>, path: &str, table: &SpectrumTable) {
 /// The tables of a CSV file; its first fault is reported at the key, with the line of the file.
 fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folder: &Path) -> Option<Tables> {
     for place in [given.vertical.place(), given.unit.place()].into_iter().flatten() {
-        let fault = range_fault(
-            Code::DoesNotApply,
-            &place,
-            "this belongs to `table`; a file has its own columns",
-            "`file` without it",
-        );
-        r.faults.push(fault);
+        let message = "this belongs to `table`; a file has its own columns";
+        let allowed = "`file` without it";
+        r.refuse(Code::DoesNotApply, &place, message, allowed);
     }
     let name = r.text(file)?;
     let read = csv::text(&folder.join(&name)).and_then(|source| {
@@ -390,13 +357,8 @@ fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folde
             Some((horizontal, vertical))
         }
         Err(message) => {
-            let fault = range_fault(
-                Code::TableShape,
-                file,
-                &message,
-                "a CSV file with period_s,acceleration_g or period_s,acceleration_m_s2",
-            );
-            r.faults.push(fault);
+            let allowed = "a CSV file with period_s,acceleration_g or period_s,acceleration_m_s2";
+            r.refuse(Code::TableShape, file, &message, allowed);
             None
         }
     }

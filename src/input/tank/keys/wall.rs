@@ -1,17 +1,16 @@
 //! `tank.courses`: of one material, or of layers with bars.
 
 use files::code::Code;
-use tank::units::Dimension;
-use tank::{BarDirection, Behaviour, LayerKind, Material};
+use tank::{Behaviour, LayerKind, Material};
 
+use super::bars::{Reinforcement, all_bars, bonded};
 use super::corrosion::loss;
 use super::grades::{self, Found};
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
-use crate::input::tank::key::{Absent, Limits, list};
+use crate::input::tank::key::{Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
-use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
-use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Length, LineArea};
+use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::values::Length;
 
 /// Heights of courses and of the liquid, from the smallest laboratory tank up. The smallest for an engine depends on the radius; the engine
 /// checks it.
@@ -24,15 +23,6 @@ pub(super) const CORROSION: Limits = Limits::from(0.0).to(10.0);
 
 /// Largest number of material names in a message.
 const SHOWN_NAMES: usize = 20;
-/// Bars: more than a tenth of a metre of steel is not reinforcement.
-const AREA: Limits = Limits::from(1e-6).to(0.1);
-/// Diameters of bars.
-const DIAMETER: Limits = Limits::from(3e-3).to(60e-3);
-/// Distances between bars.
-const SPACING: Limits = Limits::from(0.02).to(1.0);
-/// Distances of bars from a face.
-const COVER: Limits = Limits::above(0.0).to(10.0);
-
 object! {
     /// A ring of the wall.
     Course {
@@ -66,25 +56,6 @@ object! {
         /// Layers of bars in a concrete shell, for the nonlinear analysis and the checks of EN 1992.
         reinforcement: Opt<Vec<Field<Reinforcement>>> [Limits::ANY.items(1, 20)],
     }
-
-    /// A layer of bars. Give its area (and the diameter), or diameter and spacing; and its distance either from the inner or from the
-    /// outer face of the shell.
-    Reinforcement {
-        /// Direction of the bars.
-        direction: Field<BarDirection>,
-        /// Area of steel per metre of wall.
-        area ("15 cm2/m"): Opt<LineArea> [AREA] = Absent::Follows("that of diameter and spacing; needed without them"),
-        /// Diameter of a bar, needed by the crack width of EN 1992.
-        diameter ("16 mm"): Opt<Length> [DIAMETER] = Absent::Follows("without it the crack width is not checked"),
-        /// Distance from bar to bar; together with diameter.
-        spacing ("150 mm"): Opt<Length> [SPACING] = Absent::Follows("that of area and diameter"),
-        /// Distance of the axis of the bars from the inner face of their shell.
-        from_inner ("4 cm"): Opt<Length> [COVER],
-        /// Distance of the axis of the bars from the outer face of their shell.
-        from_outer ("4 cm"): Opt<Length> [COVER],
-        /// Name of their material.
-        material ("bars"): Field<String>,
-    }
 }
 
 choice! {
@@ -94,14 +65,6 @@ choice! {
         Shell = "shell",
         /// Keeps two shells apart.
         Interlayer = "interlayer",
-    }
-
-    /// Direction of bars.
-    BarDirection {
-        /// Around the tank; along the wall of a rectangle.
-        Hoop = "hoop",
-        /// Up the wall.
-        Vertical = "vertical",
     }
 }
 
@@ -154,8 +117,7 @@ pub(super) fn material(
             "the material `{name}` is {}, which cannot be used for {what}",
             material.behaviour.kind()
         );
-        r.faults
-            .push(range_fault(Code::UnknownChoice, field, &message, allowed));
+        r.refuse(Code::UnknownChoice, field, &message, allowed);
         return None;
     }
     let short = |name: &&str| name.len() <= 4 * MAX_NAME;
@@ -267,16 +229,8 @@ fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
     if r.faults.suggest(&format!("did you mean `{key}`?")) || r.faults.suggest("did you mean `layers`?") {
         return;
     }
-    let field = Field::<T>::missing(object.span.start..object.span.start + 1, join(&object.path, key));
-    r.faults.push(
-        range_fault(
-            Code::MissingKey,
-            &field,
-            &format!("the key `{key}` is missing"),
-            &T::allowed(),
-        )
-        .help(format!("add \"{key}\": {}, or layers", T::example())),
-    );
+    let help = format!("add \"{key}\": {}, or layers", T::example());
+    r.missing(object, key, &T::allowed(), help);
 }
 
 fn layered(
@@ -295,12 +249,9 @@ fn layered(
     ];
     for (key, given) in own {
         if let Some(given) = given {
-            r.faults.push(range_fault(
-                Code::DoesNotApply,
-                &given,
-                &format!("{key} does not apply to a course with layers"),
-                "either thickness and material, or layers",
-            ));
+            let message = format!("{key} does not apply to a course with layers");
+            let allowed = "either thickness and material, or layers";
+            r.refuse(Code::DoesNotApply, &given, &message, allowed);
         }
     }
     let list = field.value.as_ref()?;
@@ -336,27 +287,17 @@ fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<L
         } else {
             "an interlayer next to it"
         };
-        r.faults.push(
-            range_fault(
-                Code::Incomplete,
-                &list[i],
-                "an interlayer must be between two shells",
-                "shell, interlayer, shell from inside to outside",
-            )
-            .found(side),
-        );
+        let message = "an interlayer must be between two shells";
+        let allowed = "shell, interlayer, shell from inside to outside";
+        let fault = range_fault(Code::Incomplete, &list[i], message, allowed);
+        r.faults.push(fault.found(side));
         return;
     }
     if places.len() > 1 {
-        r.faults.push(
-            range_fault(
-                Code::ItemCount,
-                field,
-                "more than one interlayer",
-                "at most one, with shells on both sides",
-            )
-            .found(format!("{} interlayers", places.len())),
-        );
+        let message = "more than one interlayer";
+        let allowed = "at most one, with shells on both sides";
+        let fault = range_fault(Code::ItemCount, field, message, allowed);
+        r.faults.push(fault.found(format!("{} interlayers", places.len())));
     }
 }
 
@@ -381,151 +322,4 @@ fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank:
         reinforcement,
     };
     Some(bonded(r, layer, l.reinforcement.given.as_ref()))
-}
-
-/// A layer whose concrete has a bond law: its bars need a diameter, and cracks a spacing.
-fn bonded(
-    r: &mut Resolver<'_>,
-    mut layer: tank::Layer,
-    bars: Option<&Field<Vec<Field<Reinforcement>>>>,
-) -> tank::Layer {
-    let Behaviour::Concrete(concrete) = layer.material.behaviour else {
-        return layer;
-    };
-    if concrete.bond.is_perfect() {
-        return layer;
-    }
-    let name = layer.material.name.clone();
-    let list = bars
-        .and_then(|field| field.value.as_ref())
-        .map_or(&[][..], Vec::as_slice);
-    for field in list {
-        if field.value.as_ref().is_some_and(|b| b.diameter.given.is_none()) {
-            let message = format!("the bond of `{name}` needs the diameter of the bars");
-            r.faults.push(
-                range_fault(Code::MissingKey, field, &message, "a diameter from 3 mm to 60 mm")
-                    .help("add \"diameter\": \"16 mm\""),
-            );
-        }
-    }
-    if concrete.crack_spacing.is_none()
-        && let Some(spacing) = layer.mean_crack_spacing()
-    {
-        let text = tank::units::display(spacing, Dimension::Length);
-        r.remarks.push(format!(
-            "materials.{name}: crack_spacing {text} (mean spacing of stabilised cracks, CEB-FIP Model Code 1990)"
-        ));
-        layer.material.behaviour = Behaviour::Concrete(tank::Concrete {
-            crack_spacing: Some(spacing),
-            ..concrete
-        });
-    }
-    layer
-}
-
-/// Layers of bars in a shell.
-///
-/// * `(kind, behaviour, name)`: of the shell and its material
-/// * `thickness`: of the shell, as given and in m
-fn all_bars(
-    r: &mut Resolver<'_>,
-    field: &Field<Vec<Field<Reinforcement>>>,
-    (kind, behaviour, name): (LayerKind, Option<Behaviour>, &str),
-    thickness: (&Field<Length>, f64),
-    materials: &Materials,
-) -> Vec<tank::Reinforcement> {
-    let mut reinforcement = Vec::new();
-    let Some(list) = &field.value else {
-        return reinforcement;
-    };
-    let fault = match (kind, behaviour) {
-        (LayerKind::Interlayer, _) => Some("bars in an interlayer"),
-        (_, Some(Behaviour::Steel(_))) => Some("bars in a layer of steel"),
-        (_, Some(Behaviour::Elastic)) => Some("bars in an elastic layer"),
-        _ => None,
-    };
-    if let Some(message) = fault {
-        let found = format!("layer of `{name}`");
-        r.faults
-            .push(range_fault(Code::DoesNotApply, field, message, "bars in shells of concrete only").found(found));
-    } else if r.sized(field, "layers of bars") {
-        for field in list {
-            reinforcement.extend(bars(r, field, thickness, materials));
-        }
-    }
-    reinforcement
-}
-
-/// Area of a layer of bars per length of wall [m²/m]; NaN if it is not given.
-fn area(r: &mut Resolver<'_>, field: &Field<Reinforcement>, b: &Reinforcement) -> (f64, Option<f64>) {
-    let diameter = b.diameter.given.as_ref().map(|f| r.number(f));
-    let spacing = b.spacing.given.as_ref().map(|f| r.number(f));
-    let of_bars = diameter
-        .zip(spacing)
-        .map(|(d, s)| std::f64::consts::PI * d * d / (4.0 * s));
-    match (&b.area.given, of_bars) {
-        (None, Some(area)) => (area, diameter),
-        (Some(given), _) if spacing.is_none() => (r.number(given), diameter),
-        _ => {
-            let allowed = "either area (and diameter), or diameter and spacing";
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                "not exactly one area of the bars",
-                allowed,
-            ));
-            (f64::NAN, diameter)
-        }
-    }
-}
-
-/// One layer of bars in a shell; its thickness as given and in m.
-fn bars(
-    r: &mut Resolver<'_>,
-    field: &Field<Reinforcement>,
-    (shell, thickness): (&Field<Length>, f64),
-    materials: &Materials,
-) -> Option<tank::Reinforcement> {
-    let b = field.value.as_ref()?;
-    r.echo_given(&b.direction);
-    let (area, diameter) = area(r, field, b);
-    let given = match (&b.from_inner.given, &b.from_outer.given) {
-        (Some(f), None) => Some((f, false)),
-        (None, Some(f)) => Some((f, true)),
-        _ => None,
-    };
-    let depth = match given {
-        None => {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                "not exactly one distance from a face",
-                "either from_inner or from_outer",
-            ));
-            f64::NAN
-        }
-        Some((f, from_outer)) => {
-            let distance = r.number(f);
-            if distance >= thickness {
-                let allowed = format!(
-                    "less than {}, the thickness of the shell",
-                    like_unit(f, thickness, Dimension::Length)
-                );
-                let message = "the bars are outside their shell";
-                r.faults.push(
-                    range_fault(Code::Contradiction, f, message, &allowed)
-                        .help(format!("the shell is given as {}", shell.text)),
-                );
-            }
-            if from_outer { thickness - distance } else { distance }
-        }
-    };
-    let material = material(r, &b.material, materials, Use::Bars);
-    Some(tank::Reinforcement {
-        direction: b.direction.value?,
-        area,
-        depth,
-        diameter,
-        material: material?,
-    })
 }

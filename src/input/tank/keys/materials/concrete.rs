@@ -7,7 +7,7 @@ use super::reader::{ElasticPart, Reader, STRESS, like, shown};
 use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::keys::grades::{Preset, Strengths};
 use crate::input::tank::read::{Field, Opt, choice, object};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Length, LineForce, Number, Stress};
 
 /// Strengths of concrete: `35 kPa` is a slip of the unit.
@@ -126,12 +126,8 @@ pub(super) fn concrete(
         } else {
             format!("more than the tensile strength, {}", like(field, other))
         };
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            "concrete is weaker in tension than in compression",
-            &allowed,
-        ));
+        let message = "concrete is weaker in tension than in compression";
+        r.refuse(Code::Contradiction, field, message, &allowed);
         // Avoids a second fault with the same cause.
         f_t = f64::NAN;
     }
@@ -171,12 +167,8 @@ fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> Bi
         &c.envelope.given,
         envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked,
     ) {
-        r.faults.push(range_fault(
-            Code::DoesNotApply,
-            field,
-            "the envelope of Kupfer and Gerstle belongs to the law `cracked`",
-            "with \"law\": \"cracked\" only",
-        ));
+        let message = "the envelope of Kupfer and Gerstle belongs to the law `cracked`";
+        r.refuse(Code::DoesNotApply, field, message, "with \"law\": \"cracked\" only");
     }
     envelope
 }
@@ -191,7 +183,7 @@ fn without_cracks(r: &mut Resolver<'_>, reader: &Reader, c: &ConcreteBehaviour, 
         ($($key:ident),*) => {$(
             if let Some(field) = &c.$key.given {
                 let message = concat!("this law of concrete has no cracks, so that `", stringify!($key), "` does not apply");
-                r.faults.push(range_fault(Code::DoesNotApply, field, message, allowed));
+                r.refuse(Code::DoesNotApply, field, message, allowed);
             }
         )*};
     }
@@ -232,20 +224,14 @@ fn bond(
         let stiffened = c.tension_stiffening.value().is_some_and(|share| share.0 > 0.0);
         let energy = matches!(softening, Softening::FractureEnergy(_));
         if stiffened || !energy || law == ConcreteLaw::PlasticFracturing {
-            r.faults.push(range_fault(
-                Code::Unsupported,
-                field,
-                "this concrete cannot take a bond law",
-                "with softening by fracture_energy, without tension_stiffening, law `cracked` or `uniaxial`",
-            ));
+            let message = "this concrete cannot take a bond law";
+            let allowed = "with softening by fracture_energy, without tension_stiffening, law `cracked` or `uniaxial`";
+            r.refuse(Code::Unsupported, field, message, allowed);
         }
         if c.characteristic_strength.given.is_none() && reader.preset.is_none() && f_c <= MEAN_LESS_CHARACTERISTIC {
-            r.faults.push(range_fault(
-                Code::Contradiction,
-                field,
-                "the bond strength follows from f_ck, which is f_cm - 8 MPa without characteristic_strength",
-                "a compressive strength above 8 MPa, or characteristic_strength",
-            ));
+            let message = "the bond strength follows from f_ck, which is f_cm - 8 MPa without characteristic_strength";
+            let allowed = "a compressive strength above 8 MPa, or characteristic_strength";
+            r.refuse(Code::Contradiction, field, message, allowed);
         }
     }
     bond
@@ -269,23 +255,16 @@ fn softening(
         field,
         usize::from(brittle) + usize::from(energy.is_some()) + usize::from(strain.is_some()) > 1,
     ) {
-        r.faults.push(range_fault(
-            Code::Exclusive,
-            field,
-            "more than one softening law in tension",
-            "one of fracture_energy, softening_strain and \"brittle\": true",
-        ));
+        let message = "more than one softening law in tension";
+        let allowed = "one of fracture_energy, softening_strain and \"brittle\": true";
+        r.refuse(Code::Exclusive, field, message, allowed);
     }
     if let Some((field, strain)) = strain {
         let least = f_t / (0.98 * e);
         if strain < least {
             let allowed = format!("at least f_t/E with a margin of 2 %, {least:.2e}");
-            r.faults.push(range_fault(
-                Code::Contradiction,
-                field,
-                "the softening is steeper than the elastic line (snap-back)",
-                &allowed,
-            ));
+            let message = "the softening is steeper than the elastic line (snap-back)";
+            r.refuse(Code::Contradiction, field, message, &allowed);
         }
         return Softening::Strain(strain);
     }

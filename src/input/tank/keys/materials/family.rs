@@ -7,7 +7,7 @@ use tank::{Behaviour, Family};
 use super::Material;
 use super::reader::Reader;
 use crate::input::tank::read::choice;
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 
 choice! {
     /// Family of a material.
@@ -53,8 +53,7 @@ pub(super) fn family(
             {
                 let message = format!("the grade {grade} is {}", own.name());
                 let allowed = format!("\"{}\", or no family beside the grade", word(own));
-                r.faults
-                    .push(range_fault(Code::Contradiction, field, &message, &allowed));
+                r.refuse(Code::Contradiction, field, &message, &allowed);
             }
             field.value
         }

@@ -153,12 +153,9 @@ pub(super) fn of_file(
     ];
     let mut given = given.into_iter().flatten();
     let (Some((word, sound)), None) = (given.next(), given.next()) else {
-        r.faults.push(range_fault(
-            Code::Exclusive,
-            field,
-            "not exactly one behaviour",
-            "one of steel, concrete, reinforcement and interlayer, or \"elastic\"",
-        ));
+        let message = "not exactly one behaviour";
+        let allowed = "one of steel, concrete, reinforcement and interlayer, or \"elastic\"";
+        r.refuse(Code::Exclusive, field, message, allowed);
         return None;
     };
     if !sound {
@@ -214,12 +211,8 @@ fn tangent(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, e: f64) 
     };
     if let (Some(field), true) = (&option.given, slope >= e) {
         let allowed = format!("at least 0, less than Young's modulus, {}", like(field, e));
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            "the slope after yielding is not smaller than Young's modulus",
-            &allowed,
-        ));
+        let message = "the slope after yielding is not smaller than Young's modulus";
+        r.refuse(Code::Contradiction, field, message, &allowed);
         return f64::NAN;
     }
     slope
@@ -229,12 +222,9 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength
     let yield_strength = yielding(r, reader, &s.yield_strength, (e, strength));
     let tangent_modulus = match (&s.hardening_modulus.given, &s.tangent_modulus.given) {
         (Some(field), Some(_)) => {
-            r.faults.push(range_fault(
-                Code::Exclusive,
-                field,
-                "two slopes beyond yielding",
-                "either tangent_modulus or hardening_modulus",
-            ));
+            let message = "two slopes beyond yielding";
+            let allowed = "either tangent_modulus or hardening_modulus";
+            r.refuse(Code::Exclusive, field, message, allowed);
             f64::NAN
         }
         (Some(field), None) => {
@@ -252,12 +242,8 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength
         && ultimate <= yield_strength
     {
         let allowed = format!("more than the yield strength, {}", like(field, yield_strength));
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            "the tensile strength is not above the yield strength",
-            &allowed,
-        ));
+        let message = "the tensile strength is not above the yield strength";
+        r.refuse(Code::Contradiction, field, message, &allowed);
     }
     Steel {
         yield_strength,
@@ -278,12 +264,7 @@ fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): 
         && rupture <= yield_strength / e
     {
         let allowed = format!("more than the strain at yielding, {:.2e}", yield_strength / e);
-        r.faults.push(range_fault(
-            Code::Contradiction,
-            field,
-            "the bars break before they yield",
-            &allowed,
-        ));
+        r.refuse(Code::Contradiction, field, "the bars break before they yield", &allowed);
     }
     Bar {
         yield_strength,

@@ -80,15 +80,10 @@ impl Reader {
         // A misspelt key was already reported with this one as the suggestion.
         if !r.faults.suggest(&format!("did you mean `{key}`?")) {
             let field = Field::<T>::missing(self.head.clone(), option.path.clone());
-            r.faults.push(
-                range_fault(
-                    Code::MissingKey,
-                    &field,
-                    &format!("the key `{key}` is missing"),
-                    &T::allowed(),
-                )
-                .help(format!("add \"{key}\": {}{otherwise}", T::example())),
-            );
+            let message = format!("the key `{key}` is missing");
+            let fault = range_fault(Code::MissingKey, &field, &message, &T::allowed());
+            r.faults
+                .push(fault.help(format!("add \"{key}\": {}{otherwise}", T::example())));
         }
         f64::NAN
     }

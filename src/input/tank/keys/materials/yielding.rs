@@ -4,7 +4,7 @@ use files::code::{Code, Warning};
 use tank::units::{Dimension, display_in, unit_for};
 
 use crate::input::tank::read::Field;
-use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::resolver::{Resolver, like_unit};
 use crate::input::tank::values::Stress;
 
 /// Largest usual yield strength [Pa]: prestressing steel has 1.9 GPa.
@@ -26,12 +26,8 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
             "at most {}, a tenth of Young's modulus",
             like_unit(field, THEORETICAL * e, Dimension::Stress)
         );
-        r.faults.push(range_fault(
-            Code::OutOfRange,
-            field,
-            "the yield strength is larger than any material's",
-            &allowed,
-        ));
+        let message = "the yield strength is larger than any material's";
+        r.refuse(Code::OutOfRange, field, message, &allowed);
         return;
     }
     let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
