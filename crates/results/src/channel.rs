@@ -3,14 +3,14 @@
 //! Signs: tension positive; liquid pressure positive in compression; reactions positive as inertia forces of a positive
 //! acceleration; displacements outwards, waves upwards. Values over the height are those at θ = 0.
 
+mod ground;
+mod on_wall;
+
 use tank::Quantity;
 use tank::units::{Dimension, display};
 
-/// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
-/// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
-pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
-/// Prefix of [`GROUND_COLUMNS`] for the vertical record.
-pub const VERTICAL_PREFIX: &str = "vertical_";
+pub use ground::{GROUND_COLUMNS, Ground, VERTICAL_PREFIX};
+pub use on_wall::OnWall;
 
 /// Beginning of the ids of open shares.
 const OPEN: &str = "open_share";
@@ -27,8 +27,6 @@ const ANGLE: &str = "_theta_";
 /// Id of the moment below the base plate.
 const OVERTURNING_MOMENT: &str = "overturning_moment";
 
-/// Beginning of the ids of axial membrane stresses.
-const AXIAL_MEMBRANE_STRESS: &str = "axial_membrane_stress";
 /// Beginning of the ids of bending moments of the wall.
 const WALL_MOMENT: &str = "wall_moment";
 
@@ -62,17 +60,6 @@ impl Side {
     }
 }
 
-/// A component of the motion of the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ground {
-    /// Acceleration [m/s²].
-    Acceleration,
-    /// Velocity [m/s].
-    Velocity,
-    /// Displacement [m].
-    Displacement,
-}
-
 /// A horizontal force or a moment on the base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnBase {
@@ -94,121 +81,6 @@ impl OnBase {
             OnBase::Shear => Channel::BaseShear,
             OnBase::Moment => Channel::BaseMoment,
             OnBase::Overturning => Channel::OverturningMoment,
-        }
-    }
-}
-
-/// A quantity over the height of the wall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OnWall {
-    /// Hydrodynamic pressure [Pa].
-    Pressure,
-    /// Hoop membrane stress [Pa].
-    Hoop,
-    /// Axial membrane stress [Pa].
-    Axial,
-    /// Meridional bending stress at the outer face [Pa].
-    Bending,
-    /// Radial displacement [m].
-    Displacement,
-    /// Meridional bending moment [N m/m].
-    Moment,
-    /// Shear force [N/m].
-    Shear,
-    /// Horizontal bending moment of a plate in its middle [N m/m].
-    HorizontalMoment,
-    /// The same at a corner of two plates.
-    CornerMoment,
-    /// Meridional membrane force n_s [N/m].
-    AxialForce,
-    /// Hoop membrane force n_θ [N/m].
-    HoopForce,
-    /// Bending moment along the circumference m_θ [N m/m].
-    HoopMoment,
-    /// Twisting moment m_sθ [N m/m].
-    Twist,
-}
-
-impl Ground {
-    /// All components, in the order of [`GROUND_COLUMNS`].
-    pub const ALL: [Ground; 3] = [Ground::Acceleration, Ground::Velocity, Ground::Displacement];
-}
-
-impl OnWall {
-    /// All of them.
-    pub const ALL: [OnWall; 13] = [
-        OnWall::Pressure,
-        OnWall::Hoop,
-        OnWall::Axial,
-        OnWall::Bending,
-        OnWall::Displacement,
-        OnWall::Moment,
-        OnWall::Shear,
-        OnWall::HorizontalMoment,
-        OnWall::CornerMoment,
-        OnWall::AxialForce,
-        OnWall::HoopForce,
-        OnWall::HoopMoment,
-        OnWall::Twist,
-    ];
-
-    /// Internal forces of a cylinder at a station: membrane forces, then moments.
-    pub const FORCES: [OnWall; 6] = [
-        OnWall::AxialForce,
-        OnWall::HoopForce,
-        OnWall::Shear,
-        OnWall::Moment,
-        OnWall::HoopMoment,
-        OnWall::Twist,
-    ];
-
-    /// Id of the envelope.
-    pub fn id(self) -> &'static str {
-        match self {
-            OnWall::Pressure => "pressure",
-            OnWall::Hoop => "hoop_stress",
-            OnWall::Axial => AXIAL_MEMBRANE_STRESS,
-            OnWall::Bending => "bending_stress",
-            OnWall::Displacement => "radial_displacement",
-            OnWall::Moment => WALL_MOMENT,
-            OnWall::Shear => "wall_shear",
-            OnWall::HorizontalMoment => "horizontal_moment",
-            OnWall::CornerMoment => "corner_moment",
-            OnWall::AxialForce => "axial_force",
-            OnWall::HoopForce => "hoop_force",
-            OnWall::HoopMoment => "hoop_moment",
-            OnWall::Twist => "twisting_moment",
-        }
-    }
-
-    /// Title.
-    pub fn title(self) -> &'static str {
-        match self {
-            OnWall::Pressure => "Hydrodynamic pressure on the wall",
-            OnWall::Hoop => "Hoop membrane stress",
-            OnWall::Axial => "Axial membrane stress",
-            OnWall::Bending => "Meridional bending stress, outer face",
-            OnWall::Displacement => "Radial displacement",
-            OnWall::Moment => "Meridional bending moment of the wall",
-            OnWall::Shear => "Shear force of the wall",
-            OnWall::HorizontalMoment => "Horizontal bending moment in the middle of the wall",
-            OnWall::CornerMoment => "Horizontal bending moment of the wall at its corner",
-            OnWall::AxialForce => "Meridional membrane force",
-            OnWall::HoopForce => "Hoop membrane force",
-            OnWall::HoopMoment => "Bending moment along the circumference",
-            OnWall::Twist => "Twisting moment of the wall",
-        }
-    }
-
-    /// Dimension.
-    pub fn dimension(self) -> Dimension {
-        match self {
-            OnWall::Pressure | OnWall::Hoop | OnWall::Axial | OnWall::Bending => Dimension::Stress,
-            OnWall::Displacement => Dimension::Length,
-            OnWall::Moment | OnWall::HorizontalMoment | OnWall::CornerMoment | OnWall::HoopMoment | OnWall::Twist => {
-                Dimension::LineMoment
-            }
-            OnWall::Shear | OnWall::AxialForce | OnWall::HoopForce => Dimension::LineForce,
         }
     }
 }
@@ -346,11 +218,10 @@ impl Channel {
     pub fn id(self) -> String {
         match self {
             Channel::Ground { motion, vertical } => {
-                let id = GROUND_COLUMNS[motion as usize];
                 let prefix = if vertical { VERTICAL_PREFIX } else { "" };
-                format!("{prefix}{id}")
+                format!("{prefix}{}", motion.id())
             }
-            Channel::GroundY(motion) => format!("{}{ALONG_Y}", GROUND_COLUMNS[motion as usize]),
+            Channel::GroundY(motion) => format!("{}{ALONG_Y}", motion.id()),
             Channel::Y(what) => format!("{}{ALONG_Y}", what.along().id()),
             Channel::Resultant(what) => format!("{}_resultant", what.along().id()),
             Channel::Wave(side) => format!("{WAVE_HEIGHT}_{}", side.id()),
@@ -477,21 +348,10 @@ impl Channel {
     pub fn title(self) -> String {
         match self {
             Channel::Ground { motion, vertical } => {
-                let title = match motion {
-                    Ground::Acceleration => "Ground acceleration",
-                    Ground::Velocity => "Ground velocity",
-                    Ground::Displacement => "Ground displacement",
-                };
                 let direction = if vertical { ", vertical" } else { "" };
-                format!("{title}{direction}")
+                format!("{}{direction}", motion.title())
             }
-            Channel::GroundY(motion) => {
-                let along = Channel::Ground {
-                    motion,
-                    vertical: false,
-                };
-                format!("{}, y", along.title())
-            }
+            Channel::GroundY(motion) => format!("{}, y", motion.title()),
             Channel::Y(what) => format!("{}, y", what.along().title()),
             Channel::Resultant(what) => format!("{}, resultant of x and y", what.along().title()),
             Channel::Wave(side) => format!("Wave height at the wall, {}", side.title()),
@@ -538,11 +398,7 @@ impl Channel {
     pub fn dimension(self) -> Dimension {
         match self {
             Channel::Y(what) | Channel::Resultant(what) => what.along().dimension(),
-            Channel::Ground { motion, .. } | Channel::GroundY(motion) => match motion {
-                Ground::Acceleration => Dimension::Acceleration,
-                Ground::Velocity => Dimension::Velocity,
-                Ground::Displacement => Dimension::Length,
-            },
+            Channel::Ground { motion, .. } | Channel::GroundY(motion) => motion.dimension(),
             Channel::BaseShear => Dimension::Force,
             Channel::BaseMoment | Channel::OverturningMoment => Dimension::Moment,
             Channel::Largest { what, .. }
