@@ -68,6 +68,47 @@ pub(crate) struct Answer {
 /// Unknowns of the deflection: w and θ of both nodes.
 const BENT: [usize; 4] = [1, 2, 4, 5];
 
+/// Sums over the sections of an element.
+#[derive(Default)]
+struct Sums {
+    /// N and its tangent.
+    n: f64,
+    ee: f64,
+    /// Forces of w and θ, their coupling with N, and their tangent.
+    force: [f64; 4],
+    mixed: [f64; 4],
+    stiff: [[f64; 4]; 4],
+    coupled: bool,
+}
+
+impl Sums {
+    /// Adds them to forces and to the lower half of the tangent, which is all that is read.
+    fn assemble(&self, answer: &mut Answer, stretch: &[f64; SIZE], bend: &[[f64; 4]; 4]) {
+        let Sums { n, ee, .. } = *self;
+        for a in 0..SIZE {
+            answer.force[a] += n * stretch[a];
+            let pulled = ee * stretch[a];
+            for b in 0..=a {
+                answer.tangent[a][b] += pulled * stretch[b];
+            }
+        }
+        if self.coupled {
+            let mixed = wide(&self.mixed);
+            for a in 0..SIZE {
+                for b in 0..=a {
+                    answer.tangent[a][b] += stretch[a] * mixed[b] + mixed[a] * stretch[b];
+                }
+            }
+        }
+        for (a, i) in BENT.into_iter().enumerate() {
+            answer.force[i] += self.force[a];
+            for (b, j) in BENT.into_iter().enumerate().take(a + 1) {
+                answer.tangent[i][j] += self.stiff[a][b] + n * bend[a][b];
+            }
+        }
+    }
+}
+
 /// w, w′, w″ of the cubics at `x` of 0 to 1, as rows over the unknowns of the deflection.
 fn shape(x: f64, h: f64) -> [[f64; 4]; 3] {
     let (x2, x3) = (x * x, x * x * x);
@@ -143,10 +184,7 @@ impl Element<'_> {
             curvature: [0.0; 3],
         };
         let fibres = old.0.len() / 3;
-        // Sums over the sections: N and its tangent; forces, coupling with N and tangent of w and θ.
-        let (mut n, mut ee) = (0.0, 0.0);
-        let mut coupled = false;
-        let (mut force, mut mixed, mut stiff) = ([0.0; 4], [0.0; 4], [[0.0; 4]; 4]);
+        let mut sums = Sums::default();
         for (i, (x, g)) in GAUSS.into_iter().enumerate() {
             let [w_row, slope_row, bend_row] = &self.cubics.points[i];
             let (share, r) = self.weight(x);
@@ -176,41 +214,20 @@ impl Element<'_> {
             let ground = if sinks < 0.0 { da * self.modulus } else { 0.0 };
             let load = da * (self.pressure + self.modulus * sinks);
             let (moment, couple, bending) = (da * section.m, da * section.ek, da * section.kk);
-            coupled |= couple != 0.0;
-            n += da * section.n;
-            ee += da * section.ee;
+            sums.coupled |= couple != 0.0;
+            sums.n += da * section.n;
+            sums.ee += da * section.ee;
             for a in 0..4 {
-                force[a] += moment * bend_row[a] + load * w_row[a];
-                mixed[a] += couple * bend_row[a];
+                sums.force[a] += moment * bend_row[a] + load * w_row[a];
+                sums.mixed[a] += couple * bend_row[a];
                 let (k, s) = (bending * bend_row[a], ground * w_row[a]);
                 for b in 0..=a {
-                    stiff[a][b] += k * bend_row[b] + s * w_row[b];
+                    sums.stiff[a][b] += k * bend_row[b] + s * w_row[b];
                 }
             }
             answer.sections[i] = section;
         }
-        // The lower half, which is all that is read.
-        for a in 0..SIZE {
-            answer.force[a] += n * stretch[a];
-            let pulled = ee * stretch[a];
-            for b in 0..=a {
-                answer.tangent[a][b] += pulled * stretch[b];
-            }
-        }
-        if coupled {
-            let mixed = wide(&mixed);
-            for a in 0..SIZE {
-                for b in 0..=a {
-                    answer.tangent[a][b] += stretch[a] * mixed[b] + mixed[a] * stretch[b];
-                }
-            }
-        }
-        for (a, i) in BENT.into_iter().enumerate() {
-            answer.force[i] += force[a];
-            for (b, j) in BENT.into_iter().enumerate().take(a + 1) {
-                answer.tangent[i][j] += stiff[a][b] + n * bend[a][b];
-            }
-        }
+        sums.assemble(&mut answer, &stretch, bend);
         answer
     }
 

@@ -29,43 +29,20 @@ mod body;
 mod energy;
 mod modes;
 mod scheme;
+mod state;
+mod step;
 
 pub use along::Friction;
-use along::{Way, translation};
 pub use body::{Body, BodyMode};
+pub use energy::Energy;
 use energy::Rates;
-use modes::{Modes, Sums};
-use scheme::{BEGIN, BETA, GAMMA, moved, predicted};
+use scheme::BEGIN;
+pub use state::Run;
+use state::State;
+use step::step;
 
-use crate::anchors::{Bolts, Ring};
+use crate::anchors::Bolts;
 use crate::error::BaseError;
-use crate::heave::{Heave, Lift, Step};
-use crate::law::{Law, Response};
-
-/// What is given to a run.
-#[derive(Clone, Debug)]
-pub struct Run<'a> {
-    /// The body.
-    pub body: &'a Body,
-    /// The base; none holds the body upright.
-    pub law: Option<&'a Law>,
-    /// Anchors on it.
-    pub ring: Option<&'a Ring>,
-    /// The mass that the foot lifts; none lifts it without inertia.
-    pub heave: Option<&'a Heave>,
-    /// Share η of the base's moment that is hysteretic.
-    pub hysteretic: f64,
-    /// Dashpot c_ψ of the closed base [N m s]; it opens with the contact.
-    pub dashpot: f64,
-    /// Friction; none keeps the body from sliding.
-    pub friction: Option<Friction>,
-    /// Rigid parts of the bottom pressure at the rim: per A [Pa s²/m] and per ψ̈ [Pa s²].
-    pub rigid_pressure: [f64; 2],
-    /// Time step [s].
-    pub step: f64,
-    /// Ground acceleration at each step [m/s²].
-    pub ground: &'a [f64],
-}
 
 /// Histories at each step, and sums.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -164,70 +141,6 @@ impl History {
     }
 }
 
-/// Energies [J].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energy {
-    /// Input of the ground.
-    pub input: f64,
-    /// Lost in the damping of the modes.
-    pub viscous: f64,
-    /// Stored in the base.
-    pub base_elastic: f64,
-    /// Lost in loops of the base.
-    pub base_hysteretic: f64,
-    /// Lost in anchors that yield or break.
-    pub anchors: f64,
-    /// Radiated by the dashpot of the base.
-    pub base_radiated: f64,
-    /// Lost in friction, and the little that a plate dragged along the ground stores.
-    pub friction: f64,
-    /// Kinetic, and stored in the body.
-    pub body: f64,
-}
-
-struct State {
-    modes: Modes,
-    psi: [f64; 3],
-    slip: [f64; 3],
-    /// Direction of the inertia force that friction balances, 0 while the body sticks.
-    sliding: f64,
-    /// Slips of the springs of the base.
-    springs: Vec<f64>,
-    /// Loss of the springs in the last step [J].
-    lost: f64,
-    /// Displacement, velocity and acceleration of the centre of the foot, and what presses on it.
-    heave: [f64; 3],
-    lift: Lift,
-    /// What the damping of the foot loses in the last step [J].
-    damped: f64,
-    /// Anchors, and their loss in the last step [J].
-    bolts: Bolts,
-    cost: f64,
-    pressure: f64,
-    /// Moment of the base, without and with its dashpot [N m].
-    held: f64,
-    moment: f64,
-    /// Inertia force [N].
-    shear: f64,
-    /// s̈ at the instant of the forces [m/s²].
-    slipping: f64,
-    /// Slips of the springs along the ground, and their force [N].
-    along: Vec<f64>,
-    drag: f64,
-    /// The dashpot along the ground in this step [N s/m], and its force [N].
-    dashpot: f64,
-    dashed: f64,
-    /// Whether all of the bottom slides.
-    slides: bool,
-}
-
-/// Newton's iterations of a step, before an equilibrium is enclosed and halved.
-const SWINGS: usize = 20;
-/// Factor on a correction that does not enclose one.
-const HASTE: f64 = 4.0;
-/// Iterations of a step.
-const ITERATIONS: usize = 120;
-
 /// Marches through the ground motion from rest.
 ///
 /// Errors: no equilibrium.
@@ -253,32 +166,9 @@ pub struct March<'a> {
 impl<'a> March<'a> {
     /// At rest, before the first step.
     pub fn new(run: Run<'a>) -> March<'a> {
-        let state = State {
-            modes: Modes::new(run.body, run.step, run.rigid_pressure),
-            psi: [0.0; 3],
-            slip: [0.0; 3],
-            sliding: 0.0,
-            springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],
-            lost: 0.0,
-            heave: [run.heave.map_or(0.0, Heave::rest), 0.0, 0.0],
-            lift: Lift::default(),
-            damped: 0.0,
-            bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
-            cost: 0.0,
-            pressure: 0.0,
-            held: 0.0,
-            moment: 0.0,
-            shear: 0.0,
-            slipping: 0.0,
-            along: vec![0.0; run.friction.as_ref().map_or(0, |f| f.springs.len())],
-            drag: 0.0,
-            dashpot: 0.0,
-            dashed: 0.0,
-            slides: false,
-        };
         March {
             history: History::of(&run),
-            state,
+            state: State::at_rest(&run),
             sums: Energy::default(),
             before: Rates::default(),
             largest: 0.0,
@@ -361,231 +251,6 @@ fn at_ends(values: &mut [f64]) {
     for i in 1..values.len() {
         let next = values.get(i + 1).copied().unwrap_or(values[i]);
         values[i] += BEGIN * (next - values[i]);
-    }
-}
-
-fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
-    let h = run.step;
-    // The ground at the instant of the forces.
-    let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
-    let sums = state.modes.sums();
-    let limit = run
-        .friction
-        .as_ref()
-        .map(|f| (1.0 - BEGIN) * f.at(i) + BEGIN * f.at(i - 1));
-    let shear = |[a, b]: [f64; 2]| sums.shift[0] + sums.shift[1] * a + sums.shift[2] * b;
-    if let (Some(friction), Some(limit), false) = (&run.friction, limit, state.along.is_empty()) {
-        let held = limit / (friction.coefficient * friction.weight);
-        state.dashpot = friction.delay * friction.drag(state.slip[0], held, &state.along).tangent;
-        let found = accelerations(run, state, &sums, ground, Way::Dragged(held))?;
-        advance(run, state, &sums, found);
-        let slipping = found[0] - ground;
-        state.slip = moved(&state.slip, slipping, h);
-        let answer = friction.drag(state.slip[0], held, &state.along);
-        (state.drag, state.slides) = (answer.moment, answer.tangent == 0.0);
-        // Spring and dashpot together hold no more than friction.
-        let most = held * friction.most();
-        state.dashed = (state.drag + state.dashpot * state.slip[1]).clamp(-most, most) - state.drag;
-        friction.commit(state.slip[0], held, &mut state.along);
-        (state.shear, state.slipping) = (shear(found), slipping);
-        return Ok(());
-    }
-    // Sticking, or sliding if friction does not hold: direction of the inertia force, A and ψ̈.
-    let hold = |state: &State| -> Result<(f64, [f64; 2]), BaseError> {
-        let stuck = accelerations(run, state, &sums, ground, Way::Stuck)?;
-        match limit {
-            Some(limit) if shear(stuck).abs() > limit => {
-                let sliding = shear(stuck).signum();
-                let found = accelerations(run, state, &sums, ground, Way::Sliding(sliding * limit))?;
-                Ok((sliding, found))
-            }
-            _ => Ok((0.0, stuck)),
-        }
-    };
-    let (sliding, found) = match (state.sliding, limit) {
-        (0.0, _) | (_, None) => hold(state)?,
-        (direction, Some(limit)) => {
-            let force = Way::Sliding(direction * limit);
-            (direction, accelerations(run, state, &sums, ground, force)?)
-        }
-    };
-    let slipping = if sliding == 0.0 { 0.0 } else { found[0] - ground };
-    // As the velocities of the modes.
-    let acceleration = match sliding == 0.0 {
-        true => 0.0,
-        false => (1.0 - GAMMA) * state.slipping + GAMMA * slipping,
-    };
-    let velocity = state.slip[1] + h * acceleration;
-    // The slip runs against the inertia force; it ends where it would turn round, and the body sticks or slides back at once.
-    let turns = sliding != 0.0 && velocity * sliding > 0.0;
-    let back = if turns { Some(hold(state)?) } else { None };
-    advance(run, state, &sums, found);
-    state.shear = shear(found);
-    (state.sliding, state.slipping) = (sliding, slipping);
-    state.slides = sliding != 0.0;
-    match back {
-        None => {
-            let way = h * state.slip[1] + 0.5 * h * h * acceleration;
-            state.slip = [state.slip[0] + way, velocity, acceleration];
-        }
-        Some((direction, found)) => {
-            let time = (-state.slip[1] / acceleration).clamp(0.0, h);
-            let rest = h - time;
-            (state.sliding, state.slipping) = match direction == -sliding {
-                true => (direction, found[0] - ground),
-                false => (0.0, 0.0),
-            };
-            let new = state.slipping;
-            let way = 0.5 * (state.slip[1] * time + new * rest * rest);
-            state.slip = [state.slip[0] + way, new * rest, new];
-            // The base of the modes moved on as before: they take the difference.
-            state.modes.take(rest, acceleration - new, slipping - new);
-        }
-    }
-    Ok(())
-}
-
-/// A and ψ̈ in a step.
-fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Way) -> Result<[f64; 2], BaseError> {
-    let h = run.step;
-    let translation = |b: f64| translation(run, state, sums, (ground, way), b);
-    let Some(law) = run.law else {
-        return Ok([translation(0.0)[0], 0.0]);
-    };
-    let predicted = predicted(&state.psi, h);
-    let psi = |b: f64| predicted[0] + BETA * h * h * b;
-    let velocity = |b: f64| predicted[1] + GAMMA * h * b;
-    let mut b = state.psi[2];
-    let mut scale = 0.0_f64;
-    // Accelerations at which the base resists too little and too much; between them lies an equilibrium.
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut before: Option<(f64, f64)> = None;
-    for iteration in 0..ITERATIONS {
-        let [a, follows] = translation(b);
-        let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
-        let mut response = resist(run, law, state, (psi(b), pressure));
-        if let Some(heave) = run.heave {
-            let lifted = lift(run, (heave, law), state, (psi(b), pressure)).response;
-            response.moment += lifted.moment;
-            response.tangent += lifted.tangent;
-        }
-        let dashpot = dashpot(run, law, psi(b));
-        let terms = [
-            sums.turn[0],
-            sums.turn[1] * a,
-            sums.turn[2] * b,
-            (1.0 - BEGIN) * (response.moment + dashpot * velocity(b)),
-            BEGIN * state.moment,
-        ];
-        let residual: f64 = terms.iter().sum();
-        scale = terms.iter().fold(scale, |s, t| s.max(t.abs()));
-        if residual.abs() <= 1e-12 * scale {
-            return Ok([a, b]);
-        }
-        if residual < 0.0 {
-            low = b;
-        } else {
-            high = b;
-        }
-        let slope = sums.turn[2] + sums.turn[1] * follows;
-        let tangent = slope + (1.0 - BEGIN) * (BETA * h * h * response.tangent.max(0.0) + GAMMA * h * dashpot);
-        // The bottom pressure depends on ψ̈ and the dashpot on the contact, which the tangent does not know: the secant of the last two iterations does,
-        // unless they lie on either side of a corner.
-        let secant = before.map(|(b0, r0)| (residual - r0) / (b - b0));
-        let steep = secant.filter(|s| (0.5 * tangent..=2.0 * tangent).contains(s));
-        before = Some((b, residual));
-        let mut next = b - residual / steep.unwrap_or(tangent);
-        // What turns round is halved, what creeps is hastened.
-        if iteration > SWINGS {
-            next = if low.is_finite() && high.is_finite() {
-                0.5 * (low + high)
-            } else {
-                b + HASTE * (next - b)
-            };
-        }
-        if !next.is_finite() {
-            break;
-        }
-        let change = next - b;
-        b = next;
-        if (BETA * h * h * change).abs() < 1e-16 {
-            return Ok([translation(b)[0], b]);
-        }
-    }
-    Err(BaseError::Parameter {
-        name: "rotation of the base",
-        value: state.psi[0],
-        allowed: "an equilibrium within the iterations of a step",
-    })
-}
-
-/// The foot at the end of a step at a rotation [rad] and a bottom pressure [Pa].
-fn lift(run: &Run<'_>, (heave, law): (&Heave, &Law), state: &State, (psi, pressure): (f64, f64)) -> Lift {
-    let h = run.step;
-    let give = BETA * h * h / heave.mass();
-    let step = Step {
-        place: predicted(&state.heave, h)[0] + give * BEGIN * state.lift.press,
-        give: give * (1.0 - BEGIN),
-        before: state.lift.load,
-        length: h,
-    };
-    heave.lift(law, psi, pressure, step)
-}
-
-/// Dashpot of the base at a rotation [rad]: it opens with the contact [N m s].
-fn dashpot(run: &Run<'_>, law: &Law, psi: f64) -> f64 {
-    match run.dashpot == 0.0 {
-        true => 0.0,
-        false => run.dashpot * law.contact(psi),
-    }
-}
-
-/// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].
-fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) -> Response {
-    let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
-    match run.ring.map(|ring| ring.pull(psi, pressure, &state.bolts).response) {
-        None => strips,
-        Some(anchors) => Response {
-            moment: strips.moment + anchors.moment,
-            tangent: strips.tangent + anchors.tangent,
-        },
-    }
-}
-
-/// Moves to the end of the step with these accelerations.
-fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
-    let h = run.step;
-    state.modes.advance([a, b]);
-    let turned = state.psi[0];
-    state.psi = moved(&state.psi, b, h);
-    let turned = state.psi[0] - turned;
-    state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
-    if let Some(law) = run.law {
-        let mut moment = resist(run, law, state, (state.psi[0], state.pressure)).moment;
-        if let Some(heave) = run.heave {
-            let lift = lift(run, (heave, law), state, (state.psi[0], state.pressure));
-            moment += lift.response.moment;
-            let force = (1.0 - BEGIN) * lift.press + BEGIN * state.lift.press;
-            let before = state.heave[0];
-            state.heave = moved(&state.heave, force / heave.mass(), h);
-            state.lift = lift;
-            state.damped = (lift.load - lift.press) * (state.heave[0] - before - lift.sinks * turned);
-        }
-        state.held = moment;
-        state.moment = moment + dashpot(run, law, state.psi[0]) * state.psi[1];
-        state.lost = law.commit(state.psi[0], &mut state.springs);
-        if let Some(ring) = run.ring {
-            state.cost = 0.0;
-            // Where one breaks the others take its share, and may break with it.
-            loop {
-                let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
-                let cost = ring.commit(state.psi[0], pull.centre, &mut state.bolts);
-                state.cost += cost.lost;
-                if !cost.breaks {
-                    break;
-                }
-            }
-        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The body along the ground: stuck, sliding, or on a plate that is dragged.
 
 use super::modes::Sums;
-use super::scheme::{BEGIN, BETA, GAMMA, predicted};
-use super::{ITERATIONS, Run, State};
+use super::scheme::{BEGIN, BETA, GAMMA, ITERATIONS, predicted};
+use super::state::{Run, State};
 use crate::law::{Response, Spring};
 
 /// Share of its limit below which a spring sticks. One that has slipped stands at its limit but for rounding, which must not decide

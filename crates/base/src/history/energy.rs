@@ -1,7 +1,29 @@
 //! Powers and energies of a run.
 
 use super::modes::Motion;
-use super::{Energy, Run, State, dashpot, resist};
+use super::state::{Run, State};
+use super::step::{dashpot, resist};
+
+/// Energies [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// Input of the ground.
+    pub input: f64,
+    /// Lost in the damping of the modes.
+    pub viscous: f64,
+    /// Stored in the base.
+    pub base_elastic: f64,
+    /// Lost in loops of the base.
+    pub base_hysteretic: f64,
+    /// Lost in anchors that yield or break.
+    pub anchors: f64,
+    /// Radiated by the dashpot of the base.
+    pub base_radiated: f64,
+    /// Lost in friction, and the little that a plate dragged along the ground stores.
+    pub friction: f64,
+    /// Kinetic, and stored in the body.
+    pub body: f64,
+}
 
 impl Energy {
     pub(super) fn total(&self) -> f64 {

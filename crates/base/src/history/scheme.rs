@@ -1,5 +1,8 @@
 //! A step by the method of Hilber, Hughes & Taylor.
 
+/// Iterations of a step.
+pub(super) const ITERATIONS: usize = 120;
+
 /// −α of Hilber, Hughes & Taylor 1977: how much the forces at the beginning of a step weigh in its equilibrium. The trapezoidal rule (0) lets the rotation, which
 /// has almost no inertia, oscillate from step to step. This weight halves that oscillation in each step and takes less than 1e-5 of the amplitude of a vibration
 /// of 0.3 s per step of 1 ms.

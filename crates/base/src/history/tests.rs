@@ -1,7 +1,7 @@
 //! Sliding against closed forms, rocking against quadrature and a fixed base.
 
 use super::*;
-use crate::law::Spring;
+use crate::law::{Law, Spring};
 use crate::{Bands, Curve, Edge, Plan, Plate, Rim, Rocking, Strip};
 
 const G: f64 = 9.81;
