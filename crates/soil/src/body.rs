@@ -79,6 +79,24 @@ impl Mode {
 /// Displacement, velocity, acceleration.
 type Point = [f64; 3];
 
+impl Body {
+    /// Errors: a negative mass or damping; modes whose shares exceed the mass or the second moment by more than rounding.
+    fn admissible(&self) -> Result<(), SoilError> {
+        not_negative("mass of the slab [kg]", self.slab_mass)?;
+        not_negative("moment of inertia of the slab [kg m2]", self.slab_inertia)?;
+        for mode in &self.modes {
+            positive("frequency of a mode [rad/s]", mode.omega)?;
+            not_negative("damping ratio of a mode", mode.damping)?;
+        }
+        let share = |f: &dyn Fn(&Mode) -> f64| self.modes.iter().map(f).sum::<f64>();
+        let slack = 1e-9;
+        let left = self.mass * (1.0 + slack) - share(&|m| m.translation * m.translation);
+        not_negative("mass less that of the modes [kg]", left)?;
+        let left = self.second_moment * (1.0 + slack) - share(&|m| m.rotation * m.rotation);
+        not_negative("second moment less that of the modes [kg m2]", left)
+    }
+}
+
 /// Runs the body from rest.
 ///
 /// * `ground`: acceleration a_g [m/s²], linear between samples `h` [s] apart; `parts` ≥ 1 steps to a sample
@@ -86,19 +104,7 @@ type Point = [f64; 3];
 /// Errors: a time step that is not above 0; modes whose shares exceed the mass or the second moment by more than rounding.
 pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> Result<History, SoilError> {
     positive("time step [s]", h)?;
-    not_negative("mass of the slab [kg]", body.slab_mass)?;
-    not_negative("moment of inertia of the slab [kg m2]", body.slab_inertia)?;
-    for mode in &body.modes {
-        positive("frequency of a mode [rad/s]", mode.omega)?;
-        not_negative("damping ratio of a mode", mode.damping)?;
-    }
-    let share = |f: &dyn Fn(&Mode) -> f64| body.modes.iter().map(f).sum::<f64>();
-    let slack = 1e-9;
-    let left = body.mass * (1.0 + slack) - share(&|m| m.translation * m.translation);
-    not_negative("mass less that of the modes [kg]", left)?;
-    let left = body.second_moment * (1.0 + slack) - share(&|m| m.rotation * m.rotation);
-    not_negative("second moment less that of the modes [kg m2]", left)?;
-
+    body.admissible()?;
     let parts = parts.max(1);
     let n = Newmark::average_acceleration(h / parts as f64);
     let cones = disc.cones();
@@ -120,7 +126,8 @@ pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> 
         ],
         [0.0, 0.0, cones.internal_inertia],
     ];
-    // The system of the step, in accelerations: M − Σ r_n Γ Γᵀ + a₇ C + K/a₀.
+    let share = |f: &dyn Fn(&Mode) -> f64| body.modes.iter().map(f).sum::<f64>();
+    // Of the step, in accelerations: M − Σ r_n Γ Γᵀ + a₇ C + K/a₀.
     let mut system = [[0.0; 3]; 3];
     let mut carried = mass;
     for i in 0..3 {

@@ -299,9 +299,21 @@ fn advance(
         });
     }
     let v = velocity(d);
+    let force = resist(laws, &mut state.slips, (d, v), speed, press);
+    let acceleration = [0, 1].map(|c| n.a0 * (d[c] - start[c].0));
+    for (mode, point) in run.modes.iter().zip(&mut state.modes) {
+        let modal = [0, 1].map(|c| own(mode, point, c) - rate(mode) * (ground[c] + acceleration[c]));
+        point.take(n, modal);
+    }
+    state.base.take(n, acceleration);
+    Ok(Instant { ground, force })
+}
+
+/// Force of the isolators at a displacement [m] and a velocity [m/s]; their slips move on.
+fn resist(laws: &[Parts], slips: &mut [[f64; 2]], (d, v): ([f64; 2], [f64; 2]), speed: f64, press: f64) -> [f64; 2] {
     let viscous: f64 = laws.iter().map(|l| l.viscous + secant(l, speed)).sum();
     let mut force = [0, 1].map(|c| viscous * v[c]);
-    for (law, slip) in laws.iter().zip(&mut state.slips) {
+    for (law, slip) in laws.iter().zip(slips) {
         let linear = law.linear * stretch(law, press);
         force = [0, 1].map(|c| force[c] + linear * d[c]);
         if law.stick > 0.0 {
@@ -310,13 +322,7 @@ fn advance(
             *slip = moved;
         }
     }
-    let acceleration = [0, 1].map(|c| n.a0 * (d[c] - start[c].0));
-    for (mode, point) in run.modes.iter().zip(&mut state.modes) {
-        let modal = [0, 1].map(|c| own(mode, point, c) - rate(mode) * (ground[c] + acceleration[c]));
-        point.take(n, modal);
-    }
-    state.base.take(n, acceleration);
-    Ok(Instant { ground, force })
+    force
 }
 
 /// Secant of a damper at a speed; below a micrometre a second that of this speed.
