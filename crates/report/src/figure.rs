@@ -4,6 +4,7 @@
 //! Line charts are drawn by plotters on a backend that writes classes instead of colours ([`backend`]); forms that
 //! plotters lacks (bars, the sketch of the tank, mode shapes, the four-way grid, scenes in space, maps) are drawn by the small writer [`svg`].
 
+pub mod axis;
 pub mod backend;
 pub mod bars;
 pub mod cells;

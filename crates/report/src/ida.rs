@@ -134,101 +134,90 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
 
 /// One line a run.
 pub fn table(ida: &Ida) -> Table {
+    let (heads, cells): (Vec<Column>, Vec<Cell>) = columns(ida).into_iter().unzip();
+    let mut table = Table::new(heads);
+    for run in &ida.runs {
+        table.row(cells.iter().map(|text| text(run)).collect());
+    }
+    table
+}
+
+/// The text of a column for a run.
+type Cell = Box<dyn Fn(&IdaRun) -> String>;
+
+/// Columns of a table.
+struct Columns(Vec<(Column, Cell)>);
+
+impl Columns {
+    fn numbers(&mut self, title: &str, unit: &str, text: impl Fn(&IdaRun) -> String + 'static) {
+        self.0.push((Column::numbers(title, unit), Box::new(text)));
+    }
+
+    fn words(&mut self, title: &str, text: fn(&IdaRun) -> String) {
+        self.0.push((Column::words(title), Box::new(text)));
+    }
+}
+
+/// The text of a value that not every run has.
+fn dash<T>(value: Option<T>, text: impl Fn(T) -> String) -> String {
+    value.map_or("–".to_owned(), text)
+}
+
+/// The columns of every tank, and others of which a run has something.
+fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
     let of = |dimension, value: fn(&IdaRun) -> f64| Scale::of(dimension, ida.runs.iter().map(value));
+    let any = |has: fn(&IdaRun) -> bool| ida.runs.iter().any(has);
     let wave = of(Dimension::Length, |r| r.wave);
     let displacement = of(Dimension::Length, |r| r.wall_displacement);
     let moment = of(ida.moment, |r| r.base_moment);
-    let sections = ida.runs.iter().any(|r| r.section_moment.is_some());
     let stress = of(Dimension::Stress, |r| r.bar_stress);
-    let cracks = ida.runs.iter().any(|r| r.first_crack.is_some());
-    let parts = ida.runs.iter().any(|r| r.parting.is_some());
-    let open = ida.runs.iter().any(|r| r.open_share.is_some());
-    let limited = ida.runs.iter().any(|r| !r.limits.is_empty());
-    let bars = ida.runs.iter().any(|r| r.bar_stress > 0.0);
-    let plastic = ida.runs.iter().any(|r| r.plastic_strain > 0.0);
-    let mut columns = vec![
-        Column::numbers("Scale", ""),
-        Column::numbers("PGA", "m/s²"),
-        Column::words("End"),
-        Column::numbers("Wave", wave.symbol()),
-        Column::numbers("Wall displacement", displacement.symbol()),
-        Column::numbers("Base moment", moment.symbol()),
-    ];
-    if sections {
-        columns.push(Column::numbers(heads::SECTION, moment.symbol()));
+    let mut all = Columns(Vec::new());
+    all.numbers("Scale", "", |r| significant(r.scale, 4));
+    all.numbers("PGA", "m/s²", |r| significant(r.pga, 4));
+    all.words("End", words::end);
+    all.numbers("Wave", wave.symbol(), move |r| wave.text(r.wave));
+    all.numbers("Wall displacement", displacement.symbol(), move |r| {
+        displacement.text(r.wall_displacement)
+    });
+    all.numbers("Base moment", moment.symbol(), move |r| moment.text(r.base_moment));
+    if any(|r| r.section_moment.is_some()) {
+        all.numbers(heads::SECTION, moment.symbol(), move |r| {
+            dash(r.section_moment, |m| moment.text(m))
+        });
     }
-    if cracks {
-        columns.push(Column::numbers(heads::FIRST_CRACK[0], "s"));
-        columns.push(Column::numbers(heads::FIRST_CRACK[1], moment.symbol()));
-        columns.push(Column::numbers("Highest crack", "m"));
+    if any(|r| r.first_crack.is_some()) {
+        all.numbers(heads::FIRST_CRACK[0], "s", |r| {
+            dash(r.first_crack, |c| fixed(c.time, 2))
+        });
+        all.numbers(heads::FIRST_CRACK[1], moment.symbol(), move |r| {
+            dash(r.first_crack, |c| moment.text(c.base_moment))
+        });
+        all.numbers("Highest crack", "m", |r| fixed(r.highest_crack, 2));
     }
-    if parts {
-        let parted = ida.runs.iter().filter_map(|r| r.parting).any(|p| p.open);
+    if any(|r| r.parting.is_some()) {
+        let parted = any(|r| r.parting.is_some_and(|p| p.open));
         let title = heads::SEPARATION[usize::from(parted)];
-        columns.push(Column::numbers(title, "s"));
-        columns.push(Column::numbers(heads::SEPARATION[2], "m"));
+        all.numbers(title, "s", |r| dash(r.parting, |p| fixed(p.time, 2)));
+        all.numbers(heads::SEPARATION[2], "m", |r| dash(r.parting, |p| fixed(p.height, 2)));
     }
-    if bars {
-        columns.push(Column::numbers("Bar stress", stress.symbol()));
+    if any(|r| r.bar_stress > 0.0) {
+        all.numbers("Bar stress", stress.symbol(), move |r| stress.text(r.bar_stress));
     }
-    if plastic {
-        columns.push(Column::numbers("Plastic strain", ""));
+    if any(|r| r.plastic_strain > 0.0) {
+        all.numbers("Plastic strain", "", |r| significant(r.plastic_strain, 2));
     }
-    if open {
-        columns.push(Column::numbers(heads::OPEN, "%"));
+    if any(|r| r.open_share.is_some()) {
+        all.numbers(heads::OPEN, "%", |r| {
+            dash(r.open_share, |share| significant(100.0 * share, 3))
+        });
     }
-    if limited {
-        columns.push(Column::words(heads::OUTSIDE));
+    if any(|r| !r.limits.is_empty()) {
+        all.words(heads::OUTSIDE, words::exceeded);
     }
-    columns.push(Column::numbers(heads::DAMPING, "%"));
-    columns.push(Column::numbers("Halved steps", ""));
-    columns.push(Column::numbers("Energy residual", ""));
-    let mut table = Table::new(columns);
-    for run in &ida.runs {
-        let crack = |text: &dyn Fn(f64, f64) -> String| {
-            run.first_crack.map_or("–".to_owned(), |c| text(c.time, c.base_moment))
-        };
-        let mut row = vec![
-            significant(run.scale, 4),
-            significant(run.pga, 4),
-            words::end(run),
-            wave.text(run.wave),
-            displacement.text(run.wall_displacement),
-            moment.text(run.base_moment),
-        ];
-        if sections {
-            row.push(run.section_moment.map_or("–".to_owned(), |m| moment.text(m)));
-        }
-        if cracks {
-            row.push(crack(&|time, _| fixed(time, 2)));
-            row.push(crack(&|_, m| moment.text(m)));
-            row.push(fixed(run.highest_crack, 2));
-        }
-        if parts {
-            row.push(run.parting.map_or("–".to_owned(), |p| fixed(p.time, 2)));
-            row.push(run.parting.map_or("–".to_owned(), |p| fixed(p.height, 2)));
-        }
-        if bars {
-            row.push(stress.text(run.bar_stress));
-        }
-        if plastic {
-            row.push(significant(run.plastic_strain, 2));
-        }
-        if open {
-            row.push(
-                run.open_share
-                    .map_or("–".to_owned(), |share| significant(100.0 * share, 3)),
-            );
-        }
-        if limited {
-            row.push(words::exceeded(run));
-        }
-        row.push(significant(100.0 * run.wall_damping, 3));
-        row.push(run.halvings.to_string());
-        row.push(format!("{:.0e}", run.energy_residual));
-        table.row(row);
-    }
-    table
+    all.numbers(heads::DAMPING, "%", |r| significant(100.0 * r.wall_damping, 3));
+    all.numbers("Halved steps", "", |r| r.halvings.to_string());
+    all.numbers("Energy residual", "", |r| format!("{:.0e}", r.energy_residual));
+    all.0
 }
 
 /// A table as two of the same rows: the second has the first column and the last three, how a run was computed.

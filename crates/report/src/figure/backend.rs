@@ -68,7 +68,7 @@ impl DrawingBackend for ClassBackend<'_> {
     fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
         let (x, y) = user(point);
         let class = self.class(color);
-        self.svg.rect(x, y, 0.1, 0.1, class);
+        self.svg.rect((x, y), (0.1, 0.1), class);
         Ok(())
     }
 
@@ -87,7 +87,7 @@ impl DrawingBackend for ClassBackend<'_> {
     ) -> Drawn {
         let ((x, y), (right, bottom)) = (user(upper_left), user(bottom_right));
         let class = self.class(style.color());
-        self.svg.rect(x, y, right - x, bottom - y, class);
+        self.svg.rect((x, y), (right - x, bottom - y), class);
         Ok(())
     }
 

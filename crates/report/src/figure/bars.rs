@@ -67,10 +67,8 @@ pub fn bars(
         let class = if bar.look.site { "bar site" } else { "bar" };
         svg.text((left - 6.0, y + 10.5), Anchor::End, "lb", &bar.look.full_label());
         svg.rect(
-            left,
-            y + 2.0,
-            at(bar.value) - left,
-            ROW - 6.0,
+            (left, y + 2.0),
+            (at(bar.value) - left, ROW - 6.0),
             &format!("{class} {}", bar.look.class),
         );
         let mut text = scale.text(bar.value);

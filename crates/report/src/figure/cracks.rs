@@ -80,7 +80,7 @@ pub fn figure(id: &str, grid: &WallGrid, picture: &CrackPicture) -> Option<Figur
     draw_legend(&mut svg, &entries);
     if let Some(level) = layout.surface() {
         for part in layout.parts() {
-            svg.rect(part.0, level, part.1 - part.0, layout.y.1 - level, "liq");
+            svg.rect((part.0, level), (part.1 - part.0, layout.y.1 - level), "liq");
         }
     }
     mesh(&mut svg, &layout);

@@ -27,6 +27,32 @@ pub struct Curve {
     pub label: String,
 }
 
+/// Numbers of the grid lines along them, clear of each other.
+fn numbers(chart: &Chart, frame: Frame, labels: Vec<Numbered>) -> Svg {
+    let mut overlay = Svg::new();
+    let mut taken: Vec<(f64, f64)> = Vec::new();
+    for (end, start, label) in labels {
+        let (a, b) = (chart.place(frame, end), chart.place(frame, start));
+        let length = ((a.0 - b.0).powi(2) + (a.1 - b.1).powi(2)).sqrt();
+        // Along the line from its right end until clear of other labels.
+        let place = (0..6)
+            .map(|step| 8.0 + 44.0 * f64::from(step))
+            .map(|d| (d, (a.0 + (b.0 - a.0) * d / length, a.1 + (b.1 - a.1) * d / length)))
+            .find(|(d, at)| {
+                let clear = |t: &(f64, f64)| (t.0 - at.0).hypot(t.1 - at.1) > 46.0;
+                d + 40.0 < length && taken.iter().all(clear)
+            });
+        let Some((_, at)) = place else { continue };
+        taken.push(at);
+        let degrees = if end.1 > start.1 { -45.0 } else { 45.0 };
+        overlay.rotated_text((at.0, at.1 - 2.0), degrees, Anchor::End, "dl halo", &label);
+    }
+    overlay
+}
+
+/// Right and left end of a grid line, and its number.
+type Numbered = ((f64, f64), (f64, f64), String);
+
 /// Draws the chart; returns its size and markup.
 pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f64), String), Error> {
     let usable = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0 && p.0.is_finite() && p.1.is_finite();
@@ -90,24 +116,7 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
     };
 
     let mut markup = chart.draw()?;
-    let mut overlay = Svg::new();
-    let mut taken: Vec<(f64, f64)> = Vec::new();
-    for (end, start, label) in labels {
-        let (a, b) = (chart.place(frame, end), chart.place(frame, start));
-        let length = ((a.0 - b.0).powi(2) + (a.1 - b.1).powi(2)).sqrt();
-        // Along the line from its right end until clear of other labels.
-        let place = (0..6)
-            .map(|step| 8.0 + 44.0 * f64::from(step))
-            .map(|d| (d, (a.0 + (b.0 - a.0) * d / length, a.1 + (b.1 - a.1) * d / length)))
-            .find(|(d, at)| {
-                let clear = |t: &(f64, f64)| (t.0 - at.0).hypot(t.1 - at.1) > 46.0;
-                d + 40.0 < length && taken.iter().all(clear)
-            });
-        let Some((_, at)) = place else { continue };
-        taken.push(at);
-        let degrees = if end.1 > start.1 { -45.0 } else { 45.0 };
-        overlay.rotated_text((at.0, at.1 - 2.0), degrees, Anchor::End, "dl halo", &label);
-    }
+    let overlay = numbers(&chart, frame, labels);
     markup.push_str(&overlay.into_markup());
     Ok((chart.size, markup))
 }

@@ -95,27 +95,19 @@ pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figur
     let y = |h: f64| bottom - (h - z.0) / (z.1 - z.0) * PLOT;
 
     // Values in the printed unit on a regular grid.
-    let grid_theta = |i: usize| theta.0 + (theta.1 - theta.0) * i as f64 / COLUMNS as f64;
-    let grid_z = |j: usize| z.0 + (z.1 - z.0) * j as f64 / ROWS as f64;
-    let value = |i: f64, j: f64| {
-        shown(field.at(
-            theta.0 + (theta.1 - theta.0) * i / COLUMNS as f64,
-            z.0 + (z.1 - z.0) * j / ROWS as f64,
-        ))
-    };
+    let along = |i: f64| theta.0 + (theta.1 - theta.0) * i / COLUMNS as f64;
+    let height = |j: f64| z.0 + (z.1 - z.0) * j / ROWS as f64;
+    let value = |i: f64, j: f64| shown(field.at(along(i), height(j)));
     let mut svg = Svg::new();
     svg.append(&colours(
         |i, j| ((value(i as f64 + 0.5, j as f64 + 0.5) - low) / (high - low) * STEPS as f64) as usize,
-        |i| x(grid_theta(i)),
-        |j| y(grid_z(j)),
+        |i| x(along(i as f64)),
+        |j| y(height(j as f64)),
     ));
     // Numbers that stand: centre and half the width.
     let mut written: Vec<(f64, f64, f64)> = Vec::new();
     for &level in &levels {
-        let lines = contour(level, &value, &|i, j| {
-            let along = theta.0 + (theta.1 - theta.0) * i / COLUMNS as f64;
-            (x(along), y(z.0 + (z.1 - z.0) * j / ROWS as f64))
-        });
+        let lines = contour(level, &value, &|i, j| (x(along(i)), y(height(j))));
         if lines.is_empty() {
             continue;
         }
@@ -125,21 +117,8 @@ pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figur
         if let Some(line) = lines.iter().max_by_key(|l| l.len()).filter(|l| l.len() > 12) {
             let text = plain(level, decimals);
             let room = (0.5 * text_width(&text) * FONT + 2.0, 0.5 * FONT + 2.0);
-            let places = PLACES
-                .map(|part| line[(part * (line.len() - 1) as f64) as usize])
-                .map(|at| {
-                    (
-                        at.0.clamp(LEFT + 14.0, right - 14.0),
-                        at.1.clamp(TOP + 9.0, bottom - 4.0),
-                    )
-                });
-            let free = |at: &&(f64, f64)| {
-                let apart = |other: &(f64, f64, f64)| {
-                    (at.0 - other.0).abs() > room.0 + other.2 || (at.1 - other.1).abs() > 2.0 * room.1
-                };
-                written.iter().all(apart)
-            };
-            if let Some(&at) = places.iter().find(free) {
+            let inside = ((LEFT + 14.0, right - 14.0), (TOP + 9.0, bottom - 4.0));
+            if let Some(at) = place_of_number(line, room, inside, &written) {
                 written.push((at.0, at.1, room.0));
                 svg.text(at, Anchor::Middle, "dl halo", &text);
             }
@@ -165,6 +144,31 @@ pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figur
         table: table(map, &scale, walls),
         room: Room::Wide,
     })
+}
+
+/// Where on a line its number stands: the best place that covers no other number.
+///
+/// * `room`: half the width and half the height of the number
+/// * `inside`: range of x and of y
+/// * `written`: numbers that stand: centre and half the width
+fn place_of_number(
+    line: &[(f64, f64)],
+    room: (f64, f64),
+    inside: ((f64, f64), (f64, f64)),
+    written: &[(f64, f64, f64)],
+) -> Option<(f64, f64)> {
+    let (x, y) = inside;
+    let at = |part: f64| {
+        let at = line[(part * (line.len() - 1) as f64) as usize];
+        (at.0.clamp(x.0, x.1), at.1.clamp(y.0, y.1))
+    };
+    let apart = |at: (f64, f64), other: &(f64, f64, f64)| {
+        (at.0 - other.0).abs() > room.0 + other.2 || (at.1 - other.1).abs() > 2.0 * room.1
+    };
+    PLACES
+        .map(at)
+        .into_iter()
+        .find(|at| written.iter().all(|other| apart(*at, other)))
 }
 
 fn ends(stations: &[f64]) -> (f64, f64) {

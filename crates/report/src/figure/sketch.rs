@@ -14,12 +14,115 @@ const FONT: f64 = 11.0;
 /// Least distance of the labels of courses.
 const LABEL: f64 = 14.0;
 
+/// The section of the tank on the page.
+struct Section<'a> {
+    summary: &'a TankSummary,
+    /// Units of the page per metre.
+    scale: f64,
+    /// Left end of the section.
+    left: f64,
+    /// Level of the ground.
+    ground: f64,
+    /// Half length of the tank [m].
+    half: f64,
+    /// Height of the wall [m].
+    wall: f64,
+}
+
+impl Section<'_> {
+    fn x(&self, r: f64) -> f64 {
+        self.left + (r + self.half) * self.scale
+    }
+
+    fn y(&self, z: f64) -> f64 {
+        self.ground - z * self.scale
+    }
+
+    /// Both sides of the wall.
+    fn sides(&self) -> (f64, f64) {
+        (self.x(-self.half), self.x(self.half))
+    }
+
+    /// The liquid with its level and density.
+    fn liquid(&self, svg: &mut Svg) {
+        let depth = self.summary.liquid.fill_height;
+        let ((left, right), surface) = (self.sides(), self.y(depth));
+        svg.rect(
+            (left, surface),
+            (2.0 * self.half * self.scale, depth * self.scale),
+            "liq",
+        );
+        svg.line((left, surface), (right, surface), "ln k-water");
+        let level = left + 0.5 * self.half * self.scale;
+        let mark = [
+            (level - 6.0, surface - 10.0),
+            (level + 6.0, surface - 10.0),
+            (level, surface - 1.0),
+        ];
+        svg.path(&mark, true, "tri");
+        let text = format!("ρ = {}", given(self.summary.liquid.density, Dimension::Density));
+        let middle = (self.x(0.0), self.y(depth / 2.0) + 4.0);
+        svg.text(middle, Anchor::Middle, "lb halo", &text);
+    }
+
+    /// A roof whose shape is not known as a mass on the rim, a floating one with its rim.
+    fn roof(&self, svg: &mut Svg) {
+        let (left, right) = self.sides();
+        let (roof, wall) = (&self.summary.tank.roof, self.y(self.wall));
+        if roof.mass > 0.0 {
+            svg.path(&[(left, wall - 4.0), (right, wall - 4.0)], false, "dash");
+            let text = format!("roof {}", given(roof.mass, Dimension::Mass));
+            svg.text((self.x(0.0), wall - 10.0), Anchor::Middle, "lb", &text);
+        }
+        if roof.afloat > 0.0 {
+            let depth = self.summary.liquid.fill_height;
+            let rim = self.y(depth + roof.rim).min(self.y(depth) - 3.0);
+            let size = (2.0 * self.half * self.scale, self.y(depth) - rim);
+            svg.rect((left, rim), size, "wall");
+        }
+    }
+
+    /// Ground and support.
+    fn ground(&self, svg: &mut Svg) {
+        let ground = self.ground;
+        let (from, to) = (self.x(-self.half) - 26.0, self.x(self.half) + 26.0);
+        svg.line((from, ground), (to, ground), "gd");
+        let mut hatch = from;
+        while hatch < to {
+            svg.line((hatch + 7.0, ground), (hatch, ground + 7.0), "ht");
+            hatch += 9.0;
+        }
+        if self.summary.tank.support == Support::Anchored {
+            let (left, right) = self.sides();
+            for side in [left, right] {
+                svg.line((side, ground), (side, ground + 15.0), "wl");
+                svg.line((side - 5.0, ground + 15.0), (side + 5.0, ground + 15.0), "wl");
+            }
+        }
+    }
+
+    /// Depth and height of the wall at the left, radius or length below.
+    fn dimensions(&self, svg: &mut Svg) {
+        let (left, right) = self.sides();
+        let depth = self.summary.liquid.fill_height;
+        let text = format!("H = {}", given(depth, Dimension::Length));
+        vertical_dimension(svg, left - 44.0, (self.y(0.0), self.y(depth)), &text, false);
+        let text = format!("wall {}", given(self.wall, Dimension::Length));
+        vertical_dimension(svg, left - 90.0, (self.y(0.0), self.y(self.wall)), &text, true);
+        let (symbol, size, from) = match self.summary.tank.shape {
+            Shape::Cylinder { radius } => ("R", radius, self.x(0.0)),
+            Shape::Rectangle { length, .. } => ("2L", length, left),
+        };
+        let text = format!("{symbol} = {}", given(size, Dimension::Length));
+        horizontal_dimension(svg, self.ground + 34.0, (from, right), &text);
+    }
+}
+
 /// Draws the sketch; returns its size, its markup and the factor by which wall thickness is exaggerated.
 pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let tank = &summary.tank;
     let half = tank.shape.half_length();
     let wall = tank.wall_height();
-    let depth = summary.liquid.fill_height;
     let plan_depth = match tank.shape {
         Shape::Cylinder { radius } => 2.0 * radius,
         Shape::Rectangle { breadth, .. } => breadth,
@@ -41,85 +144,26 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let top = f64::max(10.0 + roof, tall - wall * scale);
     let ground = top + wall * scale;
     let height = (ground + 70.0).max(top + plan_depth * scale + 22.0);
-    let x = |r: f64| left + (r + half) * scale;
-    let y = |z: f64| ground - z * scale;
+    let section = Section {
+        summary,
+        scale,
+        left,
+        ground,
+        half,
+        wall,
+    };
     let mut svg = Svg::new();
-
-    // Liquid.
-    svg.rect(x(-half), y(depth), 2.0 * half * scale, depth * scale, "liq");
-    svg.line((x(-half), y(depth)), (x(half), y(depth)), "ln k-water");
-    let level = x(-half) + 0.5 * half * scale;
-    svg.path(
-        &[
-            (level - 6.0, y(depth) - 10.0),
-            (level + 6.0, y(depth) - 10.0),
-            (level, y(depth) - 1.0),
-        ],
-        true,
-        "tri",
-    );
-    svg.text(
-        (x(0.0), y(depth / 2.0) + 4.0),
-        Anchor::Middle,
-        "lb halo",
-        &format!("ρ = {}", given(summary.liquid.density, Dimension::Density)),
-    );
+    section.liquid(&mut svg);
     // Axis of symmetry.
-    svg.line((x(0.0), top - roof), (x(0.0), ground + 8.0), "cl");
-    courses(&mut svg, summary, (x(-half), x(half)), &y, exaggeration * scale);
-    if tank.roof.mass > 0.0 {
-        // Its shape is not known: a mass on the rim.
-        svg.path(&[(x(-half), y(wall) - 4.0), (x(half), y(wall) - 4.0)], false, "dash");
-        let text = format!("roof {}", given(tank.roof.mass, Dimension::Mass));
-        svg.text((x(0.0), y(wall) - 10.0), Anchor::Middle, "lb", &text);
-    }
-    if tank.roof.afloat > 0.0 {
-        let rim = y(depth + tank.roof.rim).min(y(depth) - 3.0);
-        svg.rect(x(-half), rim, 2.0 * half * scale, y(depth) - rim, "wall");
-    }
-    // Ground and support.
-    svg.line((x(-half) - 26.0, ground), (x(half) + 26.0, ground), "gd");
-    let (from, to) = (x(-half) - 26.0, x(half) + 26.0);
-    let mut hatch = from;
-    while hatch < to {
-        svg.line((hatch + 7.0, ground), (hatch, ground + 7.0), "ht");
-        hatch += 9.0;
-    }
-    if tank.support == Support::Anchored {
-        for side in [-half, half] {
-            svg.line((x(side), ground), (x(side), ground + 15.0), "wl");
-            svg.line((x(side) - 5.0, ground + 15.0), (x(side) + 5.0, ground + 15.0), "wl");
-        }
-    }
-
-    // Dimensions at the left: depth, then wall.
-    let d = x(-half) - 44.0;
-    vertical_dimension(
-        &mut svg,
-        d,
-        y(0.0),
-        y(depth),
-        &format!("H = {}", given(depth, Dimension::Length)),
-        false,
-    );
-    let d = x(-half) - 90.0;
-    let text = format!("wall {}", given(wall, Dimension::Length));
-    vertical_dimension(&mut svg, d, y(0.0), y(wall), &text, true);
-    let below = ground + 34.0;
-    match tank.shape {
-        Shape::Cylinder { radius } => {
-            let text = format!("R = {}", given(radius, Dimension::Length));
-            horizontal_dimension(&mut svg, below, x(0.0), x(half), &text);
-        }
-        Shape::Rectangle { length, .. } => {
-            let text = format!("2L = {}", given(length, Dimension::Length));
-            horizontal_dimension(&mut svg, below, x(-half), x(half), &text);
-        }
-    }
-
+    let axis = section.x(0.0);
+    svg.line((axis, top - roof), (axis, ground + 8.0), "cl");
+    courses(&mut svg, &section, exaggeration * scale);
+    section.roof(&mut svg);
+    section.ground(&mut svg);
+    section.dimensions(&mut svg);
     let middle = (top + (plan_depth * scale / 2.0).max(20.0)).max((top + ground) / 2.0);
     plan(&mut svg, summary, (WIDTH - 12.0 - half * scale, middle), scale);
-    scale_bar(&mut svg, (x(-half), ground + 64.0), scale, half.max(wall));
+    scale_bar(&mut svg, (section.x(-half), ground + 64.0), scale, half.max(wall));
     ((WIDTH, height), svg.into_markup(), exaggeration)
 }
 
@@ -134,21 +178,17 @@ fn label(course: &Course) -> String {
 }
 
 /// Courses with labels at the right of the section; `thickness_scale` in units per metre.
-fn courses(
-    svg: &mut Svg,
-    summary: &TankSummary,
-    (left, right): (f64, f64),
-    y: &dyn Fn(f64) -> f64,
-    thickness_scale: f64,
-) {
-    let courses = &summary.tank.courses;
+fn courses(svg: &mut Svg, section: &Section<'_>, thickness_scale: f64) {
+    let (left, right) = section.sides();
+    let y = |z| section.y(z);
+    let courses = &section.summary.tank.courses;
     let mut base = 0.0;
     let mut labels = Vec::new();
     for course in courses {
         let (lower, upper) = (y(base), y(base + course.height));
         let width = (course.total_thickness() * thickness_scale).max(1.0);
-        svg.rect(left - width, upper, width, lower - upper, "wall");
-        svg.rect(right, upper, width, lower - upper, "wall");
+        svg.rect((left - width, upper), (width, lower - upper), "wall");
+        svg.rect((right, upper), (width, lower - upper), "wall");
         labels.push(((lower + upper) / 2.0, label(course)));
         base += course.height;
     }
@@ -185,7 +225,7 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
         }
         Shape::Rectangle { length, breadth, strip } => {
             let (a, b) = (length * scale, breadth * scale);
-            svg.rect(cx - a / 2.0, cy - b / 2.0, a, b, "liq");
+            svg.rect((cx - a / 2.0, cy - b / 2.0), (a, b), "liq");
             if strip {
                 for side in [-1.0, 1.0] {
                     svg.line(
@@ -200,7 +240,7 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
                     );
                 }
             } else {
-                svg.rect(cx - a / 2.0, cy - b / 2.0, a, b, "out");
+                svg.rect((cx - a / 2.0, cy - b / 2.0), (a, b), "out");
             }
             let text = format!(
                 "{} {}",
@@ -227,7 +267,7 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
 }
 
 /// A dimension along the wall; where it is shorter than its text, the text stands `above` its upper or below its lower end.
-fn vertical_dimension(svg: &mut Svg, x: f64, lower: f64, upper: f64, text: &str, above: bool) {
+fn vertical_dimension(svg: &mut Svg, x: f64, (lower, upper): (f64, f64), text: &str, above: bool) {
     svg.line((x, lower), (x, upper), "dm");
     for y in [lower, upper] {
         svg.line((x - 4.0, y + 4.0), (x + 4.0, y - 4.0), "dk");
@@ -243,7 +283,7 @@ fn vertical_dimension(svg: &mut Svg, x: f64, lower: f64, upper: f64, text: &str,
     }
 }
 
-fn horizontal_dimension(svg: &mut Svg, y: f64, left: f64, right: f64, text: &str) {
+fn horizontal_dimension(svg: &mut Svg, y: f64, (left, right): (f64, f64), text: &str) {
     svg.line((left, y), (right, y), "dm");
     for x in [left, right] {
         svg.line((x - 4.0, y + 4.0), (x + 4.0, y - 4.0), "dk");
@@ -256,8 +296,8 @@ fn scale_bar(svg: &mut Svg, at: (f64, f64), scale: f64, size: f64) {
     let unit = Scale::single(Dimension::Length, [size]);
     let length = nice_factor(unit.convert(size) / 1.2);
     let width = length / unit.convert(1.0) * scale;
-    svg.rect(at.0, at.1 - 5.0, width / 2.0, 5.0, "sb");
-    svg.rect(at.0 + width / 2.0, at.1 - 5.0, width / 2.0, 5.0, "sb open");
+    svg.rect((at.0, at.1 - 5.0), (width / 2.0, 5.0), "sb");
+    svg.rect((at.0 + width / 2.0, at.1 - 5.0), (width / 2.0, 5.0), "sb open");
     let text = format!("{} {}", plain(length, 3), unit.symbol());
     svg.text((at.0, at.1 - 9.0), Anchor::Middle, "tk", "0");
     svg.text((at.0 + width, at.1 - 9.0), Anchor::Middle, "tk", &text);

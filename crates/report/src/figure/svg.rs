@@ -91,13 +91,15 @@ impl Svg {
     }
 
     /// A rectangle.
-    pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, class: &str) {
+    ///
+    /// * `corner`: the upper left one
+    pub fn rect(&mut self, corner: (f64, f64), (width, height): (f64, f64), class: &str) {
         let _ = write!(
             self.markup,
             r#"<rect class="{}" x="{}" y="{}" width="{}" height="{}"/>"#,
             escape(class),
-            n(x),
-            n(y),
+            n(corner.0),
+            n(corner.1),
             n(width.max(0.0)),
             n(height.max(0.0))
         );

@@ -292,7 +292,7 @@ pub fn bar(svg: &mut Svg, width: f64, y: (f64, f64), range: (f64, f64), levels: 
     let step = (y.1 - y.0) / STEPS as f64;
     for k in 0..STEPS {
         let top = y.1 - (k + 1) as f64 * step;
-        svg.rect(left, top, 14.0, step + 0.3, &format!("v v{k}"));
+        svg.rect((left, top), (14.0, step + 0.3), &format!("v v{k}"));
     }
     let corners = [(left, y.0), (left + 14.0, y.0), (left + 14.0, y.1), (left, y.1)];
     svg.path(&corners, true, "ax");

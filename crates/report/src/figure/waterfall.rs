@@ -65,7 +65,7 @@ pub fn waterfall(id: &str, title: &str, falls: &[Fall]) -> Option<Figure> {
             let (a, b) = (at(row.from), at(row.to));
             svg.text((left - 6.0, y + 9.5), Anchor::End, "lb", &row.name);
             let class = format!("bar {}{}", fall.look.class, if fall.look.site { " site" } else { "" });
-            svg.rect(a.min(b), y + 2.5, (a - b).abs().max(1.0), ROW - 5.0, &class);
+            svg.rect((a.min(b), y + 2.5), ((a - b).abs().max(1.0), ROW - 5.0), &class);
             // From where the next bar begins, or where the last one ends.
             let next = if number + 1 < rows.len() { ROW } else { ROW - 5.0 };
             svg.line((b, y + 2.5), (b, y + next + 2.5), "gd");

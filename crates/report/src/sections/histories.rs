@@ -149,6 +149,14 @@ pub(super) fn record_end(source: &Source, end: f64) -> Option<Rule> {
     })
 }
 
+/// Places of the smallest and the largest value; of equal ones the first.
+fn extremes(values: &[f64]) -> (usize, usize) {
+    let extreme = |better: fn(&f64, &f64) -> bool| {
+        (0..values.len()).fold(0, |best, i| if better(&values[i], &values[best]) { i } else { best })
+    };
+    (extreme(f64::lt), extreme(f64::gt))
+}
+
 /// A history as a figure, its largest absolute value marked; `None` if the column is empty.
 pub(super) fn history(
     source: &Source,
@@ -165,13 +173,10 @@ pub(super) fn history(
         return Ok(None);
     }
     let (time, values) = (&time[..n], &values[..n]);
-    let extreme =
-        |better: fn(f64, f64) -> bool| (0..n).fold(0, |best, i| if better(values[i], values[best]) { i } else { best });
-    let (lowest, highest) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
-    let sampled = if -values[lowest] > values[highest] {
-        lowest
-    } else {
-        highest
+    let (lowest, highest) = extremes(values);
+    let sampled = match -values[lowest] > values[highest] {
+        true => lowest,
+        false => highest,
     };
     // The engine reports the peak between samples; its sign is that of the nearest sample.
     let (time_of_peak, peak) = match info {
@@ -207,14 +212,13 @@ pub(super) fn history(
         Column::numbers(title, scale.symbol()),
         Column::numbers("Time", "s"),
     ]);
-    for (label, i) in [("largest sample", highest), ("smallest sample", lowest)] {
-        table.row(vec![label.into(), scale.text(values[i]), fixed(time[i], 3)]);
+    for (label, value, at) in [
+        ("largest sample", values[highest], time[highest]),
+        ("smallest sample", values[lowest], time[lowest]),
+        (labels::LARGEST[1], peak.abs(), time_of_peak),
+    ] {
+        table.row(vec![label.into(), scale.text(value), fixed(at, 3)]);
     }
-    table.row(vec![
-        labels::LARGEST[1].into(),
-        scale.text(peak.abs()),
-        fixed(time_of_peak, 3),
-    ]);
     let static_value = info.map_or(0.0, |i| i.static_value);
     let between = peak.abs() > 1.02 * values[sampled].abs();
     Ok(Some(Figure {

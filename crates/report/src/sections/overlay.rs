@@ -93,15 +93,10 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
             label: label.into(),
         });
     }
-    chart.rules = second
+    chart.rules = Rule::all(&second.rules);
+    chart
         .rules
-        .iter()
-        .map(|(x, label)| Rule {
-            x: *x,
-            label: label.clone(),
-        })
-        .chain(histories::record_end(source, time[end.max(run) - 1]))
-        .collect();
+        .extend(histories::record_end(source, time[end.max(run) - 1]));
     let chart = chart.with_plot_height(96.0);
     let apart = (0..common).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
     let largest = peak(&first[..end]);

@@ -160,6 +160,36 @@ fn is_base(base: &Method, method: &Method) -> bool {
     base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
 }
 
+/// A line of a sheet.
+///
+/// * `numbers`: whether the formula stands with its numbers too
+fn line(number: usize, step: &Step, numbers: bool, document: &str) -> LineView {
+    let (value, unit) = parts(step.value, step.dimension);
+    let set = |text: &str, shown: bool| match text {
+        text if shown && !text.is_empty() => math::formula(text),
+        _ => String::new(),
+    };
+    // Not "H/R = H/R".
+    let formula = !step.formula.is_empty() && step.formula != step.symbol;
+    let substitution = step.substitution != step.formula && (numbers || !formula);
+    LineView {
+        number,
+        name: in_units(&step.name),
+        symbol: math::symbol(&step.symbol),
+        formula: set(&step.formula, formula),
+        substitution: set(&step.substitution, substitution),
+        look_up: match step.look_up.is_empty() {
+            true => String::new(),
+            false => math::words(&in_units(&step.look_up)),
+        },
+        value,
+        unit,
+        clause: within(&step.clause, document).to_owned(),
+        short: !formula,
+        many: false,
+    }
+}
+
 /// * `numbers`: whether the formulas stand with their numbers too, and every line alone
 /// * `lines`: whether there are lines at all
 fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> Sheet {
@@ -178,43 +208,8 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
                 lines: Vec::new(),
             });
         }
-        let (value, unit) = parts(step.value, step.dimension);
-        let set = |text: &str| {
-            if text.is_empty() {
-                String::new()
-            } else {
-                math::formula(text)
-            }
-        };
-        // Not "H/R = H/R".
-        let formula = if step.formula == step.symbol {
-            ""
-        } else {
-            step.formula.as_str()
-        };
-        let substitution = if step.substitution == step.formula || !(numbers || formula.is_empty()) {
-            ""
-        } else {
-            step.substitution.as_str()
-        };
         if let Some(part) = found.last_mut() {
-            part.lines.push(LineView {
-                number,
-                name: in_units(&step.name),
-                symbol: math::symbol(&step.symbol),
-                formula: set(formula),
-                substitution: set(substitution),
-                look_up: if step.look_up.is_empty() {
-                    String::new()
-                } else {
-                    math::words(&in_units(&step.look_up))
-                },
-                value,
-                unit,
-                clause: within(&step.clause, document).to_owned(),
-                short: formula.is_empty(),
-                many: false,
-            });
+            part.lines.push(line(number, step, numbers, document));
         }
     }
     if !numbers {

@@ -100,11 +100,11 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         &energies.kinetic,
         &energies.numerical,
     ];
-    let mut index = 0;
-    let curves = values.map(|values| {
-        index += 1;
-        (labels::NONLINEAR_ENERGIES[index - 1], format!("k-s{index}"), values)
-    });
+    let curves: Vec<(&str, String, &[f64])> = (1..)
+        .zip(labels::NONLINEAR_ENERGIES)
+        .zip(values)
+        .map(|((index, label), values)| (label, format!("k-s{index}"), values))
+        .collect();
     let whole = |v: &[f64]| v.len() == time.len() && v.iter().all(|x| x.is_finite());
     if !curves.iter().all(|(_, _, v)| whole(v)) {
         return Err(Error::Report(
@@ -116,6 +116,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     if largest == 0.0 {
         return Ok(Vec::new());
     }
+    let scale = Scale::of(Dimension::Energy, [largest]);
     let end = time.len() - 1;
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[end]), 8);
     let extent = curves.iter().flat_map(|(_, _, v)| v.iter().copied());
@@ -129,32 +130,25 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
             label: (*label).into(),
         });
     }
-    chart.rules = marks
-        .iter()
-        .map(|(x, label)| Rule {
-            x: *x,
-            label: label.clone(),
-        })
-        .collect();
+    chart.rules = Rule::all(marks);
     let chart = chart.with_plot_height(170.0);
-    let scale = Scale::of(Dimension::Energy, [largest]);
+    let input = energies.input[end];
     let mut table = Table::new(vec![
         Column::words("Energy"),
         Column::numbers(labels::AT_END[0], scale.symbol()),
         Column::numbers("Largest", scale.symbol()),
         Column::numbers(labels::AT_END[1], ""),
     ]);
-    let input = energies.input[end];
     for (label, _, values) in curves {
+        let share = match input == 0.0 {
+            true => "–".into(),
+            false => percent(values[end] / input),
+        };
         table.row(vec![
             capital(label),
             scale.text(values[end]),
             scale.text(most(values)),
-            if input == 0.0 {
-                "–".into()
-            } else {
-                percent(values[end] / input)
-            },
+            share,
         ]);
     }
     Ok(vec![Figure {
