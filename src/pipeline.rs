@@ -2,6 +2,7 @@
 //! independent of each other; [`compare`] joins their results.
 
 mod attribution;
+mod columns;
 mod decision;
 mod design;
 pub mod ground_motion;
@@ -27,15 +28,14 @@ use tank::assessment::{Assessment, Check, Excitation};
 use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
+use self::columns::Columns;
 pub use self::design::{Design, Records};
 use self::quantities::quantities;
 use crate::error::Error;
 use crate::job::Job;
 use engines::{Simulation, engine};
-use results::compare::{self, Context, Incomplete};
-use results::{
-    EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, Verdict, Volatile, finite,
-};
+use results::compare::{Context, Incomplete};
+use results::{EngineId, FORMAT, Method, RecordSummary, Results, Series, Snapshots, Status, Verdict, Volatile, finite};
 
 /// Ids of the procedures to run, in report order; an empty list means all.
 ///
@@ -43,10 +43,8 @@ use results::{
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        return Err(Error::input(
-            Code::UnknownId,
-            format!("procedures: found `{unknown}`, expected any of {}", known.join(", ")),
-        ));
+        let text = format!("procedures: found `{unknown}`, expected any of {}", known.join(", "));
+        return Err(Error::input(Code::UnknownId, text));
     }
     Ok(known
         .iter()
@@ -105,13 +103,10 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
-    let engine_period = simulations
+    let of_engine = simulations
         .first()
-        .and_then(|s| s.values.get(&Quantity::SloshingPeriod));
-    motion::mark(
-        &mut records,
-        engine_period.copied().or_else(|| sloshing_period(&methods)),
-    );
+        .and_then(|s| s.values.get(&Quantity::SloshingPeriod).copied());
+    motion::mark(&mut records, of_engine.or_else(|| sloshing_period(&methods)));
     for simulation in &mut simulations {
         attribution::separate(job, simulation);
     }
@@ -121,73 +116,25 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         None => context.attribution = attribution::attribute(job, &methods, &ingredients, simulations.first()),
         Some(design) => design::procedures(&mut methods, design),
     }
-    let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
-    let (mut outside, mut site_errors) = (Vec::new(), Vec::new());
+    let mut columns = Columns::of(methods);
     for (number, simulation) in simulations.into_iter().enumerate() {
-        let column = simulation.result.engine.column(number);
         let (findings, site) = std::thread::scope(|scope| {
             let site = scope.spawn(|| site::column(job, number, &simulation));
-            let findings = job.case.ground_motion.as_ref().map(|_| match &design {
-                Some(design) => design.findings.clone(),
-                None => runs::findings(job, &simulation),
-            });
+            let motion = job.case.ground_motion.as_ref();
+            let findings = motion.map(|_| of_run(job, number, &simulation, design.as_ref()));
             let site = site.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
             (findings, site)
         });
-        if let Some(mut findings) = findings {
-            if simulation
-                .demands
-                .as_ref()
-                .is_some_and(|demands| demands.base.is_none())
-            {
-                base_state::overstressed(&mut findings.checks);
-            }
-            if ground_motion::asked(job, column) {
-                let records = match &design {
-                    Some(design) => design.records.clone(),
-                    None => ground_motion::of_one(job, &simulation),
-                };
-                findings
-                    .checks
-                    .extend(records.and_then(|records| ground_motion::check(job, &records)));
-            }
-            outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
-            let mut method = runs::method(job, number, &simulation, findings);
-            if let Some(design) = &design {
-                design::engine(&mut method, design);
-            }
-            methods.push(method);
-        }
-        if let Some(site) = site {
-            outside.extend(site.outside.map(|why| ((column, Excitation::Site), why)));
-            site_errors.push((column, site.errors));
-            methods.push(site.method);
-        }
-        match number {
-            0 => series = simulation.series,
-            _ => series::append(&mut series, &simulation.series, simulation.result.engine.prefix()),
-        }
-        runs.push(simulation.result);
+        columns.add(job, simulation, (findings, site), design.as_ref());
     }
-    if let Some(solid) = runs.iter().skip(1).find(|run| run.engine == EngineId::Solid) {
-        context.solid_mesh_error.clone_from(&solid.mesh_error);
-    }
-    context.nonlinear = runs::happened(job, &runs);
     // Measured values belong to one record.
-    methods.extend(measured::column(job).filter(|_| design.is_none()));
-    let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
-    comparison.measured_apart = measured::others(job);
-    comparison.published_apart = measured::published(job);
-    for (number, run) in runs.iter().enumerate() {
-        let column = (run.engine.column(number), Excitation::Record);
-        comparison.mark_unusable(&methods, column, &run.mesh_error);
+    if design.is_none() {
+        columns.methods.extend(measured::column(job));
     }
-    for (column, errors) in &site_errors {
-        comparison.mark_unusable(&methods, (column, Excitation::Site), errors);
-    }
-    for (method, why) in outside {
-        comparison.mark_outside(&methods, method, why);
-    }
+    let comparison = columns.compare(job, context);
+    let Columns {
+        methods, runs, series, ..
+    } = columns;
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
     let verdict = Verdict {
@@ -225,6 +172,30 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         series,
         snapshots,
     })
+}
+
+/// Demands of a run under the record, or those of a set, against the capacities of the codes and the rule for the records.
+fn of_run(job: &Job, number: usize, simulation: &Simulation, design: Option<&Design>) -> Findings {
+    let mut findings = match design {
+        Some(design) => design.findings.clone(),
+        None => runs::findings(job, simulation),
+    };
+    if simulation
+        .demands
+        .as_ref()
+        .is_some_and(|demands| demands.base.is_none())
+    {
+        base_state::overstressed(&mut findings.checks);
+    }
+    if ground_motion::asked(job, simulation.result.engine.column(number)) {
+        let records = match design {
+            Some(design) => design.records.clone(),
+            None => ground_motion::of_one(job, simulation),
+        };
+        let check = records.and_then(|records| ground_motion::check(job, &records));
+        findings.checks.extend(check);
+    }
+    findings
 }
 
 /// The first sloshing period that a procedure gives [s].

@@ -8,9 +8,10 @@
 //! The harmonic engine builds its model once. Histories, spectra, profiles and sheets of the results are those of one record, which is named;
 //! what stands for the set are the quantities and the checks.
 
+mod design;
+
 use std::collections::BTreeMap;
 
-use codes::record_set::design::{self, Combined, Scatter};
 use codes::record_set::standard::{Combine, Standard};
 use codes::record_set::{Component, Horizontal, Ratios};
 use codes::time_history::Findings;
@@ -19,21 +20,19 @@ use files::code::{Code, Warning};
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::Quantity;
-use tank::assessment::{Check, Excitation};
+use tank::assessment::Excitation;
 use tank::case::GroundMotion;
-use tank::demand::{Demands, Footing};
+use tank::demand::Footing;
 use tank::hazard::SpectrumTable;
 use tank::outside::Outside;
 
+use self::design::Rules;
 use crate::error::Error;
 use crate::job::Job;
-use crate::pipeline::{self, Design, Outcome, Records, ground_motion};
+use crate::pipeline::{self, Outcome, ground_motion};
 use crate::study::rule::{self, Answer, FIVE, Question, Wanted};
 use engines::{FeError, Shared, Simulation, engine};
-use results::{
-    Compatibility, EngineId, FE, Method, RecordSet, SetCheck, SetPeriod, SetQuantity, SetRun, SetScatter, SourceFile,
-    Value,
-};
+use results::{Compatibility, EngineId, Method, SetPeriod, SourceFile};
 
 /// Every how many of the periods of the rule the curves of the results keep one.
 const KEPT: usize = 4;
@@ -141,11 +140,30 @@ impl Earthquake {
 }
 
 /// The run under one record.
+#[derive(Default)]
 struct Under {
     methods: Vec<Method>,
     values: BTreeMap<Quantity, f64>,
     findings: Findings,
     limits_exceeded: Vec<String>,
+}
+
+impl Under {
+    /// Takes the values, findings and limits of a run of the engine.
+    ///
+    /// * `errors`: relative mesh errors by quantity id
+    fn take(&mut self, job: &Job, simulation: &mut Simulation, errors: &BTreeMap<String, f64>) {
+        let demands = simulation.demands.get_or_insert_default();
+        self.findings = pipeline::findings(job, demands, errors);
+        let exceeded = simulation.result.limits.iter().filter(|l| !l.holds);
+        self.limits_exceeded = exceeded.map(|l| l.id.clone()).collect();
+        self.values.clone_from(&simulation.values);
+        // A mean or maximum leaves out forces of a wall that is held down: the tank does not have them.
+        if matches!(demands.footing, Footing::Beyond { .. }) {
+            self.values
+                .retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
+        }
+    }
 }
 
 /// Runs a job. `volatile` of the results is empty except for the version.
@@ -168,8 +186,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         Ok(wanted) => wanted,
         Err(_) => rule::both(&case, modes.map(|period| Some((period?, "finite elements")))),
     };
-    let compatibility = compatible(&mut set, &wanted);
-    let (compatibility, no_target) = match compatibility {
+    let (compatibility, no_target) = match compatible(&mut set, &wanted) {
         Ok((found, misses)) => {
             let warning = misses.map(|text| Warning::new(Code::UnusualRecord, text));
             set.job.warnings.extend(warning);
@@ -178,9 +195,11 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         Err(error) if set.fit => return Err(error),
         Err(error) => (None, rule::reason(&error)),
     };
-    let of_site = {
-        let horizontal: Vec<Horizontal<'_>> = set.records.iter().map(Earthquake::horizontal).collect();
-        ground_motion::ask(&set.job, &wanted, &horizontal)
+    let horizontal: Vec<Horizontal<'_>> = set.records.iter().map(Earthquake::horizontal).collect();
+    let rules = Rules {
+        compatibility,
+        no_target,
+        of_site: ground_motion::ask(&set.job, &wanted, &horizontal),
     };
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
@@ -189,44 +208,25 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     let others = (0..set.records.len()).filter(|&i| i != shown);
     for (done, i) in std::iter::once(shown).chain(others).enumerate() {
         progress.stage(&format!("record {} of {}", done + 1, set.records.len()), 1);
-        let record = &set.records[i];
         let job = under(&set, i);
-        let of_record = |error: Error| named(error, &record.id);
-        let methods = pipeline::under(&job, Excitation::Record).map_err(of_record)?;
-        let found = run_engine(&job, shared.as_ref(), i == shown, progress).map_err(of_record)?;
-        let (mut values, mut findings, mut limits_exceeded) = (BTreeMap::new(), Findings::default(), Vec::new());
-        if let Some(mut found) = found {
+        let of_record = |error: Error| named(error, &set.records[i].id);
+        let mut run = Under {
+            methods: pipeline::under(&job, Excitation::Record).map_err(of_record)?,
+            ..Under::default()
+        };
+        if let Some(mut found) = run_engine(&job, shared.as_ref(), i == shown, progress).map_err(of_record)? {
             if i == shown {
                 errors.clone_from(&found.result.mesh_error);
             }
-            let demands = found.demands.take().unwrap_or_else(Demands::default);
-            findings = pipeline::findings(&job, &demands, &errors);
-            limits_exceeded = found
-                .result
-                .limits
-                .iter()
-                .filter(|l| !l.holds)
-                .map(|l| l.id.clone())
-                .collect();
-            values.clone_from(&found.values);
-            // A mean or maximum leaves out forces of a wall that is held down: the tank does not have them.
-            if matches!(demands.footing, Footing::Beyond { .. }) {
-                values.retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
-            }
+            run.take(&job, &mut found, &errors);
             if i == shown {
-                found.demands = Some(demands);
                 simulation = Some(found);
             }
         }
-        runs[i] = Some(Under {
-            methods,
-            values,
-            findings,
-            limits_exceeded,
-        });
+        runs[i] = Some(run);
     }
     let runs: Vec<Under> = runs.into_iter().flatten().collect();
-    let design = designed(&set, &runs, shown, (compatibility, no_target, of_site));
+    let design = design::of_set(&set, &runs, shown, rules);
     let mut job = under(&set, shown);
     // That of the results first.
     job.files.extend(set.records[shown].files.clone());
@@ -368,186 +368,4 @@ fn compatibility(set: &SetJob, answer: &Answer) -> Compatibility {
         mean_zero_period_ratio: answer.zero,
         periods: answer.periods.iter().map(period).collect(),
     }
-}
-
-/// Columns and block of the set.
-fn designed(
-    set: &SetJob,
-    runs: &[Under],
-    shown: usize,
-    (compatibility, no_target, of_site): (Option<Compatibility>, String, Option<Records>),
-) -> Design {
-    let ids: Vec<&str> = set.records.iter().map(|r| r.id.as_str()).collect();
-    let (combine, count) = (set.combine, runs.len());
-    let values: Vec<BTreeMap<Quantity, f64>> = runs.iter().map(|r| r.values.clone()).collect();
-    let scatter = design::scatter(&values, combine);
-    let raw: Vec<Vec<Check>> = runs.iter().map(|r| r.findings.checks.clone()).collect();
-    let checks = design::checks(&raw, &ids, combine);
-    let mut quantities = Vec::new();
-    let mut procedures = BTreeMap::new();
-    for method in runs.first().map_or(&[][..], |r| &r.methods) {
-        let each: Vec<&Method> = runs
-            .iter()
-            .filter_map(|r| r.methods.iter().find(|m| m.id == method.id))
-            .collect();
-        if each.len() != count || each.iter().any(|m| m.quantities.is_empty() && m.checks.is_empty()) {
-            continue;
-        }
-        let values: Vec<BTreeMap<Quantity, f64>> = each.iter().map(|m| of_method(m)).collect();
-        let scatter = design::scatter(&values, combine);
-        let checks: Vec<Vec<Check>> = each.iter().map(|m| m.checks.clone()).collect();
-        let checks = design::checks(&checks, &ids, combine)
-            .into_iter()
-            .map(|c| c.check)
-            .collect();
-        let columns: BTreeMap<String, Value> = design_values(&scatter)
-            .into_iter()
-            .map(|(q, value)| {
-                (
-                    q.id().to_owned(),
-                    Value {
-                        value,
-                        dimension: q.dimension(),
-                    },
-                )
-            })
-            .collect();
-        quantities.extend(rows(&method.id, &scatter, &ids));
-        procedures.insert(method.id.clone(), (columns, checks));
-    }
-    quantities.extend(rows(FE, &scatter, &ids));
-    let sloshing = |under: &Under| {
-        let own = under.values.get(&Quantity::SloshingPeriod).copied();
-        own.or_else(|| pipeline::sloshing_period(&under.methods))
-    };
-    let records = set.records.iter().zip(runs).map(|(record, under)| {
-        let measures = record.motion.horizontal.measures();
-        let usable = record.usable();
-        SetRun {
-            id: record.id.clone(),
-            files: record.files.clone(),
-            peaks: [measures.pga, measures.pgv, measures.pgd],
-            significant_duration: measures.significant_duration,
-            usable_period: usable,
-            sloshing_beyond_usable: sloshing(under).zip(usable).is_some_and(|(t, usable)| t > usable),
-            values: by_method(under),
-            utilisations: utilisations(&under.findings.checks),
-            without_capacity: without_capacity(&under.findings.checks),
-            limits_exceeded: under.limits_exceeded.clone(),
-        }
-    });
-    let outside = runs.iter().find_map(|r| r.findings.outside);
-    let note = format!(
-        "Quantities and checks of this column are the {} of {count} records ({}); sheets and profiles are those of the record {}.",
-        match combine {
-            Combine::Mean => "mean of the maxima",
-            Combine::Worst => "largest of the maxima",
-        },
-        set.code.design_clause(),
-        ids[shown]
-    );
-    Design {
-        values: design_values(&scatter),
-        findings: Findings {
-            checks: checks.iter().map(|c| c.check.clone()).collect(),
-            outside,
-            ..runs[shown].findings.clone()
-        },
-        procedures,
-        note,
-        set: RecordSet {
-            name: set.name.clone(),
-            rule: set.code.id().into(),
-            combine: combine.id().into(),
-            clause: set.code.design_clause().into(),
-            fewest_for_mean: set.code.fewest_for_mean(),
-            factor: set.factor,
-            shown: ids[shown].into(),
-            records: records.collect(),
-            quantities,
-            checks: checks.iter().map(|c| of_check(c, &ids)).collect(),
-            compatibility,
-            no_target,
-        },
-        records: of_site,
-    }
-}
-
-/// Values of a column by quantity.
-fn of_method(method: &Method) -> BTreeMap<Quantity, f64> {
-    let values = method.quantities.iter();
-    values
-        .filter_map(|(id, v)| Some((Quantity::from_id(id)?, v.value)))
-        .collect()
-}
-
-/// Design values; periods and masses are the same under every record.
-fn design_values(scatter: &BTreeMap<Quantity, Scatter>) -> BTreeMap<Quantity, f64> {
-    let value = |(q, s): (&Quantity, &Scatter)| (*q, if q.is_response() { s.design } else { s.mean });
-    scatter.iter().map(value).collect()
-}
-
-/// Scatter of the responses of a method.
-fn rows(method: &str, scatter: &BTreeMap<Quantity, Scatter>, ids: &[&str]) -> Vec<SetQuantity> {
-    let responses = scatter.iter().filter(|(q, _)| q.is_response());
-    let row = |(quantity, scatter): (&Quantity, &Scatter)| SetQuantity {
-        method: method.into(),
-        quantity: quantity.id().into(),
-        title: quantity.title().into(),
-        dimension: quantity.dimension(),
-        scatter: numbers(scatter, ids),
-    };
-    responses.map(row).collect()
-}
-
-fn of_check(combined: &Combined, ids: &[&str]) -> SetCheck {
-    SetCheck {
-        id: combined.check.id.clone(),
-        name: combined.check.name.clone(),
-        status: combined.check.status,
-        scatter: combined.scatter.as_ref().map(|s| numbers(s, ids)),
-    }
-}
-
-fn numbers(scatter: &Scatter, ids: &[&str]) -> SetScatter {
-    SetScatter {
-        design: scatter.design,
-        mean: scatter.mean,
-        cov: scatter.cov,
-        min: scatter.min.0,
-        max: scatter.max.0,
-        max_record: ids[scatter.max.1].into(),
-    }
-}
-
-/// Responses by method and quantity.
-fn by_method(under: &Under) -> BTreeMap<String, BTreeMap<String, f64>> {
-    let responses = |values: BTreeMap<Quantity, f64>| -> BTreeMap<String, f64> {
-        let kept = values.into_iter().filter(|(q, v)| q.is_response() && v.is_finite());
-        kept.map(|(q, v)| (q.id().to_owned(), v)).collect()
-    };
-    let methods = under.methods.iter().map(|m| (m.id.clone(), responses(of_method(m))));
-    let engine = (FE.to_owned(), responses(under.values.clone()));
-    methods
-        .chain([engine])
-        .filter(|(_, values)| !values.is_empty())
-        .collect()
-}
-
-/// Checks that fail without a capacity.
-fn without_capacity(checks: &[Check]) -> Vec<String> {
-    let lost = checks.iter().filter(|c| c.compared() && c.utilisation.is_none());
-    lost.map(|c| c.id.clone()).collect()
-}
-
-/// Utilisation by check; of equal ids the largest.
-fn utilisations(checks: &[Check]) -> BTreeMap<String, f64> {
-    let mut found: BTreeMap<String, f64> = BTreeMap::new();
-    for check in checks.iter().filter(|c| c.compared()) {
-        if let Some(utilisation) = check.utilisation {
-            let entry = found.entry(check.id.clone()).or_insert(utilisation);
-            *entry = entry.max(utilisation);
-        }
-    }
-    found
 }

@@ -101,6 +101,28 @@ impl CheckFormat {
     }
 }
 
+impl Args {
+    /// Errors: a form of the output that --table or --solve does not have.
+    fn fits(&self) -> Result<(), Error> {
+        let conflict = |text: String| Err(Error::input(Code::OptionConflict, text));
+        let (option, forms) = match (&self.table, &self.solve) {
+            (Some(_), _) => ("--table", "human or csv"),
+            (None, Some(_)) => ("--solve", "human, json or csv"),
+            (None, None) => return Ok(()),
+        };
+        if self.format.plain().is_none() {
+            return conflict(format!(
+                "{option}: found --format {}, expected {forms}\n  help: a test report is that of one tank; leave --format or {option} out",
+                self.format.word()
+            ));
+        }
+        if self.table.is_some() && self.format == CheckFormat::Json {
+            return conflict("--table: found --format json, expected csv\n  help: leave --format out".into());
+        }
+        Ok(())
+    }
+}
+
 /// Errors: a folder with the results of finite elements, which those of the codes alone would replace.
 fn keeps_runs(out: &Path) -> Result<(), Error> {
     let histories = out.join(results::SERIES_FILE);
@@ -123,33 +145,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let _style = args.style.apply();
     // A test report has no parts to select.
     args.select.admit(args.format.plain().unwrap_or(Format::Csv))?;
-    if let (None, Some(option)) = (
-        args.format.plain(),
-        args.table
-            .as_ref()
-            .map(|_| "--table")
-            .or(args.solve.as_ref().map(|_| "--solve")),
-    ) {
-        return Err(Error::input(
-            Code::OptionConflict,
-            format!(
-                "{option}: found --format {}, expected {}\n  help: a test report is that of one tank; leave --format or {option} out",
-                args.format.word(),
-                if option == "--table" {
-                    "human or csv"
-                } else {
-                    "human, json or csv"
-                }
-            ),
-        ));
-    }
+    args.fits()?;
     if let Some(table) = &args.table {
-        if args.format == CheckFormat::Json {
-            return Err(Error::input(
-                Code::OptionConflict,
-                "--table: found --format json, expected csv\n  help: leave --format out".into(),
-            ));
-        }
         return tanks::run(&args.inputs, table, args.solve.as_deref());
     }
     let job = args.inputs.job(|_| Vec::new())?;

@@ -1,5 +1,6 @@
 //! `tankcheck compare`: codes and finite elements side by side.
 
+mod folders;
 mod text;
 
 use std::path::{Path, PathBuf};
@@ -21,16 +22,17 @@ use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, nonlinear, set_table, solid, stamp};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::job::Job;
-use crate::pipeline::{self, Outcome};
-use crate::record_set;
+use crate::pipeline;
+use crate::record_set::{self, SetJob};
 use engines::estimate::{Estimate, together};
 use engines::{FeError, Integrator, Task, engine};
 use files::code::{Code, Warning};
-use files::{OutputFolder, kept_complete};
+use files::kept_complete;
+pub(crate) use folders::replaced;
+use folders::{Folders, announce_loss};
 use report::words::{self, terminal};
-use report::{self, Level};
 use results::compare::unusable;
-use results::{self, EngineId, LeftOut, Part, Results, Series, Verdict, VerdictStatus, vtu};
+use results::{self, EngineId, LeftOut, Part, Results, Verdict, VerdictStatus, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -153,6 +155,53 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let _style = args.style.apply();
     args.select.admit(args.format)?;
+    let (job, set) = jobs(&args)?;
+    if job.engines.iter().any(|&id| engine(id).stops()) {
+        progress::stop_gracefully(progress::FINISHED_PART);
+    }
+    afford(&job, set.is_some(), global)?;
+    nonlinear::announce(&job, global);
+    let folders = Folders::prepare(&args, &job)?;
+    announce_loss(&args.out, &folders.out, &job);
+    let watch = Watch::new(global, "codes and finite elements");
+    let mut outcome = match &set {
+        None => pipeline::run(&job, &watch)?,
+        Some(set) => record_set::run(set, &watch)?,
+    };
+    outcome.results.volatile = stamp(started);
+    let interrupted = watch.interrupted() && outcome.results.verdict.unfinished;
+    let mut stale = Vec::new();
+    if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
+        watch.warn(&kept_complete(&args.out));
+    } else {
+        stale = folders.write(&args, &job, &mut outcome)?;
+    }
+    watch.finish();
+    let results = &outcome.results;
+    if !global.quiet {
+        not_computed(results);
+    }
+    let out = (!args.no_report).then_some(args.out.as_path());
+    print(results, out, (args.format, &args.select, &select::WHOLE), global)?;
+    late_warnings(&job, results);
+    replaced(&args.out, &stale);
+    remarks(results);
+    nonlinear::advise(&job, results, global);
+    match (&args.vtu, &outcome.snapshots) {
+        (Some(folder), Some(_)) if !global.quiet => {
+            say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
+        }
+        (Some(_), None) if interrupted => {
+            say!("ParaView: no files written; the run was interrupted before the first state");
+        }
+        (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
+        _ => {}
+    }
+    Ok(exit_code(&results.verdict, args.inputs.strict))
+}
+
+/// The job, and the set of records of which it has the longest.
+fn jobs(args: &Args) -> Result<(Job, Option<SetJob>), Error> {
     let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
     let refuses = |task: &Task<'_>| {
         let all = engines(task.case).iter();
@@ -182,124 +231,68 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
     };
     job.engines = engines(&job.case).to_vec();
-    let spectral = || site_action::of(&job.case, None, true).is_some();
-    if job.case.ground_motion.is_none() && !spectral() {
+    if job.case.ground_motion.is_none() && site_action::of(&job.case, None, true).is_none() {
         return Err(missing());
     }
-    choose(&mut job, &args)?;
-    if set.is_none() {
-        leave_out(&mut job, &args);
+    choose(&mut job, args)?;
+    match &mut set {
+        None => leave_out(&mut job, args),
+        Some(set) => set.adopt(&job)?,
     }
-    if let Some(set) = &mut set {
-        set.adopt(&job)?;
-    }
-    if job.engines.iter().any(|&id| engine(id).stops()) {
-        progress::stop_gracefully(progress::FINISHED_PART);
-    }
-    // All of them before any is announced.
-    // A set has its second mesh after the runs, not beside them.
+    Ok((job, set))
+}
+
+/// Holds the engines against the memory limit, all of them together before any is announced.
+///
+/// * `of_set`: whether the run is one of a set, which has its second mesh after the runs, not beside them
+fn afford(job: &Job, of_set: bool, global: &Global) -> Result<(), Error> {
     let mut asked = job.task();
     let alone = engines::Options {
         mesh_error: false,
         ..job.linear.clone()
     };
-    if set.is_some() {
+    if of_set {
         asked.linear = &alone;
     }
     let estimates = job.engines.iter().map(|&id| engine(id).estimate(&asked));
     let estimates = estimates.collect::<Result<Vec<Estimate>, FeError>>()?;
+    let limit = job.solid.memory_limit_mib;
     if let Some(all) = together(&estimates) {
-        all.hold(job.solid.memory_limit_mib)?;
+        all.hold(limit)?;
     }
     for (id, estimate) in job.engines.iter().zip(estimates) {
         let always = matches!(id, EngineId::Solid | EngineId::Nonlinear);
-        budget::admit(&estimate, job.solid.memory_limit_mib, always, global)?;
+        budget::admit(&estimate, limit, always, global)?;
     }
-    nonlinear::announce(&job, global);
-    if args.vtu.as_ref() == Some(&args.out) {
-        return Err(Error::input(
-            Code::OptionConflict,
-            format!(
-                "--vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
-                args.out.display()
-            ),
-        ));
-    }
-    let folder = match job.checkpoint {
-        Some(_) => OutputFolder::prepare_alone(&args.out, results::COMPARE)?,
-        None => OutputFolder::prepare(&args.out, results::COMPARE)?,
-    };
-    let vtu = match &args.vtu {
-        Some(target) => Some(OutputFolder::prepare(target, vtu::FOLDER)?),
-        None => None,
-    };
-    announce_loss(&args.out, &folder, &job);
-    let watch = Watch::new(global, "codes and finite elements");
-    let Outcome {
-        mut results,
-        series,
-        snapshots,
-    } = match &set {
-        None => pipeline::run(&job, &watch)?,
-        Some(set) => record_set::run(set, &watch)?,
-    };
-    results.volatile = stamp(started);
-    let interrupted = watch.interrupted() && results.verdict.unfinished;
-    let mut stale = Vec::new();
-    if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
-        watch.warn(&kept_complete(&args.out));
-    } else {
-        let report = (!args.no_report).then(|| (args.templates.as_deref(), args.level.level()));
-        if report.is_some() {
-            pipeline::draw(&job, &mut results)?;
-        }
-        write(&folder, &results, &series, report)?;
-        if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
-            vtu::write(&vtu.path(), snapshots)?;
-        }
-        stale = folder.stale();
-        folder.commit()?;
-        // Without a state the folder is not changed.
-        vtu.filter(|_| snapshots.is_some())
-            .map_or(Ok(()), OutputFolder::commit)?;
-        nonlinear::tidy(&job, &results);
-    }
-    watch.finish();
-    if !results.not_computed.is_empty() && !global.quiet {
+    Ok(())
+}
+
+/// Names the parts that no selected part needs.
+fn not_computed(results: &Results) {
+    let parts = &results.not_computed;
+    if !parts.is_empty() {
         say!(
             "not computed, because no selected part needs it: {}",
-            LeftOut::names(&results.not_computed)
+            LeftOut::names(parts)
         );
         // What it means for checks, which are printed beside it.
-        for left in results.not_computed.iter().filter(|left| left.part == Part::MeshError) {
+        for left in parts.iter().filter(|left| left.part == Part::MeshError) {
             say!("note: {}", left.text);
         }
     }
-    let out = (!args.no_report).then_some(args.out.as_path());
-    print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
-    late_warnings(&job, &results);
-    replaced(&args.out, &stale);
-    for line in words::record_set::beyond(&results) {
+}
+
+/// Warnings and notes on records, quantities and measured values.
+fn remarks(results: &Results) {
+    for line in words::record_set::beyond(results) {
         stream::warn("", &Warning::new(Code::UnusualRecord, line));
     }
-    for found in unusable(&results) {
+    for found in unusable(results) {
         stream::warn("", &Warning::new(Code::Unusable, words::verdict::unusable(&found)));
     }
     for line in terminal::apart(&results.comparison.measured_apart) {
         say!("note: {line}");
     }
-    nonlinear::advise(&job, &results, global);
-    match (&args.vtu, &snapshots) {
-        (Some(folder), Some(_)) if !global.quiet => {
-            say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
-        }
-        (Some(_), None) if interrupted => {
-            say!("ParaView: no files written; the run was interrupted before the first state");
-        }
-        (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
-        _ => {}
-    }
-    Ok(exit_code(&results.verdict, args.inputs.strict))
 }
 
 /// Exit code of a verdict; an unfinished run counts before all else.
@@ -399,19 +392,6 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
     }
 }
 
-fn write(
-    folder: &OutputFolder,
-    results: &Results,
-    series: &Series,
-    report: Option<(Option<&Path>, Level)>,
-) -> Result<(), Error> {
-    results::write(&folder.path(), results, series)?;
-    if let Some((templates, level)) = report {
-        report::render(&folder.path(), templates, level)?;
-    }
-    Ok(())
-}
-
 /// Prints the summary.
 ///
 /// * `select`: parts of the JSON, and those that are usual
@@ -441,47 +421,6 @@ pub(crate) fn print(
         say!("report: {}", out.join("report.html").display());
     }
     Ok(())
-}
-
-/// Before a run: what of the earlier results in its folder the new ones will not have, so that Ctrl-C keeps it.
-fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) {
-    let Ok(earlier) = results::read(out) else { return };
-    let runs = earlier.runs.iter().filter(|run| !job.engines.contains(&run.engine));
-    let mut lost: Vec<String> = runs.map(|run| format!("a {} run", run.engine.name())).collect();
-    let horizontal = earlier.records.first().filter(|_| job.case.ground_motion.is_none());
-    lost.extend(horizontal.map(|record| format!("the run under the record {}", record.name)));
-    let parts = job.without.iter().filter(|part| earlier.has(**part));
-    lost.extend(parts.map(|part| part.name().to_owned()));
-    // Nothing is written yet, so that these are all that the earlier run owns.
-    lost.extend(
-        folder
-            .stale()
-            .into_iter()
-            .filter(|name| results::FORMS.contains(&name.as_str())),
-    );
-    if lost.is_empty() {
-        return;
-    }
-    let text = format!(
-        "{}: this run replaces earlier results with {}; to keep them, stop it (Ctrl-C) and name another folder with --out",
-        out.display(),
-        lost.join(", ")
-    );
-    stream::warn("", &Warning::new(Code::Replaced, text));
-}
-
-/// Names what of an earlier run is gone.
-///
-/// * `stale`: of [`OutputFolder::stale`], before its commit
-pub(crate) fn replaced(out: &Path, stale: &[String]) {
-    if !stale.is_empty() {
-        let text = format!(
-            "{}: {} of the earlier results removed, of which the new ones have none",
-            out.display(),
-            stale.join(", ")
-        );
-        stream::warn("", &Warning::new(Code::Replaced, text));
-    }
 }
 
 /// Warnings that follow from the results; those about the input were printed before the run.

@@ -107,10 +107,8 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         (Some(path), _, _) => asked.of_stripes(&input::stripes(path)?),
         (_, Some(path), _) => {
             if let Some(largest) = args.im_max.filter(|im| !(*im > 0.0 && im.is_finite())) {
-                return Err(Error::input(
-                    Code::OptionValue,
-                    format!("--im-max: found {largest}, expected a number greater than 0"),
-                ));
+                let text = format!("--im-max: found {largest}, expected a number greater than 0");
+                return Err(Error::input(Code::OptionValue, text));
             }
             let data = input::capacities(path, args.im_max)?;
             if args.im_max.is_some() && data.len() > 1 {

@@ -158,59 +158,77 @@ impl Args {
     }
 }
 
+/// A fault of `--scale` or `--steps`.
+fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
+    Err(Error::input(Code::OptionValue, format!("{what}\n  help: {help}")))
+}
+
 /// The factors of `--scale` and `--steps`, ascending.
 fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
-    let refuse_as = |code: Code, what: String, help: &str| Err(Error::input(code, format!("{what}\n  help: {help}")));
-    let refuse = |what: String, help: &str| refuse_as(Code::OptionValue, what, help);
+    match text.split_once("..") {
+        Some(ends) => range(text, ends, steps),
+        None => list(text, steps),
+    }
+}
+
+fn number(part: &str) -> Option<f64> {
+    part.trim().parse().ok()
+}
+
+fn sound(scale: f64) -> bool {
+    (0.0..=MAX_SCALE).contains(&scale)
+}
+
+/// The factors of a list.
+fn list(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
     let expected = format!("expected factors from 0 to {MAX_SCALE}");
-    let number = |part: &str| part.trim().parse::<f64>().ok();
-    let sound = |scale: &f64| (0.0..=MAX_SCALE).contains(scale);
-    let Some((from, to)) = text.split_once("..") else {
-        let Some(list) = text.split(',').map(number).collect::<Option<Vec<f64>>>() else {
-            return refuse(
-                format!("--scale: found `{text}`, {expected}"),
-                "write a range `0..1.1` with --steps 12, or a list `0.5,0.9,1`",
-            );
-        };
-        if let Some(bad) = list.iter().find(|s| !sound(s)) {
-            return refuse(
-                format!("--scale: found `{bad}`, {expected}"),
-                "use factors ≥ 0; to reverse the motion, change the sign of the record",
-            );
-        }
-        if list.windows(2).any(|w| w[1] <= w[0]) {
-            return refuse(
-                format!("--scale: found `{text}`, expected an ascending list"),
-                "sort the factors and remove duplicates",
-            );
-        }
-        if let Some(steps) = steps {
-            return refuse(
-                format!("--steps: found `{steps}` with the list `{text}`, expected a range only"),
-                "remove --steps, or give a range `0..1.1`",
-            );
-        }
-        if list.len() > MAX_RUNS {
-            return refuse(
-                format!("--scale: found {} factors, expected at most {MAX_RUNS}", list.len()),
-                "give fewer factors",
-            );
-        }
-        return Ok(list);
+    let Some(list) = text.split(',').map(number).collect::<Option<Vec<f64>>>() else {
+        return refuse(
+            format!("--scale: found `{text}`, {expected}"),
+            "write a range `0..1.1` with --steps 12, or a list `0.5,0.9,1`",
+        );
     };
+    if let Some(bad) = list.iter().find(|s| !sound(**s)) {
+        return refuse(
+            format!("--scale: found `{bad}`, {expected}"),
+            "use factors ≥ 0; to reverse the motion, change the sign of the record",
+        );
+    }
+    if list.windows(2).any(|w| w[1] <= w[0]) {
+        return refuse(
+            format!("--scale: found `{text}`, expected an ascending list"),
+            "sort the factors and remove duplicates",
+        );
+    }
+    if let Some(steps) = steps {
+        return refuse(
+            format!("--steps: found `{steps}` with the list `{text}`, expected a range only"),
+            "remove --steps, or give a range `0..1.1`",
+        );
+    }
+    if list.len() > MAX_RUNS {
+        return refuse(
+            format!("--scale: found {} factors, expected at most {MAX_RUNS}", list.len()),
+            "give fewer factors",
+        );
+    }
+    Ok(list)
+}
+
+/// The factors of a range in equal steps.
+fn range(text: &str, (from, to): (&str, &str), steps: Option<&str>) -> Result<Vec<f64>, Error> {
+    let expected = format!("expected factors from 0 to {MAX_SCALE}");
     let (Some(low), Some(high)) = (number(from), number(to)) else {
         return refuse(
             format!("--scale: found `{text}`, {expected}, such as `0..1.1`"),
             "write both ends of the range with two dots between them",
         );
     };
-    for end in [low, high] {
-        if !sound(&end) {
-            return refuse(
-                format!("--scale: found `{end}` in `{text}`, {expected}"),
-                "write a range such as `0..1.1`",
-            );
-        }
+    if let Some(end) = [low, high].into_iter().find(|end| !sound(*end)) {
+        return refuse(
+            format!("--scale: found `{end}` in `{text}`, {expected}"),
+            "write a range such as `0..1.1`",
+        );
     }
     if low >= high {
         let (what, help) = if low == high {
@@ -224,11 +242,9 @@ fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
         );
     }
     let Some(steps) = steps else {
-        return refuse_as(
-            Code::MissingInput,
-            format!("--steps is missing; expected the number of factors in `{text}`"),
-            "add for example --steps 12",
-        );
+        let missing = format!("--steps is missing; expected the number of factors in `{text}`");
+        let text = format!("{missing}\n  help: add for example --steps 12");
+        return Err(Error::input(Code::MissingInput, text));
     };
     let count = match steps.trim().parse::<usize>() {
         Ok(count) if (2..=MAX_RUNS).contains(&count) => count,

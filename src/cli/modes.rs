@@ -98,94 +98,128 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if !faults.is_empty() {
         return Err(faults.into_error(&tank.source).into());
     }
-    let case = tank.case;
+    let shape = tank.case.tank.shape;
     let mut options = tank.fe;
     options.refine = args.refine.unwrap_or(options.refine);
-    let default = match (fe, case.tank.shape) {
+    let default = match (fe, shape) {
         (Engine::Solid, _) => Vec::new(),
         (_, Shape::Cylinder { .. }) => vec![0, 1, 2],
         (_, Shape::Rectangle { .. }) => vec![0, 1],
     };
     let harmonics = args.harmonics.unwrap_or(default);
-    check(&harmonics, args.count, (case.tank.shape, fe))?;
-    let limit = args.memory.over(tank.solid.memory_limit_mib);
-    let (modes, notes) = match fe {
-        Engine::Harmonic => {
-            if let Some(option) = args.solid.given() {
-                return Err(Error::input(
-                    Code::OptionConflict,
-                    format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid"),
-                ));
-            }
-            // One mesh, and one harmonic after the other.
-            let one = engines::Options {
-                mesh_error: false,
-                ..options.clone()
-            };
-            let mut estimate = harmonic::estimate(&case, &one)?;
-            estimate.seconds *= harmonics.len() as f64;
-            budget::admit(&estimate, limit, false, global)?;
-            let watch = Watch::new(global, "modes");
-            watch.stage("modes by harmonic", harmonics.len() as u64);
-            let mut modes = Vec::new();
-            for harmonic in &harmonics {
-                modes.extend(engines::modes(&case, &options, &[*harmonic], args.count)?);
-                watch.advance(1);
-            }
-            watch.finish();
-            let notes = harmonic::notes(&case, &modes);
-            (modes, notes)
+    check(&harmonics, args.count, (shape, fe))?;
+    let asked = Asked {
+        case: tank.case,
+        options,
+        harmonics,
+        count: args.count,
+        memory_limit_mib: args.memory.over(tank.solid.memory_limit_mib),
+    };
+    let (modes, notes) = match (fe, args.solid.given()) {
+        (Engine::Harmonic, Some(option)) => {
+            let text = format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid");
+            return Err(Error::input(Code::OptionConflict, text));
         }
-        Engine::Solid => {
-            let solid = SolidOptions {
-                memory_limit_mib: limit,
-                ..args.solid.over(&tank.solid)
-            };
-            let estimate = engines::solid::estimate(&case, &options, &solid)?;
-            budget::admit(&estimate, limit, true, global)?;
-            let watch = Watch::new(global, "modes");
-            let mut modes = engines::solid::modes(&case, &options, &solid, args.count, &watch)?;
-            watch.finish();
-            modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
-            let mut notes = harmonic::notes(&case, &modes);
-            let most = engines::solid::most_waves(&case, &options, &solid)?;
-            if let Some(n) = harmonics.iter().find(|n| **n > most) {
-                return Err(Error::input(
-                    Code::OptionValue,
-                    format!(
-                        "--harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
-                     needs six"
-                    ),
-                ));
-            }
-            notes.push(match case.tank.shape {
-                Shape::Cylinder { .. } => words::wave_numbers(most),
-                Shape::Rectangle { .. } => words::PARTS_OF_A_BOX.into(),
-            });
-            (modes, notes)
-        }
+        (Engine::Harmonic, None) => asked.harmonic(global)?,
+        (Engine::Solid, _) => asked.solid(args.solid.over(&tank.solid), global)?,
     };
     finite::check("modes", &modes)?;
-    match args.format {
+    show(&asked.case, (&modes, &notes), (fe, args.format), global)?;
+    Ok(EXIT_OK)
+}
+
+/// The modes that are asked for.
+struct Asked {
+    case: Case,
+    options: engines::Options,
+    /// None for all of the three-dimensional engine.
+    harmonics: Vec<u32>,
+    /// Of each kind.
+    count: usize,
+    memory_limit_mib: u64,
+}
+
+impl Asked {
+    /// Modes and notes of the harmonic engine: one mesh, and one harmonic after the other.
+    fn harmonic(&self, global: &Global) -> Result<(Vec<Mode>, Vec<String>), Error> {
+        let one = engines::Options {
+            mesh_error: false,
+            ..self.options.clone()
+        };
+        let mut estimate = harmonic::estimate(&self.case, &one)?;
+        estimate.seconds *= self.harmonics.len() as f64;
+        budget::admit(&estimate, self.memory_limit_mib, false, global)?;
+        let watch = Watch::new(global, "modes");
+        watch.stage("modes by harmonic", self.harmonics.len() as u64);
+        let mut modes = Vec::new();
+        for harmonic in &self.harmonics {
+            modes.extend(engines::modes(&self.case, &self.options, &[*harmonic], self.count)?);
+            watch.advance(1);
+        }
+        watch.finish();
+        let notes = harmonic::notes(&self.case, &modes);
+        Ok((modes, notes))
+    }
+
+    /// Modes and notes of the three-dimensional engine.
+    fn solid(&self, options: SolidOptions, global: &Global) -> Result<(Vec<Mode>, Vec<String>), Error> {
+        let (case, harmonics) = (&self.case, &self.harmonics);
+        let solid = SolidOptions {
+            memory_limit_mib: self.memory_limit_mib,
+            ..options
+        };
+        let estimate = engines::solid::estimate(case, &self.options, &solid)?;
+        budget::admit(&estimate, self.memory_limit_mib, true, global)?;
+        let watch = Watch::new(global, "modes");
+        let mut modes = engines::solid::modes(case, &self.options, &solid, self.count, &watch)?;
+        watch.finish();
+        modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
+        let mut notes = harmonic::notes(case, &modes);
+        let most = engines::solid::most_waves(case, &self.options, &solid)?;
+        if let Some(n) = harmonics.iter().find(|n| **n > most) {
+            return Err(Error::input(
+                Code::OptionValue,
+                format!(
+                    "--harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
+                     needs six"
+                ),
+            ));
+        }
+        notes.push(match case.tank.shape {
+            Shape::Cylinder { .. } => words::wave_numbers(most),
+            Shape::Rectangle { .. } => words::PARTS_OF_A_BOX.into(),
+        });
+        Ok((modes, notes))
+    }
+}
+
+/// Prints the modes with their notes.
+fn show(
+    case: &Case,
+    (modes, notes): (&[Mode], &[String]),
+    (fe, format): (Engine, Format),
+    global: &Global,
+) -> Result<(), Error> {
+    match format {
         Format::Human => {
-            let mut text = format!("{}\n\n{}", text::line(&case.name), table(&modes, &case, fe));
-            for note in &notes {
+            let mut text = format!("{}\n\n{}", text::line(&case.name), table(modes, case, fe));
+            for note in notes {
                 let _ = writeln!(text, "\nnote: {note}");
             }
-            print(&text)?;
+            print(&text)
         }
         Format::Json => {
             let value = json!({ "name": case.name, "liquid_mass": case.liquid_mass(), "modes": modes, "notes": notes });
-            print(&cli::json(&value)?)?;
+            print(&cli::json(&value)?)
         }
-        Format::Csv => print(&csv(&modes))?,
-    }
-    if args.format == Format::Csv && !global.quiet {
-        for note in &notes {
-            say!("note: {note}");
+        Format::Csv => {
+            print(&csv(modes))?;
+            if !global.quiet {
+                notes.iter().for_each(|note| say!("note: {note}"));
+            }
+            Ok(())
         }
     }
-    Ok(EXIT_OK)
 }
 
 fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> Result<(), Error> {

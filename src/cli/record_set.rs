@@ -361,10 +361,8 @@ fn earthquake(
     };
     let (horizontal, transverse, vertical) = (take("x"), take("y"), take("vertical"));
     let Some(horizontal) = horizontal else {
-        return Err(Error::input(
-            Code::MissingInput,
-            format!("the record {id} has no component along x"),
-        ));
+        let text = format!("the record {id} has no component along x");
+        return Err(Error::input(Code::MissingInput, text));
     };
     let role = |direction: &str| match direction {
         "x" => "record",

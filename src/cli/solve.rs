@@ -160,6 +160,22 @@ fn name(variable: Variable) -> String {
     }
 }
 
+/// What fails beyond the edge, if it is not what governs at it, or why there is no verdict.
+fn past(text: &mut String, at: &Verdict, beyond: &Answer<Verdict>) {
+    let found = match beyond {
+        Answer::Fails(verdict) | Answer::Holds(verdict) => {
+            let other = |g: &&Governing| {
+                let here = at.governing.as_ref();
+                here.is_none_or(|h| (&h.method, &h.check.id) != (&g.method, &g.check.id))
+            };
+            let next = verdict.governing.as_ref().filter(other);
+            next.map(|next| format!(" Beyond it fails: {}.", words::terminal::governing(next)))
+        }
+        Answer::Outside(reason) => Some(format!(" Beyond it there is no verdict: {reason}.")),
+    };
+    text.extend(found);
+}
+
 /// The solution in one paragraph.
 fn paragraph(solution: &Solution) -> String {
     let variable = solution.variable;
@@ -184,20 +200,7 @@ fn paragraph(solution: &Solution) -> String {
                 shown(solution.given)
             );
             governs(&mut text, at);
-            match beyond {
-                Answer::Fails(verdict) | Answer::Holds(verdict) => {
-                    let other = |g: &&Governing| {
-                        let here = at.governing.as_ref();
-                        here.is_none_or(|h| (&h.method, &h.check.id) != (&g.method, &g.check.id))
-                    };
-                    if let Some(next) = verdict.governing.as_ref().filter(other) {
-                        let _ = write!(text, " Beyond it fails: {}.", words::terminal::governing(next));
-                    }
-                }
-                Answer::Outside(reason) => {
-                    let _ = write!(text, " Beyond it there is no verdict: {reason}.");
-                }
-            }
+            past(&mut text, at, beyond);
             judged(&mut text, at);
         }
         Found::Everywhere { value, at } => {
@@ -228,17 +231,15 @@ fn paragraph(solution: &Solution) -> String {
                 text,
                 "No single answer: whether checks fail changes more than once with the {name}:"
             );
-            let mut parts = Vec::new();
-            for run in samples.chunk_by(|a, b| a.1 == b.1) {
-                let (Some(first), Some(last)) = (run.first(), run.last()) else {
-                    continue;
-                };
+            let part = |run: &[(f64, bool)]| {
+                let (first, last) = (run.first()?, run.last()?);
                 let word = if first.1 { "no check fails" } else { "a check fails" };
-                parts.push(match run {
+                Some(match run {
                     [one] => format!(" {word} at {}", shown(one.0)),
                     _ => format!(" {word} from {} to {}", shown(first.0), shown(last.0)),
-                });
-            }
+                })
+            };
+            let parts: Vec<String> = samples.chunk_by(|a, b| a.1 == b.1).filter_map(part).collect();
             let _ = write!(text, "{}.", parts.join(","));
         }
         Found::Unanswered(reason) => {

@@ -66,8 +66,8 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         figure_key: engine.figure_key(number).into(),
         ..Method::new(engine.column(number), &title, Excitation::Site)
     };
-    let action = match action.and_then(|action| covered(job, units, action)) {
-        Ok(action) => action,
+    let (errors, outside) = match action.and_then(|action| covered(job, units, action)) {
+        Ok(action) => respond(&mut method, job, (simulation, units), &action),
         Err(error) => {
             let (clause, reason) = match error {
                 CodeError::NotApplicable(n) => (n.clause, n.reason),
@@ -75,13 +75,25 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
                 other => (code.to_owned(), other.to_string()),
             };
             method.status = Status::NotApplicable { clause, reason };
-            return Some(Column {
-                method,
-                errors: BTreeMap::new(),
-                outside: None,
-            });
+            Default::default()
         }
     };
+    Some(Column {
+        method,
+        errors,
+        outside,
+    })
+}
+
+/// Gives the column the response of the modes to the action; returns mesh errors, and why the numbers are outside the model.
+fn respond(
+    method: &mut Method,
+    job: &Job,
+    (simulation, units): (&Simulation, &ModalUnits),
+    action: &ModalAction<'_>,
+) -> (BTreeMap<String, f64>, Option<Outside>) {
+    let options = &job.linear.spectrum;
+    let engine = simulation.result.engine;
     let round = matches!(job.case.tank.shape, Shape::Cylinder { .. });
     let seen = Action {
         structural: &action.structural,
@@ -92,12 +104,8 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         let along = units.respond(&seen, options, round);
         let upwards = action.upwards.as_ref();
         let found = upwards.and_then(|up| units.with_vertical(&along, (&up.spectrum, up.beside), options, round));
-        match found {
-            Some((found, breathing)) => (found, breathing),
-            None => (along, None),
-        }
+        found.unwrap_or((along, None))
     };
-    let upwards = action.upwards.as_ref().filter(|_| units.vertical.is_some());
     let (found, breathing) = both(units);
     let mut values = found.values.clone();
     let own = simulation.values.iter().filter(|(q, _)| OWN.contains(q));
@@ -108,16 +116,17 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
     });
     let errors = errors.unwrap_or_default();
     let outside = outside(job, engine, &found);
+    let upwards = action.upwards.as_ref().filter(|_| units.vertical.is_some());
     method.quantities = quantities(&values);
     method.steps = steps(units, &found);
     if let (Some(up), Some(mode)) = (upwards, breathing) {
-        let (name, at) = words::breathing(mode.period());
-        let value = (up.spectrum)(mode.period(), mode.damping);
-        method.steps.push(step("S_v".into(), name, at, value));
-        let (name, at) = words::upward_rest();
-        method
-            .steps
-            .push(step("S_v0".into(), name, at, (up.spectrum)(0.0, mode.damping)));
+        for (symbol, (name, at), period) in [
+            ("S_v", words::breathing(mode.period()), mode.period()),
+            ("S_v0", words::upward_rest(), 0.0),
+        ] {
+            let value = (up.spectrum)(period, mode.damping);
+            method.steps.push(step(symbol.into(), name, at, value));
+        }
     }
     method.profiles = profiles(&found);
     method.assumptions = vec![action.assumption.clone(), words::combination(options)];
@@ -138,11 +147,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
     }
     method.notes.extend(outside.map(words::outside).map(String::from));
     method.notes.extend(said.iter().cloned());
-    Some(Column {
-        method,
-        errors,
-        outside,
-    })
+    (errors, outside)
 }
 
 /// The action, if it covers every mode.

@@ -26,10 +26,8 @@ pub fn run(
     let number = plan.tanks.iter().position(|known| known.id == tank);
     let record = plan.records.iter().position(|known| known.id == row.record);
     let (Some(number), Some(record)) = (number, record) else {
-        return Err(Error::input(
-            Code::UnknownId,
-            format!("the tank `{tank}` or the record `{}` is not in the plan", row.record),
-        ));
+        let text = format!("the tank `{tank}` or the record `{}` is not in the plan", row.record);
+        return Err(Error::input(Code::UnknownId, text));
     };
     let job = task::single(study, plan, (number, row.sample), record, row.factor)?;
     let mut outcome = pipeline::run(&job, progress)?;

@@ -159,35 +159,43 @@ pub(super) fn page(
         gaps,
         curves: fragility.curves.iter().map(|c| curve(c, end)).collect(),
         system: fragility.system.iter().map(|c| curve(c, end)).collect(),
-        losses: fragility
-            .farm
-            .iter()
-            .map(|loss| StudyLoss {
-                im: loss.im,
-                earthquakes: loss.earthquakes,
-                not_judged: loss.not_judged,
-                at_least: loss.at_least.clone(),
-                bounds: loss.at_least_bounds.as_ref().and_then(|all| all.first().copied()),
-                volume_bounds: loss.mean_volume_bounds_m3,
-                independent: loss.at_least_independent.iter().flatten().map(|p| Some(*p)).collect(),
-                volume: [loss.mean_volume_m3, loss.largest_volume_m3],
-            })
-            .collect(),
+        losses: losses(fragility),
         no_losses: fragility.no_farm.map(str::to_owned),
         records: records(plan, gathered),
         traces: traces(plan, gathered, fragility),
         rule: plan.rule.as_ref().map(|found| rule(found, plan.records.len())),
-        faults: gathered
-            .faults
-            .iter()
-            .map(|((status, message), (rows, tank, record))| StudyFault {
-                status: (*status).into(),
-                message: message.clone(),
-                rows: *rows,
-                first: [tank.clone(), record.clone()],
-            })
-            .collect(),
+        faults: faults(gathered),
     }
+}
+
+/// Losses of all tanks together.
+fn losses(fragility: &Fragility) -> Vec<StudyLoss> {
+    let losses = fragility.farm.iter();
+    losses
+        .map(|loss| StudyLoss {
+            im: loss.im,
+            earthquakes: loss.earthquakes,
+            not_judged: loss.not_judged,
+            at_least: loss.at_least.clone(),
+            bounds: loss.at_least_bounds.as_ref().and_then(|all| all.first().copied()),
+            volume_bounds: loss.mean_volume_bounds_m3,
+            independent: loss.at_least_independent.iter().flatten().map(|p| Some(*p)).collect(),
+            volume: [loss.mean_volume_m3, loss.largest_volume_m3],
+        })
+        .collect()
+}
+
+/// Rows without a result, by their message.
+fn faults(gathered: &Gathered) -> Vec<StudyFault> {
+    let faults = gathered.faults.iter();
+    faults
+        .map(|((status, message), (rows, tank, record))| StudyFault {
+            status: (*status).into(),
+            message: message.clone(),
+            rows: *rows,
+            first: [tank.clone(), record.clone()],
+        })
+        .collect()
 }
 
 /// The largest intensity of the figures.

@@ -31,7 +31,7 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     let fe_here = columns.iter().any(|&i| results.methods[i].id == results::FE);
     let head = std::iter::once(terminal::corner(excitation, results.reference().is_some(), fe_here))
         .chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
-    let later = Later::of(results).filter(|_| excitation == Excitation::Record);
+    let later_peaks = Later::of(results).filter(|_| excitation == Excitation::Record);
     let mut table = Table::new(head);
     for row in &results.comparison.rows {
         let values: Vec<f64> = columns.iter().filter_map(|&i| row.cells[i].map(|c| c.value)).collect();
@@ -42,28 +42,48 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
         let cells = columns.iter().map(|&i| match row.cells[i] {
             None => "–".to_string(),
             Some(cell) => {
-                let value = units::significant(units::in_unit(cell.value, unit), 3);
                 let nonlinear = results.methods[i].id == EngineId::Nonlinear.beside();
-                let mark = match later
-                    .as_ref()
-                    .is_some_and(|l| nonlinear && l.peaks.contains_key(&row.quantity))
-                {
-                    true => "*",
-                    false => "",
+                let later = |l: &Later| nonlinear && l.peaks.contains_key(&row.quantity);
+                let mark = if later_peaks.as_ref().is_some_and(later) {
+                    "*"
+                } else {
+                    ""
                 };
+                let value = units::significant(units::in_unit(cell.value, unit), 3);
+                let ratio = cell.ratio.map_or(String::new(), |ratio| format!(" ({ratio:.2})"));
                 let unusable = if cell.unusable { terminal::UNUSABLE } else { "" };
                 let outside = if cell.outside { terminal::OUTSIDE } else { "" };
-                let mark = format!("{mark}{unusable}{outside}");
-                match cell.ratio {
-                    Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
-                    None => format!("{value}{mark}"),
-                }
+                format!("{value}{ratio}{mark}{unusable}{outside}")
             }
         });
         let title = format!("{} [{}]", row.title, unit.symbol);
         table.row(std::iter::once(title).chain(cells));
     }
     let mut text = format!("{}\n", table.fitted(stream::width()));
+    marks(&mut text, results, excitation, &columns);
+    let together = results
+        .reference()
+        .and_then(|run| terminal::components(&run.directions));
+    if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
+        let _ = writeln!(text, "{line}");
+    }
+    if let Some(later) = later_peaks {
+        let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
+    }
+    for method in results.methods.iter().filter(|m| m.excitation == excitation) {
+        if let Some(line) = terminal::not_applicable(method) {
+            let _ = writeln!(text, "{line}");
+        }
+    }
+    // A blank line separates the table from what follows; the notes under a table end without one.
+    if !text.ends_with("\n\n") {
+        text.push('\n');
+    }
+    text
+}
+
+/// What the marks of the cells mean.
+fn marks(text: &mut String, results: &Results, excitation: Excitation, columns: &[usize]) {
     let marked = |mark: fn(&results::Cell) -> bool| {
         let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
         results.comparison.rows.iter().any(of)
@@ -85,25 +105,6 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     {
         let _ = writeln!(text, "{}", terminal::outside(why));
     }
-    let together = results
-        .reference()
-        .and_then(|run| terminal::components(&run.directions));
-    if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
-        let _ = writeln!(text, "{line}");
-    }
-    if let Some(later) = later {
-        let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
-    }
-    for method in results.methods.iter().filter(|m| m.excitation == excitation) {
-        if let Some(line) = terminal::not_applicable(method) {
-            let _ = writeln!(text, "{line}");
-        }
-    }
-    // A blank line separates the table from what follows; the notes under a table end without one.
-    if !text.ends_with("\n\n") {
-        text.push('\n');
-    }
-    text
 }
 
 /// Peaks of the linear run after the end of the nonlinear one.
