@@ -127,7 +127,7 @@ pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> 
         [0.0, 0.0, cones.internal_inertia],
     ];
     let share = |f: &dyn Fn(&Mode) -> f64| body.modes.iter().map(f).sum::<f64>();
-    // Of the step, in accelerations: M − Σ r_n Γ Γᵀ + a₇ C + K/a₀.
+    // The system of the step, in accelerations: M − Σ r_n Γ Γᵀ + a₇ C + K/a₀.
     let mut system = [[0.0; 3]; 3];
     let mut carried = mass;
     for i in 0..3 {

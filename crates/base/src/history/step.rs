@@ -17,7 +17,7 @@ const HASTE: f64 = 4.0;
 /// Errors: no equilibrium.
 pub(super) fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     let h = run.step;
-    // Of the forces' instant.
+    // The ground at the instant of the forces.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
     let sums = state.modes.sums();
     let limit = run
