@@ -1,11 +1,12 @@
 //! `tankcheck verify`: the self-test.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, json, print};
+use crate::cli::{Format, Global, json, print, spinner};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::selftest::{ROWS, Row};
+use files::text::cell;
 use tank::units::significant;
 
 /// Arguments.
@@ -31,127 +32,123 @@ pub(crate) struct Args {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
-    if args.list {
-        print(&list(args.format)?)?;
-        return Ok(EXIT_OK);
-    }
-    let spinner = super::spinner(global, "self-test");
-    let found: Vec<Found> = ROWS.iter().map(Found::of).collect();
-    spinner.finish_and_clear();
+    let watch = spinner(global, "self-test");
+    let lines: Vec<Line> = ROWS.iter().map(|row| Line::of(row, !args.list)).collect();
+    watch.finish_and_clear();
     print(&match args.format {
-        Format::Json => json(&found.iter().map(Found::json).collect::<Vec<_>>())?,
-        Format::Csv => csv(&found),
-        Format::Human => human(&found),
+        Format::Json => json(&lines.iter().map(Line::json).collect::<Vec<_>>())?,
+        Format::Csv => csv(&lines),
+        Format::Human => human(&lines),
     })?;
-    Ok(if found.iter().all(Found::holds) {
-        EXIT_OK
-    } else {
-        EXIT_CHECK_FAILED
+    Ok(match lines.iter().any(Line::fails) {
+        true => EXIT_CHECK_FAILED,
+        false => EXIT_OK,
     })
 }
 
-/// A row that ran.
-struct Found {
+/// A row, and what it computed or why it did not; `None` if it was only listed.
+struct Line {
     row: &'static Row,
-    computed: Result<f64, String>,
+    computed: Option<Result<f64, String>>,
 }
 
-impl Found {
-    fn of(row: &'static Row) -> Found {
-        let computed = (row.compute)().map_err(|error| error.to_string());
-        let finite = computed.and_then(|value| match value.is_finite() {
-            true => Ok(value),
-            false => Err("the value is not finite".into()),
+impl Line {
+    fn of(row: &'static Row, run: bool) -> Line {
+        let computed = run.then(|| match (row.compute)() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(value) => Err(format!("the value is {value}")),
+            Err(error) => Err(error.to_string()),
         });
-        Found { row, computed: finite }
+        Line { row, computed }
     }
 
-    fn holds(&self) -> bool {
-        self.computed.as_ref().is_ok_and(|&value| self.row.holds(value))
+    fn value(&self) -> Option<f64> {
+        self.computed.as_ref()?.as_ref().ok().copied()
     }
 
-    fn json(&self) -> serde_json::Value {
-        let value = self.computed.as_ref().ok();
-        let mut row = described(self.row);
-        row["computed"] = json!(value);
-        row["error"] = json!(value.map(|&value| self.row.error(value)));
-        row["holds"] = json!(self.holds());
-        row["failure"] = json!(self.computed.as_ref().err());
-        row
+    fn fails(&self) -> bool {
+        self.computed.is_some() && !self.value().is_some_and(|value| self.row.holds(value))
+    }
+
+    /// `ok`, `OUTSIDE` with the reason of a row without a value, nothing for a row that did not run.
+    fn state(&self) -> String {
+        match &self.computed {
+            None => String::new(),
+            Some(Err(why)) => format!("OUTSIDE: {why}"),
+            Some(Ok(_)) if self.fails() => "OUTSIDE".into(),
+            Some(Ok(_)) => "ok".into(),
+        }
+    }
+
+    fn json(&self) -> Value {
+        let row = self.row;
+        let mut out = json!({
+            "id": row.id, "what": row.what, "reference": row.reference, "unit": row.unit, "tolerance": row.tolerance,
+            "reference_source": row.source,
+        });
+        if let Some(computed) = &self.computed {
+            out["computed"] = json!(self.value());
+            out["error"] = json!(self.value().map(|value| row.error(value)));
+            out["holds"] = json!(!self.fails());
+            out["failure"] = json!(computed.as_ref().err());
+        }
+        out
     }
 }
 
-fn described(row: &Row) -> serde_json::Value {
-    json!({
-        "id": row.id, "what": row.what, "reference": row.reference, "unit": row.unit, "tolerance": row.tolerance,
-        "reference_source": row.source,
-    })
-}
-
-/// The rows without values.
-fn list(format: Format) -> Result<String, Error> {
-    let text = match format {
-        Format::Json => return json(&ROWS.iter().map(described).collect::<Vec<_>>()),
-        Format::Csv => ROWS
-            .iter()
-            .map(|r| {
-                format!(
-                    "{},\"{}\",{:e},{},{:e},\"{}\"\n",
-                    r.id, r.what, r.reference, r.unit, r.tolerance, r.source
-                )
-            })
-            .fold("id,what,reference,unit,tolerance,source\n".to_owned(), |text, line| {
-                text + &line
-            }),
-        Format::Human => ROWS
-            .iter()
-            .map(|r| format!("{}: {}\n    {}\n", r.id, r.what, r.source))
-            .collect(),
+fn human(lines: &[Line]) -> String {
+    let ran = lines.iter().any(|line| line.computed.is_some());
+    let mut table = match ran {
+        true => Table::new(["", "what", "reference", "computed", "error", "tolerance", ""]),
+        false => Table::new(["", "what", "reference", "tolerance", "source"]),
     };
-    Ok(text)
-}
-
-fn human(found: &[Found]) -> String {
-    let mut table = Table::new(["", "what", "reference", "computed", "error", "tolerance", ""]);
-    for Found { row, computed } in found {
-        let unit = if row.unit == "1" { "" } else { row.unit };
-        let percent = |share: f64| format!("{:.1e}", share);
-        let (value, error, state) = match computed {
-            Ok(value) if row.holds(*value) => (significant(*value, 6), percent(row.error(*value)), "ok".to_owned()),
-            Ok(value) => (significant(*value, 6), percent(row.error(*value)), "OUTSIDE".to_owned()),
-            Err(why) => ("none".to_owned(), "–".to_owned(), format!("OUTSIDE: {why}")),
+    for line in lines {
+        let row = line.row;
+        let with_unit = |value: f64| {
+            let text = format!("{} {}", significant(value, 6), row.unit);
+            text.trim_end_matches(" 1").to_owned()
         };
-        let reference = format!("{} {unit}", significant(row.reference, 6))
-            .trim_end()
-            .to_owned();
-        table.row([
-            row.id.to_owned(),
-            row.what.to_owned(),
-            reference,
-            value,
-            error,
-            percent(row.tolerance),
-            state,
-        ]);
+        let [id, what, source] = [row.id, row.what, row.source].map(str::to_owned);
+        let (reference, tolerance) = (with_unit(row.reference), format!("{:.1e}", row.tolerance));
+        if !ran {
+            table.row([id, what, reference, tolerance, source]);
+            continue;
+        }
+        let computed = line.value().map_or("none".into(), with_unit);
+        let error = line
+            .value()
+            .map_or("–".into(), |value| format!("{:.1e}", row.error(value)));
+        table.row([id, what, reference, computed, error, tolerance, line.state()]);
     }
-    let outside = found.iter().filter(|found| !found.holds()).count();
+    let outside = lines.iter().filter(|line| line.fails()).count();
+    let outcome = if ran {
+        format!(", {outside} outside their tolerance")
+    } else {
+        String::new()
+    };
     format!(
-        "{table}\n{} rows, {outside} outside their tolerance; the whole manual: cargo run --release -p verification\n",
-        found.len()
+        "{table}\n{} rows{outcome}; the whole manual: cargo run --release -p verification\n",
+        lines.len()
     )
 }
 
-fn csv(found: &[Found]) -> String {
-    let mut text = String::from("id,what,reference,computed,error,tolerance,unit,holds\n");
-    for Found { row, computed } in found {
-        let [value, error] = match computed {
-            Ok(value) => [format!("{value:e}"), format!("{:e}", row.error(*value))],
-            Err(_) => [String::new(), String::new()],
-        };
-        let holds = computed.as_ref().is_ok_and(|&value| row.holds(value));
+fn csv(lines: &[Line]) -> String {
+    let mut text = String::from("id,what,source,reference,unit,tolerance,computed,state\n");
+    for line in lines {
+        let Row {
+            id,
+            what,
+            source,
+            reference,
+            unit,
+            tolerance,
+            ..
+        } = line.row;
+        let computed = line.value().map_or(String::new(), |value| format!("{value:e}"));
+        let state = line.state();
+        let [what, source, state] = [what, source, state.as_str()].map(cell);
         text.push_str(&format!(
-            "{},\"{}\",{:e},{value},{error},{:e},{},{holds}\n",
-            row.id, row.what, row.reference, row.tolerance, row.unit
+            "{id},{what},{source},{reference:e},{unit},{tolerance:e},{computed},{state}\n"
         ));
     }
     text
@@ -160,33 +157,39 @@ fn csv(found: &[Found]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::selftest::Answer;
 
-    fn row(value: fn() -> crate::selftest::Answer) -> &'static Row {
+    fn row(compute: fn() -> Answer) -> &'static Row {
         Box::leak(Box::new(Row {
             id: "a",
-            what: "b",
+            what: "b, c",
             source: "by hand",
             reference: -2.0,
             tolerance: 0.01,
             unit: "m",
-            compute: value,
+            compute,
         }))
     }
 
     #[test]
-    fn a_value_outside_and_a_model_without_an_answer_do_not_hold() {
-        let rows: [(fn() -> crate::selftest::Answer, bool, &str); 4] = [
-            (|| Ok(-2.019), true, " ok\n"),
-            (|| Ok(-2.021), false, " OUTSIDE\n"),
-            (|| Err("singular".into()), false, "OUTSIDE: singular\n"),
-            (|| Ok(f64::NAN), false, "OUTSIDE: the value is not finite\n"),
+    fn a_value_outside_and_a_model_without_an_answer_fail() {
+        let rows: [(fn() -> Answer, bool, &str); 4] = [
+            (|| Ok(-2.019), false, "ok\n"),
+            (|| Ok(-2.021), true, "OUTSIDE\n"),
+            (|| Err("singular".into()), true, "OUTSIDE: singular\n"),
+            (|| Ok(f64::NAN), true, "OUTSIDE: the value is NaN\n"),
         ];
-        for (value, holds, text) in rows {
-            let found = [Found::of(row(value))];
-            assert_eq!(found[0].holds(), holds, "{text}");
-            assert!(human(&found).contains(text), "{}", human(&found));
-            assert_eq!(found[0].json()["holds"], holds);
-            assert!(csv(&found).ends_with(&format!(",m,{holds}\n")), "{}", csv(&found));
+        for (compute, fails, state) in rows {
+            let lines = [Line::of(row(compute), true)];
+            assert_eq!(lines[0].fails(), fails, "{state}");
+            assert!(
+                human(&lines).contains(state) && csv(&lines).ends_with(state),
+                "{}",
+                csv(&lines)
+            );
+            assert_eq!(lines[0].json()["holds"], !fails);
+            let listed = Line::of(row(compute), false);
+            assert!(!listed.fails() && listed.json().get("holds").is_none());
         }
     }
 }

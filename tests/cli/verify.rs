@@ -58,7 +58,7 @@ fn the_list_has_every_row_with_its_source_in_every_form() {
     let listed = listed.as_array().expect("a list");
     assert!(listed.iter().all(|row| row.get("computed").is_none()));
     let csv = text(&["--list", "--format", "csv"]);
-    assert_eq!(csv.lines().count(), listed.len() + 1);
+    assert_eq!(csv.lines().count(), listed.len() + 1, "{csv}");
     let human = text(&["--list"]);
     for row in listed {
         let [what, source] = ["what", "reference_source"].map(|key| row[key].as_str().expect("text"));
