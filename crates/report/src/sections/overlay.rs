@@ -93,7 +93,7 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
             label: label.into(),
         });
     }
-    chart.rules = Rule::all(&second.rules);
+    chart.rules = Rule::all(second.rules);
     chart
         .rules
         .extend(histories::record_end(source, time[end.max(run) - 1]));
