@@ -173,7 +173,8 @@ mod tests {
 
     #[test]
     fn a_value_outside_and_a_model_without_an_answer_fail() {
-        let rows: [(fn() -> Answer, bool, &str); 4] = [
+        type Case = (fn() -> Answer, bool, &'static str);
+        let rows: [Case; 4] = [
             (|| Ok(-2.019), false, "ok\n"),
             (|| Ok(-2.021), true, "OUTSIDE\n"),
             (|| Err("singular".into()), true, "OUTSIDE: singular\n"),
