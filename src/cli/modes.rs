@@ -134,7 +134,7 @@ struct Asked {
     options: engines::Options,
     /// None for all of the three-dimensional engine.
     harmonics: Vec<u32>,
-    /// Of each kind.
+    /// Number of modes of each kind.
     count: usize,
     memory_limit_mib: u64,
 }

@@ -102,7 +102,7 @@ impl Unit<'_> {
         (spectra, factor): (&Shared, f64),
         row: &mut Row,
     ) -> Result<(), Error> {
-        // Of procedures and checks a row keeps numbers alone.
+        // A row keeps only the numbers of procedures and checks.
         let procedures = || without_lines(|| pipeline::under(job, Excitation::Record));
         let methods = match &job.case.ground_motion {
             Some(motion) => spectra.during(motion, factor, procedures)?,
