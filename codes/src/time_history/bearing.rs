@@ -21,6 +21,9 @@ use crate::ec8::bearing::{
 };
 use crate::sheet::with_unit;
 
+/// Why a rigid base does not speak of a wall on a ring.
+const ON_A_RING: &str =
+    "the wall presses on a narrow ring, where the pressure exceeds that under a rigid base; the procedures compare it";
 /// The largest error that is stated: where the resultant nears the edge, the pressure grows without bound.
 const LARGEST_ERROR: f64 = 10.0;
 
@@ -88,10 +91,16 @@ pub(super) fn assess(work: &mut Work<'_>) {
     }
     if let Bears::Pressure(pressure) = bears {
         let lifts = work.demands.base.as_ref().is_some_and(|base| base.lifts);
-        // A slab spreads the toe.
-        let slab = case.tank.foundation.is_some_and(|f| f.kind == FoundationKind::Slab);
-        if pressure <= resistance && lifts && !slab {
-            return work.without(BEARING.id, CheckStatus::NotChecked, LIFTS, None);
+        let kind = case.tank.foundation.map(|f| f.kind);
+        let narrow = match kind {
+            // A slab spreads the toe.
+            Some(FoundationKind::Slab) => None,
+            _ if lifts => Some(LIFTS),
+            Some(FoundationKind::RingWall) => Some(ON_A_RING),
+            _ => None,
+        };
+        if let (true, Some(reason)) = (pressure <= resistance, narrow) {
+            return work.without(BEARING.id, CheckStatus::NotChecked, reason, None);
         }
         let leaves = leaves_kern(case.tank.shape, normal(k), moment(k));
         if pressure > resistance && leaves && case.tank.support == Support::Anchored {

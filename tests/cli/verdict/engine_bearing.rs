@@ -30,6 +30,16 @@ pub(super) fn failing() -> Vec<Tank> {
         .open(&["bearing"])
         .run(2.0),
         tank(
+            "engine-bearing-ring",
+            "83.4 kPa at rest spread over the plan, but the wall stands on a ring of 5 cm, whose pressure the engine does not compare",
+            (Incomplete, "bearing"),
+            vec![
+                ground(200.0),
+                json!({ "tank": { "foundation": { "kind": "ring_wall", "width": "5 cm", "thickness": "1 m" } } }),
+            ],
+        )
+        .open(&["bearing"]),
+        tank(
             "engine-bearing-missing",
             "no resistance is given",
             (Incomplete, "bearing"),
