@@ -24,6 +24,7 @@ mod assess;
 mod ingredients;
 mod lines;
 mod notes;
+mod run;
 
 pub use assess::Housner;
 

@@ -109,7 +109,7 @@ fn of_demands(
     let mut work = Work::new((case, codes), (ready, factor), errors, &states);
     surface::assess(&mut work);
     let mut pulls = None;
-    if let Some(radius) = base::radius(case).filter(|_| !demands.places.is_empty()) {
+    if let Some(radius) = case.tank.shape.radius().filter(|_| !demands.places.is_empty()) {
         if case.tank.is_metal() {
             wall::assess(&mut work, radius);
         }

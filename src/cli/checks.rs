@@ -20,7 +20,7 @@ pub(crate) fn tables(results: &Results) -> String {
     };
     let mut text = String::new();
     for method in results.methods.iter().filter(decides) {
-        let corner = format!("{} ({})", method.id, terminal::excitation(method.excitation));
+        let corner = format!("{} ({})", method.id, method.excitation.word());
         let placed = method.checks.iter().any(|check| check.time_s.is_some());
         let head = [corner.as_str(), "demand", "capacity", "ratio", "result"];
         let mut table = Table::new(head.into_iter().chain(placed.then_some("where and when")));
@@ -116,7 +116,7 @@ pub(crate) fn csv(results: &Results) -> String {
                 text,
                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                 method.id,
-                terminal::excitation(method.excitation),
+                method.excitation.word(),
                 check.limit_state,
                 check.id,
                 words::verdict::status(check.status),

@@ -335,7 +335,7 @@ const INPUT: usize = 8;
 
 impl Told {
     fn between(old: &Results, new: &Results, rtol: f64) -> Told {
-        let key = |d: &Deciding| format!("{}/{}", d.method, words::terminal::excitation(d.excitation));
+        let key = |d: &Deciding| format!("{}/{}", d.method, d.excitation.word());
         let deciding = old.verdict.deciding.iter().chain(&new.verdict.deciding).map(key);
         Told {
             changes: Changes::between(old, new, rtol),

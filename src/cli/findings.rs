@@ -19,7 +19,7 @@ use tank::assessment::{Check, CheckStatus};
 use crate::error::Error;
 use files::code::{Code, Warning};
 use files::text::{self, workflow_property, workflow_value, xml};
-use report::words::{self, terminal};
+use report::words;
 use results::{Method, Results, VerdictStatus};
 
 /// How a finding ends.
@@ -52,7 +52,7 @@ pub(crate) fn of_checks(results: &Results, strict: bool) -> Vec<Finding> {
     let any = results.methods.iter().any(|m| decides(&m) && !m.checks.is_empty());
     let methods = results.methods.iter().filter(|m| !any || decides(m));
     let of = |method: &Method| -> Vec<Finding> {
-        let group = format!("{}/{}", method.id, terminal::excitation(method.excitation));
+        let group = format!("{}/{}", method.id, method.excitation.word());
         let required = method.checks.iter().filter(|c| c.status != CheckStatus::NotApplicable);
         required.map(|check| of_check(&group, check, strict)).collect()
     };

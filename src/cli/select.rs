@@ -12,7 +12,7 @@ use crate::cli::{Format, json as whole};
 use crate::error::Error;
 use files::code::Code;
 use files::text;
-use report::words::{self, terminal};
+use report::words;
 use results::{Method, Overruled, Part, Results, finite};
 
 /// Everything, as in `results.json`.
@@ -149,7 +149,7 @@ fn items(key: &str, items: &[Value]) -> String {
 
 /// Method and excitation, as a key.
 fn column(method: &Method) -> String {
-    format!("{}/{}", method.id, terminal::excitation(method.excitation))
+    format!("{}/{}", method.id, method.excitation.word())
 }
 
 /// Six digits: what a script compares, and what a line has room for.
@@ -163,7 +163,7 @@ fn verdict(results: &Results) -> Value {
     let deciding: Vec<String> = verdict
         .deciding
         .iter()
-        .map(|d| format!("{}/{}", d.method, terminal::excitation(d.excitation)))
+        .map(|d| format!("{}/{}", d.method, d.excitation.word()))
         .collect();
     let missing: Vec<&str> = verdict.missing.iter().map(|m| m.check.limit_state.as_str()).collect();
     let governing = verdict.governing.as_ref().map(|g| {

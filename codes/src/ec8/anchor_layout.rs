@@ -3,16 +3,12 @@
 //! EN 1998-4 gives neither. Good practice is that of API 650: at least four, six where the earthquake pulls at them, and one every 3 m
 //! (10 ft) along the wall. A single anchor carries no moment, whatever its capacity.
 
-use super::limit_states::{ANCHOR_COUNT, ANCHOR_SPACING, ANCHORS};
+use super::limit_states::{ANCHOR_COUNT, ANCHOR_SPACING, ANCHORS, COUNT, SPACING};
 use super::work::Work;
 use crate::api650::edition2020::anchors::{LARGEST_SPACING, LEAST};
 use tank::Support;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{Dimensionless, Length};
-
-/// Where the numbers come from.
-pub(super) const COUNT: &str = "good practice, API 650:2020 5.12.2";
-pub(super) const SPACING: &str = "good practice, API 650:2020 5.12.3";
 
 /// Writes both checks of an anchored tank; needs the end of the check of tension.
 pub(super) fn assess(work: &mut Work) {

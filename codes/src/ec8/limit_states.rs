@@ -5,7 +5,6 @@
 //! metal shells are designed by EN 1992. Clauses are recalled, not copied; `docs/theory/eurocode8.md` says which were compared.
 //! They are those of the edition of 2006; the pre-standard numbers alike.
 
-use super::anchor_layout;
 use super::demand::Edition;
 use crate::api650::edition2020::limit_states::snow;
 use crate::limit_state::{ASKED, LimitStateDef, Part, common};
@@ -15,6 +14,11 @@ use tank::case::{Case, GroundType};
 use tank::check::TankPart;
 use tank::units::Dimension::*;
 use tank::{Family, Shape, Support};
+
+/// Source of the least number of anchors.
+pub(super) const COUNT: &str = "good practice, API 650:2020 5.12.2";
+/// Source of their largest spacing.
+pub(super) const SPACING: &str = "good practice, API 650:2020 5.12.3";
 
 /// All, in the order of the checks.
 pub(super) const TABLE: &[LimitStateDef] = &[
@@ -144,9 +148,9 @@ pub(crate) const CRACKS: LimitStateDef = LimitStateDef {
 
 pub(crate) const ANCHORS: LimitStateDef = common::ANCHORS.by("EN 1998-4:2006 4.5.1.3").when(anchored);
 
-pub(crate) const ANCHOR_COUNT: LimitStateDef = common::ANCHOR_COUNT.by(anchor_layout::COUNT).when(anchored);
+pub(crate) const ANCHOR_COUNT: LimitStateDef = common::ANCHOR_COUNT.by(COUNT).when(anchored);
 
-pub(crate) const ANCHOR_SPACING: LimitStateDef = common::ANCHOR_SPACING.by(anchor_layout::SPACING).when(anchored);
+pub(crate) const ANCHOR_SPACING: LimitStateDef = common::ANCHOR_SPACING.by(SPACING).when(anchored);
 
 pub(crate) const OVERTURNING: LimitStateDef = LimitStateDef {
     id: "overturning",

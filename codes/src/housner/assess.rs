@@ -2,10 +2,11 @@
 
 use super::coefficients::Coefficients;
 use super::ingredients;
-use super::lines::{Lines, Totals};
-use super::model::{Input, Response};
+use super::lines::Lines;
+use super::model::Input;
 use super::motion::{self, Motion, SOURCE};
 use super::notes;
+use super::run::Run;
 use super::stress::{self, Pressures};
 use crate::hazard;
 use crate::mechanical::Plan;
@@ -14,7 +15,7 @@ use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::Shape;
 use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
-use tank::case::{Case, Combination, ConvectiveCoefficient};
+use tank::case::{Case, ConvectiveCoefficient};
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Length, Moment, Stress};
 
@@ -94,23 +95,7 @@ impl Procedure for Housner {
     }
 }
 
-/// One run of the procedure.
-pub(super) struct Run<'a> {
-    pub(super) case: &'a Case,
-    pub(super) plan: Plan,
-    pub(super) input: Input,
-    pub(super) response: Response,
-    pub(super) totals: Totals,
-    pub(super) motion: Motion<'a>,
-    pub(super) combination: Combination,
-}
-
 impl Run<'_> {
-    /// True if the convective constants are the exact ones.
-    pub(super) fn exact(&self) -> bool {
-        self.case.procedures.housner_convective == ConvectiveCoefficient::Exact
-    }
-
     fn assessment(&self, mut sheet: Sheet) -> Result<Assessment, CodeError> {
         let mut out = Assessment::default();
         self.stresses(&mut sheet, &mut out);

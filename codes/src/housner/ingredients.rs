@@ -5,7 +5,7 @@
 //! d_max = c_d a coth x/(g/(ω² θ_h a) − 1) = (c_d c_t a/g) S_a/(1 − (c_t tanh x/g) S_a)
 //! ```
 
-use super::assess::Run;
+use super::run::Run;
 use super::stress;
 use crate::mechanical::{Plan, convective, impulsive, sloshing_omega};
 use tank::Shape;

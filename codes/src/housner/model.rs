@@ -1,21 +1,7 @@
 //! The two-mass model: its input and its values.
 
 use super::coefficients::Coefficients;
-use super::lines::{Lines, Ordinate};
-use crate::mechanical::Plan;
-use crate::sheet::Sheet;
 use tank::case::Combination;
-
-/// Spectral input of the sloshing mode: one of two equivalent ordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spectral {
-    /// Pseudo-velocity S_v [m/s].
-    Velocity(f64),
-    /// Spectral displacement A₁ = S_v/ω [m].
-    Displacement(f64),
-    /// Pseudo-acceleration S_a = ω S_v [m/s²].
-    Acceleration(f64),
-}
 
 /// Input of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,42 +160,6 @@ pub fn combine(impulsive: f64, convective: f64, combination: Combination) -> f64
 
 /// Ratio H/a above which the lower part is constrained.
 pub const SLENDER_LIMIT: f64 = 1.5;
-
-/// Housner's model of a tank on a rigid base under horizontal motion.
-///
-/// Squat tanks (H/a ≤ 1.5), with the constants of [`Coefficients`]:
-///
-/// ```text
-/// q = √3 a/H      r = tanh(q)/q      m_i = m r       P_i = a_B m_i
-/// x = k H/a       ω² = (k g/a) tanh x                m_k = m c_m (a/H) tanh x
-/// θ_h = c_t (A₁/a) tanh x            P_k = c_p m_k g θ_h  (= m_k S_a)
-/// h_i = 3/8 H                        h_i′ = H (1/(2r) − 1/8)
-/// h_k = H [1 − (cosh x − 1)/(x sinh x)]      h_k′ = H [1 − (cosh x − 2)/(x sinh x)]
-/// d_max = c_d a coth(x)/(g/(ω² θ_h a) − 1)
-/// ```
-///
-/// Slender tanks: [`super::slender`]. The formulas that compute are those of the calculation sheet. Error: inadmissible
-/// numbers.
-///
-/// Source: Housner 1957, 1963; TID-7024 (1963); dissertation table D.1. `h_i′` and the 2 in `h_k′` re-derived.
-///
-/// Check: R = 1.83 m, H = 1.525 m, m = 16.3 t, a_B = 0.5 g, S_v = 0.80 m/s, constants of 1957: P_i = 37.28 kN,
-/// P_k = 13.59 kN, d_max = 0.425 m, moment above the base 33.33 kNm.
-pub fn respond(input: &Input, spectral: Spectral) -> Result<Response, InputError> {
-    let mut sheet = Sheet::new();
-    let ordinate = |omega: f64, _: f64| Ordinate {
-        value: match spectral {
-            Spectral::Velocity(s_v) => s_v * omega,
-            Spectral::Displacement(a_1) => omega * omega * a_1,
-            Spectral::Acceleration(s_a) => s_a,
-        },
-        look_up: String::new(),
-        clause: String::new(),
-    };
-    Ok(Lines::new(input, Plan::Circle, Combination::Abs, &mut sheet)
-        .respond("", ordinate)?
-        .0)
-}
 
 /// Whether the tank and its motion can be computed with.
 pub(super) fn check(input: &Input) -> Result<(), InputError> {

@@ -1,6 +1,6 @@
 //! Assumptions of the procedure and remarks on its results.
 
-use super::assess::Run;
+use super::run::Run;
 use crate::mechanical::{self, Plan};
 use crate::sheet::{number, with_unit};
 use tank::case::Combination;

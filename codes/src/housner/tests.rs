@@ -16,13 +16,26 @@
 mod properties;
 
 use super::coefficients::{CIRCLE_1957, Coefficients, RECTANGLE_1957};
-use super::model::{self, Arms, InputError, Response, Spectral};
+use super::lines::{Lines, Ordinate};
+use super::model::{self, Arms, InputError, Response};
 use super::stress::{Pressures, section_modulus_circle};
 use crate::mechanical::Plan;
 use crate::samples::near;
+use crate::sheet::Sheet;
 use tank::case::Combination::{Abs, Srss};
 
 const G: f64 = 9.81;
+
+/// The ordinate of the sloshing mode: one of three equivalent ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Spectral {
+    /// Pseudo-velocity S_v [m/s].
+    Velocity(f64),
+    /// Spectral displacement A₁ = S_v/ω [m].
+    Displacement(f64),
+    /// Pseudo-acceleration S_a = ω S_v [m/s²].
+    Acceleration(f64),
+}
 
 /// A tank with the ordinate of its sloshing mode.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +58,18 @@ fn respond(input: &Input) -> Result<Response, InputError> {
         gravity: input.gravity,
         coefficients: input.coefficients,
     };
-    model::respond(&tank, input.spectral)
+    let ordinate = |omega: f64, _: f64| Ordinate {
+        value: match input.spectral {
+            Spectral::Velocity(s_v) => s_v * omega,
+            Spectral::Displacement(a_1) => omega * omega * a_1,
+            Spectral::Acceleration(s_a) => s_a,
+        },
+        look_up: String::new(),
+        clause: String::new(),
+    };
+    let mut sheet = Sheet::new();
+    let mut lines = Lines::new(&tank, Plan::Circle, Abs, &mut sheet);
+    Ok(lines.respond("", ordinate)?.0)
 }
 
 fn solve(input: Input) -> Response {

@@ -2,12 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
+use tank::Support;
 use tank::assessment::{Check, CheckStatus};
-use tank::case::Case;
 use tank::demand::FreeBase;
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Acceleration, Angle, Dimensionless, Force, LineForce, Mass};
-use tank::{Shape, Support};
 
 use super::limit_states::{ANCHORS, SLIDING, UPLIFT};
 use super::ready::History;
@@ -267,12 +266,4 @@ fn slides_most(work: &Work<'_>, shear: &History, held: f64) -> Option<(usize, f6
         }
     }
     worst
-}
-
-/// Inner radius of a cylinder [m].
-pub(super) fn radius(case: &Case) -> Option<f64> {
-    match case.tank.shape {
-        Shape::Cylinder { radius } => Some(radius),
-        Shape::Rectangle { .. } => None,
-    }
 }

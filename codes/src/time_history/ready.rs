@@ -7,7 +7,6 @@ use std::ops::Range;
 use tank::case::Case;
 use tank::demand::{Demands, Place, Terms};
 
-use super::base;
 use super::field::{Direction, rows};
 use super::search::{Searched, Shelf, directions};
 
@@ -99,7 +98,7 @@ impl<'a> Ready<'a> {
     pub fn new(case: &Case, demands: &'a Demands) -> Ready<'a> {
         let directions = directions(demands);
         let (mut wall, mut at_base) = (Vec::new(), Vec::new());
-        if base::radius(case).is_some() {
+        if case.tank.shape.radius().is_some() {
             let size = |most: f64, value: &f64| most.max(value.abs());
             let peaks: Vec<f64> = (demands.states.iter())
                 .map(|state| state.iter().fold(0.0, size))

@@ -1,27 +1,8 @@
 //! Hold-down force against uplift.
 
 use crate::error::BaseError;
-use crate::march::Lifted;
+use crate::march::{Lifted, Point};
 use crate::strip::Strip;
-
-/// A state of a strip, per metre of the rim.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Uplift of the rim w [m], from the ground without load.
-    pub uplift: f64,
-    /// Pull of the plate on the wall, downwards, F [N/m]; negative where the plate carries the wall.
-    pub hold_down: f64,
-    /// Rotation θ of the rim [rad], positive where the plate rises outwards.
-    pub rotation: f64,
-    /// Bending moment of the plate at the rim [N], positive where its underside is in tension.
-    pub rim_moment: f64,
-    /// Membrane force of the plate at the rim, tension positive, N [N/m].
-    pub axial_force: f64,
-    /// Distance from the rim to the ground l [m].
-    pub lifted_width: f64,
-    /// Plastic rotation of the joint [rad].
-    pub plastic_rotation: f64,
-}
 
 /// F(w) of a strip that is lifted and lowered from rest.
 #[derive(Clone, Debug, PartialEq)]

@@ -27,15 +27,16 @@
 mod along;
 mod body;
 mod energy;
+mod friction;
 mod modes;
 mod scheme;
 mod state;
 mod step;
 
-pub use along::Friction;
 pub use body::{Body, BodyMode};
 pub use energy::Energy;
 use energy::Rates;
+pub use friction::Friction;
 use scheme::BEGIN;
 pub use state::Run;
 use state::State;

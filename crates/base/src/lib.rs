@@ -37,14 +37,14 @@ mod strip;
 mod tests;
 
 pub use anchors::{Anchors, Bolts, Cost, Pull, Ring};
-pub use curve::{Curve, Point};
+pub use curve::Curve;
 pub use drag::Drag;
 pub use edge::Edge;
 pub use error::BaseError;
 pub use ground::{Soil, subgrade_modulus};
 pub use heave::Heave;
 pub use law::{Law, Losses, Response, Spring};
-pub use march::Lifted;
+pub use march::{Lifted, Point};
 pub use model::{Base, Missing, Origin};
 pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};

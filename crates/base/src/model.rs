@@ -5,11 +5,12 @@
 
 use tank::{Bottom, Case, FoundationKind, STANDARD_GRAVITY, Shape};
 
-use crate::curve::{Curve, Point};
+use crate::curve::Curve;
 use crate::edge::Edge;
 use crate::error::BaseError;
 use crate::ground::{Soil, subgrade_modulus};
 use crate::halves::side_by_side;
+use crate::march::Point;
 use crate::mesh;
 use crate::plate::{Bands, Plate};
 use crate::rocking::Rocking;

@@ -6,8 +6,9 @@
 
 use std::cell::RefCell;
 
-use crate::curve::{Curve, Point};
+use crate::curve::Curve;
 use crate::error::BaseError;
+use crate::march::Point;
 use crate::march::{Lifted, Shape};
 use crate::model::Base;
 use crate::rocking::{Turn, plane_section_by, turned};

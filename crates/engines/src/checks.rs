@@ -1,6 +1,8 @@
 //! Options and depths that a linear model can have.
 
-use tank::Case;
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+use tank::{Case, Shape};
 
 use crate::FeError;
 use tank::options::LinearOptions as Options;
@@ -71,4 +73,47 @@ pub(crate) fn check_depth(case: &Case) -> Result<(), FeError> {
         found: format!("{} m", case.liquid.fill_height),
         allowed: format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
     })
+}
+
+/// The ground motion of a case.
+///
+/// Errors: no ground motion; an invalid record.
+pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
+    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
+    check_record("horizontal record", &motion.horizontal)?;
+    if let Some(transverse) = &motion.transverse {
+        check_record("record along y", transverse)?;
+        if matches!(case.tank.shape, Shape::Rectangle { strip: true, .. }) {
+            return Err(FeError::Unsupported(
+                "--quake-y: a strip has no walls across the other direction; remove --quake-y".into(),
+            ));
+        }
+    }
+    if let Some(vertical) = &motion.vertical {
+        check_record("vertical record", vertical)?;
+    }
+    Ok(motion)
+}
+
+fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
+    let refuse = |found: String, allowed: &str| {
+        Err(FeError::Option {
+            option: which.into(),
+            found,
+            allowed: allowed.into(),
+        })
+    };
+    if record.acceleration.len() < 2 {
+        return refuse(format!("{} samples", record.acceleration.len()), "2 samples or more");
+    }
+    if !(record.dt > 0.0 && record.dt.is_finite()) {
+        return refuse(format!("time step {} s", record.dt), "a positive time step");
+    }
+    match record.acceleration.iter().position(|a| !a.is_finite()) {
+        Some(i) => refuse(
+            format!("{} at sample {}", record.acceleration[i], i + 1),
+            "finite accelerations",
+        ),
+        None => Ok(()),
+    }
 }

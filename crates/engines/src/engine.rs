@@ -9,8 +9,8 @@ use tank::refusal::Refusal;
 use tank::{Case, Quantity};
 
 use crate::FeError;
+use crate::checkpoint::CheckpointFile;
 use crate::estimate::Estimate;
-use crate::nonlinear::CheckpointFile;
 use crate::spectral::ModalUnits;
 use tank::options::LinearOptions as Options;
 use tank::options::nonlinear::NonlinearOptions;

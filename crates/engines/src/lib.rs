@@ -6,6 +6,7 @@
 
 #![warn(unreachable_pub)]
 
+mod checkpoint;
 mod checks;
 pub mod coupled;
 pub mod damping;

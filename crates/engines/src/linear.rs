@@ -13,6 +13,7 @@ pub(crate) mod prepared;
 pub(crate) mod rocking;
 pub(crate) mod shared;
 pub(crate) mod soil;
+pub(crate) mod system;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod turned;
@@ -22,7 +23,6 @@ mod waves;
 use std::sync::Arc;
 
 use fem::progress::{Progress, Silent};
-use oscillator::record::Record;
 use tank::Case;
 use tank::case::GroundMotion;
 use tank::demand::Demands;
@@ -34,11 +34,13 @@ use around::Around;
 pub(crate) use analysis::Extent;
 use analysis::{Analysis, LineExtremes, analyse_on};
 use mesh_error::{Second, SecondMesh};
-use model::{Harmonic, Model};
+use model::Model;
+use system::Harmonic;
 
 use super::harmonic::Places;
 use super::histories::Histories;
 use super::{FeError, Simulation};
+use crate::checks::checked_motion;
 use results::channel::OnWall;
 use results::nonlinear::End;
 use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
@@ -148,52 +150,9 @@ fn finished(case: &Case, options: &Options, simulation: &mut Simulation) -> Resu
     Ok(())
 }
 
-/// The ground motion of a case.
-///
-/// Errors: no ground motion; an invalid record.
-pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
-    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
-    check_record("horizontal record", &motion.horizontal)?;
-    if let Some(transverse) = &motion.transverse {
-        check_record("record along y", transverse)?;
-        if matches!(case.tank.shape, Shape::Rectangle { strip: true, .. }) {
-            return Err(FeError::Unsupported(
-                "--quake-y: a strip has no walls across the other direction; remove --quake-y".into(),
-            ));
-        }
-    }
-    if let Some(vertical) = &motion.vertical {
-        check_record("vertical record", vertical)?;
-    }
-    Ok(motion)
-}
-
 /// Remarks on two horizontal components, one sentence each; none on one.
 pub(crate) fn both_directions(motion: &GroundMotion) -> Vec<String> {
     Around::notes(motion)
-}
-
-fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
-    let refuse = |found: String, allowed: &str| {
-        Err(FeError::Option {
-            option: which.into(),
-            found,
-            allowed: allowed.into(),
-        })
-    };
-    if record.acceleration.len() < 2 {
-        return refuse(format!("{} samples", record.acceleration.len()), "2 samples or more");
-    }
-    if !(record.dt > 0.0 && record.dt.is_finite()) {
-        return refuse(format!("time step {} s", record.dt), "a positive time step");
-    }
-    match record.acceleration.iter().position(|a| !a.is_finite()) {
-        Some(i) => refuse(
-            format!("{} at sample {}", record.acceleration[i], i + 1),
-            "finite accelerations",
-        ),
-        None => Ok(()),
-    }
 }
 
 /// Direct integration of an engine's own unknowns in place of those of its model.

@@ -5,7 +5,6 @@
 pub(crate) mod after_record;
 mod arcs;
 mod bottom;
-mod checkpoint;
 pub(crate) mod cylinder;
 pub(crate) mod extremes;
 mod incremental;
@@ -23,7 +22,7 @@ use super::{FeError, Simulation};
 use crate::checks::check_depth;
 use crate::strip;
 
-pub use checkpoint::CheckpointFile;
+pub use crate::checkpoint::CheckpointFile;
 pub use incremental::Incremental;
 pub use tank::options::nonlinear::{
     Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements,

@@ -13,8 +13,9 @@
 //! that of A: |λ − λ_exact| ≤ (λ + s) ‖x − (λ + s) A x‖_M for xᵀ M x = 1. Both are returned; the second must be at
 //! most 10⁻⁸, the first at most 10⁻⁸ or the rounding of the terms of K x.
 
-use super::basis::{Basis, Noise};
+use super::basis::Basis;
 use super::eigen::{orient, symmetric_eigen};
+use super::noise::Noise;
 use super::pencil::{Pencil, Shifted};
 use super::{LinalgError, Matrix, dot};
 

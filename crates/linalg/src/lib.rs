@@ -10,6 +10,7 @@ mod factor;
 mod fronts;
 mod lanczos;
 mod minres;
+mod noise;
 mod ordering;
 mod pencil;
 mod sparse;

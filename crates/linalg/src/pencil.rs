@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::basis::Noise;
+use super::noise::Noise;
 use super::{Factor, Kind, LinalgError, Matrix, Symbolic, Symmetric, dot};
 
 /// K x = ω² M x with K and M symmetric, M positive semi-definite.

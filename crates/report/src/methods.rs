@@ -53,10 +53,9 @@ impl Look {
 
 /// The excitation in a word.
 pub fn excitation(method: &Method) -> &'static str {
-    match (method.id.as_str(), method.excitation) {
-        (MEASURED, _) => "test",
-        (_, Excitation::Record) => "record",
-        (_, Excitation::Site) => "site",
+    match method.id.as_str() {
+        MEASURED => "test",
+        _ => method.excitation.word(),
     }
 }
 

@@ -85,11 +85,7 @@ pub struct Changes {
 }
 
 fn key(method: &Method) -> String {
-    let excitation = match method.excitation {
-        tank::assessment::Excitation::Record => "record",
-        tank::assessment::Excitation::Site => "site",
-    };
-    format!("{}/{excitation}", method.id)
+    format!("{}/{}", method.id, method.excitation.word())
 }
 
 fn side(results: &Results) -> Side {

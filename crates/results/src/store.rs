@@ -7,8 +7,6 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
-use super::ida::IDA_FILE;
-use super::push::PUSH_FILE;
 use super::{FORMAT, Results, Series, layout, previous, transfer};
 use files::code::Code;
 use files::error::{Error, describe};
@@ -67,7 +65,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
         });
     }
     // Folders of commands whose results are not a comparison.
-    for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
+    for (file, command) in [("ida.json", "ida"), ("push.json", "push")] {
         if !path.exists() && folder.join(file).exists() {
             return Err(Error::File {
                 code: Code::NotResults,

@@ -21,6 +21,16 @@ pub enum Excitation {
     Site,
 }
 
+impl Excitation {
+    /// In a word: `record` or `site`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Excitation::Record => "record",
+            Excitation::Site => "site",
+        }
+    }
+}
+
 /// One line of a calculation sheet, with its clause: a formula (symbol = formula = numbers = value), a look-up, or an
 /// input, which has neither.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -43,6 +43,14 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Inner radius of a cylinder [m].
+    pub fn radius(self) -> Option<f64> {
+        match self {
+            Shape::Cylinder { radius } => Some(radius),
+            Shape::Rectangle { .. } => None,
+        }
+    }
+
     /// R, or the half length L [m].
     pub fn half_length(self) -> f64 {
         match self {

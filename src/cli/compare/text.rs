@@ -144,7 +144,7 @@ pub(super) fn csv(results: &Results) -> String {
     for row in &results.comparison.rows {
         for (method, cell) in results.methods.iter().zip(&row.cells) {
             let Some(cell) = cell else { continue };
-            let excitation = terminal::excitation(method.excitation);
+            let excitation = method.excitation.word();
             let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
             let usable = if cell.unusable || cell.outside { "no" } else { "yes" };
             let unit = style::unit(results, cell.value, row.dimension);

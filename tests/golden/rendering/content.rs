@@ -164,11 +164,7 @@ fn levels_contain_each_other() {
     // Of the sheets only those of deciding methods, and no procedure without a number of its figure.
     assert!(!full.contains("class=\"fno\"></span>") && !full.contains("class=\"tno\"></span>"));
     for decided in &results.verdict.deciding {
-        let excitation = match decided.excitation {
-            tank::assessment::Excitation::Record => "record",
-            tank::assessment::Excitation::Site => "site",
-        };
-        let id = format!("id=\"sheet-{}-{excitation}\"", decided.method);
+        let id = format!("id=\"sheet-{}-{}\"", decided.method, decided.excitation.word());
         assert_eq!(standard.contains(&id), full.contains(&id), "{id}");
     }
 }

@@ -1,7 +1,7 @@
 //! What is given to a run, and the state that a step moves on.
 
-use super::along::Friction;
 use super::body::Body;
+use super::friction::Friction;
 use super::modes::Modes;
 use crate::anchors::{Bolts, Ring};
 use crate::heave::{Heave, Lift};

@@ -1,6 +1,7 @@
 //! A step in time: what sticks or slides, the equilibrium of the moment, and the state at its end.
 
-use super::along::{Friction, Way, translation};
+use super::along::{Way, translation};
+use super::friction::Friction;
 use super::modes::Sums;
 use super::scheme::{BEGIN, BETA, GAMMA, ITERATIONS, moved, predicted};
 use super::state::{Run, State};

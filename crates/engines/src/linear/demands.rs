@@ -12,7 +12,8 @@ use tank::demand::{Angles, Demands, Footing, OnWall as Stress, Peak, Place, Term
 use tank::{Case, Shape};
 
 use super::analysis::{Analysis, Extent, analyse_on};
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use super::system::Harmonic;
 use crate::FeError;
 use crate::estimate::MOST_INSTANTS;
 use crate::modes::CoupledMode;

@@ -5,7 +5,8 @@ use tank::case::GroundMotion;
 use tank::units::significant;
 
 use super::analysis::Analysis;
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use super::system::Harmonic;
 use crate::harmonic::{self};
 use crate::modes::{CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};

@@ -7,7 +7,8 @@ use tank::{PLANE_WALLS, Shape, Support};
 
 use super::analysis::Analysis;
 use super::around::Around;
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use super::system::Harmonic;
 use crate::modes::Kind;
 use crate::response::observe::Extreme;
 use results::channel::{OnWall, Side};

@@ -25,7 +25,8 @@ use tank::Quantity;
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use super::system::Harmonic;
 use crate::engine::Simulation;
 use crate::modes::{CoupledMode, Kind};
 use crate::spectral::ModalUnits;

@@ -6,11 +6,10 @@ use oscillator::record::Record;
 use tank::case::GroundMotion;
 
 use super::soil::{self, Slab};
+use super::system::Harmonic;
 use super::turned::Turned;
-use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::harmonic::{self, Places};
-use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
 use crate::response::direct;
@@ -30,44 +29,10 @@ const SUB_STEPS_PER_PERIOD: f64 = 20.0;
 const MOST_MODAL: f64 = 40.0;
 /// The same for direct integration, which must resolve the mode itself.
 const MOST_DIRECT: f64 = 400.0;
-/// A structural mode is significant if it carries this share of the mass.
-const SIGNIFICANT: f64 = 0.01;
 
 /// Whether the site asks for vertical motion.
 pub(crate) fn shaken_upwards(case: &Case) -> bool {
     case.site.ec8.is_some_and(|site| site.vertical)
-}
-
-/// A coupled system and its modes.
-#[derive(Clone, Debug)]
-pub(crate) struct Harmonic {
-    /// The system.
-    pub coupled: Coupled,
-    /// Its modes by ascending frequency.
-    pub modes: Vec<CoupledMode>,
-}
-
-impl Harmonic {
-    /// First mode of a kind: of those that the motion excites, where there are others.
-    pub(crate) fn first(&self, kind: Kind) -> Option<&CoupledMode> {
-        self.modes.iter().find(|m| m.kind == kind && m.number == 1)
-    }
-
-    /// The impulsive mode.
-    pub(crate) fn impulsive(&self) -> Option<Impulsive> {
-        Impulsive::among(&self.modes)
-    }
-
-    /// Highest circular frequency of the structural modes that carry at least 1 % of the mass, and of the first one.
-    pub(crate) fn significant(&self) -> f64 {
-        let load = self.coupled.mass.times(&self.coupled.influence);
-        let total = fem::linalg::dot(&load, &self.coupled.influence);
-        self.modes
-            .iter()
-            .filter(|m| m.kind == Kind::Structural)
-            .filter(|m| m.number == 1 || m.effective_mass() > SIGNIFICANT * total)
-            .fold(0.0, |w, m| f64::max(w, m.omega))
-    }
 }
 
 /// The model of a case: m = 1 for the horizontal record and, with a vertical one, m = 0.

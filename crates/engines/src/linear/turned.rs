@@ -11,7 +11,7 @@
 use fem::linalg::dot;
 use results::Channel;
 
-use super::model::Harmonic;
+use super::system::Harmonic;
 use crate::coupled::Coupled;
 use crate::response::motion::{Grid, Motion};
 

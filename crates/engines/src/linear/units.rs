@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use tank::Quantity;
 
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use super::system::Harmonic;
 use crate::FeError;
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};

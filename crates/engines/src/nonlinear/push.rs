@@ -11,6 +11,7 @@
 //! of the peak nor the cycles before it count.
 
 mod buckling;
+mod continuation;
 mod estimate;
 mod imperfection;
 mod keep;

@@ -35,7 +35,7 @@
 
 mod inspect;
 mod mixed;
-mod rows;
+pub(super) mod rows;
 mod strain;
 mod turn;
 

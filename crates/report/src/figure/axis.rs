@@ -5,9 +5,8 @@ use std::f64::consts::TAU;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use tank::units::Dimension;
 
-use super::chart::FONT;
 use super::ticks;
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use crate::number::{Scale, plain};
 use crate::words::labels::ANGLE_AXIS;
 

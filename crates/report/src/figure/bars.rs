@@ -2,9 +2,9 @@
 
 use tank::units::Dimension;
 
-use super::chart::{FONT, titled};
+use super::chart::titled;
 use super::svg::{Anchor, Svg};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use super::{Figure, Room};
 use crate::methods::Look;
 use crate::number::{Scale, ratio};

@@ -7,11 +7,9 @@ use super::axis::Span;
 pub use super::axis::{Axis, titled};
 use super::backend::{ClassBackend, GRID, ink};
 use super::svg::{Anchor, Svg};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use files::error::Error;
 
-/// Font size of ticks, legend and labels in user units; `templates/figure.css` has the same.
-pub const FONT: f64 = 11.0;
 const LEGEND_LINE: f64 = 16.0;
 const SAMPLE: f64 = 24.0;
 /// Room below the plot: ticks and axis title.

@@ -13,7 +13,7 @@
 
 use super::svg::{Anchor, Svg, n};
 use super::wall::{self, Cell, Layout};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use super::{Figure, WIDE};
 use crate::number::{fixed, significant};
 use crate::table::{Column, Table};
@@ -187,7 +187,7 @@ fn legend(picture: &CrackPicture, width: f64) -> Vec<(usize, f64, f64, String)> 
             0 => "closed".into(),
             w => words::width(w - 1, &WEIGHTS),
         };
-        let wide = 30.0 + text_width(&text) * super::chart::FONT + 14.0;
+        let wide = 30.0 + text_width(&text) * FONT + 14.0;
         if x + wide - 14.0 > width.min(WIDE) && x > 1.0 {
             (x, row) = (1.0, row + 1.0);
         }

@@ -5,11 +5,10 @@
 
 use tank::units::Dimension;
 
-use super::chart::FONT;
 use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg, n, path_data};
 use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use super::{Figure, Room, WIDE, ticks};
 use crate::number::{Scale, fixed, plain, with_unit};
 use crate::table::{Column, Table, spread};

@@ -2,10 +2,10 @@
 
 use tank::units::Dimension;
 
-use super::chart::{FONT, titled};
+use super::chart::titled;
 use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use super::{HALF, Room, WIDE, ticks};
 use crate::number::{Scale, fixed, plain};
 use results::nonlinear::{Columns, WallGrid};

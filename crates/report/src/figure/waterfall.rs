@@ -1,9 +1,8 @@
 //! Waterfalls: how factor after factor leads from the finite elements to a procedure, on a logarithmic axis, where equal
 //! factors are equally long.
 
-use super::chart::FONT;
 use super::svg::{Anchor, Svg};
-use super::width::text_width;
+use super::width::{FONT, text_width};
 use super::{Figure, HALF, Room};
 use crate::methods::Look;
 use crate::number::{ratio, significant};

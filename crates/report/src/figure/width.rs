@@ -1,6 +1,9 @@
-//! Widths of texts.
+//! Size and widths of texts.
 
 use crate::language::say;
+
+/// Font size of ticks, legend and labels in user units; `templates/figure.css` has the same.
+pub const FONT: f64 = 11.0;
 
 /// Rough width of a text in units of its font size: enough to place labels. Classes as wide as in the widest of the usual
 /// fonts (DejaVu Sans), so that labels fit whatever is installed. The text is measured in the language of the page.

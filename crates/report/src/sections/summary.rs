@@ -152,7 +152,7 @@ fn deciding(results: &Results) -> String {
     let titled = |d: &Deciding| {
         let method = results.methods.iter().find(|m| m.id == d.method);
         let title = method.map_or(d.method.as_str(), |m| m.title.as_str());
-        format!("{title} ({})", words::terminal::excitation(d.excitation))
+        format!("{title} ({})", d.excitation.word())
     };
     match results.verdict.deciding.as_slice() {
         [] => words::verdict::deciding(&results.verdict),

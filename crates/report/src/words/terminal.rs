@@ -29,14 +29,6 @@ pub fn corner(excitation: Excitation, engine: bool, own: bool) -> &'static str {
     }
 }
 
-/// The excitation in a word.
-pub fn excitation(excitation: Excitation) -> &'static str {
-    match excitation {
-        Excitation::Record => "record",
-        Excitation::Site => "site",
-    }
-}
-
 /// Legend of [`UNUSABLE`].
 pub fn unusable() -> String {
     format!(
@@ -142,7 +134,7 @@ pub fn governing(governing: &Governing) -> String {
         "{} ({}, {}){}, {}{}",
         governing.check.name,
         governing.method,
-        excitation(governing.excitation),
+        governing.excitation.word(),
         if place.is_empty() { place } else { format!(", {place}") },
         match governing.check.utilisation {
             Some(_) => format!("utilisation {}", utilisation(&governing.check)),

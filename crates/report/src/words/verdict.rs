@@ -70,7 +70,7 @@ fn plural<'a>(count: usize, one: &'a str, several: &'a str) -> &'a str {
 
 /// The methods that decide.
 pub fn deciding(verdict: &Verdict) -> String {
-    let named = |d: &Deciding| format!("{} ({})", d.method, super::terminal::excitation(d.excitation));
+    let named = |d: &Deciding| format!("{} ({})", d.method, d.excitation.word());
     match verdict.deciding.as_slice() {
         [] => "no method decides: give `site` with the data of a code, or name one in `procedures.decide`".into(),
         deciding => deciding.iter().map(named).collect::<Vec<_>>().join(", "),

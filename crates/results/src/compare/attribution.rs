@@ -7,6 +7,7 @@
 use tank::Quantity;
 use tank::assessment::Excitation;
 
+use super::difference::ratios;
 use super::factors::Attribution;
 use super::{Context, Difference, Estimated, MEASURED, Ratio, Reason, nonlinear};
 use crate::{ComparisonRow, EngineId, Method};
@@ -94,14 +95,4 @@ fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Opt
         }],
         ratios,
     })
-}
-
-/// Those of `quantities` whose ratio in a column is off by more than a threshold.
-pub(super) fn ratios(rows: &[ComparisonRow], column: usize, threshold: f64, quantities: &[Quantity]) -> Vec<Ratio> {
-    let ratio = |&quantity: &Quantity| {
-        let row = rows.iter().find(|row| row.quantity == quantity.id())?;
-        let ratio = row.cells[column]?.ratio?;
-        ((ratio - 1.0).abs() > threshold).then_some(Ratio { quantity, ratio })
-    };
-    quantities.iter().filter_map(ratio).collect()
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use tank::Quantity;
 
 use super::factors::FactorStep;
-use crate::EngineId;
+use crate::{ComparisonRow, EngineId};
 
 /// Where a method differs from the finite elements on the same ground motion, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,6 +24,16 @@ pub struct Ratio {
     pub quantity: Quantity,
     /// Value over finite-element value.
     pub ratio: f64,
+}
+
+/// Those of `quantities` whose ratio in a column is off by more than a threshold.
+pub(super) fn ratios(rows: &[ComparisonRow], column: usize, threshold: f64, quantities: &[Quantity]) -> Vec<Ratio> {
+    let ratio = |&quantity: &Quantity| {
+        let row = rows.iter().find(|row| row.quantity == quantity.id())?;
+        let ratio = row.cells[column]?.ratio?;
+        ((ratio - 1.0).abs() > threshold).then_some(Ratio { quantity, ratio })
+    };
+    quantities.iter().filter_map(ratio).collect()
 }
 
 /// A quantity and its estimated discretisation error.

@@ -2,7 +2,7 @@
 
 use tank::Quantity;
 
-use super::attribution::ratios;
+use super::difference::ratios;
 use super::{Context, Difference, Happened, Reason};
 use crate::nonlinear::End;
 use crate::{ComparisonRow, EngineId, Method};

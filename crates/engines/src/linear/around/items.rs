@@ -4,7 +4,8 @@ use results::Channel;
 use results::channel::{OnBase, OnWall};
 
 use super::meet::{Across, Meet, lines};
-use crate::linear::model::{Harmonic, Model};
+use crate::linear::model::Model;
+use crate::linear::system::Harmonic;
 use crate::probe::Probe;
 use crate::response::superpose::Observable;
 

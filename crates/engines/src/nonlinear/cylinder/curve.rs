@@ -18,7 +18,7 @@ use super::recorded::{BASE_MOMENT, WAVE_BACK, WAVE_FRONT};
 use super::state::maps;
 use super::watch::Watch;
 use crate::FeError;
-use crate::linear::checked_motion;
+use crate::checks::checked_motion;
 use results::nonlinear::{Departure, DepartureKind};
 use results::{Collapse, Fact, FirstCrack, IdaRun};
 

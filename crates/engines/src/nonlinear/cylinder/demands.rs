@@ -14,10 +14,11 @@ use oscillator::record::Record;
 use tank::Case;
 use tank::demand::{Angles, Demands, Footing, FreeBase, OnWall, Peak, Place, Terms};
 
+use super::meridian::Meridian;
 use super::model::CylinderModel;
 use super::recorded::{BASE_SHEAR, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK, WAVE_FRONT};
 use super::two::{self, SHEAR_Y};
-use super::watch::{Meridian, Watch};
+use super::watch::Watch;
 
 /// Length of the disturbance of a clamped edge over √(R t).
 const EDGE: f64 = 2.5;

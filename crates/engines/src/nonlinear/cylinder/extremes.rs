@@ -6,13 +6,14 @@ use results::channel::{OnWall, Side};
 use results::nonlinear::{At, CellMap, TwoSided};
 
 use super::super::extremes::{of_maps, of_range};
+use super::meridian::Extremes;
 use super::model::CylinderModel;
 use super::recorded::{
     BASE_MOMENT, BASE_ROTATION, BASE_SHEAR, BELLY_BACK, BELLY_FRONT, TOP_BACK, TOP_FRONT, UPLIFT_BACK, UPLIFT_FRONT,
     WAVE_BACK, WAVE_FRONT,
 };
 use super::state::grid;
-use super::watch::{Extremes, Watch};
+use super::watch::Watch;
 use crate::rainflow;
 use tank::units::Dimension;
 

@@ -14,7 +14,7 @@ use tank::case::GroundMotion;
 use super::super::CheckpointFile;
 use super::super::after_record::Span;
 use crate::FeError;
-use crate::linear::checked_motion;
+use crate::checks::checked_motion;
 use tank::options::nonlinear::{NonlinearOptions, StepLength};
 
 use super::model::CylinderModel;

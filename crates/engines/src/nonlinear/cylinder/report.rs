@@ -13,6 +13,7 @@ use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
 use super::extremes;
 use super::limits::limits;
 use super::march::Cylinder;
+use super::meridian::Extremes;
 use super::model::CylinderModel;
 use super::points::look;
 use super::recorded::{
@@ -21,7 +22,7 @@ use super::recorded::{
 };
 use super::state::{energies, events, grid, loops, maps, pictures, place};
 use super::two;
-use super::watch::{Extremes, Watch};
+use super::watch::Watch;
 use crate::Simulation;
 use crate::histories::Histories;
 use crate::hoop;

@@ -9,7 +9,7 @@ use tank::options::nonlinear::NonlinearOptions;
 use super::super::CheckpointFile;
 use super::march::Cylinder;
 use super::report::report;
-use crate::linear::checked_motion;
+use crate::checks::checked_motion;
 use crate::{FeError, Simulation};
 
 /// Time history of a cylinder.

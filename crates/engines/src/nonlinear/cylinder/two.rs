@@ -21,10 +21,10 @@ use tank::Case;
 use tank::demand::Peak;
 use tank::refusal::{Place, Refusal};
 
+use super::meridian::Meridian;
 use super::mesh::Cells;
 use super::model::CylinderModel;
 use super::recorded::{BASE_MOMENT, BASE_SHEAR, WAVE_BACK, WAVE_FRONT, base_reaction, row};
-use super::watch::Meridian;
 use crate::histories::Histories;
 use tank::options::nonlinear::NonlinearOptions;
 

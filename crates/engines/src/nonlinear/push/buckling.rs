@@ -18,8 +18,8 @@ use fem::state::State;
 use nalgebra::Vector3;
 use tank::units::Dimension;
 
+use super::continuation::continuation;
 use super::model::{Plan, PushModel};
-use super::path::continuation;
 use crate::FeError;
 use results::WallMap;
 

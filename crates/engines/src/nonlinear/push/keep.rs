@@ -17,7 +17,7 @@ use super::buckling::Mode;
 use super::model::Plan;
 use super::seen::Seen;
 use crate::FeError;
-use crate::nonlinear::CheckpointFile;
+use crate::checkpoint::CheckpointFile;
 
 /// Contents of a checkpoint.
 #[derive(Default)]

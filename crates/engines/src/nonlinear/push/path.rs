@@ -2,12 +2,11 @@
 
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use fem::analysis::continuation::{Constraint, Continuation, Memory, StepLength};
-use fem::analysis::newton::Criteria;
-use fem::cores;
 use fem::dofs::Dof;
 use fem::progress::Progress;
 use fem::state::State;
 
+use super::continuation::{analysis, continuation};
 use super::imperfection::Dent;
 use super::keep::Keeper;
 use super::model::{Plan, PushModel};
@@ -34,11 +33,6 @@ const MOST: f64 = 10.0;
 pub(super) const STATES: usize = 120;
 /// A step of the arc over the first one at most.
 const LONGEST: f64 = 4.0;
-pub(super) const CRITERIA: Criteria = Criteria {
-    energy: 1e-10,
-    force: 1e-4,
-    iterations: 20,
-};
 
 /// A path that was followed.
 pub(super) struct Followed<'a> {
@@ -334,28 +328,6 @@ impl<'a, 'm> Walk<'a, 'm> {
         });
         Ok(())
     }
-}
-
-fn analysis(error: impl std::fmt::Display) -> FeError {
-    FeError::Analysis(error.to_string())
-}
-
-/// Load steps and arcs of a model under `constant` and λ `load`.
-pub(super) fn continuation<'a>(
-    model: &'a PushModel,
-    constant: &[f64],
-    load: &[f64],
-) -> Result<Continuation<'a>, FeError> {
-    let path = Continuation::new(
-        &model.model,
-        &model.assembler,
-        &model.symbolic,
-        constant,
-        load,
-        CRITERIA,
-    );
-    let path = path.map_err(analysis)?.on_threads(cores::available());
-    Ok(path.with_extrapolated_stresses())
 }
 
 impl PushModel {

@@ -13,7 +13,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::director::{add_turn_block, turned};
 use super::geometry::{Point, blend};
-use crate::element::shell4::SIZE;
+use crate::element::shell4::rows::SIZE;
 use crate::element::{ElementError, Response, Want};
 use crate::shape::quad4;
 

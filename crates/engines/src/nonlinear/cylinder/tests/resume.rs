@@ -12,7 +12,7 @@ use tank::options::nonlinear::{Contact, NonlinearOptions};
 use super::super::march::Cylinder;
 use super::super::model::CylinderModel;
 use super::{cracking, elastic, options, shaken};
-use crate::nonlinear::CheckpointFile;
+use crate::checkpoint::CheckpointFile;
 
 /// Interrupts a march after so many time steps; those of the static start are not counted.
 struct StopAt {
