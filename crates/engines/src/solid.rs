@@ -4,6 +4,7 @@
 //! returns what the harmonic engine returns, so that reports can compare them.
 
 mod around;
+mod around_probes;
 mod coupling;
 mod direct;
 mod estimate;
@@ -30,6 +31,7 @@ mod search;
 pub mod spectrum;
 mod symmetry;
 pub mod system;
+pub mod wall;
 mod waves;
 
 pub use estimate::estimate;

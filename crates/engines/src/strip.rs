@@ -41,6 +41,7 @@ mod parts;
 mod report;
 mod run;
 pub(crate) mod section;
+mod shell_wall;
 pub(crate) mod shells;
 mod simulate;
 mod validity;
@@ -57,7 +58,7 @@ pub use parameters::{Contact, LARGEST_DEFLECTION, StripError, StripTank, levels}
 pub use parts::StripDamping;
 pub use results::channel::Side;
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
-pub use shells::{ShellRow, ShellWall};
+pub use shell_wall::{ShellRow, ShellWall};
 pub use validity::{ACCELERATION, BAR_STRAIN, ENERGY_SHARE, MOMENT_SHARE};
 
 pub(crate) use case::{ELEMENTS, Strip};

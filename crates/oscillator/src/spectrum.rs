@@ -4,6 +4,7 @@
 //! maxima of the *continuous* response: between samples, and in the free vibration after the end of the record.
 //! [`Method`] selects two reference methods.
 
+mod blocks;
 mod kernel;
 mod lanes;
 mod peaks;
@@ -152,10 +153,10 @@ pub fn ordinates(record: &Record, period: f64, damping: f64) -> Ordinates {
 /// Ordinates at pairs of period and damping ratio, by the kernel.
 fn exact(record: &Record, pairs: &[(f64, f64)]) -> Vec<Ordinates> {
     let oscillates = |&(period, damping): &(f64, f64)| admissible(period, damping) && period > 0.0;
-    let oscillators: Vec<kernel::Oscillator> = pairs
+    let oscillators: Vec<blocks::Oscillator> = pairs
         .iter()
         .filter(|pair| oscillates(pair))
-        .map(|&(period, damping)| kernel::Oscillator {
+        .map(|&(period, damping)| blocks::Oscillator {
             omega: TAU / period,
             damping,
         })

@@ -7,10 +7,12 @@
 
 mod body;
 mod floor;
+mod law;
 mod lifted;
 mod outcome;
 mod peaks;
 mod search;
+mod setup;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -37,8 +39,9 @@ use crate::response::motion::{Grid, Motion};
 
 pub(super) use lifted::of_base;
 pub(super) use outcome::Moved;
-pub(crate) use search::Known;
-use search::{Found, Setup};
+use search::Found;
+pub(crate) use setup::Known;
+use setup::Setup;
 pub(super) use words::HELD_DOWN;
 
 /// Longest time step [s].
@@ -77,7 +80,7 @@ pub(super) struct Beyond {
 }
 
 impl Free {
-    fn beyond(note: String, missed: &search::Missed) -> Free {
+    fn beyond(note: String, missed: &setup::Missed) -> Free {
         Free::Beyond(Box::new(Beyond {
             note,
             reason: words::reason(missed),
@@ -258,8 +261,8 @@ fn on_anchors(
 }
 
 /// The run, if anything moves.
-fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
-    let laws = search::laws(setup, base, search::FIRST)?;
+fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, setup::Missed> {
+    let laws = law::laws(setup, base, search::FIRST)?;
     let law = &laws.law;
     let peak = |channel| {
         analysis

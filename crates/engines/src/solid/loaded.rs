@@ -22,7 +22,7 @@ use tank::Case;
 
 use super::form::Form;
 use super::mesh::Division;
-use super::model::{LOADED, WallPart, add_wall};
+use super::wall::{LOADED, WallPart, add_wall};
 use crate::FeError;
 use crate::error::failed;
 

@@ -28,14 +28,16 @@ use fem::linalg::{Cholesky, Matrix, transposed_product};
 use fem::progress::Progress;
 use tank::Case;
 
-use super::model::{ROOF, SURFACE, TankModel, WALL, displacement_liquid};
+use super::around_probes::{self, What};
+use super::coupling;
+use super::model::{SURFACE, TankModel, displacement_liquid};
 use super::poles::VECTORS;
 use super::project::Projector;
 use super::ritz::{Ritz, reduce, symmetric};
 use super::rows::{Field, Observer, Row, sparse_dot, static_load, tilt};
 use super::symmetry::Symmetry;
 use super::system::{System, columns};
-use super::{around, coupling};
+use super::wall::{ROOF, WALL};
 use crate::FeError;
 use crate::coupled::{Coupled, Part, SparseRow};
 use crate::error::{failed, failure};
@@ -61,7 +63,7 @@ pub(super) struct Space {
     /// Dashpots to the ground: rows over the unknowns and coefficients [N·s/m].
     pub dashpots: Vec<(SparseRow, f64)>,
     /// Probes of an imperfect wall around the tank.
-    pub around: Vec<(around::What, Probe)>,
+    pub around: Vec<(What, Probe)>,
     /// Row of every probe over the unknowns, by [`crate::probe::Probe::key`].
     pub rows: BTreeMap<String, Row>,
 }
@@ -190,7 +192,7 @@ pub(super) fn new(
     let shape_rows = projector.shape_rows();
     let around = match tank.imperfections.is_empty() {
         true => Vec::new(),
-        false => around::probes(&projector)?,
+        false => around_probes::probes(&projector)?,
     };
     let dashpots = dashpots(&projector.observer, options);
     let reduced = dashpots.iter().map(|(row, c)| {

@@ -16,10 +16,11 @@ use fem::linalg::{Symmetric, dot, generalized_eigen};
 use fem::progress::Progress;
 
 use super::mirror::PARTS;
-use super::model::{LOADED, SURFACE, TankModel, WALL};
+use super::model::{SURFACE, TankModel};
 use super::ritz::reduce;
 use super::symmetry::Symmetry;
 use super::system::System;
+use super::wall::{LOADED, WALL};
 use super::waves::{Waves, classify};
 use crate::FeError;
 use crate::error::{failed, failure};

@@ -9,7 +9,7 @@ use fem::element::fibre_beam::Options;
 use fem::model::ModelError;
 
 use super::liquid::{StripLiquid, Trace};
-use super::shells::ShellWall;
+use super::shell_wall::ShellWall;
 use crate::FeError;
 
 /// Parameters of the strip, per metre of tank.

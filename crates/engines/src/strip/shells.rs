@@ -9,7 +9,6 @@
 //! Results at points (cracks, bars, plastic strain) are those of the leaf that bends, as with fibres.
 
 use fem::dofs::Dof;
-use fem::element::SectionState;
 use fem::element::fibre_beam::FibreBeam;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Build, Footprint, WallMesh};
@@ -20,65 +19,10 @@ use tank::{Behaviour, Case, Layer, LayerKind};
 
 use super::parameters::{StripError, StripTank};
 use super::section::{course_at, main_leaf};
+use super::shell_wall::{BREADTH, ShellRow, ShellWall};
 use crate::FeError;
 use crate::nonlinear::cylinder::section::{Part, row};
 use crate::nonlinear::laws::unsupported;
-
-/// Breadth of the strip [m]: everything is per metre of tank.
-const BREADTH: f64 = 1.0;
-/// Points of a shell.
-const POINTS: usize = 4;
-
-/// Shells of an element of the wall.
-#[derive(Clone)]
-pub struct ShellRow {
-    /// One shell, or two with a layer between them.
-    pub build: Build,
-    /// Layers of the leaf that bends; points of its section from this number on are bars.
-    pub layers: usize,
-}
-
-/// A wall of shells instead of fibre beams.
-#[derive(Clone)]
-pub struct ShellWall {
-    /// Elements from the bottom; one fewer than levels.
-    pub rows: Vec<ShellRow>,
-    /// Number of the leaf that bends, from the wet one.
-    pub main: usize,
-    /// Distance from the wet to the other reference surface [m]; 0 of one shell.
-    pub gap: f64,
-}
-
-impl std::fmt::Debug for ShellWall {
-    /// Sections are not shown.
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "ShellWall {{ {} rows, leaf {}, gap {} m }}",
-            self.rows.len(),
-            self.main,
-            self.gap
-        )
-    }
-}
-
-impl ShellWall {
-    /// Whether a material point of this number belongs to the leaf that bends.
-    pub(super) fn bends(&self, point: usize) -> bool {
-        point / POINTS == self.main
-    }
-
-    /// Mean curvature and moment up the wall of the lower points of the leaf that bends, of the sign of a fibre wall.
-    pub(super) fn lowest(&self, sections: &[SectionState]) -> [f64; 2] {
-        let own = sections.chunks(POINTS).nth(self.main).unwrap_or_default();
-        let lowest = own.iter().map(|s| s.position[2]).fold(f64::INFINITY, f64::min);
-        let low = own.iter().filter(|s| s.position[2] < lowest + 1e-9);
-        let count = low.clone().count().max(1) as f64;
-        // Axis 2 is the upward one.
-        let mean = |of: &dyn Fn(&SectionState) -> f64| low.clone().map(of).sum::<f64>() / count;
-        [mean(&|s| s.strain[4]), BREADTH * mean(&|s| s.resultants[4])]
-    }
-}
 
 /// Nodes of a wall.
 pub(super) struct Nodes {

@@ -6,9 +6,13 @@
 //!
 //! harmonic by harmonic; A is block-circulant like M_f.
 
+use std::sync::Arc;
+
 use super::HarmonicLiquid;
 use super::harmonic::{Block, matrix};
-use crate::linalg::{Factor, LinalgError, Matrix, product, transposed_product};
+use crate::linalg::{
+    Factor, Kind, LinalgError, Matrix, Ordering, Pattern, Symbolic, Symmetric, product, transposed_product,
+};
 
 /// A(s) and the factors of E_ηη.
 #[derive(Debug)]
@@ -38,7 +42,7 @@ impl<'a> Condensed<'a> {
                 surface.push(None);
             } else {
                 let coupling = e.select(&eta, &w);
-                let factor = super::wall::dense_factor(&e.select(&eta, &eta))?;
+                let factor = dense_factor(&e.select(&eta, &eta))?;
                 let mut follow = coupling.clone();
                 factor.solve(&mut follow)?;
                 let part = transposed_product(&coupling, &follow);
@@ -145,4 +149,19 @@ impl<'a> Condensed<'a> {
         }
         product(&liquid.fourier, &image).data
     }
+}
+
+/// Factor of a dense symmetric matrix of any inertia.
+pub(super) fn dense_factor(a: &Matrix) -> Result<Factor, LinalgError> {
+    let all: Vec<usize> = (0..a.rows).collect();
+    let pattern = Arc::new(Pattern::from_cliques(a.rows, std::iter::once(all.as_slice())));
+    let mut sparse = Symmetric::zeros(pattern.clone());
+    let mut next = 0;
+    for j in 0..a.rows {
+        for i in j..a.rows {
+            sparse.values[next] = a.get(i, j);
+            next += 1;
+        }
+    }
+    Arc::new(Symbolic::new(pattern, &Ordering::Given(all))?).factor(&sparse, Kind::Indefinite)
 }

@@ -24,26 +24,11 @@
 use std::sync::Arc;
 
 use super::HarmonicLiquid;
-use super::condensed::Condensed;
-use crate::linalg::{Factor, Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Shifted, Symbolic, Symmetric, dot};
+use super::condensed::{Condensed, dense_factor};
+use crate::linalg::{Factor, Kind, LinalgError, Matrix, Pencil, Shifted, Symbolic, Symmetric, dot};
 
 /// Row of R: (unknown of the wall, coefficient).
 pub type NormalRow = Vec<(usize, f64)>;
-
-/// Factor of a dense symmetric matrix of any inertia.
-pub(super) fn dense_factor(a: &Matrix) -> Result<Factor, LinalgError> {
-    let all: Vec<usize> = (0..a.rows).collect();
-    let pattern = Arc::new(Pattern::from_cliques(a.rows, std::iter::once(all.as_slice())));
-    let mut sparse = Symmetric::zeros(pattern.clone());
-    let mut next = 0;
-    for j in 0..a.rows {
-        for i in j..a.rows {
-            sparse.values[next] = a.get(i, j);
-            next += 1;
-        }
-    }
-    Arc::new(Symbolic::new(pattern, &Ordering::Given(all))?).factor(&sparse, Kind::Indefinite)
-}
 
 /// The pencil of a wall with its liquid.
 #[derive(Debug)]

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 use pulp::Simd;
 
-use super::kernel::{INTERVALS, Loads, Oscillator, Trace};
+use super::blocks::{INTERVALS, Loads, Oscillator, Trace};
 use super::lanes::{LANES, Lanes, Unit, lanes};
 use super::peaks::{Maxima, State, larger};
 use crate::sdof::Recurrence;

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 use pulp::Simd;
 
-use super::kernel::{BLOCK, INTERVALS, Loads, Oscillator, Trace};
+use super::blocks::{BLOCK, INTERVALS, Loads, Oscillator, Trace};
 use super::lanes::{LANES, Lanes, Unit, lanes};
 use super::peaks::{Maxima, State, larger};
 

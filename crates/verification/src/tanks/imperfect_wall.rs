@@ -16,7 +16,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::{Answer, Benchmark, Part, Reference, Row};
 use engines::harmonic::{NODAL, NODE, Output, Wall};
-use engines::solid::model::{TankModel, WALL};
+use engines::solid::model::TankModel;
+use engines::solid::wall::WALL;
 use engines::solid::{SolidOptions, spectrum, system};
 use engines::{FeError, Options};
 use fem::element::shell::load::NodalLoads;

@@ -13,7 +13,8 @@ use tank::units::Dimension;
 
 use super::floor::{Floor, Now, every};
 use super::peaks::{Peaks, largest, turns};
-use super::search::{Found, Setup};
+use super::search::Found;
+use super::setup::Setup;
 use super::words;
 use crate::rainflow;
 use crate::response::motion::Grid;

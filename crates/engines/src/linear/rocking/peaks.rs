@@ -3,7 +3,7 @@
 use ::base::history::History;
 use ::base::{Base, Turn};
 
-use super::search::Laws;
+use super::setup::Laws;
 
 /// Largest values with their steps.
 #[derive(Clone, Copy)]

@@ -1,13 +1,13 @@
 //! The law of the base that covers the run, and its hysteretic share.
 
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
+use super::law::{dashpot, laws};
 use super::peaks::{Peaks, turns};
-use ::base::history::{Body, Friction, History, March, Run, march};
-use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil};
+use super::setup::{Laws, Missed, Setup, between};
+use ::base::history::{Friction, History, March, Run, march};
+use ::base::{Base, BaseError, Law};
 use results::BaseSpread;
-use tank::STANDARD_GRAVITY;
-use tank::options::linear::Heave as AskedHeave;
 
 /// Largest rotation of the first law [rad].
 pub(super) const FIRST: f64 = 2e-3;
@@ -21,139 +21,6 @@ pub(super) const SETTLED: f64 = 0.005;
 /// Deviation of the energy balance over the input with which a run is left, and how often its step is halved for that.
 const CLOSED: f64 = 1e-3;
 const HALVINGS: usize = 2;
-/// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
-const CRUSHED: f64 = 500e6;
-
-/// What a run is given besides laws of the base. Of the ground only the drag of the plate depends on it.
-#[derive(Clone)]
-pub(super) struct Setup {
-    /// Whether the run is repeated slightly apart.
-    pub thorough: bool,
-    /// Whether it is repeated on other grounds.
-    pub grounds: bool,
-    /// Laws of the base from runs under other records.
-    pub known: Option<Arc<Known>>,
-    /// Wall and liquid.
-    pub body: Body,
-    /// Rigid parts of the bottom pressure.
-    pub rigid_pressure: [f64; 2],
-    /// p_b(r)/p_b(R) at evenly spaced radii from the axis to the wall.
-    pub form: Vec<f64>,
-    /// Time between states of the bottom for pictures [s]; none keeps none.
-    pub states: Option<f64>,
-    /// Anchors, of a tank that stands on them.
-    pub anchors: Option<Anchors>,
-    /// Inertia on the foot, where it is asked for.
-    pub heave: Option<AskedHeave>,
-    /// Damping over stiffness of plate and ground, as that of the wall at its impulsive mode [s].
-    pub delay: f64,
-    /// Friction.
-    pub friction: Option<Friction>,
-    /// Soil with the velocity of its shear waves [m/s] and its density [kg/m³].
-    pub soil: Option<(Soil, f64, f64)>,
-    /// Ground acceleration at each step [m/s²].
-    pub ground: Vec<f64>,
-    /// Steps of the runs that search.
-    pub searched: usize,
-    /// Time step [s].
-    pub step: f64,
-    /// Steps in one of the record.
-    pub sub_steps: usize,
-    /// Whether they are halved so that the energy closes.
-    pub shortened: bool,
-    /// Whether there is a vertical record.
-    pub vertical: bool,
-    /// Whether corrosion takes part of wall or plates, which are those as built.
-    pub corrodes: bool,
-}
-
-impl Setup {
-    /// The same with the bottom plate dragged along the ground of a base, where there is friction.
-    pub(super) fn dragging(&self, base: &Base) -> Result<Setup, Missed> {
-        let mut own = self.clone();
-        if let Some(friction) = &mut own.friction {
-            friction.springs = Drag::of(base, friction.coefficient)?.springs();
-        }
-        Ok(own)
-    }
-
-    /// The same with steps of half the length.
-    fn halved(&self) -> Setup {
-        let mut own = self.clone();
-        own.ground = between(&self.ground);
-        if let Some(friction) = &mut own.friction {
-            friction.vertical = between(&friction.vertical);
-        }
-        own.searched *= 2;
-        own.step *= 0.5;
-        own.sub_steps *= 2;
-        own.shortened = true;
-        own
-    }
-}
-
-/// The base up to a rotation.
-#[derive(Debug)]
-pub(super) struct Laws {
-    pub rocking: Rocking,
-    pub law: Law,
-    pub ring: Option<Ring>,
-    /// Wall and roof that the foot lifts.
-    pub heave: Option<Heave>,
-    /// Loss of its strips, once it is asked for.
-    losses: OnceLock<Losses>,
-}
-
-impl Laws {
-    /// Loss of its strips.
-    ///
-    /// Errors: no equilibrium of a step.
-    fn losses(&self, base: &Base) -> Result<&Losses, BaseError> {
-        if let Some(known) = self.losses.get() {
-            return Ok(known);
-        }
-        let found = self.law.losses(base)?;
-        Ok(self.losses.get_or_init(|| found))
-    }
-}
-
-/// Laws of a tank's base by the modulus of the ground: they do not depend on the record.
-#[derive(Debug, Default)]
-pub(crate) struct Known(Mutex<Vec<(f64, Arc<Laws>)>>);
-
-/// How much farther than asked a law that is known may reach: its points lie that much farther apart.
-const FARTHER: f64 = 3.0;
-
-impl Known {
-    /// The shortest one that reaches a rotation [rad].
-    fn reaching(&self, modulus: f64, largest: f64) -> Option<Arc<Laws>> {
-        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let fits = |laws: &Laws| (largest..=FARTHER * largest).contains(&laws.law.largest());
-        let reaching = all.iter().filter(|(m, laws)| *m == modulus && fits(laws));
-        let shortest = reaching.min_by(|a, b| a.1.law.largest().total_cmp(&b.1.law.largest()));
-        shortest.map(|(_, laws)| Arc::clone(laws))
-    }
-
-    fn add(&self, modulus: f64, laws: &Arc<Laws>) {
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.push((modulus, Arc::clone(laws)));
-    }
-}
-
-/// The law up to a rotation [rad], or one that is known and reaches it.
-///
-/// Errors: no equilibrium.
-pub(super) fn laws(setup: &Setup, base: &Base, largest: f64) -> Result<Arc<Laws>, BaseError> {
-    let Some(known) = &setup.known else {
-        return law(setup, base, largest).map(Arc::new);
-    };
-    if let Some(found) = known.reaching(base.modulus, largest) {
-        return Ok(found);
-    }
-    let made = Arc::new(law(setup, base, largest)?);
-    known.add(base.modulus, &made);
-    Ok(made)
-}
 
 /// A run that its law covers.
 pub(super) struct Found {
@@ -183,90 +50,6 @@ impl Found {
     }
 }
 
-/// Why there is no run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Missed {
-    /// No equilibrium of the base.
-    Base(BaseError),
-    /// The base turns further than [`MOST`]: its largest rotation [rad], and when it first passes that limit [s].
-    TooFar(f64, f64),
-}
-
-impl Missed {
-    /// How far the base turns [rad], and when it leaves the model [s].
-    pub(super) fn turns(&self) -> Option<[f64; 2]> {
-        match self {
-            Missed::Base(_) => None,
-            Missed::TooFar(angle, time) => Some([*angle, *time]),
-        }
-    }
-}
-
-impl From<BaseError> for Missed {
-    fn from(error: BaseError) -> Missed {
-        Missed::Base(error)
-    }
-}
-
-/// Wall and roof on the foot, with its damping and what the ground under its ring radiates; none where it is not asked for.
-fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Option<Heave> {
-    let asked = setup.heave?;
-    let mass = std::f64::consts::TAU * base.radius * base.weight / STANDARD_GRAVITY;
-    let heave = Heave::new(mass, rocking, law);
-    let stiffness = heave.stiffness();
-    // 2 π R of what a metre of the ring resists with, of which c_ψ is π R³.
-    let ground = 2.0 * dashpot(setup, base) / base.radius.powi(2);
-    let own = match asked.damping {
-        Some(ratio) => 2.0 * ratio * (mass / stiffness).sqrt(),
-        None => setup.delay,
-    };
-    Some(heave.damped(own + ground / stiffness))
-}
-
-/// The law up to a rotation [rad].
-///
-/// Errors: no equilibrium.
-pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, BaseError> {
-    let reach = largest * base.radius;
-    // The rim loads a strip of this width.
-    let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
-    let line = base.modulus * width;
-    let rest = 10.0 * base.pressure / base.modulus + 5.0 * base.weight / line;
-    let mut pressed = reach.min(CRUSHED * base.wall_thickness() / line) + rest;
-    let mut tries = 0;
-    loop {
-        let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
-        let made = Law::new(&rocking, largest).and_then(|law| {
-            let ring = setup
-                .anchors
-                .map(|anchors| Ring::new(anchors, &rocking, &law))
-                .transpose()?;
-            let heave = if ring.is_none() {
-                heave(setup, base, &rocking, &law)
-            } else {
-                None
-            };
-            Ok((law, ring, heave))
-        });
-        match made {
-            Err(BaseError::BeyondCurve { .. }) if tries < 2 => {
-                tries += 1;
-                pressed *= 3.0;
-            }
-            other => {
-                let (law, ring, heave) = other?;
-                return Ok(Laws {
-                    rocking,
-                    law,
-                    ring,
-                    heave,
-                    losses: OnceLock::new(),
-                });
-            }
-        }
-    }
-}
-
 /// Moment at which the rim leaves the ground, under a suction [Pa] or without; at most that of the law's end [N m].
 pub(super) fn lifting(law: &Law, suction: f64) -> f64 {
     let first = |suction: f64| {
@@ -276,16 +59,6 @@ pub(super) fn lifting(law: &Law, suction: f64) -> f64 {
         lifted.next().unwrap_or_else(end).moment
     };
     first(0.0).min(first(suction))
-}
-
-/// c_ψ = π R³ ρ_s V_La B of the rim's strip on soil with shear waves; 0 without.
-fn dashpot(setup: &Setup, base: &Base) -> f64 {
-    let Some((soil, velocity, density)) = setup.soil else {
-        return 0.0;
-    };
-    let analogue = 3.4 * velocity / (std::f64::consts::PI * (1.0 - soil.poisson_ratio));
-    let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
-    std::f64::consts::PI * base.radius.powi(3) * density * analogue * width
 }
 
 /// Largest |ψ| [rad].
@@ -354,13 +127,6 @@ fn twins(
         let (weaker, stronger) = both.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
         Ok([weaker, stronger, half?])
     })
-}
-
-/// Values with their means between them: the motion is linear over a step.
-fn between(values: &[f64]) -> Vec<f64> {
-    let last = values.last().copied();
-    let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
-    pairs.chain(last).collect()
 }
 
 /// A run with a hysteretic share.

@@ -144,9 +144,9 @@ fn the_body_is_that_of_the_engine() {
     );
 }
 
-fn ready_law(ready: &Ready, modulus: f64) -> search::Laws {
+fn ready_law(ready: &Ready, modulus: f64) -> setup::Laws {
     let base = Base::of(&ready.case).unwrap().on(modulus);
-    search::law(&ready.setup(1), &base, search::FIRST).unwrap()
+    law::law(&ready.setup(1), &base, search::FIRST).unwrap()
 }
 
 /// A wall under 2000 t of roof on ground of 1e13 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and

@@ -4,7 +4,8 @@ use ::base::Base;
 use results::{BaseSpread, MissedBand};
 use tank::units::{Dimension, display, significant};
 
-use super::search::{Found, MOST, Missed, SETTLED, Setup};
+use super::search::{Found, MOST, SETTLED};
+use super::setup::{Missed, Setup};
 
 /// The wall is held down although the tank is unanchored.
 pub(crate) const HELD_DOWN: &str =

@@ -10,7 +10,7 @@ fn a_missed_ground_is_named() {
     let setup = ready.setup(10);
     let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     let soft = outcome::band(&base.on(3.3e7), &found);
-    let missed = words::missed_band(3e8, &search::Missed::TooFar(0.0612, 3.25));
+    let missed = words::missed_band(3e8, &setup::Missed::TooFar(0.0612, 3.25));
     let moved = outcome::moved(&setup, &base, found, vec![Ok(soft), Err(missed)], ready.analysis().grid);
     assert_eq!(moved.result.band, [soft]);
     let [missed] = &moved.result.missed[..] else {
@@ -38,7 +38,7 @@ fn a_base_beyond_the_model_is_a_limit() {
         holds: true,
         note: String::new(),
     };
-    let missed = search::Missed::TooFar(0.0612, 3.25);
+    let missed = setup::Missed::TooFar(0.0612, 3.25);
     let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
     let [turns] = &found[..] else { panic!("{found:?}") };
     assert_eq!(
@@ -52,7 +52,7 @@ fn a_base_beyond_the_model_is_a_limit() {
         from: -0.1,
         to: 0.1,
     };
-    let missed = search::Missed::Base(error);
+    let missed = setup::Missed::Base(error);
     let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
     assert!(
         found.len() == 1 && !found[0].holds && found[0].note.contains("no run with uplift"),
