@@ -110,8 +110,8 @@ const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedur
 ///
 /// * `id`: its column
 pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Check> {
-    let codes = time_history::counted(&job.case, &job.decision.decide);
-    let mut states = time_history::limit_states(&job.case, &codes);
+    let judges = time_history::counted(&job.case, &job.decision.decide);
+    let mut states = time_history::limit_states(&job.case, &judges);
     unsaid::without(job, &mut states);
     accept(id, job, check::complete(&states, unsaid::required(&states, checks)))
 }
