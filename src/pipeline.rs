@@ -192,7 +192,10 @@ fn of_run(job: &Job, number: usize, simulation: &Simulation, design: Option<&Des
             Some(design) => design.records.clone(),
             None => ground_motion::of_one(job, simulation),
         };
-        let check = records.and_then(|records| ground_motion::check(job, &records));
+        let check = match records {
+            Some(records) => ground_motion::check(job, &records),
+            None => time_history::without_code(&job.case),
+        };
         findings.checks.extend(check);
     }
     findings
@@ -208,8 +211,8 @@ pub fn sloshing_period(methods: &[Method]) -> Option<f64> {
 ///
 /// * `errors`: relative mesh errors by quantity id
 pub fn findings(job: &Job, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
-    let codes = time_history::counted(&job.case, &job.decision.decide);
-    time_history::assess(&job.case, &codes, demands, errors)
+    let judges = time_history::counted(&job.case, &job.decision.decide);
+    time_history::assess(&job.case, &judges, demands, errors)
 }
 
 /// Adds what only figures need, before results are written: the base of an unanchored tank under the moments of the codes.
@@ -251,8 +254,8 @@ pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
 
 /// The checks of the demands of the first engine under the record times a factor, which is 1 where the response is not linear.
 pub fn checks_of_demands(job: &Job, ready: &Ready<'_>, factor: f64) -> Vec<Check> {
-    let codes = time_history::counted(&job.case, &job.decision.decide);
-    let found = time_history::assess_at(&job.case, &codes, (ready, factor), &BTreeMap::new());
+    let judges = time_history::counted(&job.case, &job.decision.decide);
+    let found = time_history::assess_at(&job.case, &judges, (ready, factor), &BTreeMap::new());
     decision::checks_of_run(job, results::FE, found.checks)
 }
 

@@ -3,7 +3,7 @@
 //! Each code implements [`Code`] in its folder; [`crate::time_history`] knows no other.
 
 use tank::Course;
-use tank::assessment::CheckStatus;
+use tank::assessment::{Check, CheckStatus};
 use tank::case::{Case, Site};
 
 use crate::limit_state::LimitStateDef;
@@ -18,10 +18,23 @@ pub type Placed = (u8, LimitStateDef);
 pub trait Code: Sync {
     /// Its procedures.
     fn procedures(&self) -> &'static [&'static dyn Procedure];
+    /// The edition in force, whose limit states a run has to answer that decides without it.
+    fn in_force(&self) -> &'static dyn Procedure;
     /// Whether the site gives its data.
     fn named(&self, site: &Site) -> bool;
     /// The limit states that a run has to satisfy under it, with their places in the list.
     fn of_run(&self) -> &'static [Placed];
+    /// How such a run answers limit states of the edition in force that its own list does not have under the same id. It leaves all
+    /// others open.
+    fn answers(&self) -> &'static [(&'static str, Answer)];
+    /// Checks of the edition in force that are the same under every action.
+    fn apart(&self, _case: &Case) -> Vec<Check> {
+        Vec::new()
+    }
+    /// Whether a tank stated anchored needs anchors also where nothing pulls at them.
+    fn always_anchors(&self) -> bool {
+        false
+    }
     /// Its limits of the wall of a metal cylinder of this radius [m].
     fn wall<'a>(&self, case: &'a Case, radius: f64) -> Vec<WallLimit<'a>>;
     /// Friction under the base, or why there is none.
@@ -46,6 +59,17 @@ pub trait Code: Sync {
     fn notes(&self, _case: &Case) -> Vec<String> {
         Vec::new()
     }
+}
+
+/// How a run that decides alone answers a limit state of a code.
+#[derive(Clone, Copy, Debug)]
+pub enum Answer {
+    /// By that of its own list with this id.
+    Run(&'static str),
+    /// As the code does: the action of the run does not change it.
+    Code,
+    /// Not at all, under a name of its own because another code has the same id.
+    Open(LimitStateDef),
 }
 
 /// Adds the lines of a limit at a course under an interior pressure [Pa], on which that of compression alone depends. Returns the limit [Pa].

@@ -27,7 +27,7 @@
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
-mod anchor_layout;
+pub(crate) mod anchor_layout;
 pub mod bearing;
 #[cfg(test)]
 mod boundaries;
@@ -45,7 +45,7 @@ mod directions;
 pub(crate) mod example;
 pub mod flexible;
 mod ingredients;
-mod limit_states;
+pub(crate) mod limit_states;
 mod modal;
 mod other_direction;
 #[cfg(test)]

@@ -25,6 +25,7 @@
 //!
 //! Capacities are those of the codes that count, which are known by [`Code`] alone. `docs/theory/limit-states-of-runs.md` has the details.
 
+mod anchors;
 mod base;
 mod bearing;
 mod field;
@@ -49,13 +50,12 @@ use tank::outside::Outside;
 use tank::units::{Dimension, display};
 
 use crate::CODES;
-use crate::code::Code;
 use crate::sheet::Sheet;
 use limit_states::{ANCHORS, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
 pub(crate) use lists::tables;
-pub use lists::{counted, ground_motion, limit_states};
+pub use lists::{Judges, counted, ground_motion, limit_states, without_code};
 pub use ready::Ready;
 
 /// What the demands of a run amount to.
@@ -74,8 +74,8 @@ pub struct Findings {
 /// The demands of a run against the capacities of codes.
 ///
 /// * `errors`: relative mesh errors of the run by quantity id
-pub fn assess(case: &Case, codes: &[&'static dyn Code], demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
-    assess_at(case, codes, (&Ready::new(case, demands), 1.0), errors)
+pub fn assess(case: &Case, judges: &Judges, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+    assess_at(case, judges, (&Ready::new(case, demands), 1.0), errors)
 }
 
 /// The demands of a linear run under its record times a positive factor against the capacities of codes: the motion grows, the static
@@ -85,13 +85,13 @@ pub fn assess(case: &Case, codes: &[&'static dyn Code], demands: &Demands, error
 /// * `errors`: relative mesh errors of the run by quantity id
 pub fn assess_at(
     case: &Case,
-    codes: &[&'static dyn Code],
+    judges: &Judges,
     (ready, factor): (&Ready<'_>, f64),
     errors: &BTreeMap<String, f64>,
 ) -> Findings {
-    let mut found = of_demands(case, codes, (ready, factor), errors);
+    let mut found = of_demands(case, judges, (ready, factor), errors);
     for (scale, bound) in &ready.bounds {
-        let other = of_demands(case, codes, (bound, factor), errors);
+        let other = of_demands(case, judges, (bound, factor), errors);
         isolators::take_worse(&mut found.checks, other.checks, *scale);
     }
     found
@@ -100,13 +100,13 @@ pub fn assess_at(
 /// The same of one run.
 fn of_demands(
     case: &Case,
-    codes: &[&'static dyn Code],
+    judges: &Judges,
     (ready, factor): (&Ready<'_>, f64),
     errors: &BTreeMap<String, f64>,
 ) -> Findings {
-    let states = limit_states(case, codes);
+    let states = limit_states(case, judges);
     let demands = ready.demands;
-    let mut work = Work::new((case, codes), (ready, factor), errors, &states);
+    let mut work = Work::new((case, &judges.codes), (ready, factor), errors, &states);
     surface::assess(&mut work);
     let mut pulls = None;
     if let Some(radius) = case.tank.shape.radius().filter(|_| !demands.places.is_empty()) {
@@ -127,6 +127,11 @@ fn of_demands(
     }
     if demands.base.as_ref().is_some_and(|base| base.broken > 0) {
         open(&mut work, BROKEN);
+    }
+    if judges.alone {
+        anchors::layout(&mut work);
+        let apart = judges.codes.iter().flat_map(|code| code.apart(case));
+        work.checks.extend(apart);
     }
     notes(&mut work);
     for state in &states {

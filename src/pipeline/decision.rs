@@ -100,7 +100,7 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
         true => checks,
         false => unsaid::leave_open(job, unsaid::required(&states, checks)),
     };
-    accept(procedure.id(), job, check::complete(&states, checks))
+    end(procedure.id(), job, &states, checks)
 }
 
 /// Why a code leaves a tank on isolators open.
@@ -110,10 +110,10 @@ const ON_ISOLATORS: &str = "the tank moves on its isolators, which this procedur
 ///
 /// * `id`: its column
 pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Check> {
-    let codes = time_history::counted(&job.case, &job.decision.decide);
-    let mut states = time_history::limit_states(&job.case, &codes);
+    let judges = time_history::counted(&job.case, &job.decision.decide);
+    let mut states = time_history::limit_states(&job.case, &judges);
     unsaid::without(job, &mut states);
-    accept(id, job, check::complete(&states, unsaid::required(&states, checks)))
+    end(id, job, &states, unsaid::required(&states, checks))
 }
 
 /// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not
@@ -167,6 +167,11 @@ pub(super) fn left_out(procedure: &dyn Procedure, job: &Job) -> Option<Method> {
         checks: accept(procedure.id(), job, vec![open]),
         ..Method::new(procedure.id(), label.title, Excitation::Site)
     })
+}
+
+/// How all limit states end: those without a check with the reason, accepted gaps marked.
+fn end(id: &str, job: &Job, states: &[LimitState], checks: Vec<Check>) -> Vec<Check> {
+    accept(id, job, unsaid::contradicted(job, check::complete(states, checks)))
 }
 
 /// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one. A run

@@ -5,6 +5,7 @@
 //! | need a factor above 1 for the rule of the code, one or many | fails, cannot be accepted |
 //! | hold for it, and are too few | open |
 //! | hold for it, and are enough | holds |
+//! | stand for no site, or for one that names no code | open |
 //!
 //! The target is always the spectrum of the site; a set that is also compared with a table is asked again. Around a period that the
 //! spectrum of the site does not cover the rule cannot be asked: what is weak elsewhere fails all the same, and nothing holds.
@@ -72,11 +73,11 @@ pub(super) fn of_one(job: &Job, simulation: &Simulation) -> Option<Records> {
     ask(job, &wanted, &[record])
 }
 
-/// Whether an engine decides about a site that names a code.
+/// Whether an engine decides.
 ///
 /// * `id`: its column
 pub(super) fn asked(job: &Job, id: &str) -> bool {
-    job.decision.decide.iter().any(|decides| decides == id) && time_history::ground_motion(&job.case).is_some()
+    job.decision.decide.iter().any(|decides| decides == id)
 }
 
 /// How the limit state ends.

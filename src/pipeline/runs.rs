@@ -64,8 +64,8 @@ pub(super) fn beside(
 pub(super) fn findings(job: &Job, simulation: &Simulation) -> Findings {
     let none = Demands::default();
     let demands = simulation.demands.as_ref().unwrap_or(&none);
-    let codes = time_history::counted(&job.case, &job.decision.decide);
-    time_history::assess(&job.case, &codes, demands, &simulation.result.mesh_error)
+    let judges = time_history::counted(&job.case, &job.decision.decide);
+    time_history::assess(&job.case, &judges, demands, &simulation.result.mesh_error)
 }
 
 /// A run as a column of the comparison.

@@ -18,17 +18,48 @@ use crate::job::Job;
 
 /// A check that takes bare ground for a foundation of which nothing is said: it does not fail by that either.
 const ON_BARE_GROUND: &str = "bearing_toe";
+/// What a tank without a foundation stands on.
+const ON_THE_GROUND: &str = "the tank has no foundation: it stands on the ground, neither on a ring wall nor on a slab";
 /// Limit states of pipes.
 const PIPES: [&str; 2] = ["pipes", "piping"];
 
-/// A tank without pipes has none to check.
+/// A tank without pipes has none to check, and one without a foundation stands on the ground.
 pub(super) fn without(job: &Job, states: &mut [LimitState]) {
-    if !job.decision.without.contains(&TankPart::Pipes) {
-        return;
+    let without = &job.decision.without;
+    for state in states {
+        if without.contains(&TankPart::Pipes) && PIPES.contains(&state.id) {
+            state.requirement = Requirement::NotApplicable("the tank has no pipes".into());
+        }
+        let asks = state.requirement == Requirement::Missing("tank.foundation".into());
+        if without.contains(&TankPart::Foundation) && asks {
+            state.requirement = Requirement::NotApplicable(ON_THE_GROUND.into());
+        }
     }
-    for state in states.iter_mut().filter(|state| PIPES.contains(&state.id)) {
-        state.requirement = Requirement::NotApplicable("the tank has no pipes".into());
+}
+
+/// Whether a check is open for want of a part of which the file says that there is none.
+fn denied(check: &Check, part: TankPart) -> bool {
+    let path = format!("tank.{}", part.key());
+    let of = |input: &String| *input == path || input.strip_prefix(&path).is_some_and(|rest| rest.starts_with('.'));
+    check.status == CheckStatus::NotChecked && check.input.as_ref().is_some_and(of)
+}
+
+/// The same checks; those that want for a part which the file denies say so, in place of "is missing".
+pub(super) fn contradicted(job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
+    let anchored = job.case.tank.support == Support::Anchored;
+    for part in &job.decision.without {
+        let key = part.key();
+        for check in checks.iter_mut().filter(|check| denied(check, *part)) {
+            check.reason = match part {
+                TankPart::Anchors | TankPart::Foundation if anchored => {
+                    format!("`tank.{key}` is \"none\", and `tank.support` is \"anchored\": they contradict each other")
+                }
+                _ => format!("`tank.{key}` is \"none\", and the clause is about one"),
+            };
+            check.input = Some(format!("tank.{key}"));
+        }
     }
+    checks
 }
 
 /// The checks without those of limit states that are not required of the tank.

@@ -106,6 +106,18 @@ fn an_unusual_value_is_named() {
         ("site.api650.joint_efficiency", json!(0.5)),
         ("liquid.density", json!("3000 kg/m3")),
         ("gravity", json!("1.62 m/s2")),
+        ("tank.anchors.count", json!(10_000)),
+        ("tank.anchors.count", json!(158)),
+        ("tank.anchors.capacity", json!("1 kN")),
+        ("tank.anchors.capacity", json!("900 MN")),
+        ("tank.anchors.attachment_capacity", json!("900 MN")),
+        ("tank.anchors.yield_force", json!("900 MN")),
+        ("tank.pipes.uplift", json!("9 m")),
+        ("tank.pipes.horizontal", json!("0.6 m")),
+        ("tank.pipes.support_distance", json!("900 m")),
+        ("procedures.ec8.combination", json!("srss")),
+        ("damping.impulsive", json!(0.1)),
+        ("damping.impulsive", json!(0.06)),
     ] {
         let warnings = read(&[at(path, &value)]).unwrap_or_else(|fault| panic!("{path}: {fault}"));
         let named = |(code, text): &(Code, String)| *code == Code::UnusualInput && text.starts_with(path);
@@ -119,6 +131,13 @@ fn an_unusual_value_is_named() {
         ("site.api650.q", json!(1)),
         ("site.api650.q", json!(0.667)),
         ("site.api650.tl", json!(16)),
+        // One every 0.4 m on 62.83 m.
+        ("tank.anchors.count", json!(157)),
+        ("tank.anchors.capacity", json!("2 MN")),
+        ("tank.anchors.attachment_capacity", json!("6 MN")),
+        ("tank.pipes.uplift", json!("0.5 m")),
+        ("procedures.ec8.combination", json!("abs")),
+        ("procedures.housner.combination", json!("srss")),
     ] {
         let warnings = read(&[at(path, &value)]).unwrap_or_else(|fault| panic!("{path}: {fault}"));
         assert!(
@@ -345,4 +364,35 @@ fn an_unusual_spectrum_is_named() {
     for (tb, ag, unusual) in [(0.15, "0.2 g", false), (0.001, "0.2 g", true), (0.15, "0.01 g", true)] {
         assert_eq!(named(parameters(tb, ag)), unusual, "{tb}, {ag}");
     }
+}
+
+/// Engines with a damping of their own; what the key of the case names is not named twice. A wall of concrete has 5 % and more.
+#[test]
+fn a_damping_of_a_metal_wall_is_named_once() {
+    let named = |changes: &[Value]| -> Vec<String> {
+        let warnings = read(changes).unwrap_or_else(|fault| panic!("{fault}"));
+        let damping = warnings.iter().filter(|(code, _)| *code == Code::UnusualInput);
+        damping
+            .map(|(_, text)| text.split(':').next().unwrap_or_default().to_owned())
+            .collect()
+    };
+    let pair = |at: &str, ratio: f64| json!({ "at": at, "ratio": ratio });
+    let rayleigh = |ratio: f64| {
+        at(
+            "analysis.damping.rayleigh",
+            &json!({ "first": pair("2 Hz", ratio), "second": pair("20 Hz", 0.02), "allow_negative": true }),
+        )
+    };
+    assert_eq!(named(&[rayleigh(0.1)]), ["analysis.damping"]);
+    assert_eq!(named(&[rayleigh(0.05)]), [""; 0]);
+    for ratio in [0.06, 0.1, 0.15] {
+        assert_eq!(
+            named(&[at("damping.impulsive", &json!(ratio))]),
+            ["damping.impulsive"],
+            "{ratio}"
+        );
+    }
+    let course = json!({ "height": "10 m", "thickness": "300 mm", "material": "concrete" });
+    let concrete = json!({ "tank": { "courses": [course] }, "materials": { "concrete": { "grade": "C30/37" } } });
+    assert_eq!(named(&[concrete, at("damping.impulsive", &json!(0.1))]), [""; 0]);
 }

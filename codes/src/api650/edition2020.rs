@@ -98,6 +98,33 @@ struct Run<'a> {
     hold_down: HoldDown,
 }
 
+impl<'a> Run<'a> {
+    /// Before anything is computed.
+    fn new(basis: Basis<'a>, excitation: Excitation) -> Run<'a> {
+        Run {
+            basis,
+            site: basis.case.site.api650.as_ref(),
+            excitation,
+            sheet: Sheet::new(),
+            out: Assessment::default(),
+            base: BaseState::Bears,
+            compression: None,
+            hold_down: HoldDown::Needless,
+        }
+    }
+}
+
+/// Welds and support of the plates under the shell, which no action changes.
+pub(super) fn details_of_base(case: &Case) -> Vec<Check> {
+    let Ok(basis) = Basis::new(case, EDITION) else {
+        return Vec::new();
+    };
+    let mut run = Run::new(basis, Excitation::Site);
+    run.annular_weld();
+    run.shell_support();
+    run.out.checks
+}
+
 impl Run<'_> {
     /// Adds a check of the annex; none under a record's unreduced forces (module description).
     fn check(
@@ -226,16 +253,7 @@ impl Procedure for Api6502020 {
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         self.applies(case, excitation)?;
         let basis = Basis::new(case, EDITION)?;
-        let mut run = Run {
-            basis,
-            site: case.site.api650.as_ref(),
-            excitation,
-            sheet: Sheet::new(),
-            out: Assessment::default(),
-            base: BaseState::Bears,
-            compression: None,
-            hold_down: HoldDown::Needless,
-        };
+        let mut run = Run::new(basis, excitation);
         basis.assumptions(&mut run.out, true);
         run.combinations();
         basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()));

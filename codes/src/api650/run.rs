@@ -1,16 +1,19 @@
 //! API 650 as the judge of a run: the capacities of the current annex E.
 
-use tank::assessment::CheckStatus;
 use tank::assessment::Requirement::{self, NotImplemented};
+use tank::assessment::{Check, CheckStatus};
 use tank::case::{Case, Site};
 use tank::units::Dimension::{Dimensionless, Force, Length, Stress};
 use tank::{Course, Support};
 
 use super::edition1993::Api6501993;
-use super::edition2020::limit_states::{COMPRESSION, FOUNDATION, HOOP, PIPING, carbon_steel};
-use super::edition2020::{Api6502020, hoop_check};
+use super::edition2020::limit_states::{
+    ANCHORAGE, ANCHORS as ANCHOR_TENSION, ANNULAR_WELD, BEARING, COMPRESSION, COUNT, FOUNDATION, HOOP, INTERNALS,
+    MATERIAL, NEIGHBOURS, PIPING, PRESSURE, SNOW, SPACING, STUDY, SUPPORT, UPPER_COMPRESSION, VACUUM, carbon_steel,
+};
+use super::edition2020::{Api6502020, details_of_base, hoop_check};
 use super::hold_down;
-use crate::code::{Code, Friction, Open, Placed, WallLimit, WallStress, without_strength};
+use crate::code::{Answer, Code, Friction, Open, Placed, WallLimit, WallStress, without_strength};
 use crate::limit_state::{ASKED, LimitStateDef, Part};
 use crate::procedure::Procedure;
 use crate::record_set::standard::Standard;
@@ -45,6 +48,32 @@ const TABLE: &[Placed] = &[
     (100, FOUNDATION.when(|_| NotImplemented)),
     (100, PIPING.when(|_| NotImplemented)),
 ];
+
+const ANSWERS: &[(&str, Answer)] = &[
+    (UPPER_COMPRESSION.id, Answer::Run(SHELL.id)),
+    (ANCHORAGE.id, Answer::Run(UPLIFT.id)),
+    (ANNULAR_WELD.id, Answer::Code),
+    (ANCHOR_TENSION.id, Answer::Run(ANCHORS.id)),
+    (COUNT.id, Answer::Code),
+    (SPACING.id, Answer::Code),
+    (BEARING.id, Answer::Open(BEARING_OF_RUN)),
+    (SUPPORT.id, Answer::Code),
+    (MATERIAL.id, Answer::Code),
+    (PRESSURE.id, Answer::Run(DESIGN_PRESSURE.id)),
+    (VACUUM.id, Answer::Code),
+    (INTERNALS.id, Answer::Code),
+    (NEIGHBOURS.id, Answer::Code),
+    (SNOW.id, Answer::Code),
+    (STUDY.id, Answer::Code),
+];
+
+const BEARING_OF_RUN: LimitStateDef = LimitStateDef {
+    id: "bearing_api",
+    name: "Pressure on the ground, API 650",
+    capacity: "not compared by the engines: the procedure of API 650 does",
+    page: 381,
+    ..BEARING
+};
 
 const SHELL: LimitStateDef = LimitStateDef {
     name: "Compression of the shell",
@@ -107,12 +136,28 @@ impl Code for Api650 {
         &[&Api6501993, &Api6502020]
     }
 
+    fn in_force(&self) -> &'static dyn Procedure {
+        &Api6502020
+    }
+
     fn named(&self, site: &Site) -> bool {
         site.api650.is_some()
     }
 
     fn of_run(&self) -> &'static [Placed] {
         TABLE
+    }
+
+    fn answers(&self) -> &'static [(&'static str, Answer)] {
+        ANSWERS
+    }
+
+    fn apart(&self, case: &Case) -> Vec<Check> {
+        details_of_base(case)
+    }
+
+    fn always_anchors(&self) -> bool {
+        true
     }
 
     fn wall<'a>(&self, case: &'a Case, radius: f64) -> Vec<WallLimit<'a>> {

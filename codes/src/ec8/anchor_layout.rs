@@ -6,9 +6,10 @@
 use super::limit_states::{ANCHOR_COUNT, ANCHOR_SPACING, ANCHORS, COUNT, SPACING};
 use super::work::Work;
 use crate::api650::edition2020::anchors::{LARGEST_SPACING, LEAST};
-use tank::Support;
+use crate::sheet::Sheet;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{Dimensionless, Length};
+use tank::{Anchors, Support, Tank};
 
 /// Writes both checks of an anchored tank; needs the end of the check of tension.
 pub(super) fn assess(work: &mut Work) {
@@ -32,32 +33,56 @@ pub(super) fn assess(work: &mut Work) {
         }
         return;
     };
-    let perimeter = work.case.tank.perimeter();
+    let words = Words {
+        clauses: [COUNT, SPACING],
+        good_practice: true,
+    };
+    let checks = layout(&mut work.sheet, &work.case.tank, &anchors, pulls, &words);
+    work.out.checks.extend(checks);
+}
+
+/// What the lines and checks say of where they come from.
+pub(crate) struct Words<'a> {
+    /// Clauses of number and spacing.
+    pub(crate) clauses: [&'a str; 2],
+    /// Whether they are good practice, not clauses.
+    pub(crate) good_practice: bool,
+}
+
+/// Number and spacing of given anchors against those required.
+///
+/// * `pulls`: whether the earthquake pulls at them
+pub(crate) fn layout(sheet: &mut Sheet, tank: &Tank, anchors: &Anchors, pulls: bool, words: &Words<'_>) -> [Check; 2] {
+    let [of_count, of_spacing] = words.clauses;
     let count = f64::from(anchors.count);
-    let sheet = &mut work.sheet;
     sheet.section("Number and spacing of the anchors");
     sheet.input("n_A", "number of anchors", count, Dimensionless, "tank.anchors.count");
-    let (least, note) = match pulls {
-        true => (
+    let (least, note) = match (pulls, words.good_practice) {
+        (true, true) => (
             LEAST[1],
             "good practice, not a clause of EN 1998-4: six where the earthquake pulls at them",
         ),
-        false => (
+        (true, false) => (LEAST[1], "six where the earthquake pulls at them"),
+        (false, true) => (
             LEAST[0],
             "good practice, not a clause of EN 1998-4; the earthquake does not pull at them",
         ),
+        (false, false) => (LEAST[0], "the earthquake does not pull at them"),
     };
     let (name, source) = ("least number of anchors", "4, and 6 where the earthquake governs");
-    let least = sheet.look_up("n_min", name, source, least, Dimensionless, COUNT);
-    let terms = [("U", perimeter, Length), ("n_A", count, Dimensionless)];
+    let least = sheet.look_up("n_min", name, source, least, Dimensionless, of_count);
+    let terms = [("U", tank.perimeter(), Length), ("n_A", count, Dimensionless)];
     let name = "spacing of the anchors along the wall";
-    let spacing = sheet.calc("a_A", name, "U/n_A", &terms, Length, SPACING);
+    let spacing = sheet.calc("a_A", name, "U/n_A", &terms, Length, of_spacing);
     let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
-    let largest = sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
+    let largest = sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, of_spacing);
     let name = "Least number of anchors over that given";
-    let number = Check::new(ANCHOR_COUNT.id, name, least, count, Dimensionless, COUNT, note);
+    let number = Check::new(ANCHOR_COUNT.id, name, least, count, Dimensionless, of_count, note);
     let name = "Spacing of the anchors";
-    let note = "good practice, not a clause of EN 1998-4";
-    let apart = Check::new(ANCHOR_SPACING.id, name, spacing, largest, Length, SPACING, note);
-    work.out.checks.extend([number, apart]);
+    let note = match words.good_practice {
+        true => "good practice, not a clause of EN 1998-4",
+        false => "",
+    };
+    let apart = Check::new(ANCHOR_SPACING.id, name, spacing, largest, Length, of_spacing, note);
+    [number, apart]
 }

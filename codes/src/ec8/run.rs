@@ -8,14 +8,19 @@ use tank::units::Dimension::Stress;
 
 use super::bearing::RESISTANCE;
 use super::buckling::{Wall, collapse_lines, elastic_lines};
-use super::limit_states::{BEARING, DAMAGE, ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP, PIPES};
+use super::limit_states::{
+    ANCHOR_COUNT, ANCHOR_SPACING, BEARING, CRACKS, DAMAGE, ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP, MATERIAL,
+    OVERTURNING, PIPES, SNOW, SOIL, WALL_BENDING, WALL_SHEAR,
+};
 use super::plate_uplift::ROTATION;
 use super::{En2006, Env1998};
-use crate::code::{Code, Friction, Limit, Open, Placed, WallLimit, WallStress, without_strength};
+use crate::code::{Answer, Code, Friction, Limit, Open, Placed, WallLimit, WallStress, without_strength};
 use crate::limit_state::{ASKED, LimitStateDef};
 use crate::procedure::Procedure;
 use crate::record_set::standard::Standard;
-use crate::time_history::limit_states::{ANCHORS, FREEBOARD, ISOLATORS, ROOF, SLIDING, TENSION, UPLIFT, shells};
+use crate::time_history::limit_states::{
+    ANCHORS, FREEBOARD, ISOLATORS, OTHER_WALL, ROOF, SLIDING, TENSION, UPLIFT, shells,
+};
 
 /// EN 1998.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +48,19 @@ const TABLE: &[Placed] = &[
     (100, BEARING.when(on_ground)),
     (100, PIPES.when(|_| NotImplemented)),
     (100, DAMAGE.when(other_action)),
+];
+
+/// The uplift of a wall that lifts is not among them: a run gives the rotation of the joint, not membrane stress and lifted width.
+const ANSWERS: &[(&str, Answer)] = &[
+    (WALL_BENDING.id, Answer::Run(OTHER_WALL.id)),
+    (WALL_SHEAR.id, Answer::Run(OTHER_WALL.id)),
+    (CRACKS.id, Answer::Run(OTHER_WALL.id)),
+    (ANCHOR_COUNT.id, Answer::Code),
+    (ANCHOR_SPACING.id, Answer::Code),
+    (OVERTURNING.id, Answer::Run(UPLIFT.id)),
+    (MATERIAL.id, Answer::Code),
+    (SOIL.id, Answer::Code),
+    (SNOW.id, Answer::Code),
 ];
 
 const GAS_PRESSURE: LimitStateDef = LimitStateDef {
@@ -76,12 +94,20 @@ impl Code for Eurocode8 {
         &[&Env1998, &En2006]
     }
 
+    fn in_force(&self) -> &'static dyn Procedure {
+        &En2006
+    }
+
     fn named(&self, site: &Site) -> bool {
         site.ec8.is_some()
     }
 
     fn of_run(&self) -> &'static [Placed] {
         TABLE
+    }
+
+    fn answers(&self) -> &'static [(&'static str, Answer)] {
+        ANSWERS
     }
 
     fn wall<'a>(&self, case: &'a Case, radius: f64) -> Vec<WallLimit<'a>> {

@@ -12,8 +12,22 @@ use super::limit_states::{ANCHORS, SLIDING, UPLIFT};
 use super::ready::History;
 use super::search::Found;
 use super::work::Work;
+use crate::api650::edition2020::limit_states::{ANNULUS, ATTACHMENT, CONNECTIONS};
 use crate::code::{Friction, Open};
+use crate::ec8::limit_states::UPLIFT as PLATE_UPLIFT;
 use crate::sheet::with_unit;
+
+/// Limit states of anchors at which the earthquake pulls.
+const OF_PULLED_ANCHORS: [&str; 3] = [ANCHORS.id, ATTACHMENT.id, CONNECTIONS.id];
+/// Limit states of a bottom plate that lifts.
+const OF_LIFTED_PLATE: [&str; 4] = [UPLIFT.id, PLATE_UPLIFT.id, ANNULUS.id, CONNECTIONS.id];
+
+/// Nothing lifts.
+fn rests(work: &mut Work<'_>, reason: &str) {
+    for id in OF_LIFTED_PLATE {
+        work.without(id, CheckStatus::NotApplicable, reason, None);
+    }
+}
 
 /// Tension at the base of a cylinder's wall. Returns where an unanchored wall pulls, in words.
 pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
@@ -43,8 +57,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
         return match pull > 0.0 {
             true => Some(pulls),
             false => {
-                let reason = "the wall does not pull at its base: it stays in contact";
-                work.without(UPLIFT.id, CheckStatus::NotApplicable, reason, None);
+                rests(work, "the wall does not pull at its base: it stays in contact");
                 None
             }
         };
@@ -53,7 +66,9 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let spring = demands.base.as_ref().and_then(|base| base.anchor);
     if pull <= 0.0 && spring.is_none_or(|anchor| anchor.value <= 0.0) {
         let reason = "the wall does not pull at its base";
-        work.without(ANCHORS.id, CheckStatus::NotApplicable, reason, None);
+        for id in OF_PULLED_ANCHORS {
+            work.without(id, CheckStatus::NotApplicable, reason, None);
+        }
         return None;
     }
     let anchors = work.case.tank.anchors.filter(|anchors| anchors.count > 0);
@@ -115,9 +130,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
 /// Uplift of an unanchored wall in an engine that lets it lift: the plastic rotation of the joint of its bottom plate.
 fn lifting(work: &mut Work<'_>, base: &FreeBase) {
     if !base.lifts {
-        let reason = "the rim stays on the ground";
-        work.without(UPLIFT.id, CheckStatus::NotApplicable, reason, None);
-        return;
+        return rests(work, "the rim stays on the ground");
     }
     let limits = work.codes.iter().map(|code| code.joint_rotation());
     let rotation = match limits.reduce(Result::or) {

@@ -36,6 +36,7 @@ mod solid;
 mod spectrum;
 mod tank;
 mod unsaid;
+mod unusual;
 mod wall;
 
 use std::path::Path;
@@ -107,6 +108,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         published,
     };
     contradictions::warn(&mut r, &case, &decision.without);
+    unusual::warn(&mut r, &case, &fe, &nonlinear);
     bar_layout::warn(&mut r, &case.tank);
     let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);
     Some(Resolved {

@@ -10,12 +10,25 @@ const FE: &str = "fe";
 /// A motion so weak that the static state decides [m/s²].
 const WEAK: f64 = 0.1;
 
+/// Limit states of the codes that a run does not check, but for those accepted in the base tank.
+const OF_CODES: [&str; 2] = ["shear_transfer", "bearing_api"];
+
 /// The run decides, on a site that is weaker than its motion.
 fn decides() -> Value {
-    json!({
-        "procedures": { "decide": ["fe"] },
-        "site": { "ec8": { "ag": "0.001 g" }, "api650": { "ss": 0.003, "s1": 0.001 } }
-    })
+    let mut change = accept(&[]);
+    merge(
+        &mut change,
+        &json!({
+            "procedures": { "decide": ["fe"] },
+            "site": { "ec8": { "ag": "0.001 g" }, "api650": { "ss": 0.003, "s1": 0.001 } }
+        }),
+    );
+    change
+}
+
+/// More accepted gaps than those of the base tank and of every run.
+pub(super) fn accept(more: &[&str]) -> Value {
+    super::accept(&[&OF_CODES, more].concat())
 }
 
 /// A site of 0.1 g of Eurocode 8 alone, about ten times the weakest motion.
@@ -25,7 +38,10 @@ fn strong_site() -> Value {
 
 /// All gaps of the base tank but that of the records.
 fn without_records() -> Value {
-    let others = ACCEPTED.iter().filter(|check| **check != "ground_motion");
+    let others = ACCEPTED
+        .iter()
+        .chain(&OF_CODES)
+        .filter(|check| **check != "ground_motion");
     json!({ "accepted": others.map(|check| gap(check)).collect::<Vec<_>>() })
 }
 
@@ -104,6 +120,32 @@ fn base() -> Vec<Tank> {
         .open(&["sliding"])
         .run(3.0),
         tank(
+            "engine-five-anchors",
+            "five anchors at which the earthquake pulls: six are needed, and one every 12.6 m is too few",
+            (Fails, "anchor_spacing"),
+            vec![
+                only_ec8(),
+                json!({ "tank": { "anchors": { "count": 5, "capacity": "90 MN" } } }),
+            ],
+        )
+        .run(1.5),
+        tank(
+            "engine-four-anchors-slim",
+            "four anchors 4.71 m apart on a tank of 3 m radius",
+            (Fails, "anchor_spacing"),
+            vec![only_api(), slim(), json!({ "tank": { "anchors": { "count": 4 } } })],
+        ),
+        tank(
+            "engine-lapped-annular-plates",
+            "lap welds in an annular plate of 12 mm",
+            (Fails, "annular_weld"),
+            vec![
+                only_api(),
+                unanchored(),
+                json!({ "tank": { "bottom": { "thickness": "12 mm", "annular_weld": "lap" } } }),
+            ],
+        ),
+        tank(
             "engine-anchors-weak",
             "anchors of 1 kN every 1.57 m; 1.5 m/s² pull more than the weight of 9 kN/m",
             (Fails, "anchorage"),
@@ -163,6 +205,71 @@ fn gaps() -> Vec<Tank> {
             ],
         ),
         tank(
+            "engine-without-site",
+            "no site: what the record has to stand for is not known",
+            (Incomplete, "ground_motion"),
+            vec![
+                without_records(),
+                json!({ "site": null, "tank": { "foundation": { "kind": "soil", "shear_wave_velocity": "300 m/s" } } }),
+                anchors(90000.0),
+            ],
+        ),
+        tank(
+            "engine-damage-limitation",
+            "the run is one earthquake; the frequent one is not run",
+            (Incomplete, "damage_limitation"),
+            vec![only_ec8()],
+        )
+        .open(&["damage_limitation"]),
+        tank(
+            "engine-shear-transfer",
+            "the run does not give the shear of the welds",
+            (Incomplete, "shear_transfer"),
+            vec![only_api()],
+        )
+        .open(&["shear_transfer"]),
+        tank(
+            "engine-bearing-api",
+            "the pressure on the ground is that of Eurocode 8",
+            (Incomplete, "bearing_api"),
+            vec![only_api()],
+        )
+        .open(&["bearing_api"]),
+        tank(
+            "engine-plate-of-a-lifted-wall",
+            "the run gives the rotation of the joint, not membrane stress and lifted width of the plate",
+            (Incomplete, "uplift"),
+            vec![
+                only_ec8(),
+                unanchored(),
+                accept(&["uplift_tension", "equivalent_stress_at_base"]),
+            ],
+        )
+        .open(&["uplift"])
+        .run(1.5),
+        tank(
+            "engine-snow-unknown",
+            "a roof of 30 t, and nothing is said of snow",
+            (Incomplete, "snow"),
+            vec![only_ec8(), json!({ "tank": { "roof": { "mass": "30 t" } } })],
+        ),
+        tank(
+            "engine-internals-unknown",
+            "nothing is said of equipment in the liquid",
+            (Incomplete, "internals"),
+            vec![only_api(), json!({ "tank": { "internals": null } })],
+        ),
+        tank(
+            "engine-annular-weld-unknown",
+            "an annular plate of 12 mm is butt-welded, and nothing is said of its weld",
+            (Incomplete, "annular_weld"),
+            vec![
+                only_api(),
+                unanchored(),
+                json!({ "tank": { "bottom": { "thickness": "12 mm" } } }),
+            ],
+        ),
+        tank(
             "engine-friction-missing",
             "no friction is given",
             (Incomplete, "sliding"),
@@ -188,7 +295,11 @@ fn gaps() -> Vec<Tank> {
             "engine-box",
             "the strength of a box is not implemented",
             (Incomplete, "wall_strength"),
-            vec![only_ec8(), plates::broad(), accept(&["anchorage"])],
+            vec![
+                only_ec8(),
+                plates::broad(),
+                accept(&["anchorage", "anchor_count", "anchor_spacing", "other_direction"]),
+            ],
         ),
         tank(
             "engine-roof-impact",

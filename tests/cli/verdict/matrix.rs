@@ -84,13 +84,22 @@ fn page() -> String {
         };
         table(&mut page, procedure.id(), &kinds, (longest, &lists));
     }
-    let of_runs = |case: &Case| time_history::limit_states(case, &time_history::counted(case, &[]));
+    let decides = ["fe".to_owned()];
+    let of_runs = |case: &Case| time_history::limit_states(case, &time_history::counted(case, &decides));
     let lists: Vec<Vec<LimitState>> = kinds.iter().map(|(_, case)| of_runs(case)).collect();
     page.push_str("\n## Finite-element runs under the record (`fe`, `fe-solid`, `fe-nonlinear`), both codes\n\n");
-    page.push_str("`fe-nonlinear` of a rectangle gives wave and base shear alone.\n\n");
-    // That of the rectangle, which has a limit state of its own.
-    let longest = lists.iter().max_by_key(|list| list.len()).unwrap_or(&lists[0]);
-    table(&mut page, "fe", &kinds, (longest, &lists));
+    page.push_str(
+        "Of a run that decides alone (`procedures.decide: [\"fe\"]`): it has every limit state that the codes ask for. Where a code decides \
+         beside it, or the codes decide, those that only the codes have are theirs. `fe-nonlinear` of a rectangle gives wave and base shear \
+         alone.\n\n",
+    );
+    let mut all: Vec<LimitState> = Vec::new();
+    for state in lists.iter().flatten() {
+        if !all.iter().any(|known| known.id == state.id) {
+            all.push(state.clone());
+        }
+    }
+    table(&mut page, "fe", &kinds, (&all, &lists));
     page
 }
 
@@ -155,4 +164,104 @@ fn each_limit_state_has_a_tank() {
         }
     }
     assert!(bare.is_empty(), "{bare:?}");
+}
+
+/// Limit states of a code that a run answers under another id: strength of concrete walls, overturning, anchorage ratio, tension, attachment.
+const ANSWERED_AS: [(&str, &str); 9] = [
+    ("wall_tension_and_bending", "wall_strength"),
+    ("wall_shear", "wall_strength"),
+    ("crack_width", "wall_strength"),
+    ("overturning", "uplift_tension"),
+    ("upper_compression", "shell_compression"),
+    ("anchorage_ratio", "uplift_tension"),
+    ("anchor_tension", "anchorage"),
+    ("bearing", "bearing_api"),
+    ("pressure_hoop", "design_pressure"),
+];
+
+/// A run that decides alone has a check for every limit state that its code asks of the tank, and none of them is "not required" but where
+/// nothing pulls, lifts or rises.
+#[test]
+fn a_run_that_decides_alone_answers_its_codes() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let decides = json!({ "procedures": { "decide": ["fe"] } });
+    let kinds = [
+        ("steel anchored", vec![]),
+        ("steel unanchored", vec![unanchored()]),
+        ("concrete anchored", vec![concrete()]),
+        ("broad box", vec![plates::broad()]),
+        (
+            "under pressure",
+            vec![json!({ "site": { "api650": { "design_pressure": "1 kPa" } } })],
+        ),
+    ];
+    let spared = [
+        ("anchorage", "does not pull"),
+        ("anchor_attachment", "does not pull"),
+        ("connections", "does not pull"),
+        ("connections", "stays on the ground"),
+        ("uplift_tension", "stays on the ground"),
+        ("uplift", "stays on the ground"),
+        ("annulus_width", "stays on the ground"),
+        ("annular_weld", "thicker than 10 mm"),
+        ("shell_support", "stands on the ground"),
+        // E.7.6 is for self-anchored tanks.
+        ("sliding", "E.7.6"),
+    ];
+    for (title, changes) in kinds {
+        for (code, site) in [("ec8-2006", only_ec8()), ("api650-2020", only_api())] {
+            let changes = [
+                vec![decides.clone()],
+                changes.clone(),
+                vec![site, json!({ "accepted": [] })],
+            ]
+            .concat();
+            let tank = Tank::new(title, "", Expected::NotAssessed, changes).run(0.1);
+            let results = tank
+                .results(home.path())
+                .unwrap_or_else(|error| panic!("{title}: {error}"));
+            let run = deciding(&results).find(|m| m.id == "fe").expect("the run decides");
+            let path = home.path().join("tank.json");
+            let case = read_tank(&path).expect("a good tank").case;
+            let procedure = codes::ALL.iter().find(|p| p.id() == code).expect("a procedure");
+            for state in procedure.limit_states(&case) {
+                if matches!(state.requirement, Requirement::NotApplicable(_)) {
+                    continue;
+                }
+                let renamed = ANSWERED_AS.iter().filter(|(id, _)| *id == state.id).map(|(_, id)| *id);
+                let ids: Vec<&str> = renamed.chain([state.id]).collect();
+                let checks = run.checks.iter().filter(|c| ids.contains(&c.limit_state.as_str()));
+                let checks: Vec<_> = checks.collect();
+                assert!(!checks.is_empty(), "{title}, {code}: {} has no check", state.id);
+                for check in checks
+                    .iter()
+                    .filter(|c| c.status == tank::assessment::CheckStatus::NotApplicable)
+                {
+                    let known = spared
+                        .iter()
+                        .any(|(id, why)| *id == check.limit_state && check.reason.contains(why));
+                    assert!(known, "{title}, {code}: {} is not asked: {}", check.id, check.reason);
+                }
+            }
+        }
+    }
+}
+
+/// Beside a code that decides, a run has no limit state that the code alone checks.
+#[test]
+fn a_run_beside_its_code_leaves_it_its_own() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (_, case) = kinds(home.path()).remove(0);
+    let states = |decide: &[&str]| {
+        let decide: Vec<String> = decide.iter().map(|id| (*id).to_owned()).collect();
+        let list = time_history::limit_states(&case, &time_history::counted(&case, &decide));
+        list.iter().map(|state| state.id).collect::<Vec<_>>()
+    };
+    for decide in [&[][..], &["ec8-2006", "fe"], &["api650-2020", "fe"]] {
+        let found = states(decide);
+        for id in ["anchor_count", "anchor_spacing", "shear_transfer", "snow"] {
+            assert!(!found.contains(&id), "{decide:?}: {id}");
+            assert!(states(&["fe"]).contains(&id), "{id}");
+        }
+    }
 }

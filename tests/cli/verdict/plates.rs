@@ -7,7 +7,14 @@ use super::engine::tank;
 use super::*;
 
 /// What no engine checks of a box, accepted.
-const OPEN: &[&str] = &["wall_strength", "anchorage", "plane_walls"];
+const OPEN: &[&str] = &[
+    "wall_strength",
+    "anchorage",
+    "anchor_count",
+    "anchor_spacing",
+    "other_direction",
+    "plane_walls",
+];
 
 /// A box of concrete, 20 m long, with walls 4 m high and 3 m of water.
 ///

@@ -78,6 +78,67 @@ fn none_is_an_answer() {
     assert_eq!(piping.status, CheckStatus::NotApplicable);
 }
 
+/// A tank stated anchored whose anchors or foundation are "none": what needs them says so, in each code and in a run, in place of "missing".
+#[test]
+fn a_part_that_the_file_denies_is_not_said_to_be_missing() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let of = |part: &str| json!({ "tank": { part: "none" }, "accepted": [] });
+    let alone = json!({ "procedures": { "decide": ["fe"] } });
+    let strong = json!({ "site": { "ec8": { "ag": "0.4 g" }, "api650": { "ss": 1.2, "s1": 0.4, "bearing_capacity": "300 kPa" } } });
+    for (part, method, states) in [
+        (
+            "anchors",
+            "ec8-2006",
+            &["anchorage", "anchor_count", "anchor_spacing"][..],
+        ),
+        (
+            "anchors",
+            "api650-2020",
+            &["anchor_tension", "anchor_attachment", "anchor_count", "anchor_spacing"],
+        ),
+        ("anchors", "fe", &["anchorage", "anchor_count", "anchor_spacing"]),
+        ("foundation", "api650-2020", &["shell_support", "bearing"]),
+    ] {
+        let mut changes = vec![of(part), strong.clone()];
+        changes.extend((method == "fe").then(|| alone.clone()));
+        let tank = Tank::new("denied", "", Expected::NotAssessed, changes).run(2.0);
+        let results = tank.results(home.path()).expect("the input is good");
+        let site =
+            |m: &&Method| m.id == method && (method == "fe" || m.excitation == tank::assessment::Excitation::Site);
+        let column = results.methods.iter().find(site).expect("the method");
+        for state in states {
+            let check = column.checks.iter().find(|c| c.limit_state == *state).expect(state);
+            assert_eq!(check.status, CheckStatus::NotChecked, "{method} {state}");
+            let said = format!("`tank.{part}` is \"none\", and `tank.support` is \"anchored\"");
+            assert!(
+                check.reason.contains(&said) && !check.reason.contains("missing"),
+                "{method} {state}: {}",
+                check.reason
+            );
+            assert_eq!(
+                check.input.as_deref(),
+                Some(format!("tank.{part}").as_str()),
+                "{method} {state}"
+            );
+        }
+    }
+    // A self-anchored shell on the ground has no concrete under it.
+    let on_ground = vec![only_api(), unanchored(), of("foundation")];
+    let tank = Tank::new("on-ground", "", Expected::NotAssessed, on_ground);
+    let results = tank.results(home.path()).expect("the input is good");
+    let api = results
+        .methods
+        .iter()
+        .find(|m| m.id == "api650-2020")
+        .expect("the code");
+    let support = api
+        .checks
+        .iter()
+        .find(|c| c.limit_state == "shell_support")
+        .expect("a limit state");
+    assert_eq!(support.status, CheckStatus::NotApplicable);
+}
+
 /// Another word, a number or a list is not an answer; the message says what is.
 #[test]
 fn other_words_are_refused() {

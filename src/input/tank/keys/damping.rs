@@ -15,10 +15,12 @@ const SLOSHING: Limits = Limits::from(0.0)
     .to(0.05)
     .usual(0.001, 0.01)
     .clause("EN 1998-4:2006 2.3.3 has 0.005 for liquids");
+/// Largest usual ratio of any wall.
+pub(super) const USUAL: f64 = 0.1;
 /// Ratios of the wall: from 0.28 on the factor η of EN 1998-1 stays at 0.55.
 const IMPULSIVE: Limits = Limits::from(0.0)
     .to(0.28)
-    .usual(0.001, 0.1)
+    .usual(0.001, USUAL)
     .clause("EN 1998-1:2004 3.2.2.2, where η ends at 0.55");
 
 object! {
