@@ -128,7 +128,7 @@ fn beyond(job: &Job) -> Result<Option<[f64; 2]>, Error> {
     let Some(usable) = job.usable_periods.first().copied().flatten() else {
         return Ok(None);
     };
-    let sloshing = pipeline::sloshing_period(&pipeline::under(job, Excitation::Record)?);
+    let sloshing = pipeline::sloshing_period(&pipeline::procedures::under(job, Excitation::Record)?);
     Ok(sloshing
         .filter(|period| *period > usable)
         .map(|period| [usable, period]))

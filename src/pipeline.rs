@@ -8,6 +8,7 @@ mod design;
 pub mod ground_motion;
 mod measured;
 mod motion;
+pub mod procedures;
 mod quantities;
 mod runs;
 mod series;
@@ -15,43 +16,25 @@ mod site;
 mod standing;
 mod unsaid;
 
-use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::Procedure;
 use codes::base_state;
-use codes::procedure::CodeError;
 use codes::time_history::{self, Findings, Ready};
 use fem::progress::Progress;
 use tank::Quantity;
-use tank::assessment::{Assessment, Check, Excitation};
+use tank::assessment::Check;
 use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
 use self::columns::Columns;
 pub use self::design::{Design, Records};
-use self::quantities::quantities;
+use self::procedures::{Assessed, assess};
 use crate::error::Error;
 use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{Context, Incomplete};
-use results::{EngineId, FORMAT, Method, RecordSummary, Results, Series, Snapshots, Status, Verdict, Volatile, finite};
-
-/// Ids of the procedures to run, in report order; an empty list means all.
-///
-/// Errors: an unknown id, with the known ones.
-pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
-    let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
-    if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        let text = format!("procedures: found `{unknown}`, expected any of {}", known.join(", "));
-        return Err(Error::input(Code::UnknownId, text));
-    }
-    Ok(known
-        .iter()
-        .filter(|id| ids.is_empty() || ids.iter().any(|i| i == *id))
-        .map(|id| id.to_string())
-        .collect())
-}
+use results::{EngineId, FORMAT, Method, RecordSummary, Results, Series, Snapshots, Verdict, Volatile, finite};
 
 /// Results of a job.
 #[derive(Clone, Debug)]
@@ -224,43 +207,12 @@ pub fn draw(job: &Job, results: &mut Results) -> Result<(), Error> {
     Ok(())
 }
 
-/// The code procedures and their verdict, without engines, spectra and comparison.
-///
-/// Errors: a procedure that does not converge, a result that is not finite.
-pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
-    let methods: Vec<Method> = assess(job)?.into_iter().map(|(method, _)| method).collect();
-    finite::check("the procedures", &methods)?;
-    let verdict = Verdict {
-        unstated: job.decision.unstated.clone(),
-        overruled: decision::overruled(job, &methods),
-        ..results::verdict(&methods, decision::deciding(job, &methods), false, None)
-    };
-    Ok((methods, verdict))
-}
-
-/// The code procedures under one excitation.
-///
-/// Errors: a procedure that does not converge, a result that is not finite.
-pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
-    let chosen = codes::ALL
-        .iter()
-        .filter(|p| job.procedures.iter().any(|id| id == p.id()));
-    let methods: Vec<Method> = chosen
-        .map(|procedure| method(*procedure, job, excitation).map(|(method, _)| method))
-        .collect::<Result<_, _>>()?;
-    finite::check("the procedures", &methods)?;
-    Ok(methods)
-}
-
 /// The checks of the demands of the first engine under the record times a factor, which is 1 where the response is not linear.
 pub fn checks_of_demands(job: &Job, ready: &Ready<'_>, factor: f64) -> Vec<Check> {
     let judges = time_history::counted(&job.case, &job.decision.decide);
     let found = time_history::assess_at(&job.case, &judges, (ready, factor), &BTreeMap::new());
     decision::checks_of_run(job, results::FE, found.checks)
 }
-
-/// A procedure's column, and what its quantities are made of.
-type Assessed = (Method, Vec<Ingredients>);
 
 /// Results of the procedures, the records and the engines, and the reason if those of the engines are incomplete.
 type Computed = (Vec<Assessed>, Vec<RecordSummary>, Vec<Simulation>, Option<Incomplete>);
@@ -286,80 +238,6 @@ fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, E
     let mut simulations: Vec<Simulation> = first.transpose()?.into_iter().collect();
     let missing = runs::beside(job, &mut simulations, progress)?;
     Ok((methods, records, simulations, missing))
-}
-
-/// All chosen procedures under all excitations the case offers.
-fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
-    let mut excitations = Vec::new();
-    if job.case.ground_motion.is_some() {
-        excitations.push(Excitation::Record);
-    }
-    if job.case.site.is_given() {
-        excitations.push(Excitation::Site);
-    }
-    let chosen = |p: &&&dyn Procedure| job.procedures.iter().any(|id| id == p.id());
-    let mut methods = Vec::new();
-    for &excitation in &excitations {
-        for procedure in codes::ALL.iter().filter(chosen) {
-            methods.push(method(*procedure, job, excitation)?);
-        }
-    }
-    methods.extend(
-        codes::ALL
-            .iter()
-            .filter_map(|p| Some((decision::left_out(*p, job)?, Vec::new()))),
-    );
-    Ok(methods)
-}
-
-/// One procedure under one excitation as a column of the comparison.
-fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Result<Assessed, Error> {
-    let not_applicable =
-        |clause: String, reason: String| (Assessment::default(), Status::NotApplicable { clause, reason });
-    let (assessment, status) = match procedure.assess(&job.case, excitation) {
-        Ok(assessment) => (assessment, Status::Computed),
-        Err(CodeError::NotApplicable(n)) => not_applicable(n.clause, n.reason),
-        Err(CodeError::Data { clause, reason }) => not_applicable(clause, reason),
-        Err(source) => {
-            return Err(Error::Code {
-                procedure: procedure.id().into(),
-                source,
-            });
-        }
-    };
-    let (mut assumptions, ingredients) = (assessment.assumptions, assessment.ingredients);
-    let across = job.case.ground_motion.as_ref().and_then(|m| m.transverse.as_ref());
-    if matches!(
-        (&status, excitation, across),
-        (Status::Computed, Excitation::Record, Some(_))
-    ) {
-        assumptions.push("One horizontal component: the record along x alone, without that along y.".into());
-    }
-    if let (Status::Computed, Some(layered)) = (&status, runs::layers(job)) {
-        assumptions.push(layered.into());
-    }
-    let checks = match &status {
-        Status::Computed => decision::checks(procedure, job, excitation, assessment.checks),
-        Status::NotApplicable { clause, reason } => {
-            decision::not_covered(procedure, job, excitation, &format!("{clause}: {reason}"))
-        }
-    };
-    let label = procedure.label();
-    let method = Method {
-        label: label.short.into(),
-        figure_key: label.figure_key.into(),
-        status,
-        quantities: quantities(&assessment.values),
-        steps: assessment.steps,
-        checks,
-        profiles: assessment.profiles,
-        assumptions,
-        notes: assessment.notes,
-        beyond_scope: assessment.beyond_scope,
-        hold_down: assessment.hold_down,
-        ..Method::new(procedure.id(), label.title, excitation)
-    };
-    Ok((method, ingredients))
 }
 
 /// Periods of the tank [s]: the first modes of the engine, or those of the procedures without an engine.

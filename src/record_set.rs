@@ -211,7 +211,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         let job = under(&set, i);
         let of_record = |error: Error| named(error, &set.records[i].id);
         let mut run = Under {
-            methods: pipeline::under(&job, Excitation::Record).map_err(of_record)?,
+            methods: pipeline::procedures::under(&job, Excitation::Record).map_err(of_record)?,
             ..Under::default()
         };
         if let Some(mut found) = run_engine(&job, shared.as_ref(), i == shown, progress).map_err(of_record)? {

@@ -48,7 +48,7 @@ impl Solution {
 pub fn run(job: &Job, variable: Variable) -> Result<Solution, Error> {
     let given = variable.given(&job.case)?;
     let range = variable.range(&job.case);
-    let (methods, reference) = pipeline::decide(job)?;
+    let (methods, reference) = pipeline::procedures::decide(job)?;
     let solution = |found, evaluations| Solution {
         variable,
         given,
@@ -64,7 +64,7 @@ pub fn run(job: &Job, variable: Variable) -> Result<Solution, Error> {
     let mut job = reduced(job, &reference);
     let answer = |value: f64| {
         variable.set(&mut job.case, value);
-        match pipeline::decide(&job) {
+        match pipeline::procedures::decide(&job) {
             Ok((methods, verdict)) => classify(&reference, &methods, verdict),
             // A procedure that does not converge at a remote value.
             Err(error) => Answer::Outside(error.to_string()),

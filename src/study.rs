@@ -38,6 +38,7 @@ pub mod folder;
 pub mod keep;
 mod key;
 pub mod merge;
+pub mod merged;
 mod page;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -107,7 +107,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
         transverse: None,
         vertical: None,
     });
-    let procedures = pipeline::select_procedures(&file.procedures)
+    let procedures = pipeline::procedures::select_procedures(&file.procedures)
         .map_err(|e| refused(&e))
         .ok()?;
     let mut fe = file.fe;

@@ -101,7 +101,8 @@ impl Inputs {
                 ),
             ));
         }
-        let selected = crate::pipeline::select_procedures(self.procedures.as_ref().unwrap_or(&tank.procedures))?;
+        let selected =
+            crate::pipeline::procedures::select_procedures(self.procedures.as_ref().unwrap_or(&tank.procedures))?;
         let decision = self.decision(tank.decision.clone(), &selected)?;
         let given = tank.record;
         let file = source("tank", &self.tank, &tank.sha256);

@@ -55,7 +55,7 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
             .resolved(tank, &format!("{place}: "))
             .and_then(|job| {
                 shaken(&job)?;
-                let (_, verdict) = pipeline::decide(&job)?;
+                let (_, verdict) = pipeline::procedures::decide(&job)?;
                 let solved = variable.map(|v| crate::solve::run(&job, v)).transpose()?;
                 Ok((verdict, solved))
             })

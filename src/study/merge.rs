@@ -13,7 +13,8 @@ use fem::progress::Progress;
 use tank::Quantity;
 
 use super::curves::beside_each_other;
-use super::damage::{Gathered, Judged, Worst, judged};
+use super::damage::{Gathered, Judged, judged};
+use super::merged::Merged;
 use super::page::{Tanks, page};
 use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
@@ -22,7 +23,6 @@ use crate::error::Error;
 use files::code::Code;
 use files::error::describe;
 use files::write_whole;
-use results::Study;
 
 /// Names of the merged files.
 pub const FILES: &[&str] = &[
@@ -38,25 +38,6 @@ pub const FILES: &[&str] = &[
 /// Whether a merge writes a file of this name, the report and those of programs with other features included.
 pub fn writes(name: &str) -> bool {
     FILES.contains(&name) || ["rows.parquet", "report.html"].contains(&name)
-}
-
-/// What was merged.
-#[derive(Clone, Debug, Default)]
-pub struct Merged {
-    /// Rows.
-    pub rows: usize,
-    /// Rows by status.
-    pub by_status: BTreeMap<&'static str, usize>,
-    /// Tasks without a result.
-    pub missing: usize,
-    /// Those of them that have a damaged one.
-    pub damaged: usize,
-    /// Hash of rows.csv.
-    pub sha256: String,
-    /// What the report shows.
-    pub study: Option<Study>,
-    /// Tank → its worst row.
-    pub worst: BTreeMap<String, Worst>,
 }
 
 /// Merges the results of a study.

@@ -12,7 +12,7 @@ use tank::units::Dimension;
 
 use super::curves::{Fragility, RESAMPLES};
 use super::damage::{Data, Gathered};
-use super::merge::Merged;
+use super::merged::Merged;
 use super::plan::Plan;
 use super::rows::TankRow;
 use super::rule::RuleFound;

@@ -186,7 +186,7 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
             ..case.clone()
         },
         project: None,
-        procedures: pipeline::select_procedures(&[])?,
+        procedures: pipeline::procedures::select_procedures(&[])?,
         decision: decision.clone(),
         engines: Vec::new(),
         linear: Options::default(),
@@ -200,7 +200,7 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
         raw_records: Vec::new(),
         usable_periods: Vec::new(),
     };
-    let (methods, verdict) = pipeline::decide(&job)?;
+    let (methods, verdict) = pipeline::procedures::decide(&job)?;
     let decides = |m: &&Column| {
         verdict
             .deciding

@@ -211,7 +211,7 @@ impl Unit<'_> {
 
     fn rows(&self, tank: TankFile, lines: &mut Vec<Line>) -> Result<(), Error> {
         let mut job = self.job(&tank)?;
-        let (methods, verdict) = pipeline::decide(&job)?;
+        let (methods, verdict) = pipeline::procedures::decide(&job)?;
         let vertical = self.records.values().any(|r| r.up.is_some());
         let prepared = match self.study.engine {
             Some(EngineId::Harmonic) if !self.records.is_empty() => {
@@ -268,7 +268,7 @@ impl Unit<'_> {
     /// The job of a tank without a record.
     fn job(&self, tank: &TankFile) -> Result<Job, Error> {
         let named = self.study.procedures.clone().unwrap_or_else(|| tank.procedures.clone());
-        let procedures = pipeline::select_procedures(&named)?;
+        let procedures = pipeline::procedures::select_procedures(&named)?;
         // A procedure that decides in the tank file and does not run here decides nothing.
         let runs = |id: &String| !codes::ALL.iter().any(|p| p.id() == id) || procedures.contains(id);
         let decision = Decision {

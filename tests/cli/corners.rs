@@ -124,7 +124,10 @@ fn job(text: &str) -> Option<Job> {
     let mut job = Job {
         engines: vec![EngineId::Harmonic],
         raw_records: vec![record.clone()],
-        ..Job::of(tank, tankcheck::pipeline::select_procedures(&[]).expect("all"))
+        ..Job::of(
+            tank,
+            tankcheck::pipeline::procedures::select_procedures(&[]).expect("all"),
+        )
     };
     job.case.ground_motion = Some(GroundMotion {
         horizontal: record,

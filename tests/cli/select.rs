@@ -250,7 +250,7 @@ fn job(example: &str, vertical: bool) -> Job {
     let mut job = Job {
         engines: vec![EngineId::Harmonic],
         raw_records: vec![record.clone(); 2],
-        ..Job::of(tank, pipeline::select_procedures(&[]).unwrap())
+        ..Job::of(tank, pipeline::procedures::select_procedures(&[]).unwrap())
     };
     job.case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),

@@ -13,7 +13,7 @@ use crate::curves::runs::Method;
 use crate::error::{EXIT_OK, Error};
 use crate::study::plan::Plan;
 use crate::study::rows::RowStatus;
-use crate::study::{folder, keep, merge};
+use crate::study::{folder, keep, merge, merged};
 use files::{OutputFolder, text, write_whole};
 use report::{Level, REPORT_FILE};
 
@@ -112,7 +112,7 @@ const OTHER_METHOD: &str = ", or `\"method\": \"capacities\"` in the study file"
 const CURVES: [&str; 2] = ["curves", "of farm"];
 
 /// Curves of the tanks and of the farm: those that the data identify, and all.
-fn curves(found: &merge::Merged) -> [[usize; 2]; 2] {
+fn curves(found: &merged::Merged) -> [[usize; 2]; 2] {
     let count = |curves: &[results::StudyCurve]| {
         let fitted = curves.iter().filter(|curve| curve.fit.is_some());
         [fitted.count(), curves.len()]
@@ -125,7 +125,7 @@ fn curves(found: &merge::Merged) -> [[usize; 2]; 2] {
 }
 
 /// Runs the worst row of each tank again, with all that `compare` writes.
-fn keep_worst(folder: &Path, plan: &Plan, found: &merge::Merged, global: &Global) -> Result<(), Error> {
+fn keep_worst(folder: &Path, plan: &Plan, found: &merged::Merged, global: &Global) -> Result<(), Error> {
     let study = study_of(folder, plan)?;
     for (tank, row) in &found.worst {
         let started = Instant::now();

@@ -5,7 +5,6 @@ use std::fmt::Display;
 use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
-use crate::input::records::process::number;
 use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, MIN_PEAK, Processing};
 use files::code::{Code, Warning};
 use files::error::Error;
@@ -102,6 +101,12 @@ pub fn doubts(record: &Record, processing: &Processing) -> Vec<Warning> {
         )));
     }
     all
+}
+
+/// Five significant digits, without trailing zeros.
+pub(super) fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
+    format!("{rounded}")
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
-use crate::input::records::{MAX_SAMPLES, Processing, plausible};
+use crate::input::records::plausible::{self, number};
+use crate::input::records::{MAX_SAMPLES, Processing};
 use files::code::Code;
 use files::error::Error;
 
@@ -110,12 +111,6 @@ fn resample(record: &mut Record, dt: f64) -> Result<(), Error> {
     }
     record.processing.push(words);
     Ok(())
-}
-
-/// Five significant digits, without trailing zeros.
-pub(super) fn number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    format!("{rounded}")
 }
 
 #[cfg(test)]

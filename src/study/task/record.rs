@@ -103,7 +103,7 @@ impl Unit<'_> {
         row: &mut Row,
     ) -> Result<(), Error> {
         // A row keeps only the numbers of procedures and checks.
-        let procedures = || without_lines(|| pipeline::under(job, Excitation::Record));
+        let procedures = || without_lines(|| pipeline::procedures::under(job, Excitation::Record));
         let methods = match &job.case.ground_motion {
             Some(motion) => spectra.during(motion, factor, procedures)?,
             None => procedures()?,
