@@ -212,7 +212,7 @@ fn refused(answer: &clap::Error) -> u8 {
 }
 
 /// Prints the error of a failed run; returns its exit code.
-fn report_failure(error: &Error) -> u8 {
+pub(crate) fn report_failure(error: &Error) -> u8 {
     match error {
         // The user's text is already escaped; the remaining escapes are our own colours.
         Error::Files(files::error::Error::Faults(rendered)) => terminal::coloured(rendered.trim_end()),

@@ -39,7 +39,8 @@ verdict; 1 if a check fails at every value, 4 if there is no single answer.
 --table: each column head is a path of tank.json (tank.radius, liquid.fill_height, tank.courses[0].thickness,
 materials[\"A 36\"].yield_strength), each row a tank; an empty cell keeps the value of tank.json, a cell null removes it (tank.anchors of
 an unanchored tank). A column tag or id only names the tanks. The answer is the table with
-status, governing method and check, utilisation and, with --solve, the solved value. The exit code is that of the worst tank.
+status, governing method and check, utilisation and, with --solve, the solved value. The exit code is that of the worst tank; a row that
+is bad input is `refused`, its fault is on standard error, the other rows are computed, and the exit code is 2.
 
 Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
 4 something required was not checked, or nothing was assessed; with --strict also where a gap is accepted.")]

@@ -1,6 +1,8 @@
 //! `tankcheck diff`: two results folders, number by number.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod apart;
+
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -11,6 +13,7 @@ use crate::cli::table::{Mark, Table};
 use crate::cli::terminal::{print_coloured, print_marked, say, width};
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
+use apart::{Apart, differing};
 use files::code::Code;
 use files::text as visible;
 use files::{Kind, OutputFolder, write_whole};
@@ -149,14 +152,18 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let findings = || findings(only());
     let place = || args.new.join(results::RESULTS_FILE).to_string_lossy().into_owned();
     match args.format {
-        DiffFormat::Json => print(&json(&report, only()))?,
+        DiffFormat::Json => print(&json(&report, changes.as_ref()))?,
         DiffFormat::Human => print_marked(&human(&report, changes.as_ref(), (args.most, args.all)))?,
         DiffFormat::Csv => print(&csv(&report))?,
         DiffFormat::Junit => print(&findings::junit("tankcheck diff", &findings()))?,
         DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
         DiffFormat::Github => print_coloured(&findings::github(&place(), &findings()))?,
     }
-    // The other forms say it in their text.
+    let apart = changes.as_ref().and_then(|told| told.apart.as_ref());
+    // The other forms say both in their text.
+    if let (Some(apart), false) = (apart, matches!(args.format, DiffFormat::Json | DiffFormat::Human)) {
+        say!("note: {}", apart.words());
+    }
     if !(matches!(args.format, DiffFormat::Json | DiffFormat::Human) || report.not_compared.is_empty()) {
         say!("{}", not_compared(&report));
     }
@@ -323,6 +330,8 @@ fn together(text: &mut String, changes: &Changes) {
 
 /// What both results have beside their numbers.
 struct Told {
+    /// The tanks, where they are not the same.
+    apart: Option<Apart>,
     changes: Changes,
     /// Input that differs, a line each.
     input: Vec<String>,
@@ -338,6 +347,7 @@ impl Told {
         let key = |d: &Deciding| format!("{}/{}", d.method, d.excitation.word());
         let deciding = old.verdict.deciding.iter().chain(&new.verdict.deciding).map(key);
         Told {
+            apart: Apart::between(old, new),
             changes: Changes::between(old, new, rtol),
             input: input(old, new),
             deciding: deciding.collect(),
@@ -345,19 +355,12 @@ impl Told {
     }
 }
 
-/// Input that differs: path, old and new text.
+/// Input that differs in lines, the first of many.
 fn input(old: &Results, new: &Results) -> Vec<String> {
-    let map = |results: &'_ Results| -> BTreeMap<String, String> {
-        let lines = results.input.iter();
-        lines.map(|line| (line.path.clone(), line.text.clone())).collect()
-    };
-    let (old, new) = (map(old), map(new));
-    let paths: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
-    let text = |side: Option<&String>| side.map_or_else(|| "–".to_owned(), Clone::clone);
-    let mut lines: Vec<String> = paths
+    let text = |side: Option<String>| side.unwrap_or_else(|| "–".to_owned());
+    let mut lines: Vec<String> = differing(old, new)
         .into_iter()
-        .filter(|path| old.get(*path) != new.get(*path))
-        .map(|path| format!("{path}: {} -> {}", text(old.get(path)), text(new.get(path))))
+        .map(|(path, [old, new])| format!("{path}: {} -> {}", text(old), text(new)))
         .collect();
     if lines.len() > INPUT {
         let more = lines.len() - INPUT;
@@ -456,7 +459,9 @@ fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) ->
         ),
         (moved, _) => format!("{moved} moved"),
     };
-    let mut text = format!("{outcome} ({} values compared)\n", report.compared);
+    let apart = changes.and_then(|told| told.apart.as_ref());
+    let apart = apart.map_or(String::new(), |apart| format!("{}\n", visible::line(&apart.words())));
+    let mut text = format!("{apart}{outcome} ({} values compared)\n", report.compared);
     if !report.not_compared.is_empty() {
         let _ = writeln!(text, "{}", not_compared(report));
     }
@@ -501,7 +506,9 @@ fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) ->
     text
 }
 
-fn json(report: &Report, changes: Option<&Changes>) -> String {
+fn json(report: &Report, told: Option<&Told>) -> String {
+    let changes = told.map(|told| &told.changes);
+    let apart = told.and_then(|told| told.apart.as_ref());
     let moved: Vec<_> = report
         .moved
         .iter()
@@ -512,7 +519,7 @@ fn json(report: &Report, changes: Option<&Changes>) -> String {
     let text = format!(
         "{:#}\n",
         json!({"compared": report.compared, "not_compared": report.not_compared, "drifted": report.drifted,
-            "largest_drift": report.largest_drift, "moved": moved, "changes": changes})
+            "largest_drift": report.largest_drift, "moved": moved, "different_tanks": apart, "changes": changes})
     );
     visible::json(&text).into_owned()
 }

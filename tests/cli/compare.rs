@@ -158,6 +158,50 @@ fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
     assert!(stdout(&lost).contains("series.csv: columns"), "{}", stdout(&lost));
 }
 
+/// Two tanks are said to be two before anything else; one tank is not, whatever else differs.
+#[test]
+fn a_diff_of_two_tanks_says_so_first() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = |name: &str| home.path().join(name);
+    let run = |tank: &str, out: &str, more: &[&str]| {
+        let out = folder(out);
+        let run = tankcheck(&[&["check", tank, "--out", path(&out)], more].concat());
+        assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
+    };
+    let text = std::fs::read_to_string(TANK).expect("a tank");
+    let mut other: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    other["liquid"]["density"] = "1001 kg/m3".into();
+    let filled = home.path().join("filled.json");
+    std::fs::write(&filled, other.to_string()).expect("writable");
+    other["name"] = "Another tank".into();
+    let named = home.path().join("named.json");
+    std::fs::write(&named, other.to_string()).expect("writable");
+    run(TANK, "a", &[]);
+    run(TANK, "same", &["--quake", QUAKE]);
+    run(path(&filled), "filled", &[]);
+    run(path(&named), "named", &[]);
+    let [a, same, filled, named] = ["a", "same", "filled", "named"].map(folder);
+    let first = |old: &Path, new: &Path| {
+        let diff = tankcheck(&["diff", path(old), path(new)]);
+        stdout(&diff).lines().next().unwrap_or_default().to_owned()
+    };
+    for (new, parts) in [
+        (&filled, &["two different tanks", "1 value of tank"][..]),
+        (&named, &["two different tanks", "-> `Another tank`", "1 value of tank"]),
+    ] {
+        let line = first(&a, new);
+        assert!(parts.iter().all(|part| line.contains(part)), "{line}");
+        let json = tankcheck(&["diff", path(&a), path(new), "--format", "json"]);
+        let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+        assert_eq!(json["different_tanks"]["values"], 1);
+        let csv = tankcheck(&["diff", path(&a), path(new), "--format", "csv"]);
+        assert!(stderr(&csv).contains("two different tanks") && stdout(&csv).starts_with("path,"));
+    }
+    assert!(first(&filled, &named).contains("the same values"));
+    assert!(!first(&a, &a).contains("two different"));
+    assert!(!first(&a, &same).contains("two different"));
+}
+
 #[test]
 fn the_report_is_rendered_again_from_the_folder_alone() {
     let home = tempfile::tempdir().expect("a temporary folder");

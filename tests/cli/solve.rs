@@ -343,8 +343,8 @@ fn bad_tables_name_line_and_column() {
         &["tanks.csv:1:6", "a list, expected one value"],
     );
     check(
-        "name,tank.radius\na,5 m\nb,5 kg\n",
-        &["tanks.csv:3:3", "5 kg", "tank.radius"],
+        "name,tank.radius\na,5 t\nb,5 kg\n",
+        &["tanks.csv:3:3", "5 kg", "tank.radius", "tanks.csv:2:3", "5 t"],
     );
     check("name,tank.radius\na,5\n", &["tanks.csv:2:3", "unit"]);
     check(
@@ -367,6 +367,53 @@ fn bad_tables_name_line_and_column() {
         &["check", text(&base), "--solve", "ag", "--out", text(&out)],
         &["cannot be used with"],
     );
+}
+
+/// A bad row is refused with its fault, the others are computed as without it; the exit code is that of bad input, whatever the others are.
+#[test]
+fn a_bad_row_does_not_refuse_the_table() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let base = written(home.path(), "tank.json", &basin());
+    let check = |rows: &str, more: &[&str]| {
+        let table = written(home.path(), "tanks.csv", &format!("tag,liquid.fill_height\n{rows}"));
+        tankcheck(&[&["check", text(&base), "--table", text(&table)], more].concat())
+    };
+    let lines = |run: &std::process::Output| stdout(run).lines().map(str::to_owned).collect::<Vec<_>>();
+    let good = lines(&check("a,8 m\nc,9.9 m\n", &[]));
+    for bad in ["8 kg", "80 m", "0 m"] {
+        let run = check(&format!("a,8 m\nb,{bad}\nc,9.9 m\n"), &[]);
+        assert_eq!(run.status.code(), Some(2), "{bad}: {}", stderr(&run));
+        let found = lines(&run);
+        assert_eq!(found[2], format!("b,{bad},refused,,,"));
+        assert_eq!([&found[0], &found[1], &found[3]], [&good[0], &good[1], &good[2]]);
+        let said = stderr(&run);
+        assert!(
+            said.contains("tanks.csv:3") && said.contains("1 of 3 rows is refused"),
+            "{said}"
+        );
+    }
+    let solved = check("a,8 m\nb,8 kg\n", &["--solve", "fill_height"]);
+    assert_eq!(lines(&solved)[2], "b,8 kg,refused,,,,,,");
+    assert_eq!(solved.status.code(), Some(2));
+}
+
+/// Names in two rows are warned of with both lines; both rows are computed.
+#[test]
+fn rows_with_one_tag_are_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let base = written(home.path(), "tank.json", &basin());
+    for head in ["tag", "id"] {
+        let rows = format!("{head},liquid.fill_height\nT1,8 m\nT2,8 m\nT1,7 m\n,6 m\n,5 m\n");
+        let table = written(home.path(), "tanks.csv", &rows);
+        let run = tankcheck(&["check", text(&base), "--table", text(&table)]);
+        let said = stderr(&run);
+        let named: Vec<&str> = said.lines().filter(|line| line.contains("the same")).collect();
+        assert_eq!(named.len(), 1, "{said}");
+        for part in ["tanks.csv:4", "tanks.csv:2", head, "`T1`"] {
+            assert!(named[0].contains(part), "{said}");
+        }
+        assert_eq!(stdout(&run).lines().count(), 6);
+    }
 }
 
 /// 8 m = 26.2467 ft, whose five digits are rounded down, to the side that holds. The terminal follows `--report-units` and `project.units`; JSON stays in SI.
