@@ -148,9 +148,15 @@ mod tests {
     /// Computed outside this program: 0.569468, 0.394104.
     #[test]
     fn ten_capacities() {
-        let found = fit(&CAPACITIES).unwrap().curve;
+        let Fit {
+            curve: found,
+            negative_log_likelihood: least,
+            ..
+        } = fit(&CAPACITIES).unwrap();
         assert!((found.median - 0.569_468).abs() < 1e-6);
         assert!((found.dispersion - 0.394_104).abs() < 1e-6);
+        // n ln β + Σ u²/2, in which Σ u² is n − 1.
+        assert!((least - (10.0 * found.dispersion.ln() + 4.5)).abs() < 1e-12);
     }
 
     /// Without censored runs the maximum is known in closed form: the mean of the logarithms and their deviation with n.
