@@ -439,3 +439,6 @@ fn slopes(rotations: &[f64], row: &[Turn]) -> Vec<f64> {
     slopes.push(secants[secants.len() - 1].1);
     slopes
 }
+
+#[cfg(test)]
+mod tests;

@@ -65,5 +65,16 @@ mod tests {
             assert_eq!(nodes.last(), Some(&length));
             assert_eq!(nodes.iter().any(|x| (x - 0.7123).abs() < 1e-12), length > 0.7123);
         }
+        // One thickness at the rim and at most 30 mm as far as the plate may lift, over the refinement.
+        for refinement in [1.0, 2.0] {
+            let nodes = nodes(&bands, 1e8, 20.0, (refinement, 3.0));
+            let widths = |to: f64| nodes.windows(2).filter(move |w| w[1] <= to).map(|w| w[1] - w[0]);
+            let largest = widths(3.0).fold(0.0, f64::max);
+            // A node moves by half a width to where the thickness changes.
+            assert!((0.03..0.0451).contains(&(refinement * largest)), "{largest}");
+            assert!((refinement * nodes[1] - 0.01).abs() < 1e-12);
+            // A twentieth of the length beyond; the last one has the sliver that is left.
+            assert!(refinement * widths(20.0).fold(0.0, f64::max) <= 1.5);
+        }
     }
 }

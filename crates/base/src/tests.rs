@@ -205,6 +205,96 @@ fn parameters_without_meaning_are_refused() {
         ..plate(0.01)
     };
     assert!(Strip::new(Bands::uniform(steel), Rim::Hinged, 1.0, 1e8, 1e5, Plan::Round).is_err());
+    for wrong in [
+        plate(0.0),
+        Plate {
+            young_modulus: f64::NAN,
+            ..steel
+        },
+        Plate {
+            poisson_ratio: 0.5,
+            ..steel
+        },
+        Plate {
+            yield_stress: Some(0.0),
+            ..steel
+        },
+    ] {
+        for bands in [Bands::uniform(wrong), Bands::annular(steel, 0.5, wrong)] {
+            assert!(Strip::new(bands, Rim::Hinged, 1.0, 1e8, 1e5, Plan::Strip).is_err());
+        }
+    }
+}
+
+/// An element belongs to the plate on which both of its nodes lie.
+#[test]
+fn elements_have_the_plate_of_their_place() {
+    let bands = Bands::annular(plate(0.01), 0.7123, plate(0.006));
+    let strip = Strip::new(bands, Rim::Hinged, 3.0, 1e8, 1e5, Plan::Strip).unwrap();
+    for (i, ends) in strip.nodes.windows(2).enumerate() {
+        let wanted = if 3.0 - ends[0] < 0.7123 + 1e-9 { 0.01 } else { 0.006 };
+        assert_eq!(strip.plate(i).thickness, wanted, "{ends:?}");
+    }
+}
+
+fn point(uplift: f64, hold_down: f64) -> Point {
+    Point {
+        uplift,
+        hold_down,
+        rotation: 10.0 * uplift,
+        rim_moment: 3.0 - uplift,
+        axial_force: 2.0 * uplift,
+        lifted_width: 4.0 * uplift,
+        plastic_rotation: 1.0 + uplift,
+    }
+}
+
+/// What is linear in the uplift is that between the points, too.
+#[test]
+fn a_curve_is_linear_between_its_points() {
+    let curve = Curve::through(vec![point(-0.1, -5.0), point(0.1, 5.0), point(0.5, 25.0)]);
+    for uplift in [-0.1, 0.04, 0.2, 0.5] {
+        let (found, wanted) = (curve.at(uplift), point(uplift, 50.0 * uplift));
+        for (a, b) in [
+            (found.hold_down, wanted.hold_down),
+            (found.rotation, wanted.rotation),
+            (found.rim_moment, wanted.rim_moment),
+            (found.axial_force, wanted.axial_force),
+            (found.lifted_width, wanted.lifted_width),
+            (found.plastic_rotation, wanted.plastic_rotation),
+        ] {
+            assert!((a - b).abs() < 1e-12, "{uplift}: {found:?}");
+        }
+    }
+}
+
+/// A rim that holds F = c p w under every pressure p: with p − s cos φ, w₀ + ψ R cos φ the sums are 2π R c (p w₀ − s ψ R/2) and
+/// π R² c (p ψ R − s w₀).
+#[test]
+fn a_rim_in_proportion_to_the_pressure_has_closed_sums() {
+    let (radius, p, c) = (4.0, 1e5, 30.0);
+    let curve = |pressure: f64| {
+        let at = |w: f64| point(w, c * pressure * w);
+        (pressure, Curve::through([-1.0, -0.3, 0.0, 0.4, 1.0].map(at).to_vec()))
+    };
+    let base = Rocking::new(radius, 1e3, [p, 1.5 * p, 0.5 * p].map(curve).to_vec()).unwrap();
+    for (psi, centre, s) in [(0.0, 0.2, 4e4), (0.05, 0.1, 0.0), (0.05, -0.3, 2e4), (0.08, 0.5, -3e4)] {
+        let (force, moment) = base.sums(8, (psi, centre), s);
+        let wanted = std::f64::consts::TAU * radius * c * (p * centre - 0.5 * s * psi * radius);
+        assert!((force - wanted).abs() < 1e-6 * p, "{force} {wanted}");
+        let wanted = std::f64::consts::PI * radius * radius * c * (p * psi * radius - s * centre);
+        assert!((moment - wanted).abs() < 1e-6 * p, "{moment} {wanted}");
+        for side in [1.0, -1.0] {
+            let found = base.foot((side * psi, centre), side * 7.0, side * s);
+            let (up, toe) = (centre + psi * radius, centre - psi * radius);
+            // A base that does not turn has no other side.
+            let s = if psi == 0.0 { side * s } else { s };
+            assert!((found.uplift - up).abs() < 1e-12);
+            assert!((found.pull - c * (p - s) * up).abs() < 1e-6 * p, "{found:?}");
+            assert!((found.toe_force + c * (p + s) * toe).abs() < 1e-6 * p, "{found:?}");
+            assert!(psi == 0.0 || found.moment == 7.0);
+        }
+    }
 }
 
 /// Vesic's modulus satisfies its own equation, and stiffer soil is stiffer.

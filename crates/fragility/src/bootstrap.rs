@@ -126,6 +126,9 @@ mod tests {
         assert!((at.low - wanted(0.95)).abs() < 1e-12 && (at.high - wanted(0.05)).abs() < 1e-12);
         assert!((at.middle - wanted(0.5)).abs() < 1e-12);
         assert_eq!(envelope(&[], 1.0), None);
+        // Of 202 samples half identified a curve, of 203 fewer.
+        assert_eq!(summary(&found, 202).unwrap().not_identified, 101);
+        assert_eq!(summary(&found, 203), None);
     }
 
     /// The mean of n logarithms has the standard error s/√n: the band of ln θ, 3.29 of them wide, within a tenth for 2000 resamples.

@@ -87,42 +87,13 @@ pub fn fit_censored(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Result
         return Err(refusal);
     }
     let logs: Vec<f64> = capacities.iter().map(|c| c.ln()).collect();
-    // ln im, and the sign of u = sign (δ − γ ln im).
     let signed = |ims: &[f64], sign: f64| ims.iter().map(move |im| (im.ln(), sign)).collect::<Vec<_>>();
     let tails = [signed(beyond, 1.0), signed(below, -1.0)].concat();
     let n = logs.len() as f64;
     let mean = logs.iter().sum::<f64>() / n;
     let deviation = (logs.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / n).sqrt();
-    let likelihood = |[delta, gamma]: [f64; 2]| -> Local {
-        if gamma <= 0.0 {
-            return (f64::NEG_INFINITY, [0.0; 2], [0.0; 3]);
-        }
-        let (mut value, mut gradient) = (n * gamma.ln(), [0.0, n / gamma]);
-        let mut hessian = [0.0, 0.0, -n / gamma.powi(2)];
-        for log in &logs {
-            let residual = gamma * log - delta;
-            value -= 0.5 * residual * residual;
-            gradient[0] += residual;
-            gradient[1] -= residual * log;
-            hessian[0] -= 1.0;
-            hessian[1] += log;
-            hessian[2] -= log * log;
-        }
-        for &(end, sign) in &tails {
-            let u = sign * (delta - gamma * end);
-            let (tail, slope) = ln_cdf_and_slope(u);
-            let curvature = -slope * (slope + u);
-            value += tail;
-            gradient[0] += sign * slope;
-            gradient[1] -= sign * slope * end;
-            hessian[0] += curvature;
-            hessian[1] -= curvature * end;
-            hessian[2] += curvature * end * end;
-        }
-        (value, gradient, hessian)
-    };
     let start = [mean / deviation, 1.0 / deviation];
-    let found = newton::maximum(start, likelihood)
+    let found = newton::maximum(start, |x| likelihood(&logs, &tails, x))
         .filter(|f| f[1] > 0.0)
         .ok_or_else(|| NotIdentifiable::because("the likelihood has no maximum that was found"))?;
     Ok(Fit {
@@ -131,8 +102,41 @@ pub fn fit_censored(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Result
             dispersion: 1.0 / found[1],
         },
         n: logs.len() + tails.len(),
-        negative_log_likelihood: -likelihood(found).0,
+        negative_log_likelihood: -likelihood(&logs, &tails, found).0,
     })
+}
+
+/// ln L at δ and γ.
+///
+/// * `tails`: ln im of the runs without a capacity, and the sign of u = sign (δ − γ ln im)
+fn likelihood(logs: &[f64], tails: &[(f64, f64)], [delta, gamma]: [f64; 2]) -> Local {
+    if gamma <= 0.0 {
+        return (f64::NEG_INFINITY, [0.0; 2], [0.0; 3]);
+    }
+    let n = logs.len() as f64;
+    let (mut value, mut gradient) = (n * gamma.ln(), [0.0, n / gamma]);
+    let mut hessian = [0.0, 0.0, -n / gamma.powi(2)];
+    for log in logs {
+        let residual = gamma * log - delta;
+        value -= 0.5 * residual * residual;
+        gradient[0] += residual;
+        gradient[1] -= residual * log;
+        hessian[0] -= 1.0;
+        hessian[1] += log;
+        hessian[2] -= log * log;
+    }
+    for &(end, sign) in tails {
+        let u = sign * (delta - gamma * end);
+        let (tail, slope) = ln_cdf_and_slope(u);
+        let curvature = -slope * (slope + u);
+        value += tail;
+        gradient[0] += sign * slope;
+        gradient[1] -= sign * slope * end;
+        hessian[0] += curvature;
+        hessian[1] -= curvature * end;
+        hessian[2] += curvature * end * end;
+    }
+    (value, gradient, hessian)
 }
 
 #[cfg(test)]
@@ -144,9 +148,15 @@ mod tests {
     /// Computed outside this program: 0.569468, 0.394104.
     #[test]
     fn ten_capacities() {
-        let found = fit(&CAPACITIES).unwrap().curve;
+        let Fit {
+            curve: found,
+            negative_log_likelihood: least,
+            ..
+        } = fit(&CAPACITIES).unwrap();
         assert!((found.median - 0.569_468).abs() < 1e-6);
         assert!((found.dispersion - 0.394_104).abs() < 1e-6);
+        // n ln β + Σ u²/2, in which Σ u² is n − 1.
+        assert!((least - (10.0 * found.dispersion.ln() + 4.5)).abs() < 1e-12);
     }
 
     /// Without censored runs the maximum is known in closed form: the mean of the logarithms and their deviation with n.
@@ -204,6 +214,13 @@ mod tests {
         let found = fit_censored(seen, &below, &beyond).unwrap();
         is_likeliest(&found, &negative);
         assert_eq!(found.n, 10);
+    }
+
+    #[test]
+    fn derivatives_of_the_likelihood() {
+        let logs: Vec<f64> = CAPACITIES.iter().map(|c| c.ln()).collect();
+        let tails = [(0.7_f64.ln(), 1.0), (1.3_f64.ln(), 1.0), (0.4_f64.ln(), -1.0)];
+        newton::derivatives_agree([-1.1, 2.3], |x| likelihood(&logs, &tails, x));
     }
 
     /// Bounds of the median are those of all runs: one below 0.2 leaves no lower one, one beyond 0.9 no upper one.

@@ -93,23 +93,25 @@ fn logistic(runs: &[Run]) -> Option<[f64; 2]> {
         return None;
     }
     let centre = runs.iter().map(|r| r.im.ln()).sum::<f64>() / runs.len() as f64;
-    let likelihood = |[a, b]: [f64; 2]| -> Local {
-        let (mut value, mut g, mut h) = (0.0, [0.0; 2], [0.0; 3]);
-        for run in runs {
-            let x = run.im.ln() - centre;
-            let u = a + b * x;
-            let p = 1.0 / (1.0 + (-u).exp());
-            let z = f64::from(u8::from(run.demand.is_none()));
-            // ln p and ln(1 − p) without cancellation.
-            value -= if z > 0.0 { (-u).exp().ln_1p() } else { u.exp().ln_1p() };
-            let (d, c) = (z - p, -p * (1.0 - p));
-            g = [g[0] + d, g[1] + d * x];
-            h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
-        }
-        (value, g, h)
-    };
-    let [a, b] = newton::maximum([0.0, 0.0], likelihood)?;
+    let [a, b] = newton::maximum([0.0, 0.0], |at| likelihood(runs, centre, at))?;
     (b > 0.0).then_some([a - b * centre, b])
+}
+
+/// ln L of the collapses at the intercept a and the slope b on ln im − `centre`.
+fn likelihood(runs: &[Run], centre: f64, [a, b]: [f64; 2]) -> Local {
+    let (mut value, mut g, mut h) = (0.0, [0.0; 2], [0.0; 3]);
+    for run in runs {
+        let x = run.im.ln() - centre;
+        let u = a + b * x;
+        let p = 1.0 / (1.0 + (-u).exp());
+        let z = f64::from(u8::from(run.demand.is_none()));
+        // ln p and ln(1 − p) without cancellation.
+        value -= if z > 0.0 { (-u).exp().ln_1p() } else { u.exp().ln_1p() };
+        let (d, c) = (z - p, -p * (1.0 - p));
+        g = [g[0] + d, g[1] + d * x];
+        h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
+    }
+    (value, g, h)
 }
 
 impl Cloud {
@@ -217,6 +219,16 @@ mod tests {
         assert!((found.collapse_probability(1.0).unwrap() - 0.25).abs() < 1e-10);
         assert!((found.collapse_probability(2.0).unwrap() - 0.75).abs() < 1e-10);
         assert_eq!(found.collapsed, 16);
+    }
+
+    #[test]
+    fn derivatives_of_the_likelihood() {
+        let run = |k: u32| Run {
+            im: 0.3 * f64::from(k),
+            demand: (k % 3 > 0).then_some(1.0),
+        };
+        let runs: Vec<Run> = (1..=9).map(run).collect();
+        newton::derivatives_agree([-0.4, 1.3], |at| likelihood(&runs, 0.2, at));
     }
 
     /// With the collapses of two levels above, the total is P_nc (1 − P_c) + P_c at the median and one dispersion beside it; without any it is the

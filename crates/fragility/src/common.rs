@@ -109,22 +109,25 @@ mod tests {
         assert_eq!(crossing(&a, &curve(0.8, 0.6)), None);
     }
 
-    /// Exact shares of two curves of one dispersion: they are found again (1e-6: the shares are rounded to no whole numbers).
+    /// Exact shares of two curves of one dispersion: they are found again, in any unit of the intensity (1e-6: the shares are rounded to no
+    /// whole numbers).
     #[test]
     fn a_common_dispersion_is_found_again() {
-        let ims = [0.2, 0.4, 0.6, 0.9, 1.4];
-        let given = [curve(0.5, 0.45), curve(0.8, 0.45)];
-        let state = |c: &Lognormal| -> Vec<Stripe> {
-            let stripe = |&im: &f64| Stripe {
-                im,
-                n: 40.0,
-                exceed: 40.0 * c.probability(im),
+        for unit in [1.0, 0.01, 9.80665] {
+            let ims = [0.2, 0.4, 0.6, 0.9, 1.4];
+            let given = [curve(0.5 * unit, 0.45), curve(0.8 * unit, 0.45)];
+            let state = |c: &Lognormal| -> Vec<Stripe> {
+                let stripe = |im: &f64| Stripe {
+                    im: im * unit,
+                    n: 40.0,
+                    exceed: 40.0 * c.probability(im * unit),
+                };
+                ims.iter().map(stripe).collect()
             };
-            ims.iter().map(stripe).collect()
-        };
-        let found = fit(&given.iter().map(state).collect::<Vec<_>>()).unwrap();
-        for (a, b) in found.iter().zip(&given) {
-            assert!((a.median / b.median - 1.0).abs() < 1e-6 && (a.dispersion / b.dispersion - 1.0).abs() < 1e-6);
+            let found = fit(&given.iter().map(state).collect::<Vec<_>>()).unwrap();
+            for (a, b) in found.iter().zip(&given) {
+                assert!((a.median / b.median - 1.0).abs() < 1e-6 && (a.dispersion / b.dispersion - 1.0).abs() < 1e-6);
+            }
         }
     }
 }

@@ -111,7 +111,7 @@ mod tests {
             },
             Component {
                 id: "T<2>".into(),
-                states: vec![("DS1".into(), curve(3.0, 0.3))],
+                states: vec![("DS1".into(), curve(3.0, 0.3)), ("big  <leak>".into(), curve(5.0, 0.3))],
             },
         ]
     }
@@ -134,6 +134,8 @@ mod tests {
     fn nrml_gives_the_curve_back() {
         let text = nrml(&components(), "PGA", 1.0 / 9.80665, [0.5, 9.0]);
         assert!(text.contains("id=\"T&lt;2&gt;\""));
+        // A list has blanks between its names, not in them.
+        assert!(text.contains("<limitStates>DS1 DS2 big_&lt;leak&gt;</limitStates>"));
         let line = text.lines().find(|l| l.contains("params")).unwrap();
         let number = |key: &str| -> f64 {
             let rest = line.split_once(&format!("{key}=\"")).unwrap().1;

@@ -138,7 +138,7 @@ mod tests {
         assert_eq!(found.at_least, [Some(1.0), None]);
         assert_eq!(found.at_least_bounds, [[1.0, 1.0], [0.0, 1.0]]);
         assert_eq!((found.at_least_independent, found.mean_volume), (None, None));
-        assert_eq!(found.mean_volume_bounds, [3.0, 4.0]);
+        assert_eq!((found.largest_volume, found.mean_volume_bounds), (3.0, [3.0, 4.0]));
     }
 
     /// Equal shares are the binomial distribution: P(at least 2 of 4), p = 0.3, is 0.3483.

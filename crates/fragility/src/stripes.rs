@@ -94,7 +94,6 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
     // Centred, so that the two unknowns are nearly independent.
     let total: f64 = stripes.iter().map(|s| s.n).sum();
     let centre = stripes.iter().map(|s| s.n * s.im.ln()).sum::<f64>() / total;
-    // Intensity, runs, and the sign of u.
     let counts: Vec<(f64, f64, f64)> = stripes
         .iter()
         .flat_map(|stripe| {
@@ -103,21 +102,7 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
         })
         .filter(|(_, count, _)| *count > 0.0)
         .collect();
-    let likelihood = |[a, b]: [f64; 2]| -> Local {
-        let (mut value, mut g, mut h) = (0.0, [0.0; 2], [0.0; 3]);
-        for &(x, count, sign) in &counts {
-            let u = sign * (a + b * x);
-            let (tail, slope) = ln_cdf_and_slope(u);
-            let curvature = -slope * (slope + u);
-            value += count * tail;
-            let d = count * sign * slope;
-            g = [g[0] + d, g[1] + d * x];
-            let c = count * curvature;
-            h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
-        }
-        (value, g, h)
-    };
-    let found = newton::maximum([0.0, 1.0], likelihood)
+    let found = newton::maximum([0.0, 1.0], |at| likelihood(&counts, at))
         .ok_or_else(|| NotIdentifiable::because("the likelihood has no maximum that was found"))?;
     if found[1] <= 0.0 {
         return Err(NotIdentifiable::because(
@@ -133,6 +118,24 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
         n: total.round() as usize,
         negative_log_likelihood: negative_log_likelihood(stripes, &curve),
     })
+}
+
+/// ln L at a and b.
+///
+/// * `counts`: centred ln im, runs, and the sign of u = sign (a + b ln im)
+fn likelihood(counts: &[(f64, f64, f64)], [a, b]: [f64; 2]) -> Local {
+    let (mut value, mut g, mut h) = (0.0, [0.0; 2], [0.0; 3]);
+    for &(x, count, sign) in counts {
+        let u = sign * (a + b * x);
+        let (tail, slope) = ln_cdf_and_slope(u);
+        let curvature = -slope * (slope + u);
+        value += count * tail;
+        let d = count * sign * slope;
+        g = [g[0] + d, g[1] + d * x];
+        let c = count * curvature;
+        h = [h[0] + c, h[1] + c * x, h[2] + c * x * x];
+    }
+    (value, g, h)
 }
 
 #[cfg(test)]
@@ -160,6 +163,12 @@ mod tests {
         assert!((found.curve.dispersion - 0.454_259).abs() < 1e-6);
         assert!((found.negative_log_likelihood - 124.572).abs() < 1e-3);
         assert_eq!(found.n, 320);
+    }
+
+    #[test]
+    fn derivatives_of_the_likelihood() {
+        let counts = [(-0.7, 3.0, 1.0), (-0.7, 37.0, -1.0), (0.4, 22.0, 1.0), (0.9, 5.0, -1.0)];
+        newton::derivatives_agree([-0.3, 1.6], |at| likelihood(&counts, at));
     }
 
     /// A grid search does not use gradients.

@@ -308,6 +308,33 @@ mod tests {
         assert_eq!(status(vec![check("axial", 1.1)], true), VerdictStatus::Fails);
     }
 
+    /// The summary is green without a word only where everything required holds, nothing is accepted and every run reached its end.
+    #[test]
+    fn a_verdict_is_complete_without_accepted_gaps() {
+        let complete = |checks: Vec<Check>, unfinished: bool| {
+            let methods = [method("code", Excitation::Site, checks)];
+            verdict(&methods, decides("code"), unfinished, None).complete()
+        };
+        let fine = || check("hoop", 0.5);
+        assert!(complete(vec![fine(), missing(CheckStatus::NotApplicable)], false));
+        assert!(!complete(vec![fine(), missing(CheckStatus::Accepted)], false));
+        assert!(!complete(vec![fine(), missing(CheckStatus::NotChecked)], false));
+        assert!(!complete(vec![fine(), check("axial", 1.1)], false));
+        assert!(!complete(vec![fine()], true));
+        // A table read from a file may say "holds" of a run that stopped.
+        let methods = [method("code", Excitation::Site, vec![fine()])];
+        let held = verdict(&methods, decides("code"), false, None);
+        assert!(
+            !Verdict {
+                unfinished: true,
+                ..held.clone()
+            }
+            .complete()
+        );
+        assert!(held.decides(&methods[0]) && !held.decides(&method("code", Excitation::Record, vec![])));
+        assert_eq!(held.record, None);
+    }
+
     /// A tick needs a check of every method that decides, also of an engine that did not run.
     #[test]
     fn a_deciding_method_without_checks_leaves_the_verdict_open() {
@@ -368,11 +395,20 @@ mod tests {
         assert_eq!((found.status, found.counts.within_error), (VerdictStatus::Holds, 1));
         let text = serde_json::to_value(found.counts).unwrap();
         assert_eq!(text["within_error"], 1);
+        let text = serde_json::to_value(Counts::default()).unwrap();
+        assert_eq!(text.get("within_error"), None);
     }
 
-    /// A capacity of zero has no utilisation and governs.
+    /// A capacity of zero has no utilisation and governs; of equal ones the first does.
     #[test]
     fn without_a_capacity_a_check_governs() {
+        let methods = [method(
+            "code",
+            Excitation::Site,
+            vec![check("hoop", 0.5), check("axial", 0.5)],
+        )];
+        let found = verdict(&methods, decides("code"), false, None);
+        assert_eq!(found.governing.map(|g| g.check.id), Some("hoop".into()));
         let nothing = Check::new("anchors", "anchors", 1.0, 0.0, Dimension::Force, "", "");
         let methods = [method("code", Excitation::Site, vec![check("hoop", 50.0), nothing])];
         let found = verdict(&methods, decides("code"), false, None);

@@ -269,6 +269,83 @@ mod tests {
         assert!((disc.stiffness().rocking / 1.3e12 - 1.0).abs() < 0.03);
     }
 
+    fn close(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() <= 1e-12 * wanted.abs(), "{found}, not {wanted}");
+    }
+
+    /// By hand: G = 2·10⁷ Pa, R = 2 m, ν = 0.25 on a layer of 4 m, R/d = 1/2.
+    #[test]
+    fn springs_of_a_layer() {
+        let layer = Soil {
+            density: 2000.0,
+            shear_wave_velocity: 100.0,
+            poisson_ratio: 0.25,
+            damping: 0.0,
+            depth: Some(4.0),
+        };
+        let found = Disc::new(2.0, layer).unwrap().stiffness();
+        close(found.horizontal, 3.2e8 / 1.75 * 1.25);
+        close(found.rocking, 1.28e9 / 2.25 * 13.0 / 12.0);
+        close(found.vertical, 1.6e8 / 0.75 * 1.64);
+        close(found.torsional, 2.56e9 / 3.0);
+    }
+
+    /// By hand, ρ = 2000 kg/m³, V_s = 100 m/s, R = 2 m, so that the area is 4π and I₀ too: ν = 0.45 with c = 2 V_s and trapped soil, ν = 0.25 with
+    /// c = √3 V_s and none. At ν = 1/3 dilatational waves have 2 V_s as well.
+    #[test]
+    fn cones_by_hand() {
+        let cones = |poisson_ratio| {
+            let soil = Soil {
+                density: 2000.0,
+                shear_wave_velocity: 100.0,
+                ..soil(poisson_ratio)
+            };
+            (Disc::new(2.0, soil).unwrap().cones(), soil.cone_velocity())
+        };
+        // z₀ = 9π/32 (1 − ν) (c/V_s)² R.
+        for (nu, velocity, apex, mass, inertia) in [
+            (0.45, 200.0, 1.2375 * PI, 4480.0 * PI, 2240.0 * PI),
+            (0.25, 100.0 * 3.0_f64.sqrt(), 1.265_625 * PI, 0.0, 0.0),
+            (1.0 / 3.0, 200.0, 1.5 * PI, 0.0, 0.0),
+        ] {
+            let (found, c) = cones(nu);
+            close(c, velocity);
+            close(found.horizontal_dashpot, 8e5 * PI);
+            close(found.vertical_dashpot, 8e3 * PI * velocity);
+            close(found.rocking_dashpot, 8e3 * PI * velocity);
+            close(found.internal_inertia, 8e3 * PI * apex);
+            close(found.travel_time, apex / velocity);
+            close(found.trapped_mass, mass);
+            close(found.trapped_inertia, inertia);
+        }
+    }
+
+    /// The constants of Veletsos & Verbic 1973, table 1, and halfway between two of them, at a₀ = 1.25 where (b₂ a₀)² = 1:
+    /// K_x/K = 1 + i a₀ b₁, K_θ/K = 1 − b₁/2 − b₃ a₀² + i b₁/2.
+    #[test]
+    fn functions_of_veletsos_and_verbic() {
+        for (nu, translation, rocking, third) in [
+            (0.0, 0.775, 0.525, 0.0),
+            (1.0 / 6.0, 0.7125, 0.5125, 0.0),
+            (1.0 / 3.0, 0.65, 0.5, 0.0),
+            (0.45, 0.60, 0.45, 0.023),
+            (0.475, 0.60, 0.425, 0.025),
+        ] {
+            let disc = Disc::new(10.0, soil(nu)).unwrap();
+            let omega = 1.25 * 25.0;
+            let found = disc.horizontal(omega, Impedance::Veletsos) / disc.stiffness().horizontal;
+            assert!(
+                (found - C64::new(1.0, 1.25 * translation)).norm() < 1e-12,
+                "{nu}: {found}"
+            );
+            let found = disc.rocking(omega, Impedance::Veletsos) / disc.stiffness().rocking;
+            let wanted = C64::new(1.0 - 0.5 * rocking - 1.5625 * third, 0.5 * rocking);
+            assert!((found - wanted).norm() < 1e-12, "{nu}: {found} {wanted}");
+        }
+    }
+
+    /// A layer radiates above V_s/4d, in rocking and up and down above V_La/4d; above it a cone has the dashpot of its area, and in rocking that of I₀
+    /// where the disc turns fast. Hysteresis turns the impedance by 2 ξ_g.
     #[test]
     fn a_layer_radiates_above_its_cut_off_only() {
         let layer = Soil {
@@ -276,9 +353,37 @@ mod tests {
             ..soil(0.3)
         };
         let disc = Disc::new(10.0, layer).unwrap();
-        let cut_off = 2.0 * PI * 250.0 / 80.0;
-        assert_eq!(disc.horizontal(0.99 * cut_off, Impedance::Cone).im, 0.0);
-        assert!(disc.horizontal(1.01 * cut_off, Impedance::Cone).im > 0.0);
+        let cones = disc.cones();
+        type Function = fn(&Disc, f64) -> C64;
+        let shear: [Function; 2] = [
+            |disc, omega| disc.horizontal(omega, Impedance::Cone),
+            |disc, omega| disc.horizontal(omega, Impedance::Veletsos),
+        ];
+        let lysmer: [Function; 3] = [
+            |disc, omega| disc.rocking(omega, Impedance::Cone),
+            |disc, omega| disc.rocking(omega, Impedance::Veletsos),
+            |disc, omega| disc.vertical(omega),
+        ];
+        for (velocity, functions) in [(250.0, &shear[..]), (3.4 * 250.0 / (0.7 * PI), &lysmer)] {
+            let cut_off = 2.0 * PI * velocity / 80.0;
+            for f in functions {
+                assert_eq!(f(&disc, 0.99 * cut_off).im, 0.0);
+                assert!(f(&disc, 1.01 * cut_off).im > 0.0);
+            }
+        }
+        close(
+            disc.horizontal(100.0, Impedance::Cone).im,
+            100.0 * cones.horizontal_dashpot,
+        );
+        close(disc.vertical(100.0).im, 100.0 * cones.vertical_dashpot);
+        let fast = disc.rocking(1e6, Impedance::Cone).im / (1e6 * cones.rocking_dashpot);
+        assert!((fast - 1.0).abs() < 1e-6, "{fast}");
+        let turned = Disc {
+            soil: Soil { damping: 0.1, ..layer },
+            ..disc
+        };
+        let (a, b) = (disc.vertical(100.0), turned.vertical(100.0));
+        assert!((b / a - C64::new(1.0, 0.2)).norm() < 1e-12);
     }
 
     #[test]

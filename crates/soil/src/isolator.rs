@@ -273,6 +273,51 @@ mod tests {
         assert!((again[0] - force[0]).abs() < 1e-12 && (same[0] - slip[0]).abs() < 1e-12);
     }
 
+    /// A cycle loses 4 Q (D − d_y) in lead and 4 μ N D in friction, ξ_eff is that over 2π K_eff D²; within d_y lead loses nothing. By hand.
+    #[test]
+    fn a_cycle_loses_what_its_loop_encloses() {
+        let rubber = Isolator::LeadRubber {
+            strength: 2.0,
+            initial_stiffness: 11.0,
+            yielded_stiffness: 1.0,
+        };
+        let pendulum = Isolator::FrictionPendulum {
+            radius: 4.0,
+            friction: Friction::constant(0.05),
+            slip: 1e-3,
+        };
+        // K_eff = 1 + 2/0.8; 100/4 + 0.05·100/0.5.
+        for (isolator, amplitude, stiffness, work) in [
+            (rubber, 0.8, 3.5, 8.0 * 0.6),
+            (rubber, 0.2, 11.0, 0.0),
+            (pendulum, 0.5, 35.0, 4.0 * 5.0 * 0.5),
+        ] {
+            let found = isolator.effective(amplitude, 100.0, 0.0, 0.0);
+            let wanted = work / (2.0 * PI * stiffness * amplitude * amplitude);
+            assert!((found.stiffness - stiffness).abs() < 1e-12, "{found:?}");
+            assert!((found.damping - wanted).abs() < 1e-12, "{found:?} {wanted}");
+        }
+        // A linear damper c beside K: ξ = c ω/(2 K), at any amplitude.
+        let damper = Isolator::Damper {
+            coefficient: 3.0,
+            exponent: 1.0,
+        };
+        assert!((damper.effective(0.7, 0.0, 5.0, 40.0).damping - 0.1875).abs() < 1e-9);
+    }
+
+    /// Half of the difference is left where a |v| = ln 2.
+    #[test]
+    fn friction_grows_with_speed() {
+        let friction = Friction {
+            fast: 0.1,
+            slow: 0.04,
+            rate: 20.0,
+        };
+        assert!((friction.at(0.0) - 0.04).abs() < 1e-15);
+        assert!((friction.at(2.0_f64.ln() / 20.0) - 0.07).abs() < 1e-15);
+        assert!((friction.at(9.0) - 0.1).abs() < 1e-15);
+    }
+
     #[test]
     fn impossible_isolators_are_errors() {
         let rubber = |initial_stiffness| Isolator::LeadRubber {

@@ -1,5 +1,8 @@
 //! Isolators beside each other, and those that depend on the velocity.
 
+mod closed;
+mod ground;
+
 use crate::isolated::{History, Mode, Run, march, peak};
 use crate::isolator::{Friction, Isolator};
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::heave::Step;
 use crate::history::{Body, BodyMode, History, Run, march};
 use crate::{Curve, Heave, Law, Point, Rocking};
 
@@ -186,4 +187,46 @@ fn heave_follows_direct_integration() {
     for (a, b) in light.rotation.iter().zip(&without.rotation) {
         assert!((a - b).abs() < 1e-6 * psi, "{a} {b}");
     }
+}
+
+/// What presses on the strips goes straight on where nothing of the rim is on the ground any more, and where it is driven into it.
+#[test]
+fn the_table_goes_straight_on_beyond_its_ends() {
+    let rocking = rocking(1e9, 120e3);
+    let law = Law::new(&rocking, 2e-2).unwrap();
+    let heave = Heave::new(MASS, &rocking, &law);
+    let load = |place: f64| {
+        let step = Step {
+            place,
+            give: 0.0,
+            before: 0.0,
+            length: 1e-3,
+        };
+        heave.lift(&law, 1e-2, 0.0, step).load
+    };
+    for [a, b, c] in [[1.0, 1.5, 2.0], [-1.0, -1.5, -2.0]].map(|places| places.map(load)) {
+        assert!(((c - b) / (b - a) - 1.0).abs() < 1e-9, "{a} {b} {c}");
+    }
+    assert!(load(1.0) < 0.0 && load(-1.0) > 0.0 && load(2.0) < load(1.0));
+}
+
+/// A block that has come to rest stores nothing: its damping has taken what the ground gave. 5 %: the straight lines of the tables are 1 %, and the steps at
+/// landings, of which half as long ones halve the rest.
+#[test]
+fn at_rest_the_damping_has_the_energy_of_the_ground() {
+    let rocking = rocking(1e8, 20e3);
+    let law = Law::new(&rocking, 2e-2).unwrap();
+    let body = Body {
+        modes: Vec::new(),
+        mass: 5e5,
+        first_moment: 2e6,
+        second_moment: 1.5e7,
+    };
+    let ground: Vec<f64> = (0..40_000).map(|i| if i < 200 { 15.0 } else { 0.0 }).collect();
+    let heave = Heave::new(MASS, &rocking, &law).damped(5e-3);
+    let energy = run(&body, &law, Some(&heave), &ground, 2.5e-4).energy;
+    assert!(
+        energy.input > 0.0 && (energy.viscous / energy.input - 1.0).abs() < 5e-2,
+        "{energy:?}"
+    );
 }

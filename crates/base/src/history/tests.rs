@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::law::{Law, Spring};
-use crate::{Bands, Curve, Edge, Plan, Plate, Rim, Rocking, Strip};
+use crate::{Bands, Curve, Edge, Heave, Plan, Plate, Point, Rim, Rocking, Strip};
 
 const G: f64 = 9.81;
 
@@ -358,4 +358,141 @@ fn a_dashpot_on_hard_ground_finds_every_step() {
         assert!(history.energy.base_radiated > 0.0);
         assert!(history.balance < 1e-2, "{dashpot}: {}", history.balance);
     }
+}
+
+/// A block on a spring with a dashpot beside it, under a constant acceleration a: its first peak is (a/ω²) (1 + exp(−π ξ/√(1 − ξ²))), ξ = τ ω/2.
+/// 1 %: 600 steps to a period, whose forces lag by a third of one.
+#[test]
+fn a_block_on_a_dashpot_overshoots_by_its_closed_form() {
+    let (omega, xi, a) = (10.0, 0.2, 0.5);
+    let spring = Spring {
+        stiffness: 1000.0 * omega * omega,
+        limit: 1000.0 * G,
+    };
+    let step = 1e-3;
+    let history = delayed(&[a; 500], step, 1.0, vec![spring], 2.0 * xi / omega);
+    let found = history.slip.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+    let decay = (-std::f64::consts::PI * xi / (1.0_f64 - xi * xi).sqrt()).exp();
+    let expected = a / (omega * omega) * (1.0 + decay);
+    assert!((found / expected - 1.0).abs() < 1e-2, "{found} {expected}");
+    assert!(!history.slid && history.balance < 1e-2, "{}", history.balance);
+}
+
+/// Bottom pressure and shear of one mode on a fixed base are the same motion: p_b = p q̈ + r A and I = Γ q̈ + m A at the instants of the forces.
+#[test]
+fn the_pressure_of_a_mode_follows_its_shear() {
+    let mut body = impulsive();
+    body.modes[0].pressure = 3.0;
+    body.mass *= 1.5;
+    let ground: Vec<f64> = (0..400).map(|i| 2.0 * (0.03 * f64::from(i)).sin()).collect();
+    let history = march(&Run {
+        body: &body,
+        law: None,
+        ring: None,
+        heave: None,
+        hysteretic: 0.0,
+        dashpot: 0.0,
+        friction: None,
+        rigid_pressure: [250.0, 0.0],
+        step: 1e-3,
+        ground: &ground,
+    })
+    .unwrap();
+    let most = history.pressure.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
+    assert!(most > 1e3);
+    for i in 1..ground.len() {
+        let a = (1.0 - BEGIN) * ground[i] + BEGIN * ground[i - 1];
+        let modal = (history.shear[i] - body.mass * a) / MASS.sqrt();
+        let wanted = 3.0 * modal + 250.0 * a;
+        assert!((history.pressure[i] - wanted).abs() < 1e-9 * most, "{i}");
+    }
+}
+
+/// Values of a straight line at t − h/3 are those at t, but for the last one, which has none after it.
+#[test]
+fn accelerations_move_to_the_ends_of_the_steps() {
+    let mut values: Vec<f64> = (0..6).map(|i| 2.0 * (f64::from(i) - 1.0 / 3.0)).collect();
+    at_ends(&mut values);
+    for (i, value) in values.iter().enumerate().take(5).skip(1) {
+        assert!((value - 2.0 * i as f64).abs() < 1e-12, "{i}: {value}");
+    }
+}
+
+/// The ground the other way round moves everything the other way round: heave, suction, springs that slip and friction on both sides. Its energies are the
+/// same, and the balance closes with the loops of the base.
+#[test]
+fn a_mirrored_ground_mirrors_the_history() {
+    let curve = |share: f64| {
+        let point = |w: f64| Point {
+            uplift: w,
+            hold_down: if w < 0.0 { 1e7 * w } else { share * 1.2e5 * w.sqrt() },
+            rotation: 0.0,
+            rim_moment: 0.0,
+            axial_force: 0.0,
+            lifted_width: 0.0,
+            plastic_rotation: 0.0,
+        };
+        let places = (-80..=80).map(|i| 0.6 * (f64::from(i) / 80.0).powi(3));
+        (1e5 * share, Curve::through(places.map(point).collect()))
+    };
+    let rocking = Rocking::new(10.0, 15e3, [1.0, 1.5, 0.5].map(curve).to_vec()).unwrap();
+    let law = Law::new(&rocking, 8e-3).unwrap();
+    let heave = Heave::new(96e3, &rocking, &law).damped(1e-3);
+    let (mass, arm) = (1.5e6_f64, 4.0);
+    let body = Body {
+        modes: vec![BodyMode {
+            omega: 25.0,
+            damping: 0.02,
+            translation: mass.sqrt(),
+            rotation: mass.sqrt() * arm,
+            pressure: 8.0,
+        }],
+        mass,
+        first_moment: mass * arm,
+        second_moment: mass * arm * arm + 1e7,
+    };
+    let springs = [3.0, 5.0].map(|k| Spring {
+        stiffness: k * 1e7,
+        limit: 2.3e6,
+    });
+    let run = |sign: f64| {
+        let motion = |t: f64| sign * 1.5 * ((9.0 * t).sin() + 0.7 * (14.0 * t).sin());
+        let ground: Vec<f64> = (0..=1500).map(|i| motion(1e-3 * f64::from(i))).collect();
+        march(&Run {
+            body: &body,
+            law: Some(&law),
+            ring: None,
+            heave: Some(&heave),
+            hysteretic: 0.3,
+            dashpot: 1e8,
+            friction: Some(Friction {
+                coefficient: 0.3,
+                weight: 4.6e6 / 0.3,
+                vertical: Vec::new(),
+                springs: springs.to_vec(),
+                delay: 1e-3,
+            }),
+            rigid_pressure: [2e3, 0.0],
+            step: 1e-3,
+            ground: &ground,
+        })
+        .unwrap()
+    };
+    let (one, other) = (run(1.0), run(-1.0));
+    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    assert!(peak(&one.pressure) > 1e4 && peak(&one.rotation) > 1e-3 && peak(&one.slip) > 1e-3);
+    for (a, b, sign) in [
+        (&one.rotation, &other.rotation, -1.0),
+        (&one.slip, &other.slip, -1.0),
+        (&one.pressure, &other.pressure, -1.0),
+        (&one.moment, &other.moment, -1.0),
+        (&one.shear, &other.shear, -1.0),
+        (&one.centre, &other.centre, 1.0),
+    ] {
+        let apart = a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - sign * b).abs()));
+        assert!(apart < 1e-6 * peak(a), "{apart} {}", peak(a));
+    }
+    assert!((one.energy.input / other.energy.input - 1.0).abs() < 1e-6);
+    assert!(one.energy.base_hysteretic > 1e-3 * one.energy.input, "{:?}", one.energy);
+    assert!(one.balance < 1e-2, "{}", one.balance);
 }
