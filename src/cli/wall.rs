@@ -1,7 +1,8 @@
 //! The build-up of layered walls in words, for the summary of `check`.
 
 use tank::units::{Dimension, display};
-use tank::{BarDirection, Behaviour, Layer, Tank};
+use tank::words::Words;
+use tank::{Behaviour, Layer, Tank};
 
 use files::text::line;
 use report::words::terminal as words;
@@ -21,12 +22,9 @@ pub(crate) fn lines(tank: &Tank) -> Vec<String> {
 fn layer(layer: &Layer) -> String {
     let bars: String = (layer.reinforcement.iter())
         .map(|bar| {
-            let direction = match bar.direction {
-                BarDirection::Hoop => "hoop",
-                BarDirection::Vertical => "vertical",
-            };
             format!(
-                "; {direction} {} at {} of {}",
+                "; {} {} at {} of {}",
+                bar.direction.word(),
                 display(bar.area, Dimension::LineArea),
                 display(bar.depth, Dimension::Length),
                 line(&bar.material.name)

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::hazard::SiteSpectrum;
 use crate::quantity::Quantity;
+use crate::words;
 use crate::{Liquid, Tank};
 use oscillator::record::Record;
 
@@ -106,26 +107,30 @@ impl Site {
     }
 }
 
-/// Ground type of EN 1998-1 table 3.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[allow(missing_docs)]
-pub enum GroundType {
-    A,
-    B,
-    C,
-    D,
-    E,
+words! {
+    /// Ground type of EN 1998-1 table 3.1.
+    pub GroundType {
+        /// Rock.
+        A = "A",
+        /// Very dense sand, gravel or very stiff clay.
+        B = "B",
+        /// Deep dense or medium-dense sand, gravel or stiff clay.
+        C = "C",
+        /// Loose-to-medium cohesionless soil or soft-to-firm cohesive soil.
+        D = "D",
+        /// A surface layer of type C or D over type A.
+        E = "E",
+    }
 }
 
-/// Horizontal components of the seismic action that act together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Components {
-    /// One; for an axisymmetric tank also the SRSS of two equal ones.
-    #[default]
-    One,
-    /// E_x with 0.3 E_y of the same spectrum, and 0.3 of both with the vertical one.
-    HundredThirty,
+words! {
+    /// Horizontal components of the seismic action.
+    pub Components: One in "snake_case" {
+        /// One; two equal ones by SRSS give the same on an axisymmetric tank.
+        One = "one",
+        /// E_x with 0.3 E_y, and 0.3 of both beside the vertical one; EN 1998-1:2004 4.3.3.5.
+        HundredThirty = "100-30",
+    }
 }
 
 /// Site data of Eurocode 8. Where [`Site::spectrum`] is given, ground type, spectrum type and a_gR are not used.
@@ -159,16 +164,22 @@ pub struct Ec8Site {
     pub bearing_capacity: Option<f64>,
 }
 
-/// Site class of ASCE 7.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[allow(missing_docs)]
-pub enum SiteClass {
-    A,
-    B,
-    C,
-    D,
-    E,
-    F,
+words! {
+    /// Site class of ASCE 7.
+    pub SiteClass {
+        /// Hard rock.
+        A = "A",
+        /// Rock.
+        B = "B",
+        /// Very dense soil and soft rock.
+        C = "C",
+        /// Stiff soil.
+        D = "D",
+        /// Soft clay soil.
+        E = "E",
+        /// Soils that need a site study; give fa and fv.
+        F = "F",
+    }
 }
 
 /// Site data of API 650 (annex E of the current, appendix E of the 9th edition). Beside [`Site::spectrum`] the mapped accelerations
@@ -256,35 +267,34 @@ pub struct NamedMotion {
     pub applied_step: Option<f64>,
 }
 
-/// How the maxima of impulsive and convective parts are added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Combination {
-    /// Sum of absolute values.
-    Abs,
-    /// Square root of the sum of squares.
-    Srss,
+words! {
+    /// How the maxima of two parts are added.
+    pub Combination {
+        /// Sum of absolute values.
+        Abs = "abs",
+        /// Square root of the sum of squares.
+        Srss = "srss",
+    }
 }
 
-/// Which convective coefficients Housner's procedure uses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ConvectiveCoefficient {
-    /// The exact first-mode coefficients of potential flow.
-    Exact,
-    /// Housner 1957 / TID-7024: 0.318 (circular) and 0.527 (rectangular).
-    #[serde(rename = "1957")]
-    Housner1957,
+words! {
+    /// Convective coefficients of Housner's procedure.
+    pub ConvectiveCoefficient {
+        /// The exact first-mode coefficients of potential flow.
+        Exact = "exact",
+        /// Housner 1957: 0.318 (circular) and 0.527 (rectangular).
+        Housner1957 = "1957",
+    }
 }
 
-/// How EN 1998-4 annex A treats the flexible impulsive part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FlexibleImpulsive {
-    /// A.3.2.2, table A.2 (Malhotra).
-    Simplified,
-    /// A.3.1 with the iterated mode shape (Fischer and Rammerstorfer), Veletsos' combination.
-    Iterative,
+words! {
+    /// The flexible impulsive part of EN 1998-4.
+    pub FlexibleImpulsive {
+        /// A.3.2.2 with the coefficients of table A.2.
+        Simplified = "simplified",
+        /// A.3.1 with the iterated mode shape.
+        Iterative = "iterative",
+    }
 }
 
 /// Choices within the code procedures.

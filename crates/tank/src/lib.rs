@@ -3,6 +3,7 @@
 //!
 //! | module | idea |
 //! |---|---|
+//! | [`words`](mod@words) | closed choices of words |
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
 //! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
 //! | [`case`] | input of a procedure or an engine for one verification |
@@ -38,6 +39,7 @@ pub mod refusal;
 #[allow(clippy::module_inception)]
 mod tank;
 pub mod units;
+pub mod words;
 
 pub use case::Case;
 pub use oscillator::STANDARD_GRAVITY;

@@ -3,17 +3,16 @@
 use serde::{Deserialize, Serialize};
 
 use crate::units::System;
+use crate::words;
 
-/// Language of a report. The serde name is its word in `tank.json`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Language {
-    /// English.
-    #[default]
-    #[serde(rename = "en")]
-    English,
-    /// German, with the terms of DIN EN 1998-4 and its neighbours.
-    #[serde(rename = "de")]
-    German,
+words! {
+    /// Language of a report.
+    pub Language: English {
+        /// English.
+        English = "en",
+        /// German.
+        German = "de",
+    }
 }
 
 /// The block `project` of `tank.json`. Absent entries stay blank on the cover.

@@ -20,6 +20,7 @@ pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
 /// Plan shape of an upright tank.
@@ -68,14 +69,15 @@ impl Shape {
     }
 }
 
-/// Support of the wall on the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Support {
-    /// Held down; the wall is clamped at its base.
-    Anchored,
-    /// Resting on its bottom plate; may lift and slide.
-    Unanchored,
+words! {
+    /// Support of the wall.
+    pub Support {
+        /// Held down; the wall is clamped at its base.
+        Anchored = "anchored",
+        /// Resting on its bottom plate. The codes have their rules for uplift; `compare` lifts and, with friction, slides a cylinder on
+        /// `tank.bottom` and `tank.foundation`.
+        Unanchored = "unanchored",
+    }
 }
 
 /// Material of a course, a layer or bars.

@@ -5,6 +5,7 @@
 use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::values::Number;
+use ::tank::words;
 
 /// Most records of a set.
 const MOST: usize = 100;
@@ -49,16 +50,9 @@ object! {
     }
 }
 
-/// Code whose rules a set keeps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SetCode {
-    En1998,
-    Asce716,
-}
-
-choice! {
+words! {
     /// Code whose rules a set keeps.
-    SetCode {
+    pub(crate) SetCode {
         /// EN 1998-1:2004 3.2.3.1.2(4) and 4.3.3.4.3(3).
         En1998 = "en1998-1",
         /// ASCE/SEI 7-16 chapter 16, recalled.
@@ -66,16 +60,11 @@ choice! {
     }
 }
 
-/// Design value of a set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SetCombine {
-    Mean,
-    Worst,
-}
+choice!(SetCode, SetCombine);
 
-choice! {
+words! {
     /// Design value of a set.
-    SetCombine {
+    pub(crate) SetCombine {
         /// Mean of the maxima.
         Mean = "mean",
         /// Largest of the maxima.

@@ -6,6 +6,7 @@ use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::keys::Project;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::values::{Named, Number, Whole};
+use ::tank::words;
 
 /// Most tanks, record sets, levels or parameters of a study.
 const MOST: usize = 10_000;
@@ -178,26 +179,23 @@ object! {
     }
 }
 
-/// Finite-element engine of a study.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StudyEngine {
-    Harmonic,
-    Solid,
-    Nonlinear,
-    None,
+words! {
+    /// Finite-element engine of a study.
+    pub(crate) StudyEngine {
+        /// One Fourier harmonic at a time, linear: records and scales share one model.
+        Harmonic = "harmonic",
+        /// Three-dimensional elements, linear.
+        Solid = "solid",
+        /// Walls that yield and crack: one run for each scale.
+        Nonlinear = "nonlinear",
+        /// The codes alone.
+        None = "none",
+    }
 }
 
-/// How curves are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum CurveMethod {
-    Stripes,
-    Cloud,
-    Capacities,
-}
-
-choice! {
+words! {
     /// How curves are found.
-    CurveMethod {
+    pub(crate) CurveMethod {
         /// Counts at levels, by maximum likelihood.
         Stripes = "stripes",
         /// Regression of the largest demand over its limit, collapses by logistic regression.
@@ -207,16 +205,11 @@ choice! {
     }
 }
 
-/// Sequence of the samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SampleMethod {
-    Sobol,
-    Latin,
-}
+choice!(CurveMethod, SampleMethod, RuleCode, StudyEngine);
 
-choice! {
+words! {
     /// Sequence of the samples.
-    SampleMethod {
+    pub(crate) SampleMethod {
         /// A scrambled Sobol sequence (Burley 2020).
         Sobol = "sobol",
         /// A Latin hypercube that grows: of the first 2, 4, 8, … samples each parameter has one in each equally probable part (Qian 2009).
@@ -224,30 +217,10 @@ choice! {
     }
 }
 
-/// Rule for the set of records.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum RuleCode {
-    En1998,
-}
-
-choice! {
+words! {
     /// Rule for the set of records.
-    RuleCode {
+    pub(crate) RuleCode {
         /// EN 1998-1:2004 3.2.3.1.2(4).
         En1998 = "en1998-1",
-    }
-}
-
-choice! {
-    /// Finite-element engine of a study.
-    StudyEngine {
-        /// One Fourier harmonic at a time, linear: records and scales share one model.
-        Harmonic = "harmonic",
-        /// Three-dimensional elements, linear.
-        Solid = "solid",
-        /// Walls that yield and crack: one run for each scale.
-        Nonlinear = "nonlinear",
-        /// The codes alone.
-        None = "none",
     }
 }

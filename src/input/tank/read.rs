@@ -1,6 +1,6 @@
 //! Tree of values → typed mirror of the file. All faults are collected; none stops the reader.
 //!
-//! An object of the file is declared once with [`object!`], a choice of words with [`choice!`]; from these follow the
+//! An object of the file is declared once with [`object!`], a choice of words with [`tank::words!`]; from these follow the
 //! reader (known keys, required keys, suggestions for misspelt ones), the limits and defaults for the resolver, and the book
 //! from which JSON Schema and reference page are written.
 //!
@@ -19,6 +19,8 @@
 use files::code::Code;
 use std::collections::BTreeSet;
 use std::ops::{Deref, Range};
+
+use tank::words::Words;
 
 use super::hints;
 use super::key::{Key, Limits, list};
@@ -393,29 +395,37 @@ pub(in crate::input) fn quoted(words: &[&str]) -> String {
     list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
 }
 
-/// Declares the words of a closed choice for an enum without data.
+/// Makes choices of words that [`tank::words!`] declares values of the file.
 macro_rules! choice {
-    ($($(#[doc = $doc:literal])+ $name:ident { $($(#[doc = $vdoc:literal])+ $variant:ident = $word:literal,)+ })*) => {$(
+    ($($name:ty),+ $(,)?) => {$(
         impl $crate::input::tank::read::FromNode for $name {
             fn from_node(node: &$crate::input::tank::syntax::Node, faults: &mut $crate::input::diagnostic::Faults) -> Option<Self> {
-                $crate::input::tank::read::one_of_words(node, &[$(($word, $name::$variant)),+], faults)
+                $crate::input::tank::read::one_of_words(node, &$crate::input::tank::read::words(), faults)
             }
             fn allowed() -> String {
-                $crate::input::tank::read::quoted(&[$($word),+])
+                $crate::input::tank::read::allowed_words::<$name>()
             }
             fn example() -> String {
-                format!("\"{}\"", [$($word),+][0])
+                format!("\"{}\"", <$name as ::tank::words::Words>::WORDS[0].0)
             }
             fn shape(book: &mut $crate::input::tank::shape::Book) -> $crate::input::tank::shape::Shape {
-                let words = vec![$(($word, $crate::input::tank::key::prose(&[$($vdoc),+]))),+];
-                book.choice(stringify!($name), &[$($doc),+], words)
+                book.words_of::<$name>()
             }
             fn written(&self) -> Option<String> {
-                // A variant without a word does not compile.
-                Some(match self { $($name::$variant => $word,)+ }.into())
+                Some(::tank::words::Words::word(*self).into())
             }
         }
-    )*};
+    )+};
+}
+
+/// The words of a choice, each with its value.
+pub(in crate::input) fn words<T: Words>() -> Vec<(&'static str, T)> {
+    T::WORDS.iter().map(|(word, value, _)| (*word, *value)).collect()
+}
+
+/// The words of a choice for messages.
+pub(in crate::input) fn allowed_words<T: Words>() -> String {
+    quoted(&T::WORDS.iter().map(|(word, ..)| *word).collect::<Vec<_>>())
 }
 
 /// Declares objects of the file; see the head of this module.

@@ -1,6 +1,7 @@
 //! Form of a field, without its Rust type: the source of the JSON Schema and the reference page.
 
 use tank::units::Dimension;
+use tank::words::Words;
 
 use super::key::{Absent, Key, Limits, prose};
 
@@ -113,6 +114,12 @@ impl Book {
             self.choices.push(Choice { name, help, words });
         }
         Shape::Choice(name)
+    }
+
+    /// The choice that is declared with these words.
+    pub(crate) fn words_of<T: Words>(&mut self) -> Shape {
+        let words = T::WORDS.iter().map(|(word, _, help)| (*word, prose(help)));
+        self.choice(T::NAME, T::HELP, words.collect())
     }
 
     /// The words of a choice.

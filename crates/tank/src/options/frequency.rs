@@ -1,15 +1,16 @@
 //! Options of the frequency domain.
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
-/// Damping of transfer functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FrequencyDamping {
-    /// Viscous, with the ratios of the time history.
-    AsEngine,
-    /// Hysteretic, of the same ratios: the loss factor 2 ξ at every frequency.
-    Hysteretic,
+words! {
+    /// Damping of transfer functions.
+    pub FrequencyDamping {
+        /// Viscous, with the ratios of the time history.
+        AsEngine = "as_engine",
+        /// Hysteretic with the same ratios: a loss factor of twice the ratio at every frequency.
+        Hysteretic = "hysteretic",
+    }
 }
 
 /// Options of transfer functions under harmonic base motion.

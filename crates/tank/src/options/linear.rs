@@ -3,15 +3,16 @@
 use serde::{Deserialize, Serialize};
 
 use super::frequency::FrequencyOptions;
+use crate::words;
 
-/// Time integration of the linear engine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Integrator {
-    /// Exact piecewise-linear modal integration with missing mass.
-    Modal,
-    /// Direct Newmark (average acceleration) on all unknowns, with energy balance.
-    Newmark,
+words! {
+    /// Time integration.
+    pub Integrator {
+        /// Exact piecewise-linear modal integration with missing mass.
+        Modal = "modal",
+        /// Direct integration by Newmark's method.
+        Newmark = "newmark",
+    }
 }
 
 /// Damping of the linear engine.
@@ -48,16 +49,16 @@ pub enum DampingModel {
     },
 }
 
-/// Direction of dashpots on the wall of a cylinder.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum WallDirection {
-    /// Outwards.
-    Radial,
-    /// Along the circumference.
-    Tangential,
-    /// Along the axis.
-    Vertical,
+words! {
+    /// Direction of dashpots.
+    pub WallDirection {
+        /// Outwards.
+        Radial = "radial",
+        /// Along the circumference.
+        Tangential = "tangential",
+        /// Along the axis.
+        Vertical = "vertical",
+    }
 }
 
 /// Dashpots between the ground and the wall of a cylinder, evenly spaced around it at one height.
@@ -96,28 +97,28 @@ impl CaugheyPairs {
     }
 }
 
-/// How the largest responses of modes are combined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModalCombination {
-    /// Complete quadratic combination.
-    Cqc,
-    /// Square root of the sum of squares.
-    Srss,
-    /// Sum of absolute values.
-    Abs,
+words! {
+    /// How the largest responses of modes are combined.
+    pub ModalCombination {
+        /// Complete quadratic combination.
+        Cqc = "cqc",
+        /// Square root of the sum of squares.
+        Srss = "srss",
+        /// Sum of absolute values.
+        Abs = "abs",
+    }
 }
 
-/// How the impulsive part (structural modes, and what follows the ground) and the convective one (sloshing modes) are combined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum PartCombination {
-    /// All modes together, by [`ModalCombination`].
-    Modal,
-    /// Square root of the sum of squares of the two parts.
-    Srss,
-    /// Sum of the two parts.
-    Abs,
+words! {
+    /// How the impulsive and the convective part are combined.
+    pub PartCombination {
+        /// All modes together, by `combination`.
+        Modal = "modal",
+        /// Square root of the sum of squares of the two parts.
+        Srss = "srss",
+        /// Sum of the two parts.
+        Abs = "abs",
+    }
 }
 
 /// Options of the response-spectrum method: the modes of a linear engine under the design spectrum of the site.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::after_record::AfterRecord;
 use crate::case;
 use crate::imperfection::Imperfections;
+use crate::words;
 
 /// Most elements over the height of a wall.
 pub const MOST_ROWS: u32 = 1000;
@@ -100,15 +101,14 @@ pub struct WallElements {
     pub circumference: u32,
 }
 
-/// Length of the steps of a march.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum StepLength {
-    /// The time step throughout, cut where it does not converge.
-    #[default]
-    Fixed,
-    /// Several time steps at once where little moves, with error control.
-    Adaptive,
+words! {
+    /// Length of the steps.
+    pub StepLength: Fixed {
+        /// The time step throughout.
+        Fixed = "fixed",
+        /// Several time steps at once where little moves.
+        Adaptive = "adaptive",
+    }
 }
 
 impl StepLength {
@@ -118,26 +118,24 @@ impl StepLength {
     }
 }
 
-/// Contact of liquid and wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Contact {
-    /// The liquid stays at the wall.
-    #[default]
-    Bonded,
-    /// It separates from the wall instead of pulling on it.
-    Opening,
+words! {
+    /// Contact of liquid and wall.
+    pub Contact: Bonded {
+        /// The liquid stays at the wall.
+        Bonded = "bonded",
+        /// The liquid separates from the wall where its pressure drops below zero.
+        Opening = "opening",
+    }
 }
 
-/// Elements of the walls of a strip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum StripWall {
-    /// Beams with sections of fibres: the leaf that bends, the others as mass.
-    #[default]
-    Fibre,
-    /// Layered shells: every leaf, and the layer between two.
-    Shell,
+words! {
+    /// Elements of the walls of a strip.
+    pub StripWall: Fibre {
+        /// Beams with sections of fibres: the stiffest leaf bends, the others count for mass.
+        Fibre = "fibre",
+        /// Layered shells, flexible in shear: every leaf, with the interlayer between two; the liquid is bonded.
+        Shell = "shell",
+    }
 }
 
 /// Damping.

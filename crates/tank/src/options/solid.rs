@@ -6,16 +6,16 @@ use serde::{Deserialize, Serialize};
 
 use super::MEMORY_LIMIT_MIB;
 use crate::imperfection::Imperfections;
+use crate::words;
 
-/// Formulation of the liquid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Liquid {
-    /// Displacement element in convective coordinates with mean dilatation and split rotation penalty (`fluid8`),
-    /// joined to the wall by `contact8`.
-    Displacement,
-    /// Displacement potential on hexahedra (`potential8`), in the sparse three-field form.
-    Potential,
+words! {
+    /// Formulation of the liquid in the three-dimensional engine.
+    pub Liquid as LiquidElement {
+        /// Displacement potential on hexahedra.
+        Potential = "potential",
+        /// Displacements in convective coordinates with a rotation penalty, joined to the wall by contact elements.
+        Displacement = "displacement",
+    }
 }
 
 /// Options of the three-dimensional engine.

@@ -1,6 +1,7 @@
 //! Behaviour of a material beyond its elastic range. Plain data for the nonlinear engine; the code procedures and the
 //! linear engines use E, ν and ρ only.
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
 /// Behaviour of a material.
@@ -94,15 +95,14 @@ pub struct Concrete {
     pub bond: BarBond,
 }
 
-/// Biaxial strength of concrete in compression.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum BiaxialEnvelope {
-    /// Drucker and Prager's cone.
-    #[default]
-    DruckerPrager,
-    /// The curve of Kupfer and Gerstle.
-    Kupfer,
+words! {
+    /// Biaxial strength in compression.
+    pub BiaxialEnvelope: DruckerPrager in "snake_case" {
+        /// Drucker and Prager's cone through both strengths.
+        DruckerPrager = "drucker-prager",
+        /// The curve of Kupfer and Gerstle through both strengths.
+        Kupfer = "kupfer",
+    }
 }
 
 impl BiaxialEnvelope {
@@ -112,17 +112,16 @@ impl BiaxialEnvelope {
     }
 }
 
-/// Bond of bars in cracked concrete.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum BarBond {
-    /// No slip; what the concrete carries between cracks is `tension_stiffening`.
-    #[default]
-    Perfect,
-    /// Bond law of the Model Code 1990, unconfined concrete, good conditions.
-    Good,
-    /// The same, all other conditions.
-    Other,
+words! {
+    /// Bond of bars.
+    pub BarBond: Perfect {
+        /// No slip.
+        Perfect = "perfect",
+        /// Bond law of CEB-FIP Model Code 1990, unconfined concrete, good bond conditions.
+        Good = "good",
+        /// The same, all other bond conditions.
+        Other = "other",
+    }
 }
 
 impl BarBond {
@@ -132,21 +131,23 @@ impl BarBond {
     }
 }
 
-/// Law of concrete.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ConcreteLaw {
-    /// Fixed orthogonal cracks, Drucker-Prager compression.
-    #[default]
-    Cracked,
-    /// Uniaxial laws in the directions of the wall.
-    Uniaxial,
-    /// Plastic-fracturing theory.
-    PlasticFracturing,
-    /// Two cones of Drucker and Prager, in compression and in tension, ideally plastic.
-    TwoSurface,
-    /// Dougill's progressively fracturing solid: stiffness that falls, no permanent strain.
-    Fracturing,
+words! {
+    /// Law of concrete.
+    pub ConcreteLaw: Cracked in "snake_case" {
+        /// Fixed cracks at right angles, Drucker-Prager compression.
+        Cracked = "cracked",
+        /// Uniaxial laws in the directions of the wall, for strips and rings.
+        Uniaxial = "uniaxial",
+        /// Plastic-fracturing theory.
+        PlasticFracturing = "plastic-fracturing",
+        /// Two cones of Drucker and Prager through compressive_strength, biaxial_ratio and tensile_strength, ideally plastic: it does not
+        /// soften and has no cracks.
+        TwoSurface = "two-surface",
+        /// Dougill's progressively fracturing solid: from compressive_strength on its stiffness falls, without permanent strain; the energy
+        /// is 250 times the fracture energy of the compressive strength (fib Model Code 2010) over the size of the element.
+        /// tensile_strength does not enter: in tension the stiffness falls from 0.6 to 1 of the compressive strength on, by biaxial_ratio.
+        Fracturing = "fracturing",
+    }
 }
 
 impl ConcreteLaw {

@@ -1,49 +1,51 @@
 //! Details of construction that the codes ask for and no number describes: answers of the tank file.
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
-/// Whether something is there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Presence {
-    /// It is not.
-    None,
-    /// It is.
-    Present,
+words! {
+    /// Whether something is there.
+    pub Presence {
+        /// There is none.
+        None = "none",
+        /// There is; what the code requires of it is not implemented.
+        Present = "present",
+    }
 }
 
-/// Snow on a roof.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Snow {
-    /// No snow falls there.
-    None,
-    /// The mass of the roof contains the share of the code.
-    Included,
+words! {
+    /// Snow on a roof.
+    pub Snow {
+        /// No snow falls there.
+        None = "none",
+        /// The mass of the roof contains the share of the code: 10 % of the balanced design snow load in API 650, ψ_E times the snow load in
+        /// EN 1998-1.
+        Included = "included",
+    }
 }
 
-/// What lies between the bottom plate under the shell and a foundation of concrete.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ShellSupport {
-    /// Shims and grout.
-    Grouted,
-    /// Fibreboard or another pad.
-    Padding,
-    /// Butt-welded plates directly on the concrete.
-    ButtWelded,
-    /// Shims without grout.
-    Shims,
+words! {
+    /// What lies between the bottom plate under the shell and a foundation of concrete.
+    pub ShellSupport {
+        /// Shims and grout.
+        Grouted = "grouted",
+        /// Fibreboard or another pad.
+        Padding = "padding",
+        /// Butt-welded plates directly on the concrete.
+        ButtWelded = "butt_welded",
+        /// Shims without grout.
+        Shims = "shims",
+    }
 }
 
-/// Weld between the plates under the shell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Joint {
-    /// Butt weld.
-    Butt,
-    /// Lap weld.
-    Lap,
+words! {
+    /// Weld between the plates under the shell.
+    pub Joint {
+        /// Butt weld.
+        Butt = "butt",
+        /// Lap weld.
+        Lap = "lap",
+    }
 }
 
 /// Connections through the bottom.

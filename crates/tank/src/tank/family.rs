@@ -1,27 +1,26 @@
 //! Families of materials: each code has rules for some of them.
 
-use serde::{Deserialize, Serialize};
-
 use super::{METAL, Material};
+use crate::words;
 
-/// Family of a material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Family {
-    /// Carbon and low-alloy steel.
-    CarbonSteel,
-    /// Stainless steel.
-    Stainless,
-    /// Aluminium alloy.
-    Aluminium,
-    /// Another metal, such as titanium or nickel steel.
-    OtherMetal,
-    /// Concrete.
-    Concrete,
-    /// Polymer, with or without fibres.
-    Polymer,
-    /// Neither metal, concrete nor polymer.
-    Other,
+words! {
+    /// Family of a material.
+    pub Family {
+        /// Carbon and low-alloy steel.
+        CarbonSteel = "carbon_steel",
+        /// Stainless steel: API 650 annex S.
+        Stainless = "stainless",
+        /// Aluminium alloy: API 650 annex AL.
+        Aluminium = "aluminium",
+        /// Another metal, such as titanium or steel with nine per cent of nickel.
+        OtherMetal = "other_metal",
+        /// Concrete, reinforced or not.
+        Concrete = "concrete",
+        /// Polymer, with or without fibres.
+        Polymer = "polymer",
+        /// None of these.
+        Other = "other",
+    }
 }
 
 impl Family {

@@ -1,17 +1,18 @@
 //! What the tank stands on.
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
-/// Kind of foundation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FoundationKind {
-    /// The bottom plate lies on soil or on a pad of gravel.
-    Soil,
-    /// A ring of concrete under the wall, soil within it.
-    RingWall,
-    /// A stiff slab or raft of concrete under the whole bottom.
-    Slab,
+words! {
+    /// Kind of foundation.
+    pub FoundationKind {
+        /// The bottom plate lies on soil or on a pad of gravel.
+        Soil = "soil",
+        /// A ring of concrete under the wall, soil within it.
+        RingWall = "ring_wall",
+        /// A stiff slab or raft of concrete under the whole bottom.
+        Slab = "slab",
+    }
 }
 
 /// Foundation and the soil below it.

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Behaviour, Course, Material};
+use crate::words;
 
 /// A layer of a wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,14 +19,14 @@ pub struct Layer {
     pub reinforcement: Vec<Reinforcement>,
 }
 
-/// Kind of a layer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LayerKind {
-    /// Carries membrane forces and bending.
-    Shell,
-    /// Separates two shells.
-    Interlayer,
+words! {
+    /// Kind of a layer.
+    pub LayerKind {
+        /// Carries membrane forces and bending.
+        Shell = "shell",
+        /// Keeps two shells apart.
+        Interlayer = "interlayer",
+    }
 }
 
 /// A layer of bars.
@@ -44,14 +45,14 @@ pub struct Reinforcement {
     pub material: Material,
 }
 
-/// Direction of bars.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum BarDirection {
-    /// Around the tank; along the wall of a rectangle.
-    Hoop,
-    /// Up the wall.
-    Vertical,
+words! {
+    /// Direction of bars.
+    pub BarDirection {
+        /// Around the tank; along the wall of a rectangle.
+        Hoop = "hoop",
+        /// Up the wall.
+        Vertical = "vertical",
+    }
 }
 
 /// Name of the equivalent material of a layered wall.

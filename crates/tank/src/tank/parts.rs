@@ -1,18 +1,18 @@
 //! Roofs and pipes.
 
+use crate::words;
 use serde::{Deserialize, Serialize};
 
-/// How a roof is carried.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RoofKind {
-    /// On the wall.
-    #[default]
-    Fixed,
-    /// On the liquid.
-    Floating,
-    /// None; the mass on top of the wall is that of its girders.
-    Open,
+words! {
+    /// How a roof is carried.
+    pub RoofKind: Fixed {
+        /// By the wall.
+        Fixed = "fixed",
+        /// By the liquid.
+        Floating = "floating",
+        /// There is none.
+        Open = "open",
+    }
 }
 
 impl RoofKind {

@@ -3,22 +3,20 @@
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-use serde::{Deserialize, Serialize};
-
 use super::print::si_unit_for;
 use super::{Dimension as D, Unit};
+use crate::words;
 
-/// Units that a report prints in. Input and `results.json` do not depend on it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum System {
-    /// SI.
-    #[default]
-    Si,
-    /// US customary.
-    Us,
-    /// SI, with US customary units in brackets.
-    Both,
+words! {
+    /// Units of a report.
+    pub System: Si {
+        /// SI: mm, m, kg, t, kN, MN, kPa, MPa.
+        Si = "si",
+        /// US customary: in, ft, lb, klb (1000 lb), lbf, kip, psf, psi, ksi.
+        Us = "us",
+        /// SI with US customary units in brackets.
+        Both = "both",
+    }
 }
 
 /// Units of US customary print: for each dimension in ascending order, each with the value from which on it is

@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 
 use files::code::{Code, Warning};
 use tank::units::{Dimension, display};
+use tank::words::Words;
 use tank::{BarDirection, Layer, Reinforcement, Tank};
 
 use crate::input::tank::resolver::Resolver;
@@ -36,7 +37,7 @@ fn faults(layer: &Layer) -> Vec<(Code, String)> {
         if share > SHARE {
             let text = format!(
                 "{} bars are {:.1} % of the section, usual are at most {:.0} %, EN 1992-1-1 9.2.1.1(3)",
-                name(direction),
+                direction.word(),
                 100.0 * share,
                 100.0 * SHARE
             );
@@ -46,20 +47,13 @@ fn faults(layer: &Layer) -> Vec<(Code, String)> {
     found
 }
 
-fn name(direction: BarDirection) -> &'static str {
-    match direction {
-        BarDirection::Hoop => "hoop",
-        BarDirection::Vertical => "vertical",
-    }
-}
-
 /// One layer of bars whose diameter is known.
 fn of(layer: &Layer, bars: &Reinforcement) -> Vec<(Code, String)> {
     let Some(diameter) = bars.diameter else {
         return Vec::new();
     };
     let length = |value: f64| display(value, Dimension::Length);
-    let what = format!("{} bars of {}", name(bars.direction), length(diameter));
+    let what = format!("{} bars of {}", bars.direction.word(), length(diameter));
     let cover = bars.depth.min(layer.thickness - bars.depth) - 0.5 * diameter;
     let clear = PI * diameter * diameter / (4.0 * bars.area) - diameter;
     let mut found = Vec::new();

@@ -41,15 +41,7 @@ object! {
     }
 }
 
-choice! {
-    /// Direction of bars.
-    BarDirection {
-        /// Around the tank; along the wall of a rectangle.
-        Hoop = "hoop",
-        /// Up the wall.
-        Vertical = "vertical",
-    }
-}
+choice!(BarDirection);
 
 /// A layer whose concrete has a bond law: its bars need a diameter, and cracks a spacing.
 pub(super) fn bonded(

@@ -105,17 +105,7 @@ object! {
     }
 }
 
-choice! {
-    /// Kind of foundation.
-    FoundationKind {
-        /// The bottom plate lies on soil or on a pad of gravel.
-        Soil = "soil",
-        /// A ring of concrete under the wall, soil within it.
-        RingWall = "ring_wall",
-        /// A stiff slab or raft of concrete under the whole bottom.
-        Slab = "slab",
-    }
-}
+choice!(FoundationKind);
 
 /// Bottom plate and foundation.
 pub(super) fn base(

@@ -11,44 +11,7 @@ use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::Length;
 
-choice! {
-    /// Whether something is there.
-    Presence {
-        /// There is none.
-        None = "none",
-        /// There is; what the code requires of it is not implemented.
-        Present = "present",
-    }
-
-    /// Snow on a roof.
-    Snow {
-        /// No snow falls there.
-        None = "none",
-        /// The mass of the roof contains the share of the code: 10 % of the balanced design snow load in API 650, ψ_E times the snow load in
-        /// EN 1998-1.
-        Included = "included",
-    }
-
-    /// What lies between the bottom plate under the shell and a foundation of concrete.
-    ShellSupport {
-        /// Shims and grout.
-        Grouted = "grouted",
-        /// Fibreboard or another pad.
-        Padding = "padding",
-        /// Butt-welded plates directly on the concrete.
-        ButtWelded = "butt_welded",
-        /// Shims without grout.
-        Shims = "shims",
-    }
-
-    /// Weld between the plates under the shell.
-    Joint {
-        /// Butt weld.
-        Butt = "butt",
-        /// Lap weld.
-        Lap = "lap",
-    }
-}
+choice!(Presence, Snow, ShellSupport, Joint);
 
 /// Distances from the shell.
 const DISTANCE: Limits = Limits::from(0.0).to(1000.0);

@@ -25,15 +25,7 @@ object! {
     }
 }
 
-choice! {
-    /// Damping of transfer functions.
-    FrequencyDamping {
-        /// Viscous, with the ratios of the time history.
-        AsEngine = "as_engine",
-        /// Hysteretic with the same ratios: a loss factor of twice the ratio at every frequency.
-        Hysteretic = "hysteretic",
-    }
-}
+choice!(FrequencyDamping);
 
 /// Options of transfer functions; none if they are not asked for.
 pub(super) fn frequency(r: &mut Resolver<'_>, given: &Opt<Frequency>) -> Option<FrequencyOptions> {

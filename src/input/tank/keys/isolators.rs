@@ -8,6 +8,7 @@ use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Si};
+use ::tank::words;
 
 /// Reinforced concrete [kg/m³].
 const CONCRETE: f64 = 2500.0;
@@ -54,22 +55,9 @@ object! {
     }
 }
 
-/// Kind of isolators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Isolation {
-    /// Friction pendulums.
-    FrictionPendulum,
-    /// Lead-rubber bearings.
-    LeadRubber,
-    /// Elastomers.
-    Elastomer,
-    /// Viscous dampers.
-    Damper,
-}
-
-choice! {
+words! {
     /// Kind of isolators.
-    Isolation {
+    pub(crate) Isolation {
         /// Friction pendulums: a slider on a concave surface; needs radius and friction.
         FrictionPendulum = "friction_pendulum",
         /// Lead-rubber bearings, bilinear; needs strength and stiffness.
@@ -80,6 +68,8 @@ choice! {
         Damper = "damper",
     }
 }
+
+choice!(Isolation);
 
 /// The isolators, of a tank that is held down on a slab.
 pub(super) fn isolators(

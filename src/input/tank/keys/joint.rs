@@ -7,6 +7,7 @@ use crate::input::tank::key::{Limits, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Number, Stress};
+use ::tank::words;
 
 object! {
     /// Joint between the wall of a concrete cylinder and its base. Hoop force, bending and shear of the wall are those of the shell on this
@@ -24,20 +25,9 @@ object! {
     }
 }
 
-/// Kind of joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Joint {
-    /// Monolithic.
-    Fixed,
-    /// A hinge.
-    Hinged,
-    /// A bearing.
-    Sliding,
-}
-
-choice! {
+words! {
     /// Kind of joint.
-    Joint {
+    pub(crate) Joint {
         /// Monolithic with the base: the foot neither moves nor turns.
         Fixed = "fixed",
         /// The foot turns freely and does not move.
@@ -46,6 +36,8 @@ choice! {
         Sliding = "sliding",
     }
 }
+
+choice!(Joint);
 
 /// The joint of a tank; that of a metal shell or of a box cannot be chosen.
 pub(super) fn wall_base(

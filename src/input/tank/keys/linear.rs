@@ -133,27 +133,7 @@ object! {
     }
 }
 
-choice! {
-    /// Direction of dashpots.
-    WallDirection {
-        /// Outwards.
-        Radial = "radial",
-        /// Along the circumference.
-        Tangential = "tangential",
-        /// Along the axis.
-        Vertical = "vertical",
-    }
-}
-
-choice! {
-    /// Time integration.
-    Integrator {
-        /// Exact piecewise-linear modal integration with missing mass.
-        Modal = "modal",
-        /// Direct integration by Newmark's method.
-        Newmark = "newmark",
-    }
-}
+choice!(WallDirection, Integrator);
 
 /// Options of the linear engines. Defaults are those of the engine and not echoed one by one.
 ///

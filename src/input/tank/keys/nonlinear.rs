@@ -120,35 +120,7 @@ object! {
     }
 }
 
-choice! {
-    /// Contact of liquid and wall.
-    Contact {
-        /// The liquid stays at the wall.
-        Bonded = "bonded",
-        /// The liquid separates from the wall where its pressure drops below zero.
-        Opening = "opening",
-    }
-}
-
-choice! {
-    /// Elements of the walls of a strip.
-    StripWall {
-        /// Beams with sections of fibres: the stiffest leaf bends, the others count for mass.
-        Fibre = "fibre",
-        /// Layered shells, flexible in shear: every leaf, with the interlayer between two; the liquid is bonded.
-        Shell = "shell",
-    }
-}
-
-choice! {
-    /// Length of the steps.
-    StepLength {
-        /// The time step throughout.
-        Fixed = "fixed",
-        /// Several time steps at once where little moves.
-        Adaptive = "adaptive",
-    }
-}
+choice!(Contact, StripWall, StepLength);
 
 /// Name of a rule, the rule, and the fewest and the most points it has.
 type Known = (&'static str, fn(u32) -> ThicknessRule, u32, u32);

@@ -63,31 +63,7 @@ object! {
     }
 }
 
-choice! {
-    /// Convective coefficients of Housner's procedure.
-    ConvectiveCoefficient {
-        /// The exact first-mode coefficients of potential flow.
-        Exact = "exact",
-        /// Housner 1957: 0.318 (circular) and 0.527 (rectangular).
-        Housner1957 = "1957",
-    }
-
-    /// How the maxima of two parts are added.
-    Combination {
-        /// Sum of absolute values.
-        Abs = "abs",
-        /// Square root of the sum of squares.
-        Srss = "srss",
-    }
-
-    /// The flexible impulsive part of EN 1998-4.
-    FlexibleImpulsive {
-        /// A.3.2.2 with the coefficients of table A.2.
-        Simplified = "simplified",
-        /// A.3.1 with the iterated mode shape.
-        Iterative = "iterative",
-    }
-}
+choice!(ConvectiveCoefficient, Combination, FlexibleImpulsive);
 
 /// Id of a code procedure.
 #[derive(Clone, Copy, Debug)]

@@ -33,25 +33,7 @@ object! {
     }
 }
 
-choice! {
-    /// Language of a report.
-    Language {
-        /// English.
-        English = "en",
-        /// German.
-        German = "de",
-    }
-
-    /// Units of a report.
-    System {
-        /// SI: mm, m, kg, t, kN, MN, kPa, MPa.
-        Si = "si",
-        /// US customary: in, ft, lb, klb (1000 lb), lbf, kip, psf, psi, ksi.
-        Us = "us",
-        /// SI with US customary units in brackets.
-        Both = "both",
-    }
-}
+choice!(Language, System);
 
 /// Whether a text is a date, year-month-day.
 pub(super) fn is_date(text: &str) -> bool {

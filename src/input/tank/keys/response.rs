@@ -29,27 +29,7 @@ object! {
     }
 }
 
-choice! {
-    /// How the largest responses of modes are combined.
-    ModalCombination {
-        /// Complete quadratic combination.
-        Cqc = "cqc",
-        /// Square root of the sum of squares.
-        Srss = "srss",
-        /// Sum of absolute values.
-        Abs = "abs",
-    }
-
-    /// How the impulsive and the convective part are combined.
-    PartCombination {
-        /// All modes together, by `combination`.
-        Modal = "modal",
-        /// Square root of the sum of squares of the two parts.
-        Srss = "srss",
-        /// Sum of the two parts.
-        Abs = "abs",
-    }
-}
+choice!(ModalCombination, PartCombination);
 
 /// The procedure whose design spectrum the modes see.
 #[derive(Clone, Copy, Debug)]

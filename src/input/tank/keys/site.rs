@@ -143,45 +143,7 @@ object! {
     }
 }
 
-choice! {
-    /// Ground type of EN 1998-1 table 3.1.
-    GroundType {
-        /// Rock.
-        A = "A",
-        /// Very dense sand, gravel or very stiff clay.
-        B = "B",
-        /// Deep dense or medium-dense sand, gravel or stiff clay.
-        C = "C",
-        /// Loose-to-medium cohesionless soil or soft-to-firm cohesive soil.
-        D = "D",
-        /// A surface layer of type C or D over type A.
-        E = "E",
-    }
-
-    /// Horizontal components of the seismic action.
-    Components {
-        /// One; two equal ones by SRSS give the same on an axisymmetric tank.
-        One = "one",
-        /// E_x with 0.3 E_y, and 0.3 of both beside the vertical one; EN 1998-1:2004 4.3.3.5.
-        HundredThirty = "100-30",
-    }
-
-    /// Site class of ASCE 7.
-    SiteClass {
-        /// Hard rock.
-        A = "A",
-        /// Rock.
-        B = "B",
-        /// Very dense soil and soft rock.
-        C = "C",
-        /// Stiff soil.
-        D = "D",
-        /// Soft clay soil.
-        E = "E",
-        /// Soils that need a site study; give fa and fv.
-        F = "F",
-    }
-}
+choice!(GroundType, Components, SiteClass);
 
 /// Site data, each code's where it is given.
 ///

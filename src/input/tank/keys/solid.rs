@@ -25,15 +25,7 @@ object! {
     }
 }
 
-choice! {
-    /// Formulation of the liquid in the three-dimensional engine.
-    LiquidElement {
-        /// Displacement potential on hexahedra.
-        Potential = "potential",
-        /// Displacements in convective coordinates with a rotation penalty, joined to the wall by contact elements.
-        Displacement = "displacement",
-    }
-}
+choice!(LiquidElement);
 
 /// Options of the three-dimensional engine. Defaults are echoed only where the engine runs, by [`solid_defaults`].
 pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions {

@@ -15,6 +15,7 @@ use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Acceleration, Number, Seconds};
+use ::tank::words;
 use results::InputValue;
 
 /// Control periods.
@@ -68,22 +69,17 @@ object! {
     }
 }
 
-/// Unit of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum AccelerationUnit {
-    G,
-    MetrePerSecondSquared,
-}
-
-choice! {
+words! {
     /// Unit of the accelerations of a table.
-    AccelerationUnit {
+    pub(crate) AccelerationUnit {
         /// Standard gravity, 9.80665 m/s².
         G = "g",
         /// m/s².
         MetrePerSecondSquared = "m/s2",
     }
 }
+
+choice!(AccelerationUnit);
 
 impl AccelerationUnit {
     /// In m/s².

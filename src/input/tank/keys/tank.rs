@@ -14,6 +14,7 @@ use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::stated::Stated;
 use crate::input::tank::values::{Density, Length, Mass, Stress};
+use ::tank::words;
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 pub(super) const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -115,43 +116,17 @@ object! {
     }
 }
 
-/// Plan shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Plan {
-    /// Circle.
-    Cylinder,
-    /// Rectangle.
-    Rectangle,
-}
-
-choice! {
+words! {
     /// Plan shape.
-    Plan {
+    pub(crate) Plan {
         /// Circular cylinder with a radius.
         Cylinder = "cylinder",
         /// Rectangle with a length in the direction of shaking, and a breadth or strip.
         Rectangle = "rectangle",
     }
-
-    /// How a roof is carried.
-    RoofKind {
-        /// By the wall.
-        Fixed = "fixed",
-        /// By the liquid.
-        Floating = "floating",
-        /// There is none.
-        Open = "open",
-    }
-
-    /// Support of the wall.
-    Support {
-        /// Held down; the wall is clamped at its base.
-        Anchored = "anchored",
-        /// Resting on its bottom plate. The codes have their rules for uplift; `compare` lifts and, with friction, slides a cylinder on
-        /// `tank.bottom` and `tank.foundation`.
-        Unanchored = "unanchored",
-    }
 }
+
+choice!(Plan, RoofKind, Support);
 
 /// The tank.
 pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materials) -> Option<tank::Tank> {

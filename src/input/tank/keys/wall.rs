@@ -58,15 +58,7 @@ object! {
     }
 }
 
-choice! {
-    /// Kind of a layer.
-    LayerKind {
-        /// Carries membrane forces and bending.
-        Shell = "shell",
-        /// Keeps two shells apart.
-        Interlayer = "interlayer",
-    }
-}
+choice!(LayerKind);
 
 /// Use of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

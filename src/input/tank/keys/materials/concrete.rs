@@ -62,42 +62,7 @@ object! {
     }
 }
 
-choice! {
-    /// Biaxial strength in compression.
-    BiaxialEnvelope {
-        /// Drucker and Prager's cone through both strengths.
-        DruckerPrager = "drucker-prager",
-        /// The curve of Kupfer and Gerstle through both strengths.
-        Kupfer = "kupfer",
-    }
-
-    /// Bond of bars.
-    BarBond {
-        /// No slip.
-        Perfect = "perfect",
-        /// Bond law of CEB-FIP Model Code 1990, unconfined concrete, good bond conditions.
-        Good = "good",
-        /// The same, all other bond conditions.
-        Other = "other",
-    }
-
-    /// Law of concrete.
-    ConcreteLaw {
-        /// Fixed cracks at right angles, Drucker-Prager compression.
-        Cracked = "cracked",
-        /// Uniaxial laws in the directions of the wall, for strips and rings.
-        Uniaxial = "uniaxial",
-        /// Plastic-fracturing theory.
-        PlasticFracturing = "plastic-fracturing",
-        /// Two cones of Drucker and Prager through compressive_strength, biaxial_ratio and tensile_strength, ideally plastic: it does not
-        /// soften and has no cracks.
-        TwoSurface = "two-surface",
-        /// Dougill's progressively fracturing solid: from compressive_strength on its stiffness falls, without permanent strain; the energy
-        /// is 250 times the fracture energy of the compressive strength (fib Model Code 2010) over the size of the element.
-        /// tensile_strength does not enter: in tension the stiffness falls from 0.6 to 1 of the compressive strength on, by biaxial_ratio.
-        Fracturing = "fracturing",
-    }
-}
+choice!(BiaxialEnvelope, BarBond, ConcreteLaw);
 
 /// Strengths, softening and cracks of a concrete; `field` is `None` if only a grade supplies them.
 pub(super) fn concrete(

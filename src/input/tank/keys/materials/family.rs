@@ -9,25 +9,7 @@ use super::reader::Reader;
 use crate::input::tank::read::choice;
 use crate::input::tank::resolver::Resolver;
 
-choice! {
-    /// Family of a material.
-    Family {
-        /// Carbon and low-alloy steel.
-        CarbonSteel = "carbon_steel",
-        /// Stainless steel: API 650 annex S.
-        Stainless = "stainless",
-        /// Aluminium alloy: API 650 annex AL.
-        Aluminium = "aluminium",
-        /// Another metal, such as titanium or steel with nine per cent of nickel.
-        OtherMetal = "other_metal",
-        /// Concrete, reinforced or not.
-        Concrete = "concrete",
-        /// Polymer, with or without fibres.
-        Polymer = "polymer",
-        /// None of these.
-        Other = "other",
-    }
-}
+choice!(Family);
 
 /// The family; `None` where nothing decides, which leaves the checks of a wall of this material open.
 ///
