@@ -15,7 +15,7 @@ use engines::Task;
 use engines::nonlinear::push::PushOptions;
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
-use results::{Deformability, EngineId, InputValue, Part, SourceFile, TankSummary};
+use results::{Deformability, EngineId, InputValue, Omittable, SourceFile, TankSummary};
 
 /// Refusals of an analysis for a tank file, each with its place in the file.
 ///
@@ -54,7 +54,7 @@ pub struct Job {
     /// Checkpoint file of the nonlinear run.
     pub checkpoint: Option<CheckpointFile>,
     /// Parts of the results that nobody needs, and that are not computed.
-    pub without: Vec<Part>,
+    pub without: Vec<Omittable>,
     /// Echo of the input, defaults marked.
     pub echo: Vec<InputValue>,
     /// Input files of the job, with their hashes.

@@ -32,7 +32,7 @@ pub(crate) use folders::replaced;
 use folders::{Folders, announce_loss};
 use report::words::{self, terminal};
 use results::compare::unusable;
-use results::{self, EngineId, LeftOut, Part, Results, Verdict, VerdictStatus, vtu};
+use results::{self, EngineId, LeftOut, Omittable, Results, Verdict, VerdictStatus, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -276,7 +276,7 @@ fn not_computed(results: &Results) {
             LeftOut::names(parts)
         );
         // What it means for checks, which are printed beside it.
-        for left in parts.iter().filter(|left| left.part == Part::MeshError) {
+        for left in parts.iter().filter(|left| left.part == Omittable::MeshError) {
             say!("note: {}", left.text);
         }
     }
@@ -353,9 +353,9 @@ fn leave_out(job: &mut Job, args: &Args) {
     }
     job.without = args.select.needless();
     if !job.linear.mesh_error {
-        job.without.retain(|part| *part != Part::MeshError);
+        job.without.retain(|part| *part != Omittable::MeshError);
     }
-    job.linear.mesh_error &= !job.without.contains(&Part::MeshError);
+    job.linear.mesh_error &= !job.without.contains(&Omittable::MeshError);
 }
 
 /// Whether an engine may have states for ParaView.

@@ -13,7 +13,7 @@ use crate::error::Error;
 use files::code::Code;
 use files::text;
 use report::words;
-use results::{Method, Overruled, Part, Results, finite};
+use results::{Method, Omittable, Overruled, Results, finite};
 
 /// Everything, as in `results.json`.
 const ALL: &str = "all";
@@ -94,14 +94,14 @@ impl SelectArg {
     }
 
     /// What of a run none of the named parts needs; nothing where no part is named. All short forms are the same without it.
-    pub(crate) fn needless(&self) -> Vec<Part> {
+    pub(crate) fn needless(&self) -> Vec<Omittable> {
         let mut wanted = self.select.iter().map(|part| part.trim());
         if !self.is_given() || wanted.clone().any(|part| !LIGHT.contains(&part)) {
             return Vec::new();
         }
-        let mut parts = vec![Part::Envelopes, Part::Histories, Part::Grounds];
+        let mut parts = vec![Omittable::Envelopes, Omittable::Histories, Omittable::Grounds];
         if wanted.all(|part| part != WITH_ERROR) {
-            parts.push(Part::MeshError);
+            parts.push(Omittable::MeshError);
         }
         parts
     }

@@ -80,11 +80,8 @@ fn held(run: &Run) -> Option<Held> {
         values: values.clone(),
     };
     let lifts = run.base.as_ref().map(|base| of(Factor::Uplift, &base.held));
-    let isolated = run.isolation.as_ref().map(|found| of(Factor::Isolators, &found.fixed));
-    let on_soil = run.soil.as_ref().map(|soil| Held {
-        factor: Factor::Soil,
-        values: soil.beside.iter().map(|of| (of.id.clone(), of.fixed.value)).collect(),
-    });
+    let isolated = run.part("isolation").map(|part| of(Factor::Isolators, &part.held()));
+    let on_soil = run.part("soil").map(|part| of(Factor::Soil, &part.held()));
     lifts.or(isolated).or(on_soil)
 }
 

@@ -15,7 +15,7 @@ use engines::damping::Damper;
 use engines::{FeError, Simulation, engine, nonlinear};
 use results::compare::{Damping, Happened, Incomplete};
 use results::nonlinear::End;
-use results::{LeftOut, Method, Part, Run};
+use results::{LeftOut, Method, Omittable, Run};
 
 /// Rejects a job with input that one of its engines does not support.
 ///
@@ -113,9 +113,9 @@ fn ended(run: &Run) -> Option<Incomplete> {
 
 /// What the results have not, because nobody needs it: softer and harder ground is that of a base that moves.
 pub(super) fn left_out(job: &Job, runs: &[Run]) -> Vec<LeftOut> {
-    let would_have = |part: &&Part| match part {
-        Part::Grounds => runs.iter().any(|run| run.base.is_some()),
-        Part::MeshError | Part::Envelopes | Part::Histories => true,
+    let would_have = |part: &&Omittable| match part {
+        Omittable::Grounds => runs.iter().any(|run| run.base.is_some()),
+        Omittable::MeshError | Omittable::Envelopes | Omittable::Histories => true,
     };
     let parts = job.without.iter().filter(would_have);
     parts.map(|part| LeftOut::of(*part)).collect()

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use engines::Integrator;
 use fem::progress::Silent;
 use oscillator::record::Record;
-use results::{EngineId, Part};
+use results::{EngineId, Omittable};
 use tank::case::GroundMotion;
 use tankcheck::input::read_tank;
 use tankcheck::job::Job;
@@ -179,7 +179,12 @@ fn a_folder_of_selected_parts_says_what_it_has_not() {
 /// integration, on isolators and on soil.
 #[test]
 fn selected_parts_have_the_bits_of_the_whole_run() {
-    let all = [Part::Envelopes, Part::Histories, Part::Grounds, Part::MeshError];
+    let all = [
+        Omittable::Envelopes,
+        Omittable::Histories,
+        Omittable::Grounds,
+        Omittable::MeshError,
+    ];
     let examples: [(&str, bool, bool); 6] = [
         ("01_broad_tank", false, false),
         ("01_broad_tank", true, false),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fem::progress::Progress;
-use results::{EngineId, Part, Run, Series, Snapshots};
+use results::{EngineId, Omittable, Run, Series, Snapshots};
 use tank::demand::Demands;
 use tank::refusal::Refusal;
 use tank::{Case, Quantity};
@@ -30,7 +30,7 @@ pub struct Task<'a> {
     /// Checkpoint of a long run.
     pub checkpoint: Option<&'a CheckpointFile>,
     /// Parts of the results that nobody needs; an engine may compute them all the same.
-    pub without: &'a [Part],
+    pub without: &'a [Omittable],
 }
 
 /// Output of an engine.

@@ -289,7 +289,7 @@ fn report(
         moved.complete(&analysis, &mut values, &held);
     }
     if let Some(found) = &isolated {
-        rocking::of_base(&found.result.quantities, &mut values);
+        rocking::of_base(&found.values, &mut values);
     }
     free.rest(&mut values);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
@@ -322,6 +322,8 @@ fn report(
         isolation::push(found, &mut histories);
         analysis.grid = found.record_grid(analysis.grid);
     }
+    let isolators = isolated.iter().map(|found| found.part());
+    let parts = isolators.chain(soil).collect();
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&free, options.heave.is_some(), &mut notes, &mut assumptions);
@@ -356,9 +358,8 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
-        isolation: isolated.map(|found| found.result),
+        parts,
         base: free.result(),
-        soil,
         envelopes,
         record_end: Some(record_end(motion)),
         histories: histories.info,

@@ -74,7 +74,7 @@ impl Cover {
         context.insert("heads", &words::SIGNATURE_HEADS);
         Ok(Part {
             id: "summary",
-            title: crate::words::sections::heading("summary"),
+            title: crate::words::sections::heading("summary").into(),
             html: templates.render("cover.html", &context)?,
         })
     }
@@ -86,7 +86,7 @@ pub(crate) struct Part {
     /// Id and anchor.
     pub id: &'static str,
     /// Heading; that of the first part is not printed.
-    pub title: &'static str,
+    pub title: String,
     /// Content.
     pub html: String,
 }
@@ -127,6 +127,7 @@ impl<'a> Body<'a> {
     ) -> Result<(), Error> {
         context.insert("part", id);
         let html = self.templates.render(template, context)?;
+        let title = title.into();
         self.parts.push(Part { id, title, html });
         Ok(())
     }

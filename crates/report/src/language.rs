@@ -12,13 +12,17 @@
 //! | `text` | words, sentences, first letters |
 //! | `markup` | finds the texts of a page |
 //! | `decimal` | decimal commas |
+//! | `made` | texts that are in the language already |
 //! | `german/*.txt` | the catalogue, by topic |
+//!
+//! A text of [`crate::message`] is in the language of the page already, and stays.
 //!
 //! A text that the catalogue lacks stays English and is remembered: [`untranslated`]. The tests render the examples and
 //! allow none.
 
 mod catalogue;
 mod decimal;
+pub(crate) mod made;
 mod markup;
 mod pattern;
 #[cfg(test)]
@@ -62,6 +66,20 @@ pub fn untranslated() -> Vec<String> {
     MISSING.take().into_iter().collect()
 }
 
+/// A message of this id has no text: it is remembered as a text without a translation, and shown by its id.
+pub(crate) fn lacks(id: &str) -> String {
+    MISSING.with_borrow_mut(|all| all.insert(id.to_owned()));
+    id.to_owned()
+}
+
+/// A number as the language writes it.
+pub(crate) fn decimal(number: String) -> String {
+    match style::language() {
+        Language::English => number,
+        Language::German => decimal::commas(&number),
+    }
+}
+
 /// A plain text in the language and units of the page under construction.
 pub fn say(text: &str) -> Cow<'_, str> {
     match style::language() {
@@ -92,6 +110,9 @@ fn clause(text: &str) -> String {
 
 /// The German of a text; the text itself, with decimal commas, where the catalogue lacks it.
 fn german(text: &str) -> String {
+    if made::is_made(text) {
+        return text.to_owned();
+    }
     if let Some(known) = SEEN.with_borrow(|seen| seen.get(text).cloned()) {
         return known;
     }

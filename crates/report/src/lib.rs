@@ -22,6 +22,7 @@
 //! | [`push`] | that of a pushover |
 //! | [`study`] | that of a study |
 //! | [`math`] | sets formulas |
+//! | [`message`] | sentences and titles of parts, by id |
 //! | [`number`] | prints numbers |
 //! | [`language`], [`style`] | German pages; language and units of a page |
 //! | [`words`] | every sentence |
@@ -37,6 +38,7 @@ pub mod ida;
 pub mod language;
 pub mod level;
 pub mod math;
+pub mod message;
 pub mod methods;
 pub mod number;
 mod numbering;
@@ -161,6 +163,7 @@ fn facts(model: &[Fact]) -> Table {
 /// Errors: a template that fails, a section that renders without content.
 pub fn build(results: &Results, series: &Series, templates: &Templates, level: Level) -> Result<Report, Error> {
     let _style = style::of(results.project.as_ref());
+    language::made::begin();
     let source = Source { results, series, level };
     let mut views = Vec::new();
     let mut figures: Vec<Figure> = Vec::new();
@@ -171,7 +174,7 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
         let Some(section) = make(&source)? else {
             continue;
         };
-        let template = format!("sections/{}.html", section.id);
+        let template = templates.of_section(section.id);
         let html = templates.render(&template, &section.context)?;
         if is_empty(&html) {
             return Err(Error::Report(format!(

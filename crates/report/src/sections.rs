@@ -11,13 +11,13 @@ mod engine;
 mod histories;
 mod input;
 mod internal_forces;
-mod isolation;
 mod limits;
 mod modes;
 mod motion;
 mod motion_of_base;
 mod nonlinear;
 mod overlay;
+mod part;
 mod partings;
 mod profiles;
 mod provenance;
@@ -25,7 +25,6 @@ mod record_set;
 mod reported;
 mod section;
 mod sheets;
-mod soil;
 mod spatial;
 mod spectra;
 mod standing;
@@ -44,17 +43,21 @@ pub use section::{FigureView, Section, Source};
 /// Makes a section; `None` without content.
 pub type Maker = fn(&Source) -> Result<Option<Section>, Error>;
 
-/// Lists the sections in report order, each with the level from which it is in the report, and its template.
-macro_rules! sections {
-    ($($id:ident: $level:ident),+ $(,)?) => {
-        /// All sections in report order.
-        pub const ALL: &[(Maker, Level)] = &[$(($id::make, Level::$level)),+];
+/// What makes a section: its module, or that of all parts.
+macro_rules! maker {
+    ($id:ident) => {
+        $id::make
+    };
+    ($id:ident part) => {
+        |source| part::section(source, stringify!($id))
+    };
+}
 
-        /// Their templates by name.
-        pub(crate) const TEMPLATES: &[(&str, &str)] = &[$((
-            concat!("sections/", stringify!($id), ".html"),
-            include_str!(concat!("../../../templates/sections/", stringify!($id), ".html")),
-        )),+];
+/// Lists the sections in report order, each with the level from which it is in the report.
+macro_rules! sections {
+    ($($id:ident $($part:ident)?: $level:ident),+ $(,)?) => {
+        /// All sections in report order.
+        pub const ALL: &[(Maker, Level)] = &[$((maker!($id $($part)?), Level::$level)),+];
     };
 }
 
@@ -76,9 +79,9 @@ sections![
     internal_forces: Standard,
     directions: Standard,
     standing: Standard,
-    isolation: Standard,
+    isolation part: Standard,
     base: Standard,
-    soil: Standard,
+    soil part: Standard,
     nonlinear: Standard,
     tilt: Standard,
     modes: Full,
@@ -88,4 +91,46 @@ sections![
     sheets: Standard,
     input: Full,
     provenance: Standard,
+];
+
+/// Templates of sections by name.
+macro_rules! templates {
+    ($($id:literal),+ $(,)?) => {
+        &[$((
+            concat!("sections/", $id, ".html"),
+            include_str!(concat!("../../../templates/sections/", $id, ".html")),
+        )),+]
+    };
+}
+
+/// The templates of sections, that of all parts among them.
+pub(crate) const TEMPLATES: &[(&str, &str)] = templates![
+    "summary",
+    "tank",
+    "limits",
+    "engine",
+    "motion",
+    "spectra",
+    "record_set",
+    "checks",
+    "comparison",
+    "partings",
+    "attribution",
+    "reported",
+    "profiles",
+    "histories",
+    "internal_forces",
+    "directions",
+    "standing",
+    "base",
+    "nonlinear",
+    "tilt",
+    "modes",
+    "transfer",
+    "spatial",
+    "around",
+    "sheets",
+    "input",
+    "provenance",
+    "part",
 ];

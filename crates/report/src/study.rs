@@ -158,7 +158,7 @@ pub fn report(study: &Study) -> Result<Report, Error> {
         context.insert("s", section);
         parts.push(Part {
             id: section.id,
-            title: section.title,
+            title: section.title.into(),
             html: templates.render("study.html", &context)?,
         });
     }

@@ -80,6 +80,15 @@ impl Templates {
             .map_err(|e| Error::Report(format!("template {name}: {e}")))
     }
 
+    /// The template of a section: its own one, else that of all parts.
+    pub(crate) fn of_section(&self, id: &str) -> String {
+        let own = format!("sections/{id}.html");
+        match self.sources.contains_key(&own) {
+            true => own,
+            false => "sections/part.html".into(),
+        }
+    }
+
     /// A style sheet.
     pub fn css(&self, name: &str) -> &str {
         self.sources.get(name).map_or("", String::as_str)

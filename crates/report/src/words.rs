@@ -17,10 +17,8 @@
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
 //! | [`internal_forces`] | stations of the wall |
-//! | [`isolation`] | a tank on isolators |
 //! | [`ida`], [`push`], [`study`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
-//! | [`soil`] | a tank on a slab on soil |
 //! | [`terminal`] | the summaries on the terminal |
 //! | [`transfer`] | transfer functions |
 //! | [`uplift`] | the base of a tank that lifts or slides |
@@ -35,14 +33,12 @@ pub mod facts;
 pub mod figures;
 pub mod ida;
 pub mod internal_forces;
-pub mod isolation;
 pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod record_set;
 pub mod sections;
 pub mod sheets;
-pub mod soil;
 pub mod standing;
 pub mod study;
 pub mod summary;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use tank::FoundationKind;
 
-use crate::value::Value;
+use crate::part::Finding;
 
 /// Where the modulus of the ground comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,7 +41,7 @@ pub struct BaseRun {
     /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `slip_path`,
     /// `anchor_force`,
     /// `base_shear`, `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `rim_hoop_stress`, `axial_membrane_stress`.
-    pub quantities: Vec<BaseQuantity>,
+    pub quantities: Vec<Finding>,
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,
     /// Comparable values of the wall held down, by id of the quantity (SI).
@@ -124,28 +124,9 @@ pub struct JointCycles {
 
 impl BaseRun {
     /// A value by its id.
-    pub fn quantity(&self, id: &str) -> Option<&BaseQuantity> {
+    pub fn quantity(&self, id: &str) -> Option<&Finding> {
         self.quantities.iter().find(|q| q.id == id)
     }
-}
-
-/// A value with its time and place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct BaseQuantity {
-    /// Id.
-    pub id: String,
-    /// Value and unit.
-    #[serde(flatten)]
-    pub value: Value,
-    /// When [s].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub time: Option<f64>,
-    /// Where, θ [°].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub degrees: Option<f64>,
-    /// Where, above the base plate [m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub z: Option<f64>,
 }
 
 /// Energies at the end of a run [J].

@@ -14,18 +14,17 @@ mod fields;
 pub mod finite;
 mod ida;
 pub mod impulsive;
-mod isolation_run;
 mod layout;
+mod left_out;
 pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;
-mod part;
+pub mod part;
 mod previous;
 mod push;
 mod record_set;
 mod run;
 mod snapshots;
-mod soil_run;
 mod standing;
 mod store;
 mod study;
@@ -44,8 +43,7 @@ use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
 pub use base_run::{
-    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, GroundPlan, JointCycles,
-    MissedBand,
+    AnchorRun, BaseBand, BaseEnergy, BaseRun, BaseSpread, GroundOrigin, GroundPlan, JointCycles, MissedBand,
 };
 pub use changes::{Changes, Ending, MovedCheck, MovedQuantity, Side};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
@@ -56,8 +54,8 @@ pub use ida::{
     Collapse, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
     write_ida,
 };
-pub use isolation_run::{IsolationBand, IsolationEnergy, IsolationRun};
-pub use part::{LeftOut, Part};
+pub use left_out::{LeftOut, Omittable};
+pub use part::{Finding, Part};
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
     PushShell, PushStrip, read_push, write_push,
@@ -67,7 +65,6 @@ pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
 };
 pub use snapshots::{Resultants, Snapshot, Snapshots};
-pub use soil_run::{EffectiveMode, OnSoil, SoilRun};
 pub use store::{
     COMPARE, COMPARE_REPORT, FIGURES_FOLDER, FORMS, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put,
     read, read_series, write,
@@ -86,7 +83,7 @@ pub use verdict::{Aside, Counts, Deciding, Governing, Overruled, Verdict, Verdic
 pub use files::error::describe;
 
 /// Version of the format. The version before it is converted when it is read; any other is refused.
-pub const FORMAT: &str = "tankcheck-results/3";
+pub const FORMAT: &str = "tankcheck-results/4";
 
 /// Everything in `results.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

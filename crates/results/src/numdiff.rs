@@ -18,7 +18,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate as results;
-use crate::{LeftOut, Part, Results};
+use crate::{LeftOut, Omittable, Results};
 use files::error::Error;
 
 /// Tolerances.
@@ -98,10 +98,10 @@ pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Erro
         as_value(serde_json::to_value(results::read(folder)?.without(&left_out)))
     };
     let mut report = values(&load(old)?, &load(new)?, options);
-    if left_out.iter().all(|left| left.part != Part::Histories) {
+    if left_out.iter().all(|left| left.part != Omittable::Histories) {
         let [kept, found] = [results::read_series(old)?, results::read_series(new)?];
         if kept.time.is_empty() && !found.time.is_empty() {
-            left_out.push(LeftOut::of(Part::Histories));
+            left_out.push(LeftOut::of(Omittable::Histories));
         } else {
             series(&kept, &found, options, &mut report);
         }

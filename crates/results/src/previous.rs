@@ -7,27 +7,33 @@
 //! | 1 | `nonlinear.end`, `nonlinear.events` of a run | `end`, `events` |
 //! | 1, 2 | `verdict.holds`, `checks`, `failed` | `verdict.status`, `counts`; all methods decided |
 //! | 1, 2 | `verdict.incomplete` | `verdict.unfinished` |
+//! | 1 to 3 | `isolation`, `soil` of a run | its part of this name in `parts` |
 //!
 //! No number changes. A check of an earlier format says `holds` in place of `status`; [`tank::check::Check`] reads both.
+
+mod parts;
 
 use serde_json::{Map, Value, json};
 
 /// The formats that [`convert`] takes.
-pub(crate) const FORMATS: [&str; 2] = ["tankcheck-results/1", "tankcheck-results/2"];
+pub(crate) const FORMATS: [&str; 3] = ["tankcheck-results/1", "tankcheck-results/2", "tankcheck-results/3"];
 
 /// Results of an earlier format in the present one. A value that is not an object is left unchanged, and reading reports it.
 pub(crate) fn convert(mut results: Value) -> Value {
     let Value::Object(map) = &mut results else {
         return results;
     };
-    let first = map.get("format").and_then(Value::as_str) == Some(FORMATS[0]);
-    map.insert("format".into(), super::FORMAT.into());
-    if let Some(Value::Object(verdict)) = map.get_mut("verdict") {
+    let format = map.insert("format".into(), super::FORMAT.into());
+    let is = |known: &str| format.as_ref().and_then(Value::as_str) == Some(known);
+    if let Some(Value::Object(verdict)) = map.get_mut("verdict").filter(|_| !is(FORMATS[2])) {
         convert_verdict(verdict);
     }
-    if first {
+    if is(FORMATS[0]) {
         collect_runs(map);
     }
+    let runs = map.get_mut("runs").and_then(Value::as_array_mut);
+    let runs = runs.into_iter().flatten().filter_map(Value::as_object_mut);
+    runs.for_each(parts::collect);
     results
 }
 

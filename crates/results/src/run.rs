@@ -10,10 +10,9 @@ use crate::base_run::BaseRun;
 use crate::channel::Channel;
 use crate::directions::Directional;
 use crate::fields::Fields;
-use crate::isolation_run::IsolationRun;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
-use crate::soil_run::SoilRun;
+use crate::part::Part;
 use crate::tilt::Tilt;
 use crate::transfer::Transfer;
 
@@ -156,15 +155,12 @@ pub struct Run {
     /// Transfer functions, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
-    /// The isolators of a tank on them.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub isolation: Option<IsolationRun>,
+    /// What it found on the subjects that its tank has.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Part>,
     /// The run with a base that rocks and slides, of an unanchored tank that lifts or slides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<BaseRun>,
-    /// The soil under a rigid slab, on which this run moves.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub soil: Option<SoilRun>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -203,15 +199,19 @@ impl Run {
             directions: Vec::new(),
             tilt: None,
             transfer: None,
-            isolation: None,
+            parts: Vec::new(),
             base: None,
-            soil: None,
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,
             around: None,
             nonlinear: None,
         }
+    }
+
+    /// What it found on a subject.
+    pub fn part(&self, id: &str) -> Option<&Part> {
+        self.parts.iter().find(|part| part.id == id)
     }
 
     /// Whether the liquid has left the wall.

@@ -14,7 +14,7 @@ pub struct Value {
 }
 
 /// Writes a dimension as its SI symbol.
-mod unit_symbol {
+pub(crate) mod unit_symbol {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
     use tank::units::Dimension;
 

@@ -18,7 +18,7 @@ use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History};
 use crate::response::superpose::{self, ModalSystem, Observable};
 use results::channel::{OnWall, Side};
-use results::{Channel, EnergyBalance, Part};
+use results::{Channel, EnergyBalance, Omittable};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
@@ -193,10 +193,10 @@ pub(crate) enum Extent {
 
 impl Extent {
     /// Parts of the results that a selected run has not.
-    pub(crate) const LEAVES_OUT: [Part; 3] = [Part::Envelopes, Part::Histories, Part::Grounds];
+    pub(crate) const LEAVES_OUT: [Omittable; 3] = [Omittable::Envelopes, Omittable::Histories, Omittable::Grounds];
 
     /// The extent of a run of which nobody needs these parts.
-    pub(crate) fn without(parts: &[Part]) -> Extent {
+    pub(crate) fn without(parts: &[Omittable]) -> Extent {
         match Extent::LEAVES_OUT.iter().all(|part| parts.contains(part)) {
             true => Extent::Selected,
             false => Extent::Whole,

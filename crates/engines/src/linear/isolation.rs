@@ -16,7 +16,8 @@ use ::soil::SoilError;
 use ::soil::isolated::{self, History, Mode};
 use ::soil::isolator::{Friction, Isolator};
 use oscillator::record::Record;
-use results::{EngineId, IsolationBand};
+use results::EngineId;
+use results::part::Fact;
 use tank::case::GroundMotion;
 use tank::demand::Demands;
 use tank::options::LinearOptions as Options;
@@ -271,6 +272,7 @@ impl Setup {
         };
         demands.isolation = Some(bearings::isolation(self, given, &history, &demands));
         Ok(Bound {
+            factor,
             band: self.band(
                 &isolators,
                 factor,
@@ -281,28 +283,26 @@ impl Setup {
         })
     }
 
+    /// A row of the table of values by the factor of the properties.
     fn band(
         &self,
         isolators: &[Isolator],
         factor: f64,
         history: &History,
         (values, demands): (&BTreeMap<Quantity, f64>, &Demands),
-    ) -> IsolationBand {
+    ) -> Vec<Fact> {
         let displacement = isolated::peak(&history.displacement);
-        let [_, effective_period, effective_damping] = self.effective(isolators, displacement);
+        let [_, period, damping] = self.effective(isolators, displacement);
         let value = |quantity| values.get(&quantity).copied().unwrap_or(0.0);
-        IsolationBand {
-            factor,
-            isolator_displacement: displacement,
-            isolator_force: isolated::peak(&history.force),
-            effective_period,
-            effective_damping,
-            base_shear: both(demands).unwrap_or_else(|| value(Quantity::BaseShear)),
-            sloshing_height: match (demands.transverse.is_empty(), demands.wave) {
-                (false, Some(wave)) => wave.value,
-                _ => value(Quantity::SloshingHeight),
-            },
-        }
+        let wave = match (demands.transverse.is_empty(), demands.wave) {
+            (false, Some(wave)) => wave.value,
+            _ => value(Quantity::SloshingHeight),
+        };
+        let shear = both(demands).unwrap_or_else(|| value(Quantity::BaseShear));
+        let force = isolated::peak(&history.force);
+        [factor, displacement, force, period, damping, shear, wave]
+            .map(Fact::from)
+            .to_vec()
     }
 }
 
@@ -315,7 +315,8 @@ fn both(demands: &Demands) -> Option<f64> {
 
 /// A run with scaled properties.
 struct Bound {
-    band: IsolationBand,
+    factor: f64,
+    band: Vec<Fact>,
     demands: Demands,
 }
 

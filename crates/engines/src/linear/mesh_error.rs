@@ -32,7 +32,7 @@ use crate::modes::{CoupledMode, Kind};
 use crate::spectral::ModalUnits;
 use fem::linalg::dot;
 use results::channel::Side;
-use results::{Channel, EngineId};
+use results::{Channel, EngineId, Part};
 
 /// Smallest mesh refinement of the engines.
 const COARSEST: f64 = 0.25;
@@ -162,10 +162,11 @@ pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options
     if let Some(second) = second {
         // The error of a wall on a moving base is that of the wall held down, relative.
         let result = &simulation.result;
-        let isolation = result.isolation.as_ref().map(|run| &run.fixed);
-        let held = result.base.as_ref().map(|base| &base.held).or(isolation);
+        let isolation = || result.part("isolation").map(Part::held);
+        let held = result.base.as_ref().map(|base| base.held.clone()).or_else(isolation);
         let error = |(quantity, value): (&Quantity, &f64)| {
-            let value = held.and_then(|held| held.get(quantity.id())).unwrap_or(value);
+            let held = held.as_ref().and_then(|held| held.get(quantity.id()));
+            let value = held.unwrap_or(value);
             let other = second.values.get(quantity)?;
             let wave = second.wave.filter(|_| *quantity == Quantity::SloshingHeight);
             let error = match wave {

@@ -128,7 +128,7 @@ impl Response {
         let result = &simulation.result;
         let linear = result.engine != EngineId::Nonlinear
             && result.base.is_none()
-            && result.isolation.is_none()
+            && result.part("isolation").is_none()
             && !result.incomplete;
         Response {
             linear,

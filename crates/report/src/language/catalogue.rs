@@ -17,6 +17,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use super::decimal::commas;
+use super::made::is_made;
 use super::pattern::{Kind, Pattern, Piece, kinds, pieces};
 use super::text::{bound, forms, is_neutral, sentences};
 
@@ -191,6 +192,9 @@ impl Catalogue {
 
     /// The German of a text, all of it.
     fn found(&self, text: &str, seen: &Seen) -> Option<String> {
+        if is_made(text) {
+            return Some(text.to_owned());
+        }
         if let Some(german) = self.whole(text) {
             return Some(german);
         }

@@ -6,6 +6,7 @@
 use tank::Language;
 use tank::units::{System, converted};
 
+use super::made::is_made;
 use super::{DIGITS, german};
 use crate::figure::svg::escape;
 use crate::math;
@@ -235,8 +236,14 @@ impl Page {
             _ if place.clause || place.title || place.calculated => System::Si,
             units => units,
         };
-        let words = converted(&words, units, DIGITS);
+        let made = is_made(&words);
+        let words = if made {
+            words.into()
+        } else {
+            converted(&words, units, DIGITS)
+        };
         let shown = match self.language {
+            _ if made => words.into_owned(),
             Language::English => words.into_owned(),
             Language::German if place.clause => super::clause(&words),
             // A name alone, or before a dash.

@@ -14,7 +14,7 @@ use crate::table::{Column, Table, spread, spread_with_extremes};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::channel::Side;
-use results::{BaseQuantity, BaseRun, Channel, GroundPlan};
+use results::{BaseRun, Channel, Finding, GroundPlan};
 
 /// Height of the plots in user units.
 const PLOT: f64 = 150.0;
@@ -213,7 +213,7 @@ fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
     })
 }
 
-fn text(quantity: &BaseQuantity) -> String {
+fn text(quantity: &Finding) -> String {
     match quantity.value.dimension {
         Dimension::Angle => words::rotation(quantity.value.value),
         dimension => with_unit(quantity.value.value, dimension),

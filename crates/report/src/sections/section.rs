@@ -25,8 +25,8 @@ pub struct Section {
     /// Id and anchor.
     pub id: &'static str,
     /// Heading.
-    pub title: &'static str,
-    /// Context of the template `sections/<id>.html`.
+    pub title: String,
+    /// Context of the template `sections/<id>.html`, of a part `sections/part.html`.
     pub context: Context,
     /// Figures, for `figures/`.
     pub figures: Vec<Figure>,
@@ -35,14 +35,26 @@ pub struct Section {
 impl Section {
     /// A section with its sentences, without content yet.
     pub(super) fn new(id: &'static str) -> Section {
-        let mut section = Section {
-            id,
-            title: words::sections::heading(id),
-            context: Context::new(),
-            figures: Vec::new(),
-        };
+        let mut section = Section::titled(id, words::sections::heading(id).into());
         section.set("words", &words::sections::sentences(id));
         section
+    }
+
+    /// A section with this heading, without content yet.
+    pub(super) fn titled(id: &'static str, title: String) -> Section {
+        Section {
+            id,
+            title,
+            context: Context::new(),
+            figures: Vec::new(),
+        }
+    }
+
+    /// Keeps a figure for `figures/`; returns its view.
+    pub(super) fn show(&mut self, figure: Figure) -> Vec<FigureView> {
+        let view = FigureView::of(&figure);
+        self.figures.push(figure);
+        vec![view]
     }
 
     /// Hands a value to the template.

@@ -119,21 +119,21 @@ fn against_the_body() -> Answer {
                 (2e-3, "1"),
             ));
         }
-        let soil = run
-            .result
-            .soil
-            .ok_or_else(|| Failure::from("no run on soil".to_owned()))?;
-        let k = soil.impulsive_mass * (std::f64::consts::TAU / soil.fixed_period).powi(2);
+        let soil = run.result.part("soil");
+        let soil = soil.ok_or_else(|| Failure::from("no run on soil".to_owned()))?;
+        let period = |mode: &str| soil.cell("effective", mode, "period").unwrap_or(f64::NAN);
+        let said = |name: &str| soil.said("soil-ground", name).unwrap_or(f64::NAN);
+        let fixed = period("fixed");
+        let k = said("mass") * (std::f64::consts::TAU / fixed).powi(2);
         let shear_modulus: f64 = 1900.0 * 200.0 * 200.0;
         // ν = 1/3, R = 10 m.
         let (k_x, k_theta) = (48.0 * shear_modulus, 4e3 * shear_modulus);
-        let expected = soil.fixed_period * (1.0 + k / k_x + k * soil.impulsive_arm.powi(2) / k_theta).sqrt();
-        let on_springs = soil.effective.iter().find(|mode| mode.id == "static");
+        let expected = fixed * (1.0 + k / k_x + k * said("arm").powi(2) / k_theta).sqrt();
         rows.push(Row::new(
             "G14",
             format!("period, slab of {slab}"),
             (expected, "springs in series", Reference::ClosedForm),
-            on_springs.map_or(f64::NAN, |mode| mode.period),
+            period("static"),
             (1e-6, "s"),
         ));
     }

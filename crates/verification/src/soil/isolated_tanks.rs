@@ -14,7 +14,6 @@
 use std::f64::consts::{PI, TAU};
 
 use ::soil::isolated::{ModeState, Run, march, peak};
-use results::IsolationRun;
 use tank::case::GroundMotion;
 use tank::{Bearing, Case, Isolators};
 
@@ -126,14 +125,14 @@ fn options() -> Options {
 
 /// A run of the engine.
 struct Ran {
-    isolation: IsolationRun,
+    isolation: results::Part,
     /// Samples of the run, which goes on after the record.
     samples: usize,
 }
 
 fn ran(case: &Case, options: &Options) -> Result<Ran, Failure> {
     let run = simulate(case, options)?;
-    let isolation = run.result.isolation;
+    let isolation = run.result.part("isolation").cloned();
     Ok(Ran {
         isolation: isolation.ok_or_else(|| Failure::from("no run on isolators".to_owned()))?,
         samples: run.series.time.len(),
@@ -143,10 +142,11 @@ fn ran(case: &Case, options: &Options) -> Result<Ran, Failure> {
 impl Ran {
     /// Displacement [mm] and force over weight of the isolators.
     fn base(&self) -> [f64; 2] {
-        let value = |id: &str| self.isolation.quantity(id).map_or(f64::NAN, |q| q.value.value);
+        let value = |id: &str| self.isolation.value(id).map_or(f64::NAN, |q| q.value.value);
+        let mass = self.isolation.said("isolation-isolators", "mass").unwrap_or(f64::NAN);
         [
             1e3 * value("isolator_displacement"),
-            value("isolator_force") / (self.isolation.mass * GRAVITY),
+            value("isolator_force") / (mass * GRAVITY),
         ]
     }
 }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use ::soil::isolated::History;
-use results::{BaseQuantity, Channel, IsolationEnergy, IsolationRun, SeriesInfo, Value};
+use ::soil::isolated;
+use results::part::{Amount, Axis, Block, Chart, Fact, Form, History, Line, Look, Message, Scale, Table};
+use results::{Channel, Finding, Part, SeriesInfo};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, Isolation};
 use tank::units::Dimension;
@@ -17,6 +18,16 @@ use crate::response::motion::Grid;
 
 /// Points of the cycles that are kept, and their time on either side of the largest displacement [s].
 const CYCLES: (usize, f64) = (800, 5.0);
+/// Columns of the values by the factor of the properties.
+const BAND: [(&str, Dimension, Form); 7] = [
+    ("factor", Dimension::Dimensionless, Form::Given),
+    ("isolator_displacement", Dimension::Length, Form::Usual),
+    ("isolator_force", Dimension::Force, Form::Usual),
+    ("effective_period", Dimension::Time, Form::Usual),
+    ("effective_damping", Dimension::Dimensionless, Form::Percent),
+    ("base_shear", Dimension::Force, Form::Usual),
+    ("sloshing_height", Dimension::Length, Form::Usual),
+];
 /// Values that depend on how the base moves.
 const MOVING: [Quantity; 8] = [
     Quantity::SloshingHeight,
@@ -33,87 +44,57 @@ const MOVING: [Quantity; 8] = [
 pub(in crate::linear) struct Isolated {
     setup: Setup,
     given: Isolators,
-    history: History,
+    history: isolated::History,
     /// The motion of the slab in place of that of the ground.
     pub motion: GroundMotion,
-    /// Its results.
-    pub result: IsolationRun,
+    /// Values of the isolators, then those of the tank on them.
+    pub values: Vec<Finding>,
+    /// Largest values with lower, nominal and upper properties, a row of the table each.
+    bands: Vec<Vec<Fact>>,
     /// Demands with scaled properties, and their factor.
     bounds: Vec<(f64, Demands)>,
+    /// Difference of the largest force along x from that of the superposed response, relative.
+    superposition: f64,
 }
 
 impl Isolated {
     pub(super) fn new(
         setup: Setup,
         given: Isolators,
-        history: History,
+        history: isolated::History,
         bounds: Vec<Bound>,
         motion: &GroundMotion,
     ) -> Isolated {
-        let band = bounds.iter().map(|bound| bound.band).collect();
-        let bounds = bounds
-            .into_iter()
-            .map(|bound| (bound.band.factor, bound.demands))
-            .collect();
         let isolators = setup.isolators(&given, 1.0);
         let displacement = largest(history.displacement.iter().map(size));
         let force = largest(history.force.iter().map(size));
         let residual = history.displacement.last().map_or(0.0, size);
         let [stiffness, period, damping] = setup.effective(&isolators, displacement.0);
-        let quantity = |id: &str, value: f64, dimension, step: Option<usize>| BaseQuantity {
-            id: id.into(),
-            value: Value { value, dimension },
-            time: step.map(|i| i as f64 * setup.step),
-            degrees: None,
-            z: None,
+        let peak = |id, (value, step): (f64, usize), dimension| Finding {
+            time: Some(step as f64 * setup.step),
+            ..Finding::new(id, value, dimension)
         };
-        let quantities = vec![
-            quantity(
-                "isolator_displacement",
-                displacement.0,
-                Dimension::Length,
-                Some(displacement.1),
-            ),
-            quantity("isolator_residual", residual, Dimension::Length, None),
-            quantity("isolator_force", force.0, Dimension::Force, Some(force.1)),
-            quantity("effective_stiffness", stiffness, Dimension::LineForce, None),
-            quantity("effective_period", period, Dimension::Time, None),
-            quantity("effective_damping", damping, Dimension::Dimensionless, None),
-        ];
-        let energy = &history.energy;
-        let pendulum = matches!(given.bearing, Bearing::FrictionPendulum { .. });
-        let result = IsolationRun {
-            kind: match given.bearing {
-                Bearing::FrictionPendulum { .. } => "friction_pendulum",
-                Bearing::LeadRubber { .. } => "lead_rubber",
-                Bearing::Elastomer { .. } => "elastomer",
-            }
-            .into(),
-            dampers: given.damper.is_some(),
-            slab_mass: given.slab_mass,
-            mass: setup.mass,
-            step: setup.step,
-            quantities,
-            fixed: BTreeMap::new(),
-            superposition: 0.0,
-            energy: IsolationEnergy {
-                input: energy.input,
-                viscous: energy.viscous,
-                isolators: energy.isolators,
-                body: energy.body,
-                error: energy.deviation().abs(),
+        let values = vec![
+            peak("isolator_displacement", displacement, Dimension::Length),
+            Finding::new("isolator_residual", residual, Dimension::Length),
+            peak("isolator_force", force, Dimension::Force),
+            Finding::new("effective_stiffness", stiffness, Dimension::LineForce),
+            Finding::new("effective_period", period, Dimension::Time),
+            Finding {
+                form: Form::Percent,
+                ..Finding::new("effective_damping", damping, Dimension::Dimensionless)
             },
-            band,
-            cycles: cycles(&setup, &history, displacement.1),
-            assumptions: words::assumptions(!setup.vertical.is_empty(), motion.transverse.is_some(), pendulum),
-        };
+        ];
+        let (bands, bounds) = bounds.into_iter().map(|b| (b.band, (b.factor, b.demands))).unzip();
         Isolated {
             motion: setup.driven(&history, motion),
             setup,
             given,
             history,
-            result,
+            values,
+            bands,
             bounds,
+            superposition: 0.0,
         }
     }
 
@@ -169,44 +150,28 @@ impl Isolated {
     ) {
         let isolators = self.setup.isolators(&self.given, 1.0);
         let own = self.setup.band(&isolators, 1.0, &self.history, (values, demands));
-        self.result.band.insert(self.result.band.len().min(1), own);
-        for quantity in MOVING {
-            if let Some(&held) = fixed.get(&quantity) {
-                self.result.fixed.insert(quantity.id().to_owned(), held);
-            }
-            let Some(&value) = values.get(&quantity) else { continue };
-            self.result.quantities.push(BaseQuantity {
-                id: quantity.id().into(),
-                value: Value {
-                    value,
-                    dimension: quantity.dimension(),
-                },
-                time: None,
-                degrees: None,
-                z: None,
-            });
-        }
+        self.bands.insert(self.bands.len().min(1), own);
+        let moving = MOVING.into_iter().filter_map(|quantity| {
+            Some(Finding {
+                held: fixed.get(&quantity).copied(),
+                ..Finding::new(quantity.id(), *values.get(&quantity)?, quantity.dimension())
+            })
+        });
+        self.values.extend(moving);
         // F = −(V + m_b A), V the inertia of the tank, at the samples of the superposed response, which are the steps of the march.
         if let Some((_, shear)) = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear) {
             let slab = self.given.slab_mass;
             let both = shear.values.iter().zip(&self.history.acceleration);
             let (found, _) = largest(both.map(|(v, a)| v + slab * a[0]));
             let (march, _) = largest(self.history.force.iter().map(|f| f[0]));
-            self.result.superposition = if march > 0.0 { (found / march - 1.0).abs() } else { 0.0 };
+            self.superposition = if march > 0.0 { (found / march - 1.0).abs() } else { 0.0 };
         }
         let found = isolation(&self.setup, &self.given, &self.history, demands);
-        if let Some(share) = found.bearing_share {
-            self.result.quantities.push(BaseQuantity {
-                id: "bearing_share".into(),
-                value: Value {
-                    value: share.value,
-                    dimension: Dimension::Dimensionless,
-                },
-                time: Some(share.time),
-                degrees: None,
-                z: None,
-            });
-        }
+        self.values.extend(found.bearing_share.map(|share| Finding {
+            time: Some(share.time),
+            form: Form::Fixed(2),
+            ..Finding::new("bearing_share", share.value, Dimension::Dimensionless)
+        }));
         demands.isolation = Some(Isolation {
             bounds: std::mem::take(&mut self.bounds),
             ..found
@@ -215,29 +180,96 @@ impl Isolated {
 
     /// Remarks on the run.
     pub(in crate::linear) fn notes(&self) -> Vec<String> {
-        let tension = self.result.quantity("bearing_share").filter(|q| q.value.value < 0.0);
+        let share = self.values.iter().find(|found| found.id == "bearing_share");
+        let tension = share.filter(|q| q.value.value < 0.0);
         let tension = tension.map(|q| words::tension(q.value.value, q.time.unwrap_or_default()));
         std::iter::once(words::MOVES.to_owned()).chain(tension).collect()
     }
-}
 
-/// Displacement and force in the direction of the largest displacement, around its step.
-fn cycles(setup: &Setup, history: &History, peak: usize) -> Vec<[f64; 2]> {
-    let Some(direction) = history.displacement.get(peak) else {
-        return Vec::new();
-    };
-    let length = size(direction);
-    let unit = if length > 0.0 {
-        direction.map(|d| d / length)
-    } else {
-        [1.0, 0.0]
-    };
-    let side = (CYCLES.1 / setup.step) as usize;
-    let steps = peak.saturating_sub(side)..(peak + side).min(history.displacement.len());
-    let stride = steps.len().div_ceil(CYCLES.0).max(1);
-    let project = |v: [f64; 2]| v[0] * unit[0] + v[1] * unit[1];
-    steps
-        .step_by(stride)
-        .map(|i| [project(history.displacement[i]), project(history.force[i])])
-        .collect()
+    /// What is reported.
+    pub(in crate::linear) fn part(&self) -> Part {
+        let kind = match self.given.bearing {
+            Bearing::FrictionPendulum { .. } => "friction_pendulum",
+            Bearing::LeadRubber { .. } => "lead_rubber",
+            Bearing::Elastomer { .. } => "elastomer",
+        };
+        let dampers = if self.given.damper.is_some() { "yes" } else { "no" };
+        let isolators = Message::new("isolation-isolators")
+            .with("kind", kind)
+            .with("dampers", dampers)
+            .with("slab", Amount::new(self.given.slab_mass, Dimension::Mass))
+            .with("mass", Amount::new(self.setup.mass, Dimension::Mass))
+            .with("step", Amount::new(self.setup.step, Dimension::Time).form(Form::Given));
+        let energy = &self.history.energy;
+        let closes = Amount::ratio(energy.deviation().abs().max(1e-16)).form(Form::Significant(1));
+        let balance = Message::new("isolation-balance")
+            .with("error", closes)
+            .with("superposition", Amount::percent(self.superposition));
+        let mut channels = vec![Channel::IsolatorDisplacement];
+        channels.extend(
+            self.motion
+                .transverse
+                .is_some()
+                .then_some(Channel::IsolatorDisplacementY),
+        );
+        Part {
+            id: "isolation".into(),
+            blocks: vec![
+                Block::Text(Message::new("isolation-beside")),
+                Block::Note(isolators),
+                Block::values("values", self.values.clone()),
+                Block::History(History::new("isolator_displacement", "displacement", &channels)),
+                Block::Chart(self.cycles()),
+                Block::Table(Table::new("band", &BAND, self.bands.clone())),
+                Block::Note(Message::new("isolation-bounds")),
+                Block::Table(Table::energies([
+                    ("input", energy.input),
+                    ("viscous", energy.viscous),
+                    ("isolators", energy.isolators),
+                    ("body", energy.body),
+                ])),
+                Block::Note(balance),
+                Block::list("isolation", &self.assumptions()),
+            ],
+        }
+    }
+
+    /// Ids of the assumptions.
+    fn assumptions(&self) -> Vec<&'static str> {
+        let mut list = vec!["rigid", "follows", "mass", "outermost", "cycle", "mesh", "bounded"];
+        if matches!(self.given.bearing, Bearing::FrictionPendulum { .. }) {
+            list.push(if self.setup.vertical.is_empty() {
+                "weight-at-rest"
+            } else {
+                "weight"
+            });
+        }
+        list.push(if self.motion.transverse.is_some() {
+            "circle"
+        } else {
+            "one-component"
+        });
+        list
+    }
+
+    /// Force against displacement in the direction of the largest displacement, around its step.
+    fn cycles(&self) -> Chart {
+        let displacement = &self.history.displacement;
+        let (length, peak) = largest(displacement.iter().map(size));
+        let unit = match displacement.get(peak) {
+            Some(direction) if length > 0.0 => direction.map(|d| d / length),
+            _ => [1.0, 0.0],
+        };
+        let side = (CYCLES.1 / self.setup.step) as usize;
+        let steps = peak.saturating_sub(side)..(peak + side).min(displacement.len());
+        let stride = steps.len().div_ceil(CYCLES.0).max(1);
+        let project = |v: [f64; 2]| v[0] * unit[0] + v[1] * unit[1];
+        let points = steps
+            .step_by(stride)
+            .map(|i| [project(displacement[i]), project(self.history.force[i])])
+            .collect();
+        let x = Axis::new("displacement", Dimension::Length, Scale::Free);
+        let y = Axis::new("force", Dimension::Force, Scale::Free);
+        Chart::new("loop", x, y, vec![Line::new(Fact::None, Look::Thin, points)])
+    }
 }

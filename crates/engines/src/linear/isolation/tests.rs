@@ -6,6 +6,7 @@ use super::*;
 use crate::Simulation;
 use crate::harmonic::{Places, test_tanks};
 use crate::linear::simulate;
+use results::Part;
 use tank::options::linear::Integrator;
 
 /// El Centro NS, the first 30 s, times `scale`.
@@ -84,9 +85,12 @@ fn run(case: &Case) -> Simulation {
     simulate(case, &options).unwrap()
 }
 
+fn part(simulation: &Simulation) -> &Part {
+    simulation.result.part("isolation").unwrap()
+}
+
 fn value(simulation: &Simulation, id: &str) -> f64 {
-    let run = simulation.result.isolation.as_ref().unwrap();
-    run.quantity(id).unwrap().value.value
+    part(simulation).value(id).unwrap().value.value
 }
 
 /// The body of the engine with its first sloshing mode alone, which is what the sheet's program has: base and force 3 %, impulsive acceleration
@@ -146,22 +150,23 @@ fn el_centro_agrees_with_the_independent_program() {
 #[test]
 fn a_run_closes() {
     let simulation = run(&isolated(tank(1.0), pendulum()));
-    let isolation = simulation.result.isolation.as_ref().unwrap();
-    assert!((isolation.mass / mass() - 1.0).abs() < 1e-6);
-    assert!(isolation.energy.error < 1e-9);
-    assert!(isolation.superposition < 0.01, "{}", isolation.superposition);
-    let [lower, nominal, upper] = &isolation.band[..] else {
-        panic!("{:?}", isolation.band)
-    };
-    assert_eq!([lower.factor, nominal.factor, upper.factor], [0.6, 1.0, 1.8]);
+    let isolation = part(&simulation);
+    assert!((isolation.said("isolation-isolators", "mass").unwrap() / mass() - 1.0).abs() < 1e-6);
+    assert!(isolation.said("isolation-balance", "error").unwrap() < 1e-9);
+    let superposition = isolation.said("isolation-balance", "superposition").unwrap();
+    assert!(superposition < 0.01, "{superposition}");
+    let band = isolation.table("band").unwrap();
+    assert_eq!(band.column("factor"), [0.6, 1.0, 1.8]);
+    let nominal = |id| band.column(id)[1];
     assert_eq!(
-        nominal.isolator_displacement,
+        nominal("isolator_displacement"),
         value(&simulation, "isolator_displacement")
     );
-    assert_eq!(nominal.base_shear, simulation.values[&Quantity::BaseShear]);
-    assert!(upper.isolator_force > lower.isolator_force);
+    assert_eq!(nominal("base_shear"), simulation.values[&Quantity::BaseShear]);
+    let force = band.column("isolator_force");
+    assert!(force[2] > force[0]);
     // Isolation lowers the shear several times; the wave goes its way.
-    assert!(simulation.values[&Quantity::BaseShear] < 0.5 * isolation.fixed["base_shear"]);
+    assert!(simulation.values[&Quantity::BaseShear] < 0.5 * isolation.held()["base_shear"]);
     let columns = simulation.series.columns.iter().map(Vec::len);
     assert!(columns.into_iter().all(|length| length == simulation.series.time.len()));
     assert!((simulation.series.time[1] - 0.02).abs() < 1e-12);
@@ -183,7 +188,7 @@ fn very_stiff_isolators_are_a_fixed_base() {
             (found / expected - 1.0).abs() < 1e-3,
             "{quantity:?}: {found} of {expected}"
         );
-        if let Some(fixed) = simulation.result.isolation.as_ref().unwrap().fixed.get(quantity.id()) {
+        if let Some(fixed) = part(&simulation).held().get(quantity.id()) {
             assert_eq!(fixed, expected);
         }
     }

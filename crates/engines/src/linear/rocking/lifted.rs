@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use results::channel::{OnWall as Line, Side};
-use results::{BaseQuantity, Channel, Envelope, Value};
+use results::{Channel, Envelope, Finding};
 use tank::Quantity;
 use tank::case::GroundMotion;
 use tank::demand::{Demands, FreeBase, OnWall as Stress, Peak};
@@ -35,7 +35,7 @@ const MOVING: [Quantity; 8] = [
 ];
 
 /// What a base that moves adds to the comparable values.
-pub(in crate::linear) fn of_base(found: &[BaseQuantity], values: &mut BTreeMap<Quantity, f64>) {
+pub(in crate::linear) fn of_base(found: &[Finding], values: &mut BTreeMap<Quantity, f64>) {
     for &quantity in Quantity::OF_BASE {
         if let Some(own) = found.iter().find(|own| own.id == quantity.id()) {
             values.insert(quantity, own.value.value);
@@ -103,15 +103,10 @@ impl Moved {
                 Quantity::SloshingHeight => rise(analysis),
                 _ => None,
             };
-            let own = BaseQuantity {
-                id: quantity.id().into(),
-                value: Value {
-                    value,
-                    dimension: quantity.dimension(),
-                },
+            let own = Finding {
                 time,
-                degrees: None,
                 z: place(analysis, quantity),
+                ..Finding::new(quantity.id(), value, quantity.dimension())
             };
             match self.result.quantities.iter_mut().find(|q| q.id == own.id) {
                 Some(same) => *same = own,

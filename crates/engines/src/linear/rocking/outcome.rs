@@ -6,8 +6,8 @@ use ::base::history::History;
 use ::base::{Base, Origin, Ring, Turn};
 use results::channel::Side;
 use results::{
-    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, JointCycles, MissedBand,
-    SeriesInfo, Snapshots, Value,
+    AnchorRun, BaseBand, BaseEnergy, BaseRun, BaseSpread, Channel, Finding, GroundOrigin, JointCycles, MissedBand,
+    SeriesInfo, Snapshots,
 };
 use tank::units::Dimension;
 
@@ -300,13 +300,11 @@ fn joint_cycles(states: &States, found: &Found) -> JointCycles {
     if back.range > front.range { back } else { front }
 }
 
-fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<BaseQuantity> {
-    let quantity = |id: &str, value: f64, dimension, time: Option<usize>, degrees| BaseQuantity {
-        id: id.into(),
-        value: Value { value, dimension },
+fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Finding> {
+    let quantity = |id: &str, value: f64, dimension, time: Option<usize>, degrees| Finding {
         time: time.map(|i| i as f64 * setup.step),
         degrees,
-        z: None,
+        ..Finding::new(id, value, dimension)
     };
     let lifted_side = if lean > 0.0 { 180.0 } else { 0.0 };
     let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 {

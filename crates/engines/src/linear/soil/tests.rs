@@ -208,21 +208,15 @@ fn free_decay_has_the_effective_period() {
 #[test]
 fn the_results_hold_period_damping_and_motion() {
     let found = crate::linear::simulate(&tank(Some(150.0), Some(0.6)), &Options::default()).unwrap();
-    let soil = found.result.soil.unwrap();
-    let ids: Vec<&str> = soil.quantities.iter().map(|q| q.id.as_str()).collect();
-    assert_eq!(
-        ids,
-        [
-            "effective_period",
-            "effective_damping",
-            "base_translation",
-            "base_rotation"
-        ]
-    );
-    assert!(soil.quantities[0].value.value > soil.fixed_period);
-    assert!(soil.quantities[1].value.value > soil.fixed_damping);
-    assert_eq!(found.values[&Quantity::ImpulsivePeriod], soil.fixed_period);
-    assert!(soil.beside.iter().any(|q| q.id == "base_shear"));
+    let soil = found.result.part("soil").unwrap();
+    let effective = |row: &str, column: &str| soil.cell("effective", row, column).unwrap();
+    assert!(effective("cones", "period") > effective("fixed", "period"));
+    assert!(effective("cones", "damping") > effective("fixed", "damping"));
+    assert_eq!(found.values[&Quantity::ImpulsivePeriod], effective("fixed", "period"));
+    for id in ["base_translation", "base_rotation"] {
+        assert!(soil.value(id).unwrap().time.is_some(), "{id}");
+    }
+    assert!(soil.value("base_shear").unwrap().held.is_some());
     assert!(
         found.notes.iter().any(|note| note.contains("moves on its slab")),
         "{:?}",
@@ -271,7 +265,7 @@ fn an_unanchored_tank_keeps_its_slab_at_rest_and_says_so() {
     let mut case = tank(Some(150.0), Some(0.6));
     case.tank.support = tank::Support::Unanchored;
     let found = crate::linear::simulate(&case, &Options::default()).unwrap();
-    assert!(found.result.soil.is_none());
+    assert!(found.result.part("soil").is_none());
     assert!(
         found.notes.iter().any(|note| note.contains("counted twice")),
         "{:?}",

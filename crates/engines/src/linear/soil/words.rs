@@ -1,9 +1,7 @@
-//! Notes and assumptions of a run on soil.
+//! Notes of a run on soil.
 
 use results::EngineId;
 use tank::{Case, FoundationKind, Shape, Support};
-
-use super::Slab;
 
 /// Another engine, or plane walls.
 const RIGID_GROUND: &str =
@@ -28,25 +26,4 @@ pub(crate) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String>
     }
     let on_soil = moves && engine == EngineId::Harmonic && round;
     Some(if on_soil { ON_SOIL } else { RIGID_GROUND }.into())
-}
-
-/// Assumptions, one sentence each.
-pub(super) fn assumptions(slab: &Slab) -> Vec<String> {
-    let mut list: Vec<String> = [
-        "The slab is rigid and rests on the surface of a uniform half-space; the free field moves it without kinematic interaction.",
-        "Soil as cones of Meek and Wolf with the stiffness of `shear_wave_velocity`, the value at the strains of the earthquake; its \
-         hysteresis is left out.",
-        "The bottom pressure turns the slab, and the liquid on the turning floor has its inertia; the weight of liquid and wall has no moment \
-         in the turned position.",
-        "Modal damping is that of the tank on a fixed base; the soil adds its dashpots.",
-        "Vertical motion is that of a fixed base.",
-    ]
-    .map(String::from)
-    .to_vec();
-    list.push(if slab.thickness > 0.0 {
-        "The slab is a disc of reinforced concrete of 2500 kg/m³ with the radius of the bottom plate.".into()
-    } else {
-        "Without `tank.foundation.thickness` the slab has no mass.".into()
-    });
-    list
 }

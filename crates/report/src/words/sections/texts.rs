@@ -184,20 +184,6 @@ pub(super) const ALL: &[Words] = &[
         )],
     },
     Words {
-        id: "isolation",
-        title: "Isolators",
-        sentences: &[
-            (
-                "beside",
-                "The slab under the tank stands on isolators. All values of the run are those on isolators, the wave and the freeboard among them;                  those on a fixed base stand here beside them. The wave may grow where the effective period comes near that of sloshing. Pipes                  must follow the displacement of the isolators.",
-            ),
-            (
-                "band",
-                "Properties of isolators vary with wear, temperature and make: the same run with the lower and the upper bound of stiffness, strength,                  friction and damping, but for the stiffness that a pendulum has from its radius. Displacement is governed by the lower bound, forces mostly by the upper one.",
-            ),
-        ],
-    },
-    Words {
         id: "base",
         title: "Base: uplift and sliding",
         sentences: &[
@@ -217,22 +203,6 @@ pub(super) const ALL: &[Words] = &[
                 "band",
                 "The ground under the rim is never known well: the same run on a third and on three times its modulus. The spread is that of rotation, \
                  toe stress and shear under motions 0.1 % weaker and stronger and with half the time step; above 5 % the run does not repeat.",
-            ),
-        ],
-    },
-    Words {
-        id: "soil",
-        title: "Soil under the slab",
-        sentences: &[
-            (
-                "beside",
-                "The tank moves on a rigid slab on soil. The whole run of the linear engine contains the motion of the slab; modes and the \
-                 impulsive period and mass of the comparison are those on a fixed base.",
-            ),
-            (
-                "definitions",
-                "Definitions of the damping agree below 0.10 and differ by up to a third above 0.20. No value of this report is computed \
-                 from them: the time history has the cones themselves.",
             ),
         ],
     },
