@@ -348,7 +348,7 @@ fn report(
         (&analysis, around.as_ref()),
         (motion.horizontal.dt, linear.engine),
     );
-    let limits = rocking::limits(&free, of_wall);
+    let limits = rocking::limits::limits(&free, of_wall);
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),

@@ -12,6 +12,9 @@
 //!
 //! Source: theory sheet of this project; Haroun & Housner 1981 (series).
 
+pub(super) mod hinge;
+pub(super) mod hold;
+
 use std::f64::consts::PI;
 
 use base::{Base, Missing};
@@ -56,8 +59,6 @@ const OUTSIDE: usize = 2;
 /// Stiffness by angle that ties the inmost ring to a disc that slides, over E t of its plate: a ring that carries E t per radian moves by a
 /// hundredth of that against it.
 const RIGID: f64 = 100.0;
-/// Sign of the plastic curvature that a plate has at its joint when it lifts.
-const LIFTS: f64 = 1.0;
 /// Stiffness along x of a disc without friction over that of the ground below it.
 const WEAK: f64 = 1e-6;
 /// Radius within which the plate stays on the ground, over that of the tank.
@@ -375,169 +376,4 @@ impl Plate {
             .map_err(failed)?;
         Ok(builder.element(GROUND, ground))
     }
-}
-
-/// A stiff spring against the displacement of the foot along itself, −2 ∫ u_θ sin θ dθ/π = 0 over half of it: the ground takes the shear as the wall
-/// hands it over, and the tank does not slide, while the foot is free to move in and out. A spring that also pushed across the foot would make the plate
-/// turn one into the other, V/s = 1.2·10¹⁰ N/m for plates of 8 mm. Returns its element and the weights that make ∫ of its force along x.
-pub(super) fn keep_in_place(
-    builder: &mut Builder,
-    angles: &[f64],
-    foot: &[usize],
-    stiffness: f64,
-) -> Result<(usize, Vec<f64>), FeError> {
-    let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
-    let mut unknowns = Vec::new();
-    let (mut mean, mut along) = (Vec::new(), Vec::new());
-    for ((&node, share), angle) in foot.iter().zip(shares(angles)).zip(angles) {
-        unknowns.push((node, Dof::Uy));
-        mean.push(-2.0 * angle.sin() * share / PI);
-        along.push(-angle.sin());
-    }
-    let mut matrix = Matrix::zeros(mean.len(), mean.len());
-    for (i, a) in mean.iter().enumerate() {
-        for (j, b) in mean.iter().enumerate() {
-            matrix.add(i, j, stiffness * a * b);
-        }
-    }
-    let element = SuperElement::over(&unknowns)
-        .and_then(|e| e.with_stiffness(matrix))
-        .map_err(failed)?;
-    Ok((builder.element(KEY, element), along))
-}
-
-/// Springs against all vertical displacements of the foot other than w₀ + w₁ cos θ.
-pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Result<(), FeError> {
-    /// A hundred times the stiffness of the ground and more [N/m per radian].
-    const STIFF: f64 = 1e12;
-    let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
-    let n = foot.len();
-    let weights = shares(angles);
-    let unit = |f: &dyn Fn(f64) -> f64, before: Option<&Vec<f64>>| -> Vec<f64> {
-        let mut v: Vec<f64> = angles.iter().map(|a| f(*a)).collect();
-        let product = |a: &[f64], b: &[f64]| (0..n).map(|i| weights[i] * a[i] * b[i]).sum::<f64>();
-        if let Some(b) = before {
-            let part = product(&v, b);
-            v.iter_mut().zip(b).for_each(|(v, b)| *v -= part * b);
-        }
-        let length = product(&v, &v).sqrt();
-        v.iter().map(|x| x / length).collect()
-    };
-    let even = unit(&|_| 1.0, None);
-    let tilt = unit(&f64::cos, Some(&even));
-    let mut matrix = Matrix::zeros(n, n);
-    for i in 0..n {
-        matrix.add(i, i, STIFF * weights[i]);
-        for j in 0..n {
-            let plane = even[i] * even[j] + tilt[i] * tilt[j];
-            matrix.add(i, j, -STIFF * weights[i] * weights[j] * plane);
-        }
-    }
-    let unknowns: Vec<(usize, Dof)> = foot.iter().map(|n| (*n, Dof::Uz)).collect();
-    let element = SuperElement::over(&unknowns)
-        .and_then(|e| e.with_stiffness(matrix))
-        .map_err(failed)?;
-    builder.element("plane", element);
-    Ok(())
-}
-
-/// Plastic rotation of the plate at its joint, at the `back` (θ = π) or at θ = 0, positive where the plate lifts [rad], by [`hinge`].
-///
-/// Errors: a section that fails.
-pub(super) fn plastic_rotation(
-    model: &Model,
-    bottom: &Placed,
-    foot: usize,
-    back: bool,
-    state: &State,
-) -> Result<f64, AnalysisError> {
-    let cells = bottom.cells[foot..]
-        .iter()
-        .filter_map(|ring| if back { ring.last() } else { ring.first() });
-    let sum = hinge(model, cells.map(|&cell| (cell, bottom.soft(cell))), state)?;
-    Ok(LIFTS * sum)
-}
-
-/// That of the wall at its joint, positive where it turns with a plate that lifts [rad]: normals of a wall point outwards, those of the plate
-/// upwards, and along the meridian, round the corner, their curvatures have opposite signs.
-///
-/// * `cells`: elements of a column from the foot on, with [`wall_bending`]
-///
-/// Errors: a section that fails.
-pub(super) fn wall_rotation(
-    model: &Model,
-    cells: impl Iterator<Item = (usize, [f64; 2])>,
-    state: &State,
-) -> Result<f64, AnalysisError> {
-    Ok(-LIFTS * hinge(model, cells, state)?)
-}
-
-/// Plastic rotation of shells along a meridian from the joint on: curvature of the meridian less that of an elastic shell under its moments,
-/// from the first cell that yields to where its sign changes or nothing yields; its sign is that of the curvature [rad].
-///
-/// * `cells`: elements, the first at the joint, with 1/D′ and ν/D′, D′ = E t³/12 [1/(N m)]; their second local axis is the meridian
-///
-/// Errors: a section that fails.
-pub(super) fn hinge(
-    model: &Model,
-    cells: impl Iterator<Item = (usize, [f64; 2])>,
-    state: &State,
-) -> Result<f64, AnalysisError> {
-    let mut sum = 0.0_f64;
-    for (cell, soft) in cells {
-        let Some(part) = plastic_part(model, cell, soft, state)? else {
-            if sum != 0.0 {
-                break;
-            }
-            continue;
-        };
-        if sum * part < 0.0 {
-            break;
-        }
-        sum += part;
-    }
-    Ok(sum)
-}
-
-/// 1/D′ and ν/D′ of the wall at a height [m], as in [`hinge`] [1/(N m)].
-pub(super) fn wall_bending(tank: &Tank, height: f64) -> [f64; 2] {
-    let course = tank.course_at(height);
-    let soft = 12.0 / (course.material.youngs_modulus * course.thickness.powi(3));
-    [soft, course.material.poisson_ratio * soft]
-}
-
-/// Plastic rotation across a cell along the meridian [rad]; none of a cell that has not yielded. `soft`: as in [`hinge`].
-///
-/// Errors: a section that fails.
-pub(super) fn plastic_part(
-    model: &Model,
-    cell: usize,
-    soft: [f64; 2],
-    state: &State,
-) -> Result<Option<f64>, AnalysisError> {
-    let mut gather = Gather::default();
-    let element = &*model.elements()[cell];
-    let motion = gather.motion(model, &state.committed, element);
-    let history = &state.old[state.history(cell)];
-    let mut yields = false;
-    element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
-    if !yields {
-        return Ok(None);
-    }
-    let sections = element
-        .sections(motion, history)
-        .map_err(|source| AnalysisError::Element { number: cell, source })?;
-    let plastic = |s: &fem::element::SectionState| {
-        let (hoop, along) = (s.resultants[3], s.resultants[4]);
-        s.strain[4] - (soft[0] * along - soft[1] * hoop)
-    };
-    let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-    // Rings and levels: a plate extends over the radius, a wall over the height.
-    let corners = element.nodes().iter().map(|&n| model.nodes()[n]);
-    let extent = |values: &mut dyn Iterator<Item = f64>| {
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |e, v| (e.0.min(v), e.1.max(v)));
-        high - low
-    };
-    let along = extent(&mut corners.clone().map(|x| x[0].hypot(x[1])));
-    Ok(Some(mean * along.hypot(extent(&mut corners.map(|x| x[2])))))
 }

@@ -143,7 +143,7 @@ impl Standing {
             let rows = wall.rows.iter().enumerate();
             rows.filter_map(|(row, cells)| {
                 let middle = 0.5 * (height(row) + height(row + 1));
-                Some((*cell(cells)?, bottom::wall_bending(&case.tank, middle)))
+                Some((*cell(cells)?, bottom::hinge::wall_bending(&case.tank, middle)))
             })
             .collect()
         };
@@ -178,7 +178,7 @@ impl Standing {
         let kinds = [options.follower_pressure, slides, slides];
         self.placed.ground = plate.place(builder, &self.angles, rings, kinds, pressure)?;
         if options.plane_foot {
-            bottom::keep_plane(builder, &self.angles, &rings[self.foot])?;
+            bottom::hold::keep_plane(builder, &self.angles, &rings[self.foot])?;
         }
         if let Some((count, stiffness, strength)) = anchors(case) {
             let bolts: Vec<f64> = shares(&self.angles).iter().map(|share| count * share / TAU).collect();
@@ -202,7 +202,7 @@ impl Standing {
         }
         let lowest = case.tank.courses[0].build_up();
         let stiff: f64 = lowest.iter().map(|l| l.material.youngs_modulus * l.thickness).sum();
-        let (key, along) = bottom::keep_in_place(builder, &self.angles, &rings[self.foot], HELD * stiff)?;
+        let (key, along) = bottom::hold::keep_in_place(builder, &self.angles, &rings[self.foot], HELD * stiff)?;
         self.holds = Holds::Key(key, along);
         Ok(())
     }

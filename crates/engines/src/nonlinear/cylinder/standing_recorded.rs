@@ -107,7 +107,7 @@ impl Standing {
     /// Errors: a section that fails.
     pub(super) fn plastic_by_cell(&self, tank: &CylinderModel, state: &State) -> Result<Vec<f64>, AnalysisError> {
         let cells = self.placed.cells.iter().flatten();
-        let part = |cell: &usize| bottom::plastic_part(&tank.model, *cell, self.placed.soft(*cell), state);
+        let part = |cell: &usize| bottom::hinge::plastic_part(&tank.model, *cell, self.placed.soft(*cell), state);
         cells.map(|cell| Ok(part(cell)?.unwrap_or(0.0))).collect()
     }
 
@@ -142,9 +142,9 @@ impl Standing {
     /// Errors: a section that fails.
     pub(super) fn plastic_parts(&self, tank: &CylinderModel, state: &State) -> Result<[[f64; 2]; 2], AnalysisError> {
         let at = |back: bool| -> Result<[f64; 2], AnalysisError> {
-            let plate = bottom::plastic_rotation(&tank.model, &self.placed, self.foot, back, state)?;
+            let plate = bottom::hinge::plastic_rotation(&tank.model, &self.placed, self.foot, back, state)?;
             let column = self.wall[usize::from(back)].iter().copied();
-            Ok([plate, bottom::wall_rotation(&tank.model, column, state)?])
+            Ok([plate, bottom::hinge::wall_rotation(&tank.model, column, state)?])
         };
         Ok([at(false)?, at(true)?])
     }

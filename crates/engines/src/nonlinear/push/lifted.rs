@@ -66,7 +66,7 @@ pub(super) fn base(
         .last()
         .map_or(0.0, |(_, r)| plate.radii[plate.foot] - r);
     let wall = model.cells.iter().zip(model.levels.windows(2)).filter_map(|(row, z)| {
-        let soft = bottom::wall_bending(&plan.case.tank, 0.5 * (z[0] + z[1]));
+        let soft = bottom::hinge::wall_bending(&plan.case.tank, 0.5 * (z[0] + z[1]));
         Some((*row.last()?, soft))
     });
     Ok(Some(PushBase {
@@ -77,10 +77,10 @@ pub(super) fn base(
         toe: -up(foot[0]),
         lifted_width: width,
         lifted_angle: lifted,
-        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)
+        plastic_rotation: bottom::hinge::plastic_rotation(&model.model, bottom, plate.foot, true, state)
             .map_err(failed)?
             .abs(),
-        wall_rotation: bottom::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
+        wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
         toe_stress,
         toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
         strips: None,

@@ -267,7 +267,7 @@ impl<'a> Plan<'a> {
                 let follower = self.options.follower_pressure;
                 let ground = plate.place(&mut builder, angles, &rings, [follower, true, false], &mut dead)?;
                 if self.plane {
-                    bottom::keep_plane(&mut builder, angles, &rings[plate.foot])?;
+                    bottom::hold::keep_plane(&mut builder, angles, &rings[plate.foot])?;
                 }
                 let own = &placed.elements[of_wall..];
                 let at = |nodes: &Vec<usize>| nodes.iter().map(|n| -dead.at(*n)[Dof::Uz.index()]).collect();

@@ -3,7 +3,7 @@
 use super::{Inertia, Newton};
 use crate::analysis::rings::RingSolver;
 use crate::analysis::scheme::Weights;
-use crate::analysis::zone::ZoneSolver;
+use crate::analysis::zone::solver::ZoneSolver;
 use crate::analysis::{AnalysisError, failed};
 use crate::linalg::{Factor, Keep, LinalgError, Symmetric};
 

@@ -1,9 +1,11 @@
 //! The step itself: vectors of all records side by side, one sweep and one solve.
 
+mod energy;
+
 use std::sync::Arc;
 
 use super::low_rank::LowRank;
-use super::{Energy, Load, Settings};
+use super::{Load, Settings};
 use crate::analysis::scheme::GeneralizedAlpha;
 use crate::analysis::sweep::Sweep;
 use crate::analysis::system::System;
@@ -462,22 +464,6 @@ impl<'a> March<'a> {
             self.now[c][3 + k] = end;
         }
         self.input[c] += work;
-    }
-
-    /// Kinetic and elastic energy of record `c`.
-    fn stored(&self, c: usize) -> (f64, f64) {
-        let range = c * self.n..(c + 1) * self.n;
-        let kinetic = 0.5 * dot(&self.v[range.clone()], &self.mv[range.clone()]);
-        (kinetic, 0.5 * dot(&self.u[range.clone()], &self.ku[range]))
-    }
-
-    /// Appends the energies of record `c`.
-    pub(super) fn energies(&self, c: usize, energy: &mut Energy) {
-        let (kinetic, elastic) = self.stored(c);
-        energy.input.push(self.input[c]);
-        energy.kinetic.push(kinetic - self.initial[c].0);
-        energy.elastic.push(elastic - self.initial[c].1);
-        energy.damping.push(self.damped[c]);
     }
 
     /// u, v, a of record `c`.

@@ -1,5 +1,6 @@
 //! A zone against the factor of the whole, and its Newton's method against the full one.
 
+use super::solver::ZoneSolver;
 use super::*;
 use crate::analysis::checkpoint::{Reader, Writer};
 use crate::analysis::march::{Instant, Outcome, Problem, Settings, march};

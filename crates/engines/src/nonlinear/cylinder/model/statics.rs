@@ -1,7 +1,7 @@
 //! Solutions with the initial stiffness of a model.
 
 use fem::analysis::rings::solve_once;
-use fem::analysis::zone::ZoneSolver;
+use fem::analysis::zone::solver::ZoneSolver;
 use fem::cores;
 use fem::linalg::{Keep, Kind};
 use fem::liquid::WallLiquid;

@@ -20,7 +20,7 @@ use fem::progress::Silent;
 use fem::state::State;
 
 use crate::nonlinear::arcs::{cosine_shares, shares};
-use crate::nonlinear::bottom::keep_plane;
+use crate::nonlinear::bottom::hold::keep_plane;
 
 /// A rectangular pulse of 0.5 g over 0.3 s, friction 0.2: the block slips by A² t₀²/(2 μ g) − A t₀²/2 = 0.33097 m in all, 1e-3. Until its spring has
 /// grown to the friction, ω = 3160/s, a block gains as much speed as in the time 1/ω: 5e-4 of it. Friction that acts at the end of a step of 0.1 ms is
