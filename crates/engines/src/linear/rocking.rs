@@ -24,11 +24,10 @@ use std::sync::Arc;
 use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
-use results::{BaseRun, BaseSpread, Channel, EngineId, Limit, Snapshots};
+use results::{BaseRun, Channel, EngineId, Snapshots};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, Footing, FreeBase};
 use tank::options::LinearOptions as Options;
-use tank::units::Dimension;
 use tank::{Case, Quantity, STANDARD_GRAVITY, Shape, Support};
 
 use super::analysis::{Analysis, Extent};
@@ -417,4 +416,3 @@ pub(super) fn say(free: &Free, heave: bool, notes: &mut Vec<String>, assumptions
         notes.extend(moved.result.missed.iter().map(words::band_note));
     }
 }
-

@@ -18,9 +18,7 @@ pub(super) mod hold;
 use std::f64::consts::PI;
 
 use base::{Base, Missing};
-use fem::analysis::AnalysisError;
 use fem::dofs::Dof;
-use fem::element::Inspect;
 use fem::element::ground::Ground;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::ShellCell;
@@ -28,10 +26,9 @@ use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
 use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
-use fem::model::{Builder, Model};
-use fem::state::{Gather, State};
+use fem::model::Builder;
 use nalgebra::Matrix3;
-use tank::{Behaviour, Bottom, Case, Layer, LayerKind, Tank};
+use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
 
 use super::arcs::shares;
 use super::cylinder::section::row;

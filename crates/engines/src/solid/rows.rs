@@ -13,17 +13,13 @@ mod reactions;
 use std::collections::BTreeMap;
 
 use fem::assembly::Assembler;
-use fem::chart::Chart;
 use fem::dofs::{Dof, KINDS};
 use fem::element::Inspect;
-use fem::element::{local_size, reference_mass, reference_stiffness};
+use fem::element::reference_mass;
 use fem::linalg::dot;
-use fem::shape::{gauss, quad4};
 
-use super::model::{JOINT, LIQUID, TankModel};
-use crate::FeError;
+use super::model::TankModel;
 use crate::coupled::SparseRow;
-use crate::error::failed;
 use tank::options::solid::Liquid;
 
 /// A linear functional y = d · x + a · ẍ_total + b a_g over the unknowns of a model.

@@ -38,7 +38,6 @@ use std::sync::Arc;
 use super::damping::Damping;
 use super::rings::RingLayout;
 use super::scheme::{LoadStep, Scheme, Weights};
-use super::zone::Zone;
 use super::{AnalysisError, check_length};
 use crate::assembly::{Assembler, Forces, Kept, LinearPart};
 use crate::element::{ElementError, Want};

@@ -16,7 +16,7 @@ mod statics;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use fem::analysis::damping::{Damping, Rayleigh};
+use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::Problem;
 use fem::analysis::system::System;
 use fem::analysis::zone::Zone;
@@ -26,15 +26,14 @@ use fem::element::interlayer;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
-use fem::linalg::{Ordering, Pattern, Symbolic, dot};
+use fem::linalg::{Ordering, Pattern, Symbolic};
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
 use tank::Case;
 use tank::Shape;
-use tank::Support;
 
-use super::contact::{JOINT, Join, Joints};
+use super::contact::{Join, Joints};
 use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
 use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
@@ -42,10 +41,10 @@ use super::rings::name_rings;
 use super::section::RowBuild;
 use super::standing::{self, ANCHOR, Standing};
 use crate::error::failed;
-use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY, Plate};
+use crate::nonlinear::bottom::{BOTTOM, GROUND, Plate};
 use crate::{FeError, out_of_round};
 use tank::imperfection::Imperfections;
-use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
+use tank::options::nonlinear::{Contact, NonlinearOptions};
 
 /// Groups whose tangents are renewed with the contact.
 const ZONE: [&str; 4] = [BOTTOM, GROUND, FLOOR, ANCHOR];

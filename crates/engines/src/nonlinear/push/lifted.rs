@@ -80,7 +80,9 @@ pub(super) fn base(
         plastic_rotation: bottom::hinge::plastic_rotation(&model.model, bottom, plate.foot, true, state)
             .map_err(failed)?
             .abs(),
-        wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
+        wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state)
+            .map_err(failed)?
+            .abs(),
         toe_stress,
         toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
         strips: None,

@@ -4,8 +4,8 @@ use fem::analysis::damping::{Damping, Rayleigh};
 use fem::linalg::dot;
 use fem::liquid::WallLiquid;
 use tank::imperfection::Imperfections;
-use tank::{Case, Support};
 use tank::options::nonlinear::{Damping as Wanted, MassProportionalAt, NonlinearOptions};
+use tank::{Case, Support};
 
 use super::super::contact::JOINT;
 use super::super::elements::WALL;
