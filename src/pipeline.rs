@@ -34,7 +34,7 @@ use crate::error::Error;
 use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{Context, Incomplete};
-use results::{EngineId, FORMAT, Method, RecordSummary, Results, Series, Snapshots, Verdict, Volatile, finite};
+use results::{FORMAT, Method, RecordSummary, Results, Series, Snapshots, Verdict, Volatile, finite};
 
 /// Results of a job.
 #[derive(Clone, Debug)]
@@ -101,6 +101,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let mut columns = Columns::of(methods);
     for (number, simulation) in simulations.into_iter().enumerate() {
+        // A thread of its own: checks print and fill sheets as their thread is set.
         let (findings, site) = std::thread::scope(|scope| {
             let site = scope.spawn(|| site::column(job, number, &simulation));
             let motion = job.case.ground_motion.as_ref();
@@ -220,19 +221,12 @@ type Computed = (Vec<Assessed>, Vec<RecordSummary>, Vec<Simulation>, Option<Inco
 /// Runs procedures and engines, the first engine in parallel with the procedures.
 fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, Error> {
     let task = job.task();
-    let (first, codes) = std::thread::scope(|scope| {
-        let task = &task;
-        let run = |id: &EngineId| {
-            let id = *id;
-            scope.spawn(move || engine(id).run(task, progress))
-        };
-        let first = job.engines.first().map(run);
-        let codes = assess(job).map(|methods| (methods, motion::records(job)));
-        let first = first.map(|handle| match handle.join() {
-            Ok(outcome) => outcome,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        (first, codes)
+    let mut first = None;
+    let codes = rayon::in_place_scope(|scope| {
+        if let Some(id) = job.engines.first() {
+            scope.spawn(|_| first = Some(engine(*id).run(&task, progress)));
+        }
+        assess(job).map(|methods| (methods, motion::records(job)))
     });
     let (methods, records) = codes?;
     let mut simulations: Vec<Simulation> = first.transpose()?.into_iter().collect();

@@ -17,7 +17,7 @@ pub struct Global {
     /// No progress and no hints on standard error.
     #[arg(long, short, global = true)]
     pub quiet: bool,
-    /// Cores for nonlinear runs, shared by those of --jobs; results do not depend on it [default: all].
+    /// Cores that computations share; results do not depend on it [default: all].
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 }

@@ -94,7 +94,7 @@ struct RunArgs {
     /// Folder of the study.
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// Number of tasks at a time [default: all cores].
+    /// Number of tasks at a time [default: --threads].
     #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
     /// Every n-th task from the i-th: `i/n`.
@@ -229,7 +229,7 @@ fn cost(classes: &[Class]) -> String {
         .iter()
         .filter_map(|class| Some(class.row?[1] * class.rows_left as f64))
         .sum();
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let cores = fem::cores::available();
     let _ = writeln!(
         said,
         "  left: {} with one task at a time, at best {} with {cores}; {} on disk",
@@ -248,8 +248,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
     if !matches!(which, Which::One(_)) {
         unchanged(&args.folder, (&plan, &tasks), global.quiet)?;
     }
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let threads = args.jobs.map_or(cores, usize::from);
+    let threads = args.jobs.map_or_else(fem::cores::available, usize::from);
     // Tasks run beside each other: a nonlinear run does not take more cores.
     fem::cores::limit(1);
     progress::stop_gracefully("finishing the tasks that run (press Ctrl-C again to leave them; finished tasks stay)");

@@ -1,9 +1,9 @@
 //! `fragility.json`: the curves of all tanks and states, and the losses of the farm.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::num::NonZero;
 
 use ::fragility::farm::{self, Fate};
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::damage::{Data, Gathered, Lost};
@@ -122,23 +122,9 @@ fn no_farm(plan: &Plan) -> Option<&'static str> {
     )
 }
 
-/// A function of every item, on all cores; results in the order of the items.
+/// A function of every item, side by side; results in the order of the items.
 pub(super) fn beside_each_other<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
-    let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
-    let share = items.len().div_ceil(cores).max(1);
-    std::thread::scope(|scope| {
-        let of = &of;
-        let parts: Vec<_> = items
-            .chunks(share)
-            .map(|part| scope.spawn(move || part.iter().flat_map(of).collect::<Vec<R>>()))
-            .collect();
-        let joined = parts.into_iter().map(|part| match part.join() {
-            Ok(found) => found,
-            // A fault of this program is not hidden by the thread in which it happened.
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        joined.flatten().collect()
-    })
+    items.par_iter().flat_map_iter(&of).collect()
 }
 
 /// Runs of one tank that are planned at levels. Records without a row have numbers beyond the others.

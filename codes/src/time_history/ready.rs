@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use rayon::prelude::*;
 use tank::case::Case;
 use tank::demand::{Demands, Place, Terms};
 
@@ -143,7 +144,7 @@ impl<'a> Ready<'a> {
     }
 }
 
-/// Every place takes all instants, on the cores of the machine.
+/// Every place takes all instants, side by side.
 fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
     let instants = demands.times.len();
     let take = |mut part: Vec<&mut Searched<'_>>| {
@@ -152,7 +153,7 @@ fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
             part.iter_mut().for_each(|place| place.take(&states));
         }
     };
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let cores = rayon::current_num_threads();
     let [wall, base] = places;
     take(base.iter_mut().collect());
     // In turn: those under the liquid have a pressure and take longer.
@@ -160,9 +161,5 @@ fn side_by_side(places: [&mut [Searched<'_>]; 2], demands: &Demands) {
     for (i, place) in wall.iter_mut().enumerate() {
         shares[i % cores].push(place);
     }
-    std::thread::scope(|scope| {
-        for part in shares {
-            scope.spawn(move || take(part));
-        }
-    });
+    shares.into_par_iter().for_each(take);
 }

@@ -87,47 +87,40 @@ pub(crate) fn simulate_to(
     }
     progress.stage("wall, liquid and modes", 1);
     // The two meshes share nothing and are computed in parallel.
-    let (first, other) = std::thread::scope(|scope| {
-        let other = SecondMesh::of(options).map(|mesh| {
-            scope.spawn(move || -> Result<Second, FeError> {
-                let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
-                let values = match motion {
-                    Some(motion) => analyse_on(&model, motion, (&mesh.options, extent), &Silent)?.values(&model, round),
-                    None => units::properties(&model),
-                };
-                let units = match case.site.is_given() {
-                    true => Some(units::units(&model, &mesh.options)?),
-                    false => None,
-                };
-                Ok(Second {
-                    ratio: mesh.ratio,
-                    values,
-                    wave: None,
-                    units,
-                })
-            })
-        });
-        let first = Model::new(case, options, vertical, Places::Usual).and_then(|model| {
-            if motion.is_none() {
-                return units::without_record(case, options, &model, EngineId::Harmonic);
-            }
-            let linear = Linear {
-                engine: EngineId::Harmonic,
-                model: &model,
-                direct: None,
-                across: None,
-                states,
-                extent,
-                known: None,
-            };
-            complete(case, options, &linear, progress)
-        });
-        let other = other.map(|handle| match handle.join() {
-            Ok(values) => values,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        (first, other)
-    });
+    let first = || {
+        let model = Model::new(case, options, vertical, Places::Usual)?;
+        if motion.is_none() {
+            return units::without_record(case, options, &model, EngineId::Harmonic);
+        }
+        let linear = Linear {
+            engine: EngineId::Harmonic,
+            model: &model,
+            direct: None,
+            across: None,
+            states,
+            extent,
+            known: None,
+        };
+        complete(case, options, &linear, progress)
+    };
+    let second = |mesh: SecondMesh| -> Result<Second, FeError> {
+        let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
+        let values = match motion {
+            Some(motion) => analyse_on(&model, motion, (&mesh.options, extent), &Silent)?.values(&model, round),
+            None => units::properties(&model),
+        };
+        let units = match case.site.is_given() {
+            true => Some(units::units(&model, &mesh.options)?),
+            false => None,
+        };
+        Ok(Second {
+            ratio: mesh.ratio,
+            values,
+            wave: None,
+            units,
+        })
+    };
+    let (first, other) = rayon::join(first, || SecondMesh::of(options).map(second));
     let mut simulation = first?;
     mesh_error::note(&mut simulation, other.transpose()?.as_ref(), options);
     finished(case, options, &mut simulation)?;

@@ -8,9 +8,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// 0: all.
 static LIMIT: AtomicUsize = AtomicUsize::new(0);
 
-/// Sets the number of cores for the rest of the process; 0: all of the machine.
+/// Sets the number of cores for the rest of the process; 0: all of the machine. The first call sets up the threads that all computations share, and
+/// their number stays.
+///
+/// A thread of the pool that waits takes other work of the pool. That must not read what a scope has set for its thread (units, language, sheets
+/// without lines): procedures and the writing of reports do not run in it.
 pub fn limit(cores: usize) {
     LIMIT.store(cores, Ordering::Relaxed);
+    // An error says that there is a pool. Work that a waiting thread takes stands on its stack.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(cores).stack_size(16 << 20);
+    let _ = pool.build_global();
 }
 
 /// Number of cores, ≥ 1.

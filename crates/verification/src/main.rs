@@ -56,7 +56,7 @@ struct Args {
     /// No progress on standard error.
     #[arg(long, short)]
     quiet: bool,
-    /// Cores for nonlinear runs; results do not depend on it [default: all].
+    /// Cores; results do not depend on it [default: all].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }

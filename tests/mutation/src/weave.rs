@@ -367,8 +367,7 @@ pub fn build(root: &Path, sample: &Path, state: &Path, cargo: &[String]) -> Resu
     }
     let crate_root = files
         .first()
-        .and_then(|f| f.split_once("/src/"))
-        .map(|(c, _)| format!("{c}/src/lib.rs"))
+        .map(|f| f.split_once("/src/").map_or(String::new(), |(c, _)| format!("{c}/")) + "src/lib.rs")
         .ok_or("the sample is empty")?;
     let root_path = root.join(&crate_root);
     let root_text = match original.get(crate_root.as_str()) {

@@ -137,7 +137,7 @@ pub(crate) fn demands(
     })
 }
 
-/// The analysis of a model, and its demands beside it on a second core: they share modes and motion alone.
+/// The analysis of a model, and its demands beside it: they share modes and motion alone.
 ///
 /// Errors: a response that is not finite.
 pub(super) fn beside<'a>(
@@ -147,12 +147,11 @@ pub(super) fn beside<'a>(
     (options, extent): (&LinearOptions, Extent),
 ) -> Result<(Analysis<'a>, Demands), FeError> {
     let kept = model.kept(options.wave_modes);
-    std::thread::scope(|scope| {
-        let found = scope.spawn(|| demands(case, model, &kept, motion));
-        let analysis = analyse_on(model, motion, (options, extent), &Silent);
-        let found = found.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        Ok((analysis?, found?))
-    })
+    let (analysis, found) = rayon::join(
+        || analyse_on(model, motion, (options, extent), &Silent),
+        || demands(case, model, &kept, motion),
+    );
+    Ok((analysis?, found?))
 }
 
 /// Adds the part along y of the forces on the base of a box, whose motion along y is that along x of `other`, to its demands.

@@ -16,6 +16,7 @@ use ::soil::SoilError;
 use ::soil::isolated::{self, History, Mode};
 use ::soil::isolator::{Friction, Isolator};
 use oscillator::record::Record;
+use rayon::prelude::*;
 use results::EngineId;
 use results::part::Fact;
 use tank::case::GroundMotion;
@@ -57,17 +58,11 @@ pub(super) fn isolated(
         return Err(FeError::Unsupported(words::DASHPOTS.into()));
     }
     let setup = Setup::new(case, model, &given, still.grid, motion, options);
-    let (main, bounds) = std::thread::scope(|scope| {
-        let bounds = given.bounds.map(|factor| {
-            let (setup, given) = (&setup, &given);
-            scope.spawn(move || setup.bound((case, model), (given, factor), motion, options))
-        });
-        let main = setup.march(&setup.isolators(&given, 1.0));
-        let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-            handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        (main, bounds.map(join))
-    });
+    let bound = |&factor: &f64| setup.bound((case, model), (&given, factor), motion, options);
+    let (main, bounds) = rayon::join(
+        || setup.march(&setup.isolators(&given, 1.0)),
+        || given.bounds.par_iter().map(bound).collect::<Vec<_>>(),
+    );
     let history = main.map_err(failure)?;
     let bounds = bounds.into_iter().collect::<Result<Vec<Bound>, FeError>>()?;
     Ok(Some(Isolated::new(setup, given, history, bounds, motion)))

@@ -23,6 +23,7 @@ use std::sync::Arc;
 
 use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
+use rayon::prelude::*;
 use results::channel::OnWall;
 use results::{BaseRun, Channel, EngineId, Snapshots};
 use tank::case::GroundMotion;
@@ -281,26 +282,18 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, setu
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
     let band: &[f64] = if setup.grounds { &BAND } else { &[] };
-    let (main, others) = std::thread::scope(|scope| {
-        let others: Vec<_> = band
-            .iter()
-            .map(|factor| {
-                let on = base.on(factor * base.modulus).with_long_elements();
-                scope.spawn(move || {
-                    let own = setup.dragging(&on);
-                    match own.and_then(|own| search::settle(&own, &on, (reach, None), false)) {
-                        Ok(found) => Ok(outcome::band(&on, &found)),
-                        Err(missed) => Err(words::missed_band(on.modulus, &missed)),
-                    }
-                })
-            })
-            .collect();
-        let main = search::closed(setup, base, (reach, known));
-        let joined = others
-            .into_iter()
-            .map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        (main, joined.collect::<Vec<_>>())
-    });
+    let other = |factor: &f64| {
+        let on = base.on(factor * base.modulus).with_long_elements();
+        let own = setup.dragging(&on);
+        match own.and_then(|own| search::settle(&own, &on, (reach, None), false)) {
+            Ok(found) => Ok(outcome::band(&on, &found)),
+            Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+        }
+    };
+    let (main, others) = rayon::join(
+        || search::closed(setup, base, (reach, known)),
+        || band.par_iter().map(other).collect::<Vec<_>>(),
+    );
     let (setup, found): (Setup, Found) = main?;
     let grid = Grid {
         sub_steps: setup.sub_steps,

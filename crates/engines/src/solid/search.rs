@@ -4,6 +4,7 @@
 
 use fem::cores;
 use fem::progress::Progress;
+use rayon::prelude::*;
 
 use super::model::TankModel;
 use super::spectrum::{self, TankMode};
@@ -38,16 +39,9 @@ pub(super) fn search(
                 stage: "the search for modes".into(),
             });
         }
-        let modes = std::thread::scope(|scope| {
-            let one = |&n: &u32| scope.spawn(move || of_number(tank, system, n, count, progress));
-            let threads: Vec<_> = together.iter().map(one).collect();
-            let joined = threads.into_iter().map(|thread| match thread.join() {
-                Ok(modes) => modes,
-                Err(panic) => std::panic::resume_unwind(panic),
-            });
-            joined.collect::<Result<Vec<_>, FeError>>()
-        });
-        found.extend(modes?);
+        let one = |&n: &u32| of_number(tank, system, n, count, progress);
+        let modes: Vec<Result<_, FeError>> = together.par_iter().map(one).collect();
+        found.extend(modes.into_iter().collect::<Result<Vec<_>, FeError>>()?);
     }
     Ok(found)
 }

@@ -187,18 +187,10 @@ impl StripModel {
         let counted = Counted::new(progress);
         let [first, second] = checkpoints;
         let observe = |side, checkpoint, until| self.observed(quake, 1.0, side, checkpoint, until, &counted);
-        let (a, b) = std::thread::scope(|scope| {
-            let other = scope.spawn(|| {
-                let own = Counted::new(progress);
-                self.observed(quake, 1.0, Side::Back, second, None, &own)
-            });
-            let one = observe(Side::Front, first, None);
-            let other = match other.join() {
-                Ok(run) => run,
-                Err(panic) => std::panic::resume_unwind(panic),
-            };
-            (one, other)
-        });
+        let (a, b) = rayon::join(
+            || observe(Side::Front, first, None),
+            || self.observed(quake, 1.0, Side::Back, second, None, &Counted::new(progress)),
+        );
         let mut walls = [a?, b?];
         let end = walls.iter().filter(|w| w.collapsed()).map(|w| w.run.time);
         let end = end.fold(f64::INFINITY, f64::min);

@@ -208,12 +208,8 @@ impl Assembler {
                 }
                 Sink::whole(head)
             });
-            std::thread::scope(|scope| {
-                let second = scope.spawn(|| run(count / 2..count, tails));
-                let first = run(0..count / 2, heads);
-                let second = second.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                first.and(second)
-            })?;
+            let (first, second) = rayon::join(|| run(0..count / 2, heads), || run(count / 2..count, tails));
+            first.and(second)?;
             for (sum, copy) in values.iter_mut().zip(&copies) {
                 for (a, b) in sum[start..end].iter_mut().zip(copy) {
                     *a += b;

@@ -13,6 +13,8 @@
 
 use std::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use super::blocks::{Loads, Oscillator, Trace};
 use super::lanes::{LANES, lanes};
 use super::peaks::Maxima;
@@ -36,27 +38,19 @@ pub(crate) fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<
         .chain(order[border..].chunks(LANES).map(|group| (false, group)))
         .collect();
     let mut result = vec![Maxima::default(); oscillators.len()];
-    // A thread costs about 30 µs to start, a group of a usual record about as much: use at least four groups per
-    // thread. The system is asked for its cores only where they count: on Linux that reads files.
+    // Threads take about 30 µs to wake up, a group of a usual record about as much: at least four groups per thread.
     let workers = match groups.len() / 4 {
         0 | 1 => 1,
-        most => std::thread::available_parallelism().map_or(1, |n| n.get()).min(most),
+        most => rayon::current_num_threads().min(most),
     };
-    let share = &|worker: usize| {
+    let share = |worker: usize| {
         // Distributed in turn, because neighbours in frequency have similar cost.
         run(&loads, h, oscillators, groups.iter().skip(worker).step_by(workers))
     };
-    let found: Vec<(usize, Maxima)> = std::thread::scope(|scope| {
-        let others: Vec<_> = (1..workers).map(|worker| scope.spawn(move || share(worker))).collect();
-        let mut found = share(0);
-        for handle in others {
-            match handle.join() {
-                Ok(part) => found.extend(part),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        found
-    });
+    let found: Vec<(usize, Maxima)> = match workers {
+        1 => share(0),
+        _ => (0..workers).into_par_iter().flat_map_iter(share).collect(),
+    };
     for (place, maxima) in found {
         result[place] = maxima;
     }

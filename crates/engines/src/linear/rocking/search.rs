@@ -118,15 +118,13 @@ fn twins(
     };
     let (run, friction, step) = (&run, &setup.friction, setup.step);
     // The one of half the step takes as long as both others.
-    std::thread::scope(|scope| {
-        let both = scope.spawn(|| {
-            let apart = |factor: f64| run(&scaled(factor), step, friction);
-            Ok((apart(1.0 - BaseSpread::APART)?, apart(1.0 + BaseSpread::APART)?))
-        });
-        let half = run(&between(ground), 0.5 * step, &halved);
-        let (weaker, stronger) = both.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-        Ok([weaker, stronger, half?])
-    })
+    let apart = |factor: f64| run(&scaled(factor), step, friction);
+    let (half, both) = rayon::join(
+        || run(&between(ground), 0.5 * step, &halved),
+        || Ok((apart(1.0 - BaseSpread::APART)?, apart(1.0 + BaseSpread::APART)?)),
+    );
+    let (weaker, stronger) = both?;
+    Ok([weaker, stronger, half?])
 }
 
 /// A run with a hysteretic share.
@@ -197,17 +195,9 @@ pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, Base
     let law = &laws.law;
     let dashpot = dashpot(setup, base);
     let run = |share: f64| searched(setup, laws, share, dashpot).map(|march| turned(march.rotation()));
-    let (widest, elastic) = std::thread::scope(|scope| {
-        let elastic = scope.spawn(|| match base.yields() {
-            true => run(0.0),
-            false => Ok(0.0),
-        });
-        let widest = run(1.0)?;
-        let elastic = elastic
-            .join()
-            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-        Ok::<_, BaseError>((widest, elastic))
-    })?;
+    let elastic = || if base.yields() { run(0.0) } else { Ok(0.0) };
+    let (widest, elastic) = rayon::join(|| run(1.0), elastic);
+    let (widest, elastic) = (widest?, elastic?);
     Ok(if widest > law.largest() {
         beyond(widest, law)
     } else if elastic > law.largest() {
