@@ -8,6 +8,8 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
+use sha2::{Digest, Sha256};
+
 use crate::input::diagnostic::{Fault, Faults, Source};
 use crate::input::stdin;
 use files::code::Code;
@@ -39,6 +41,12 @@ pub struct Table {
     pub head: Vec<Cell>,
     /// Rows, in the order of the file.
     pub rows: Vec<Vec<Cell>>,
+}
+
+/// Beginning of the SHA-256 of a file, for the report.
+pub(in crate::input) fn short_hash(source: &Source) -> String {
+    let hash = Sha256::digest(source.text.as_bytes());
+    hash.iter().take(8).map(|b| format!("{b:02x}")).collect()
 }
 
 /// Reads a table (`-`: standard input).

@@ -4,8 +4,8 @@
 
 pub(in crate::input) mod bytes;
 mod file;
+pub(in crate::input) mod given;
 mod hints;
-pub(in crate::input) mod key;
 pub(in crate::input) mod keys;
 mod page;
 mod places;

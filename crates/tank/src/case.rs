@@ -3,6 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::hazard::SiteSpectrum;
+use crate::keys::{
+    Acceleration, As, ByHand, Force, InG, Limits, Needed, Number, Opt, Or, Seconds, Stress, Time, Whole, keys,
+};
 use crate::quantity::Quantity;
 use crate::words;
 use crate::{Liquid, Tank};
@@ -109,7 +112,7 @@ impl Site {
 
 words! {
     /// Ground type of EN 1998-1 table 3.1.
-    pub GroundType {
+    pub GroundType: A {
         /// Rock.
         A = "A",
         /// Very dense sand, gravel or very stiff clay.
@@ -133,40 +136,73 @@ words! {
     }
 }
 
-/// Site data of Eurocode 8. Where [`Site::spectrum`] is given, ground type, spectrum type and a_gR are not used.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Ec8Site {
-    /// Ground type.
-    pub ground: GroundType,
-    /// Spectrum type, 1 or 2.
-    pub spectrum: u8,
-    /// Reference peak ground acceleration a_gR [m/s²].
-    pub ag: f64,
-    /// Importance factor γ_I.
-    pub importance: f64,
-    /// Behaviour factor q of the impulsive part (1 unless given).
-    pub behaviour_factor: f64,
-    /// Fabrication quality of EN 1998-4 A.10: 1 normal, 1.5 quality, 2.5 very high quality construction.
-    pub construction_quality: f64,
-    /// Whether the vertical design spectrum is applied.
-    pub vertical: bool,
-    /// Horizontal components of a cylinder.
-    #[serde(default)]
-    pub components: Components,
-    /// Design friction coefficient between foundation and ground (or tank and foundation), divided by its partial factor.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub friction: Option<f64>,
-    /// Reduction factor ν of the seismic action for damage limitation.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reduction_factor: Option<f64>,
-    /// Design bearing resistance of the ground in the seismic situation [Pa].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bearing_capacity: Option<f64>,
+/// Mapped accelerations in g.
+const MAPPED: Limits = Limits::from(0.0).to(5.0);
+/// Site coefficients; the tables of ASCE 7 have 0.8 to 2.5 and 0.8 to 4.2, and a study at least 0.8 of them.
+const FACTOR: Limits = Limits::from(0.4).to(6.0).clause("ASCE 7-16 tables 11.4-1 and 11.4-2");
+/// Importance factor: 0.8, 1, 1.2 and 1.6 are recommended, the least and largest national values known are 0.65 and 1.95 (Portugal,
+/// recalled). With k = 3, 0.6 and 2 stand for return periods of 100 and 3800 years beside 475.
+const IMPORTANCE: Limits = Limits::from(0.6)
+    .to(2.0)
+    .usual(0.8, 1.6)
+    .clause("EN 1998-4:2006 2.1.4, classes I to IV");
+/// Share of damage limitation: 0.5 and 0.4 are recommended; a return period of 95 in place of 475 years gives 0.2 with k = 1.
+const REDUCTION: Limits = Limits::from(0.2).to(1.0).usual(0.4, 0.5).clause("EN 1998-1:2004 2.2.3");
+/// Ground under a tank, from soft clay to rock.
+const GROUND: Limits = Limits::from(1e3).to(1e8).usual(50e3, 3e6);
+/// From the mapped to the design earthquake: 2/3 of ASCE 7, 1 of maps of the design earthquake; 0.66 is 2/3 rounded.
+const SCALING: Limits = Limits::from(0.66)
+    .to(1.0)
+    .clause("API 650 E.4.6.1: 2/3 with ASCE 7 maps, 1 with others");
+/// Long-period transition; the maps of ASCE 7 have 4 to 16 s.
+const LONG: Limits = Limits::from(1.0).to(30.0).usual(4.0, 16.0).clause("ASCE 7 maps of T_L");
+/// Design pressure: annex F ends at 18 kPa (2.5 psi).
+const PRESSURE: Limits = Limits::from(0.0).to(18e3).clause("API 650 annex F");
+/// Joint efficiency: 0.85 and 1, 0.7 of annex A; old lap joints of API 653 have at least 0.35.
+const JOINT: Limits = Limits::from(0.35)
+    .to(1.0)
+    .usual(0.7, 1.0)
+    .clause("API 650 5.6, annex A; API 653 table 4.2");
+
+keys! {
+    /// Site data of Eurocode 8. Without it the Eurocode procedures run on the record's spectrum only.
+    pub Ec8Site as Ec8 (Copy) {
+        /// Ground type of EN 1998-1 table 3.1. Needed unless `site.spectrum` is given.
+        ground ("B"): Needed<GroundType>,
+        /// Type of the elastic spectrum. Needed unless `site.spectrum` is given.
+        spectrum (1): As<Needed<Whole>, u8> [Limits::one_of(&[1.0, 2.0])],
+        /// Reference peak ground acceleration a_gR on rock. Needed unless `site.spectrum` is given.
+        ag ("0.25 g"): Needed<Acceleration>
+            [Limits::from(1e-3).to(3.0 * crate::STANDARD_GRAVITY).usual(0.02 * crate::STANDARD_GRAVITY, 0.6 * crate::STANDARD_GRAVITY)],
+        /// Importance factor.
+        importance (1.2): Or<Number> [IMPORTANCE]
+            = default(Number(1.0)).shown("1.0").because("EN 1998-4:2006 2.1.4, class II"),
+        /// Behaviour factor q of the impulsive part; at most 1.5 for a tank on the ground, EN 1998-4:2006 4.4.
+        behaviour_factor (1.5): Or<Number> [Limits::from(1.0).to(1.5).clause("EN 1998-4:2006 4.4")] = default(Number(1.0))
+            .shown("1.0")
+            .because("elastic response of the wall, on the safe side of EN 1998-4:2006 4.4"),
+        /// Fabrication quality of EN 1998-4 A.10: 1 normal, 1.5 quality, 2.5 very high quality construction.
+        construction_quality (1.5): Or<Number> [Limits::one_of(&[1.0, 1.5, 2.5])]
+            = default(Number(1.0)).because("normal construction, EN 1998-4:2006 A.10"),
+        /// Whether the vertical design spectrum is applied.
+        vertical (false): Or<bool> = default(true).because("EN 1998-4:2006 A.2.2 and A.3.3, on the safe side"),
+        /// Horizontal components that act together on a cylinder.
+        @(default) components: Or<Components> = default(Components::One).because("EN 1998-4:2006 3.2: enough for an axisymmetric tank"),
+        /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
+        @"Option::is_none" friction (0.4): Opt<Number> [Limits::from(1e-3).to(1.0).usual(0.2, 0.6)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
+        /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
+        /// and II, 0.4 for III and IV.
+        @"Option::is_none" reduction_factor (0.5): Opt<Number> [REDUCTION]
+            = without("damage limitation is not checked, EN 1998-4:2006 2.1.3"),
+        /// Design bearing resistance of the ground under the tank in the seismic situation, as a pressure.
+        @"Option::is_none" bearing_capacity ("300 kPa"): Opt<Stress> [GROUND]
+            = without("bearing of the ground is not checked, EN 1998-5:2004 5.4.1.1"),
+    }
 }
 
 words! {
     /// Site class of ASCE 7.
-    pub SiteClass {
+    pub SiteClass: D {
         /// Hard rock.
         A = "A",
         /// Rock.
@@ -182,50 +218,60 @@ words! {
     }
 }
 
-/// Site data of API 650 (annex E of the current, appendix E of the 9th edition). Beside [`Site::spectrum`] the mapped accelerations
-/// are zero if they are not given; site class and T_L are not used then.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Api650Site {
-    /// Mapped short-period acceleration S_s [g].
-    pub ss: f64,
-    /// Mapped one-second acceleration S_1 [g].
-    pub s1: f64,
-    /// Peak ground acceleration S_0 [g]; 0.4 S_s unless given.
-    pub s0: Option<f64>,
-    /// Site class.
-    pub site_class: SiteClass,
-    /// Edition of the ASCE 7 site-coefficient tables: 2010 or 2016.
-    pub asce7: u16,
-    /// Site coefficient F_a of a site study, instead of the table's; with `fv`. Site class F needs both.
-    pub fa: Option<f64>,
-    /// Site coefficient F_v of a site study, instead of the table's; with `fa`.
-    pub fv: Option<f64>,
-    /// Scaling factor Q from MCE to design: 2/3 with ASCE 7 maps, 1 otherwise.
-    pub q: f64,
-    /// Seismic use group, 1 to 3.
-    pub sug: u8,
-    /// Long-period transition T_L [s].
-    pub tl: f64,
-    /// Vertical acceleration A_v [g]; 0.47 S_DS unless given.
-    pub av: Option<f64>,
-    /// Design pressure above the liquid P [Pa].
-    pub design_pressure: f64,
-    /// Joint efficiency e of the shell.
-    pub joint_efficiency: f64,
-    /// Friction coefficient μ of sliding, at most 0.4.
-    pub friction: f64,
-    /// Weight of the foundation and of the soil on it, W_fd + W_g [N].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub foundation_weight: Option<f64>,
-    /// Allowable pressure on the ground in the seismic combination [Pa].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bearing_capacity: Option<f64>,
-    /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); if absent, the zone method is not run.
-    pub zone_factor: Option<f64>,
-    /// 9th edition: site amplification S (1.0, 1.2, 1.5, 2.0).
-    pub soil_factor: f64,
-    /// 9th edition: importance I (1.0 or 1.25).
-    pub importance_1993: f64,
+keys! {
+    /// Site data of API 650: annex E of the 13th edition, and the zone method of appendix E, 9th edition. Without it the API
+    /// procedures run on the record's spectrum only. Annex E needs ss, s1, site_class, tl and sug; under `site.spectrum` sug alone, the
+    /// others for its lower limit. The zone method needs zone_factor alone.
+    pub Api650Site as Api650 (Copy) {
+        /// Mapped short-period acceleration S_s in g.
+        ss (1.0): Needed<InG> [MAPPED.usual(0.0, 3.0)],
+        /// Mapped one-second acceleration S_1 in g.
+        s1 (0.4): Needed<InG> [MAPPED.usual(0.0, 1.5)],
+        /// Peak ground acceleration S_0 in g.
+        s0 (0.4): Opt<InG> [MAPPED.usual(0.0, 1.5)] = without("0.4 S_s, API 650 E.4.2"),
+        /// Site class of ASCE 7.
+        site_class ("D"): Needed<SiteClass>,
+        /// Edition of the site-coefficient tables; those of 2010 are printed in annex E.
+        asce7 (2016): As<Or<Whole>, u16> [Limits::one_of(&[2010.0, 2016.0])]
+            = default(Whole(2010)).because("site-coefficient tables printed in API 650 annex E"),
+        /// Site coefficient F_a of a site study, instead of the table's; together with fv. Site class F needs both.
+        fa (1.1): Opt<Number> [FACTOR.usual(0.8, 2.5)] = without("from the table of the site class"),
+        /// Site coefficient F_v of a site study, instead of the table's; together with fa.
+        fv (1.6): Opt<Number> [FACTOR.usual(0.8, 4.2)] = without("from the table of the site class"),
+        /// Factor Q from the mapped to the design earthquake; 2/3 with ASCE 7 maps, 1 with other maps.
+        q (1): ByHand<Or<Number>, f64> [SCALING]
+            = default(Number(2.0 / 3.0)).shown("0.6667 (2/3)").because("API 650 E.4.6.1 with ASCE 7 maps"),
+        /// Seismic use group.
+        sug (1): As<Needed<Whole>, u8> [Limits::one_of(&[1.0, 2.0, 3.0])],
+        /// Long-period transition T_L in seconds.
+        tl (4.0): Needed<Seconds> [LONG],
+        /// Vertical acceleration A_v in g.
+        av (0.3): Opt<InG> [MAPPED.usual(0.0, 1.0)] = without("0.47 S_DS, API 650 E.6.1.3"),
+        /// Design pressure above the liquid.
+        design_pressure ("2 kPa"): ByHand<Opt<Stress>, f64> [PRESSURE]
+            = Absent::Follows("tank.pressure.internal"),
+        /// Joint efficiency of the shell.
+        joint_efficiency (0.85): Or<Number> [JOINT]
+            = default(Number(1.0)).shown("1.0").because("fully radiographed butt joints"),
+        /// Friction coefficient against sliding.
+        friction (0.3): Or<Number> [Limits::from(1e-3).to(0.4).usual(0.2, 0.4).clause("API 650 E.7.6")]
+            = default(Number(0.4)).because("API 650 E.7.6, the largest value allowed"),
+        /// Weight of the foundation and of the soil on it, W_fd + W_g, against overturning.
+        @"Option::is_none" foundation_weight ("3 MN"): Opt<Force> [Limits::from(0.0).to(1e10)]
+            = without("overturning of the foundation is not checked, API 650 E.6.2.3"),
+        /// Allowable pressure on the ground in the seismic combination.
+        @"Option::is_none" bearing_capacity ("250 kPa"): Opt<Stress> [GROUND]
+            = without("bearing of the ground is not checked, API 650 E.6.2.3"),
+        /// 9th edition: zone factor Z.
+        zone_factor (0.3): Opt<Number> [Limits::one_of(&[0.0, 0.075, 0.15, 0.2, 0.3, 0.4])]
+            = without("the zone method of the 9th edition is not run"),
+        /// 9th edition: site amplification S.
+        soil_factor (1.2): Or<Number> [Limits::one_of(&[1.0, 1.2, 1.5, 2.0])]
+            = default(Number(1.5)).because("soil profile S3, API 650 9th edition, soil not known"),
+        /// 9th edition: importance factor I.
+        importance_1993 (1.25): Or<Number> [Limits::one_of(&[1.0, 1.25])]
+            = default(Number(1.0)).shown("1.0").because("API 650 9th edition E.3.1, ordinary tank"),
+    }
 }
 
 /// A value that somebody measured or published, in SI.
@@ -244,27 +290,23 @@ pub struct Reported {
     pub motion: Option<NamedMotion>,
 }
 
-/// What a file says about the ground motion of a measured or published value, in SI.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct NamedMotion {
-    /// SHA-256 of the record file, in lower case.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sha256: Option<String>,
-    /// Peak of the record as recorded [m/s²].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub peak: Option<f64>,
-    /// Time step of the record as recorded [s].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub step: Option<f64>,
-    /// Duration of the record as recorded [s].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub duration: Option<f64>,
-    /// Peak of the motion that shook the tank, after scaling [m/s²].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub applied_peak: Option<f64>,
-    /// Time step of the motion that shook the tank, after stretching [s].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub applied_step: Option<f64>,
+keys! {
+    /// A ground motion: the record as recorded, before `record` of this file processes it, by `sha256` or by `peak` and `step`; and
+    /// what shook the tank. Numbers count as equal within 1 %, the accuracy of three printed digits.
+    pub NamedMotion as Motion (Default) {
+        /// SHA-256 of the record file.
+        @"Option::is_none" sha256 ("787e5172cebfd464c7a91e776fabe476afbedab5018f501e2028b285549f95ee"): Opt<String>,
+        /// Peak ground acceleration of the record as recorded.
+        @"Option::is_none" peak ("0.348 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * crate::STANDARD_GRAVITY)] = without("not named"),
+        /// Time step of the record as recorded.
+        @"Option::is_none" step ("0.02 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
+        /// Duration of the record as recorded.
+        @"Option::is_none" duration ("53.74 s"): Opt<Time> [Limits::above(0.0).to(1e6)] = without("not named"),
+        /// Peak of the motion that shook the tank, after scaling.
+        @"Option::is_none" applied_peak ("0.5 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * crate::STANDARD_GRAVITY)] = without("not named"),
+        /// Time step of the motion that shook the tank, after stretching the time axis.
+        @"Option::is_none" applied_step ("0.01155 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
+    }
 }
 
 words! {
@@ -313,15 +355,19 @@ pub struct ProcedureOptions {
     pub concrete: ConcreteOptions,
 }
 
-/// Choices for walls of concrete, EN 1992.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ConcreteOptions {
-    /// Partial factor of concrete γ_c.
-    pub gamma_c: f64,
-    /// Partial factor of reinforcement γ_s.
-    pub gamma_s: f64,
-    /// Tightness class of EN 1992-3 table 7.105, 0 to 3.
-    pub tightness_class: u8,
+keys! {
+    /// Choices for walls of concrete in the Eurocode procedures.
+    pub ConcreteOptions (Copy) {
+        /// Partial factor of concrete.
+        gamma_c (1.2): Or<Number> [Limits::from(1.0).to(2.0)]
+            = default(Number(ConcreteOptions::DEFAULT.gamma_c)).because("EN 1992-1-1 table 2.1N, EN 1998-1 5.2.4"),
+        /// Partial factor of reinforcement.
+        gamma_s (1.0): Or<Number> [Limits::from(1.0).to(2.0)]
+            = default(Number(ConcreteOptions::DEFAULT.gamma_s)).because("EN 1992-1-1 table 2.1N, EN 1998-1 5.2.4"),
+        /// Tightness class, EN 1992-3 table 7.105. Classes 2 and 3 are not checked.
+        tightness_class (1): As<Or<Whole>, u8> [Limits::one_of(&[0.0, 1.0, 2.0, 3.0])]
+            = default(Whole(ConcreteOptions::DEFAULT.tightness_class as u32)).because("EN 1992-3 7.3.1: leakage limited to a small amount"),
+    }
 }
 
 impl ConcreteOptions {

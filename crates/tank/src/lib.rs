@@ -3,7 +3,7 @@
 //!
 //! | module | idea |
 //! |---|---|
-//! | [`words`](mod@words) | closed choices of words |
+//! | [`keys`](mod@keys), [`words`](mod@words) | declaration of the keys of a tank file, and of choices of words |
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
 //! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
 //! | [`case`] | input of a procedure or an engine for one verification |
@@ -30,6 +30,7 @@ pub mod formula;
 pub mod hazard;
 pub mod imperfection;
 pub mod ingredients;
+pub mod keys;
 pub mod options;
 pub mod outside;
 mod project;
@@ -39,6 +40,7 @@ pub mod refusal;
 #[allow(clippy::module_inception)]
 mod tank;
 pub mod units;
+pub mod value;
 pub mod words;
 
 pub use case::Case;

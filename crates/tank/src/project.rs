@@ -1,7 +1,6 @@
 //! Who a verification is for and who answers for it: the cover of the report.
 
-use serde::{Deserialize, Serialize};
-
+use crate::keys::{Opt, keys};
 use crate::units::System;
 use crate::words;
 
@@ -15,40 +14,30 @@ words! {
     }
 }
 
-/// The block `project` of `tank.json`. Absent entries stay blank on the cover.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Project {
-    /// Name of the project.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
-    /// Client.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub client: Option<String>,
-    /// Number of the document.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub document: Option<String>,
-    /// Revision of the document.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub revision: Option<String>,
-    /// Date of the document.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub date: Option<String>,
-    /// Author.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub author: Option<String>,
-    /// Checker.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub checker: Option<String>,
-    /// Who approves it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub approver: Option<String>,
-    /// Language of the report; English if absent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub language: Option<Language>,
-    /// Units of the report; SI if absent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub units: Option<System>,
+keys! {
+    /// Whom the verification is for and who answers for it: cover and running heads of the report. Nothing here changes a number.
+    pub Project (Default, Eq) {
+        /// Project.
+        @"Option::is_none" name ("Terminal North, fire water"): Opt<String>,
+        /// Client.
+        @"Option::is_none" client ("Harbour Storage Ltd"): Opt<String>,
+        /// Number of the document, on every page.
+        @"Option::is_none" document ("TK-104-SV-001"): Opt<String>,
+        /// Revision, on every page.
+        @"Option::is_none" revision ("B"): Opt<String>,
+        /// Date of the document, year-month-day.
+        @"Option::is_none" date ("2026-03-14"): Opt<String>,
+        /// Author.
+        @"Option::is_none" author ("J. Doe"): Opt<String>,
+        /// Checker.
+        @"Option::is_none" checker ("A. Smith"): Opt<String>,
+        /// Who approves it.
+        @"Option::is_none" approver ("M. Jones"): Opt<String>,
+        /// Language of the report; English if absent. Terminal and JSON are English. `--lang` overrides it.
+        @"Option::is_none" language ("de"): Opt<Language>,
+        /// Units of the report, of its tables and of the terminal; SI if absent. JSON is in SI. `--report-units` overrides it.
+        @"Option::is_none" units ("us"): Opt<System>,
+    }
 }
 
 impl Project {

@@ -10,7 +10,9 @@ mod layers;
 mod parts;
 mod plane;
 
-pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
+pub use behaviour::{
+    Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, SLOPE, STRESS, Softening, Steel,
+};
 pub use details::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
 pub use family::Family;
 pub use foundation::{Foundation, FoundationKind};
@@ -20,6 +22,7 @@ pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;
 
+use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};
 use crate::words;
 use serde::{Deserialize, Serialize};
 
@@ -163,37 +166,42 @@ pub struct Bottom {
     pub material: Material,
 }
 
-/// Anchor bolts: for the anchorage checks, and with a stiffness for a base that lifts on them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Anchors {
-    /// Number of anchors around the circumference.
-    pub count: u32,
-    /// Design tension capacity of one anchor [N].
-    pub capacity: Option<f64>,
-    /// Design tension capacity of the attachment of one anchor to the shell and of its embedment [N].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub attachment_capacity: Option<f64>,
-    /// Stiffness of one anchor with its chair and embedment [N/m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub stiffness: Option<f64>,
-    /// Force at which one anchor yields [N].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub yield_force: Option<f64>,
-    /// Play of the nut [m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub gap: Option<f64>,
-    /// Elongation at which one anchor breaks [m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rupture_elongation: Option<f64>,
+/// Forces of an anchor, from one of a model up.
+const FORCE: Limits = Limits::from(1.0).to(1e9);
+
+keys! {
+    /// Anchor bolts.
+    pub Anchors (Copy, Default) {
+        /// Number of anchors around the circumference.
+        count (36): Field<Whole> [Limits::count(1, 10_000)],
+        /// Design tension capacity of one anchor.
+        capacity ("120 kN"): Opt<Force> [FORCE]
+            = without("the force of an anchor is given without a check"),
+        /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
+        @"Option::is_none" attachment_capacity ("300 kN"): Opt<Force> [FORCE]
+            = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
+        /// Stiffness of one anchor with its chair and embedment, force over elongation: E A/l of the bolt between nut and anchor plate, less
+        /// what chair and concrete give way. With it, and with tank.bottom, the base lifts on its anchors in the time history of the
+        /// harmonic engine where one yields.
+        @"Option::is_none" stiffness ("80 MN/m"): Opt<LineForce> [Limits::from(1e4).to(1e12)]
+            = Absent::Follows("the wall is held down also where an anchor yields"),
+        /// Force at which one anchor yields, at least capacity.
+        @"Option::is_none" yield_force ("150 kN"): Opt<Force> [FORCE] = Absent::Follows("capacity"),
+        /// Play of the nut: the uplift of the rim before the anchor pulls.
+        @"Option::is_none" gap ("1 mm"): Opt<Length> [Limits::from(0.0).to(0.1)] = Absent::Follows("no play"),
+        /// Elongation at which one anchor breaks, play not counted; the uniform elongation of its steel over the free length.
+        @"Option::is_none" rupture_elongation ("40 mm"): Opt<Length> [Limits::from(1e-6).to(10.0)] = Absent::Follows("anchors do not break"),
+    }
 }
 
-/// Gas or vapour above the liquid, against the atmosphere.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Pressure {
-    /// Largest overpressure [Pa].
-    pub internal: f64,
-    /// Largest vacuum [Pa], positive.
-    pub vacuum: f64,
+keys! {
+    /// Gas or vapour above the liquid while the earthquake acts, against the atmosphere.
+    pub Pressure (Copy, Default) {
+        /// Largest overpressure.
+        internal ("2 kPa"): Or<Stress> [Limits::from(0.0).to(1e6).usual(0.0, 50e3)] = default(Stress(0.0)).because("no overpressure"),
+        /// Largest vacuum, as a positive number.
+        vacuum ("0.5 kPa"): Or<Stress> [Limits::from(0.0).to(101_325.0).usual(0.0, 6.9e3)] = default(Stress(0.0)).because("no vacuum"),
+    }
 }
 
 impl Pressure {
@@ -202,6 +210,12 @@ impl Pressure {
         self.internal == 0.0 && self.vacuum == 0.0
     }
 }
+
+/// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
+pub const SIZE: Limits = Limits::from(1e-3).to(1000.0);
+/// Heights of courses and of the liquid, from the smallest laboratory tank up. The smallest for an engine depends on the radius; the engine
+/// checks it.
+pub const HEIGHT: Limits = Limits::from(1e-3).to(1000.0);
 
 /// Young's modulus from which a material of unknown family counts as metal [Pa].
 pub const METAL: f64 = 60e9;
@@ -241,13 +255,17 @@ pub struct Tank {
     pub details: Details,
 }
 
-/// The stored liquid.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Liquid {
-    /// Density ρ [kg/m³].
-    pub density: f64,
-    /// Depth H [m].
-    pub fill_height: f64,
+/// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
+const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0).usual(400.0, 2000.0);
+
+keys! {
+    /// The stored liquid.
+    pub Liquid (Copy) {
+        /// Density.
+        density: Field<Density> [LIQUID_DENSITY],
+        /// Depth of the liquid above the tank bottom.
+        fill_height ("9 m"): Field<Length> [HEIGHT],
+    }
 }
 
 /// Whether a length or mass is left out of a file.

@@ -46,6 +46,13 @@ macro_rules! words {
             }
         })?
 
+        impl $crate::value::Value for $name {
+            type Domain = Self;
+            fn domain(self) -> Self {
+                self
+            }
+        }
+
         impl $crate::words::Words for $name {
             const NAME: &'static str = $crate::words!(@name $name $($schema)?);
             const HELP: &'static [&'static str] = &[$($doc),+];

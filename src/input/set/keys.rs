@@ -2,9 +2,9 @@
 //!
 //! Keys and meaning are a contract: extend freely, do not rename.
 
-use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::values::Number;
+use ::tank::keys::{Absent, Limits, default};
 use ::tank::words;
 
 /// Most records of a set.

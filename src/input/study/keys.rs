@@ -2,10 +2,10 @@
 //!
 //! Keys and meaning are a contract: extend freely, do not rename.
 
-use crate::input::tank::key::{Absent, Limits, default};
-use crate::input::tank::keys::Project;
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::values::{Named, Number, Whole};
+use ::tank::keys::{Absent, Limits, default};
 use ::tank::words;
 
 /// Most tanks, record sets, levels or parameters of a study.
@@ -19,7 +19,7 @@ object! {
         /// Remarks; not evaluated.
         notes: Opt<String>,
         /// Cover of the report.
-        project: Opt<Project>,
+        project: Opt<Given<::tank::Project>>,
         /// The tanks: files, or a template with a table.
         tanks: Field<Vec<Field<Tanks>>> [Limits::ANY.items(1, MOST)],
         /// The records. Without them the codes are run under the design spectra of the tanks.

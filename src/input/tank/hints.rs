@@ -15,274 +15,88 @@ pub(super) struct Hint {
 /// The objects at the top.
 const TOP: &[&str] = &["", "tank", "liquid", "site"];
 
-const fn hint(
-    words: &'static [&'static str],
-    sections: &'static [&'static str],
-    meant: &'static str,
-    help: &'static str,
-) -> Hint {
-    Hint {
-        words,
-        sections,
-        meant,
-        help,
-    }
+/// A table of hints: words, sections, the key that is meant or an empty text, help.
+macro_rules! hints {
+    ($([$($word:literal)+] in $sections:expr => $meant:literal, $help:literal;)+) => {
+        &[$(Hint { words: &[$($word),+], sections: $sections, meant: $meant, help: $help }),+]
+    };
 }
 
-const HINTS: &[Hint] = &[
-    hint(
-        &["diameter", "inner_diameter"],
-        TOP,
-        "radius",
-        "give `tank.radius`, the inner radius: half of the diameter",
-    ),
-    hint(
-        &["soil", "ground", "subsoil"],
-        TOP,
-        "",
-        "give `tank.foundation` with `shear_wave_velocity` for a slab on soil, or with `stiffness` for the bedding of the bottom plate; the \
-         ground type of a design spectrum is `site.ec8.ground`",
-    ),
-    hint(
-        &["piles", "pile", "pile_foundation"],
-        TOP,
-        "",
-        "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)",
-    ),
-    hint(
-        &["isolated", "isolation", "base_isolation", "isolator"],
-        TOP,
-        "",
-        "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab",
-    ),
-    hint(
-        &["floating", "floating_roof"],
-        TOP,
-        "",
-        "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`",
-    ),
-    hint(
-        &["height", "wall_height", "tank_height"],
-        TOP,
-        "",
-        "the height of the wall is the sum of the heights of `tank.courses`; that of the liquid is `liquid.fill_height`",
-    ),
-    hint(
-        &["level", "liquid_level", "water_level", "filling", "height", "depth"],
-        &["", "tank", "liquid"],
-        "fill_height",
-        "give `liquid.fill_height`, above the bottom",
-    ),
-    hint(
-        &["pga", "zone", "seismic_zone"],
-        TOP,
-        "",
-        "give `site.ec8.ag` or `site.api650`; the peak of a record is `record.scale_to`",
-    ),
-    hint(
-        &["width"],
-        &["tank"],
-        "breadth",
-        "give `tank.breadth`, across the shaking, or \"strip\": true",
-    ),
-    hint(
-        &["thickness"],
-        &["tank"],
-        "",
-        "give the thickness of each course in `tank.courses`",
-    ),
-    hint(
-        &["material"],
-        &["tank"],
-        "",
-        "give the material of each course in `tank.courses`",
-    ),
-    hint(
-        &["weight", "self_weight"],
-        &["tank.roof"],
-        "mass",
-        "give `mass`, such as \"12 t\"",
-    ),
-    hint(
-        &["number", "bolts", "n"],
-        &["tank.anchors"],
-        "count",
-        "give `count`, the number of anchors",
-    ),
-    hint(
-        &["q", "behavior_factor"],
-        &["site.ec8"],
-        "behaviour_factor",
-        "give `behaviour_factor`",
-    ),
-    hint(
-        &["agr", "pga"],
-        &["site.ec8"],
-        "ag",
-        "give `ag`, with `importance` for γ_I",
-    ),
-    hint(
-        &["gamma_i", "importance_factor", "importance_class"],
-        &["site.ec8"],
-        "importance",
-        "give `importance`, the factor γ_I",
-    ),
-    hint(
-        &["importance", "importance_factor", "use_group", "seismic_use_group"],
-        &["site.api650"],
-        "sug",
-        "give `sug`, the seismic use group 1, 2 or 3, from which the importance factor follows; `importance_1993` is that of the zone method alone",
-    ),
-    hint(
-        &["specific_gravity", "sg", "relative_density"],
-        &["liquid"],
-        "density",
-        "give `density`: 1000 kg/m3 times the specific gravity, such as \"870 kg/m3\" for 0.87",
-    ),
-    hint(
-        &["soil_class", "ground_type", "soil"],
-        &["site.ec8"],
-        "ground",
-        "give `ground`, A to E",
-    ),
-    hint(&["type"], &["site.ec8"], "spectrum", "give `spectrum`, 1 or 2"),
-    hint(
-        &["e", "elastic_modulus", "young", "youngs_mod"],
-        &["materials"],
-        "youngs_modulus",
-        "give `youngs_modulus`",
-    ),
-    hint(
-        &["nu", "poisson", "poissons_ratio"],
-        &["materials"],
-        "poisson_ratio",
-        "give `poisson_ratio`",
-    ),
-    hint(
-        &["rho", "unit_weight"],
-        &["materials", "liquid"],
-        "density",
-        "give `density`, such as \"7850 kg/m3\"",
-    ),
-    hint(
-        &["fy", "f_y", "yield", "yield_stress"],
-        &["materials"],
-        "yield_strength",
-        "give `yield_strength`",
-    ),
-    hint(
-        &[
-            "legs",
-            "leg",
-            "skirt",
-            "saddles",
-            "pedestal",
-            "tower",
-            "elevated",
-            "columns",
-            "support_columns",
-            "stand",
-            "lugs",
-        ],
-        TOP,
-        "",
-        "the wall has to stand on the ground: tanks on legs, columns, a skirt or a tower are not modelled; of columns under a roof, give `tank.roof.mass` \
-         with the part that the wall carries",
-    ),
-    hint(
-        &[
-            "wind_girder",
-            "wind_girders",
-            "girder",
-            "stiffeners",
-            "stiffener",
-            "stiffening_rings",
-            "ring",
-            "rings",
-            "top_angle",
-            "top_ring",
-            "curb_angle",
-        ],
-        TOP,
-        "",
-        "rings do not stiffen the wall here; add the mass of those at its top to `tank.roof.mass`",
-    ),
-    hint(
-        &["insulation", "cladding", "lining", "coating", "jacket"],
-        TOP,
-        "",
-        "add the mass of an insulation to the wall: raise `density` of its material by the mass per area over the thickness of the wall",
-    ),
-    hint(
-        &[
-            "snow",
-            "snow_load",
-            "live_load",
-            "roof_load",
-            "roof_live_load",
-            "platform",
-            "platforms",
-            "ladder",
-            "stairs",
-            "walkway",
-            "agitator",
-            "mixer",
-        ],
-        TOP,
-        "",
-        "add what acts together with the earthquake to `tank.roof.mass`, at its `height`",
-    ),
-    hint(
-        &[
-            "nozzles", "nozzle", "manholes", "manhole", "manway", "openings", "opening", "fittings", "cleanout",
-        ],
-        TOP,
-        "",
-        "openings of the wall are not modelled; the displacements that connected pipes can take are `tank.pipes`",
-    ),
-    hint(
-        &[
-            "temperature",
-            "design_temperature",
-            "operating_temperature",
-            "design_temp",
-            "temp",
-        ],
-        &["", "tank", "liquid", "site", "materials"],
-        "",
-        "give the properties at the temperature: `liquid.density`, and `youngs_modulus` and `yield_strength` of the material",
-    ),
-    hint(
-        &["corrosion", "corrosion_allowance", "ca"],
-        &["", "tank"],
-        "",
-        "give `corrosion_allowance` in each course of `tank.courses` and in `tank.bottom`",
-    ),
-    hint(
-        &[
-            "design_pressure",
-            "internal_pressure",
-            "overpressure",
-            "vacuum",
-            "external_pressure",
-        ],
-        &["", "tank", "liquid"],
-        "",
-        "give `tank.pressure` with `internal` and `vacuum`",
-    ),
-    hint(
-        &["wind", "wind_speed", "wind_load", "wind_pressure"],
-        TOP,
-        "",
-        "wind is not checked: remove it",
-    ),
-    hint(
-        &["joint_efficiency", "weld_efficiency"],
-        &["tank", "tank.courses", "materials"],
-        "",
-        "multiply `allowable_stress` of the material by it",
-    ),
-];
+const HINTS: &[Hint] = hints! {
+    ["diameter" "inner_diameter"] in TOP => "radius",
+        "give `tank.radius`, the inner radius: half of the diameter";
+    ["soil" "ground" "subsoil"] in TOP => "",
+        "give `tank.foundation` with `shear_wave_velocity` for a slab on soil, or with `stiffness` for the bedding of the bottom plate; \
+         the ground type of a design spectrum is `site.ec8.ground`";
+    ["piles" "pile" "pile_foundation"] in TOP => "",
+        "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)";
+    ["isolated" "isolation" "base_isolation" "isolator"] in TOP => "",
+        "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab";
+    ["floating" "floating_roof"] in TOP => "",
+        "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`";
+    ["height" "wall_height" "tank_height"] in TOP => "",
+        "the height of the wall is the sum of the heights of `tank.courses`; that of the liquid is `liquid.fill_height`";
+    ["level" "liquid_level" "water_level" "filling" "height" "depth"] in &["", "tank", "liquid"] => "fill_height",
+        "give `liquid.fill_height`, above the bottom";
+    ["pga" "zone" "seismic_zone"] in TOP => "",
+        "give `site.ec8.ag` or `site.api650`; the peak of a record is `record.scale_to`";
+    ["width"] in &["tank"] => "breadth",
+        "give `tank.breadth`, across the shaking, or \"strip\": true";
+    ["thickness"] in &["tank"] => "",
+        "give the thickness of each course in `tank.courses`";
+    ["material"] in &["tank"] => "",
+        "give the material of each course in `tank.courses`";
+    ["weight" "self_weight"] in &["tank.roof"] => "mass",
+        "give `mass`, such as \"12 t\"";
+    ["number" "bolts" "n"] in &["tank.anchors"] => "count",
+        "give `count`, the number of anchors";
+    ["q" "behavior_factor"] in &["site.ec8"] => "behaviour_factor",
+        "give `behaviour_factor`";
+    ["agr" "pga"] in &["site.ec8"] => "ag",
+        "give `ag`, with `importance` for γ_I";
+    ["gamma_i" "importance_factor" "importance_class"] in &["site.ec8"] => "importance",
+        "give `importance`, the factor γ_I";
+    ["importance" "importance_factor" "use_group" "seismic_use_group"] in &["site.api650"] => "sug",
+        "give `sug`, the seismic use group 1, 2 or 3, from which the importance factor follows; `importance_1993` is that of the zone \
+         method alone";
+    ["specific_gravity" "sg" "relative_density"] in &["liquid"] => "density",
+        "give `density`: 1000 kg/m3 times the specific gravity, such as \"870 kg/m3\" for 0.87";
+    ["soil_class" "ground_type" "soil"] in &["site.ec8"] => "ground",
+        "give `ground`, A to E";
+    ["type"] in &["site.ec8"] => "spectrum",
+        "give `spectrum`, 1 or 2";
+    ["e" "elastic_modulus" "young" "youngs_mod"] in &["materials"] => "youngs_modulus",
+        "give `youngs_modulus`";
+    ["nu" "poisson" "poissons_ratio"] in &["materials"] => "poisson_ratio",
+        "give `poisson_ratio`";
+    ["rho" "unit_weight"] in &["materials", "liquid"] => "density",
+        "give `density`, such as \"7850 kg/m3\"";
+    ["fy" "f_y" "yield" "yield_stress"] in &["materials"] => "yield_strength",
+        "give `yield_strength`";
+    ["legs" "leg" "skirt" "saddles" "pedestal" "tower" "elevated" "columns" "support_columns" "stand" "lugs"] in TOP => "",
+        "the wall has to stand on the ground: tanks on legs, columns, a skirt or a tower are not modelled; of columns under a roof, give \
+         `tank.roof.mass` with the part that the wall carries";
+    ["wind_girder" "wind_girders" "girder" "stiffeners" "stiffener" "stiffening_rings" "ring" "rings" "top_angle" "top_ring" "curb_angle"]
+     in TOP => "",
+        "rings do not stiffen the wall here; add the mass of those at its top to `tank.roof.mass`";
+    ["insulation" "cladding" "lining" "coating" "jacket"] in TOP => "",
+        "add the mass of an insulation to the wall: raise `density` of its material by the mass per area over the thickness of the wall";
+    ["snow" "snow_load" "live_load" "roof_load" "roof_live_load" "platform" "platforms" "ladder" "stairs" "walkway" "agitator" "mixer"] in
+     TOP => "",
+        "add what acts together with the earthquake to `tank.roof.mass`, at its `height`";
+    ["nozzles" "nozzle" "manholes" "manhole" "manway" "openings" "opening" "fittings" "cleanout"] in TOP => "",
+        "openings of the wall are not modelled; the displacements that connected pipes can take are `tank.pipes`";
+    ["temperature" "design_temperature" "operating_temperature" "design_temp" "temp"] in &["", "tank", "liquid", "site", "materials"] => "",
+        "give the properties at the temperature: `liquid.density`, and `youngs_modulus` and `yield_strength` of the material";
+    ["corrosion" "corrosion_allowance" "ca"] in &["", "tank"] => "",
+        "give `corrosion_allowance` in each course of `tank.courses` and in `tank.bottom`";
+    ["design_pressure" "internal_pressure" "overpressure" "vacuum" "external_pressure"] in &["", "tank", "liquid"] => "",
+        "give `tank.pressure` with `internal` and `vacuum`";
+    ["wind" "wind_speed" "wind_load" "wind_pressure"] in TOP => "",
+        "wind is not checked: remove it";
+    ["joint_efficiency" "weld_efficiency"] in &["tank", "tank.courses", "materials"] => "",
+        "multiply `allowable_stress` of the material by it";
+};
 
 /// Largest specific gravity: that of mercury is 13.6.
 const GRAVITY: f64 = 20.0;

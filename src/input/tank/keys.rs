@@ -15,6 +15,7 @@ mod details;
 mod file;
 mod frequency;
 mod grades;
+mod ids;
 mod imperfections;
 mod instant;
 mod isolators;
@@ -45,7 +46,6 @@ use ::tank::case::Case;
 use ::tank::check::Decision;
 
 pub(super) use file::TankFile;
-pub(in crate::input) use project::Project;
 pub use solid::solid_defaults;
 
 use crate::input::diagnostic::{Faults, Source};
@@ -65,7 +65,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let gravity = r.or_default(&file.gravity);
     let materials = materials::materials(&mut r, &file.materials, &plates::plates(file));
     let tank = tank::tank(&mut r, &file.tank, &materials);
-    let liquid = tank::liquid(&mut r, &file.liquid);
+    let liquid = file.liquid.value.as_ref().and_then(|given| given.resolve(&mut r));
     cross::checks(&mut r, file, tank.as_ref(), liquid);
     plausible::tank(&mut r, file, tank.as_ref(), liquid);
     cross::unused(&mut r, file);
@@ -92,7 +92,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let imperfect = imperfections::imperfections(&mut r, analysis, tank.as_ref(), folder);
     solid.imperfections.clone_from(&imperfect);
     nonlinear.imperfections = imperfect;
-    solid.initial_stress = analysis.and_then(|a| imperfections::initial_stress(&mut r, &a.initial_stress));
+    solid.initial_stress = analysis.and_then(|a| r.word(&a.initial_stress));
     let measured = reported::measured(&mut r, &file.measured);
     let published = reported::published(&mut r, &file.published);
     let case = Case {

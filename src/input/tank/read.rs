@@ -23,10 +23,10 @@ use std::ops::{Deref, Range};
 use tank::words::Words;
 
 use super::hints;
-use super::key::{Key, Limits, list};
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::{Kind, Member, Node, join};
 use crate::input::diagnostic::{Fault, Faults};
+use tank::keys::{Key, Limits, list};
 
 /// Faults beyond this number get no suggestion: they are not shown, and the search takes time.
 const SUGGESTED_FOR: usize = 1000;
@@ -45,10 +45,10 @@ pub(in crate::input) struct Field<T> {
     pub example: &'static str,
 }
 
-/// An optional key of an object.
+/// An optional key of an object, whose default is a `K`.
 #[derive(Debug)]
-pub(in crate::input) struct Opt<T: 'static> {
-    pub key: &'static Key<T>,
+pub(in crate::input) struct Opt<T: 'static, K: 'static = T> {
+    pub key: &'static Key<K>,
     pub path: String,
     /// The value in the file.
     pub given: Option<Field<T>>,
@@ -119,7 +119,7 @@ impl<T> Field<T> {
     }
 }
 
-impl<T> Opt<T> {
+impl<T, K> Opt<T, K> {
     /// The value in the file, if it is valid.
     pub(crate) fn value(&self) -> Option<&T> {
         self.given.as_ref().and_then(|field| field.value.as_ref())
@@ -131,7 +131,7 @@ impl<T> Opt<T> {
     }
 }
 
-impl<T: Object> Opt<T> {
+impl<T: Object, K> Opt<T, K> {
     /// The object in the file, or one without keys; `None` if it is faulty.
     pub(crate) fn or_absent(&self) -> Option<Part<'_, T>> {
         match &self.given {
@@ -160,13 +160,17 @@ impl<T> Deref for Part<'_, T> {
 /// A member of an object: required as [`Field`], optional as [`Opt`].
 pub(in crate::input) trait Property: Sized {
     type Inner: FromNode;
+    /// Type of its default.
+    type Default: 'static;
     const REQUIRED: bool;
     /// Reads it; reports a missing required one.
-    fn read(object: &ObjectReader<'_>, key: &'static Key<Self::Inner>, faults: &mut Faults) -> Self;
+    fn read(object: &ObjectReader<'_>, key: &'static Key<Self::Default>, faults: &mut Faults) -> Self;
     /// Its value if the whole object at `path` is missing.
-    fn absent(path: &str, key: &'static Key<Self::Inner>) -> Self;
+    fn absent(path: &str, key: &'static Key<Self::Default>) -> Self;
+    /// A default as a user writes it, without quotes.
+    fn written(default: &Self::Default) -> Option<String>;
     /// Its entry in the schema.
-    fn info(key: &'static Key<Self::Inner>, book: &mut Book) -> KeyInfo {
+    fn info(key: &'static Key<Self::Default>, book: &mut Book) -> KeyInfo {
         let shape = Self::Inner::shape(book);
         // The example of a type is written as in the file.
         let example = match shape {
@@ -176,7 +180,7 @@ pub(in crate::input) trait Property: Sized {
             Shape::Either(word, _) => word.to_owned(),
             _ => Self::Inner::example().trim_matches('"').to_owned(),
         };
-        KeyInfo::new(key, Self::REQUIRED, shape, example, Self::Inner::written)
+        KeyInfo::new(key, Self::REQUIRED, shape, example, Self::written)
     }
 }
 
@@ -188,7 +192,7 @@ pub(in crate::input) fn unit_of(example: &str) -> Option<&str> {
         .filter(|unit| !unit.is_empty())
 }
 
-fn read_member<T: FromNode>(member: &Member, key: &Key<T>, faults: &mut Faults) -> Field<T> {
+fn read_member<T: FromNode, K>(member: &Member, key: &Key<K>, faults: &mut Faults) -> Field<T> {
     let node = &member.value;
     let before = faults.count();
     let field = Field::from_node(node, faults);
@@ -214,6 +218,7 @@ fn read_member<T: FromNode>(member: &Member, key: &Key<T>, faults: &mut Faults) 
 
 impl<T: FromNode> Property for Field<T> {
     type Inner = T;
+    type Default = T;
     const REQUIRED: bool = true;
     fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
         let name = key.name;
@@ -239,24 +244,51 @@ impl<T: FromNode> Property for Field<T> {
     fn absent(path: &str, key: &'static Key<T>) -> Self {
         Field::missing(0..0, join(path, key.name))
     }
+    fn written(default: &T) -> Option<String> {
+        default.written()
+    }
 }
 
-impl<T: FromNode> Property for Opt<T> {
-    type Inner = T;
-    const REQUIRED: bool = false;
-    fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
+impl<T: FromNode, K> Opt<T, K> {
+    fn of(object: &ObjectReader<'_>, key: &'static Key<K>, faults: &mut Faults) -> Self {
         Opt {
             given: object.take(key.name).map(|member| read_member(member, key, faults)),
-            ..Opt::absent(&object.node.path, key)
+            ..Opt::none(&object.node.path, key)
         }
     }
-    fn absent(path: &str, key: &'static Key<T>) -> Self {
+
+    fn none(path: &str, key: &'static Key<K>) -> Self {
         Opt {
             key,
             path: join(path, key.name),
             given: None,
         }
     }
+}
+
+/// Keys that may be absent, by the type of their default.
+macro_rules! optional {
+    ($($default:ty, $value:ident => $written:expr;)+) => {$(
+        impl<T: FromNode> Property for Opt<T, $default> {
+            type Inner = T;
+            type Default = $default;
+            const REQUIRED: bool = false;
+            fn read(object: &ObjectReader<'_>, key: &'static Key<$default>, faults: &mut Faults) -> Self {
+                Opt::of(object, key, faults)
+            }
+            fn absent(path: &str, key: &'static Key<$default>) -> Self {
+                Opt::none(path, key)
+            }
+            fn written($value: &$default) -> Option<String> {
+                $written
+            }
+        }
+    )+};
+}
+
+optional! {
+    T, value => value.written();
+    (), _value => None;
 }
 
 /// Hands out the members of an object; unknown keys are noted when it is made.
@@ -415,6 +447,8 @@ macro_rules! choice {
                 Some(::tank::words::Words::word(*self).into())
             }
         }
+
+        $crate::input::tank::values::echoed!($name);
     )+};
 }
 
@@ -443,13 +477,13 @@ macro_rules! object {
 
         #[allow(non_upper_case_globals, reason = "named as the key")]
         impl $name {
-            $(const $field: &'static $crate::input::tank::key::Key<<$ty as $crate::input::tank::read::Property>::Inner> =
-                &$crate::input::tank::key::Key {
+            $(const $field: &'static ::tank::keys::Key<<$ty as $crate::input::tank::read::Property>::Default> =
+                &::tank::keys::Key {
                     name: $crate::input::tank::read::word(stringify!($field)),
                     help: &[$($fdoc),+],
-                    example: $crate::input::tank::read::either!(""; $(concat!($example))?),
-                    limits: $crate::input::tank::read::either!($crate::input::tank::key::Limits::ANY; $($limits)?),
-                    absent: $crate::input::tank::read::either!($crate::input::tank::key::Absent::Silent; $($absent)?),
+                    example: ::tank::either!(""; $(concat!($example))?),
+                    limits: ::tank::either!(::tank::keys::Limits::ANY; $($limits)?),
+                    absent: ::tank::either!(::tank::keys::Absent::Silent; $($absent)?),
                 };)+
         }
 
@@ -460,7 +494,7 @@ macro_rules! object {
                 Some($name { $($field: Property::read(&reader, Self::$field, faults),)+ })
             }
             fn allowed() -> String {
-                format!("an object with {}", $crate::input::tank::key::list(&[$($crate::input::tank::read::word(stringify!($field))),+], "and"))
+                format!("an object with {}", ::tank::keys::list(&[$($crate::input::tank::read::word(stringify!($field))),+], "and"))
             }
             fn example() -> String {
                 "{ … }".into()
@@ -490,14 +524,4 @@ pub(in crate::input) const fn word(name: &'static str) -> &'static str {
     }
 }
 
-/// The second expression, or the first if there is none.
-macro_rules! either {
-    ($default:expr;) => {
-        $default
-    };
-    ($default:expr; $given:expr) => {
-        $given
-    };
-}
-
-pub(in crate::input) use {choice, either, object};
+pub(in crate::input) use {choice, object};

@@ -3,15 +3,16 @@
 //! A faulty value becomes NaN, so that no later check reports it again; a file with any fault does not give a case.
 
 use files::code::{Code, Warning};
+use tank::Shape;
+use tank::case::Damping;
 use tank::units::{Dimension, display_in, unit_for};
 
-use super::key::{Absent, Limits};
 use super::read::{Field, FromNode, Opt, unit_of};
-use super::syntax::join;
 use super::values::{Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::AccelerationUnit;
 use results::InputValue;
+use tank::keys::{Absent, Limits};
 
 /// Collects echo, remarks, warnings and faults.
 pub(in crate::input) struct Resolver<'f> {
@@ -19,6 +20,19 @@ pub(in crate::input) struct Resolver<'f> {
     pub echo: Vec<InputValue>,
     pub remarks: Vec<String>,
     pub warnings: Vec<Warning>,
+    /// What keys resolved before say of others.
+    pub known: Known,
+}
+
+/// What keys resolved before say of others.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::input) struct Known {
+    /// Plan of the tank.
+    pub shape: Option<Shape>,
+    /// Overpressure in the tank [Pa].
+    pub internal_pressure: f64,
+    /// Damping ratios of the case.
+    pub ratios: Option<Damping>,
 }
 
 impl<'f> Resolver<'f> {
@@ -29,6 +43,7 @@ impl<'f> Resolver<'f> {
             echo: Vec::new(),
             remarks: Vec::new(),
             warnings: Vec::new(),
+            known: Known::default(),
         }
     }
 
@@ -104,16 +119,31 @@ impl<'f> Resolver<'f> {
     }
 
     /// Reports a key that an object does not have and needs.
-    pub(in crate::input) fn missing<T>(&mut self, object: &Field<T>, key: &str, allowed: &str, help: String) {
-        let place = object.span.start..object.span.start + 1;
-        let missing = Field::<()>::missing(place, join(&object.path, key));
-        let message = format!("the key `{key}` is missing");
+    ///
+    /// * `why`: rest of the message, or empty
+    /// * `example`: what to add
+    pub(in crate::input) fn missing<T, U, K>(
+        &mut self,
+        object: &Field<T>,
+        option: &Opt<U, K>,
+        why: &str,
+        allowed: &str,
+        example: &str,
+    ) {
+        let key = option.key.name;
+        // A misspelt key was already reported with this one as the suggestion.
+        if self.faults.suggest(&format!("did you mean `{key}`?")) {
+            return;
+        }
+        let place = object.span.start..object.span.end.min(object.span.start + 1);
+        let missing = Field::<()>::missing(place, option.path.clone());
+        let message = format!("the key `{key}` is missing{why}");
         let fault = range_fault(Code::MissingKey, &missing, &message, allowed);
-        self.faults.push(fault.help(help));
+        self.faults.push(fault.help(format!("add \"{key}\": {example}")));
     }
 
     /// Reports a key that is given and does not apply.
-    pub(in crate::input) fn inapplicable<T>(&mut self, option: &Opt<T>, message: &str, allowed: &str) {
+    pub(in crate::input) fn inapplicable<T, K>(&mut self, option: &Opt<T, K>, message: &str, allowed: &str) {
         if let Some(given) = &option.given {
             self.refuse(Code::DoesNotApply, given, message, allowed);
         }
@@ -235,14 +265,14 @@ impl<'f> Resolver<'f> {
     }
 
     /// Echoes the absence of a key without a default.
-    pub(crate) fn not_given<T>(&mut self, option: &Opt<T>) {
+    pub(crate) fn not_given<T, K>(&mut self, option: &Opt<T, K>) {
         if let Absent::Without(meaning) = &option.key.absent {
             self.echo_default(&option.path, "not given", meaning);
         }
     }
 
     /// The default of a key, echoed if its declaration gives a reason.
-    fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
+    pub(super) fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
         if let Absent::Value { value, shown, why } = option.key.absent
             && !why.is_empty()
         {
@@ -252,6 +282,19 @@ impl<'f> Resolver<'f> {
             }
         }
         default(option)
+    }
+
+    /// Reports a list with too many items.
+    ///
+    /// * `what`: items in words ("places")
+    pub(crate) fn at_most<T>(&mut self, field: &Field<Vec<T>>, what: &str) {
+        let (_, most) = field.limits.items;
+        let found = field.value.as_ref().map_or(0, Vec::len);
+        if found > most {
+            let message = format!("too many {what}");
+            let fault = range_fault(Code::ItemCount, field, &message, &format!("at most {most}"));
+            self.faults.push(fault.found(format!("{found} {what}")));
+        }
     }
 
     /// Whether a list has an allowed number of items; reports one that has not.
@@ -272,7 +315,7 @@ impl<'f> Resolver<'f> {
 }
 
 /// The default of a key.
-fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
+pub(super) fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
     match option.key.absent {
         Absent::Value { value, .. } => value,
         _ => unreachable!(

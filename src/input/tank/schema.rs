@@ -4,11 +4,11 @@ use serde_json::{Map, Value, json};
 use tank::Quantity;
 use tank::units::Dimension;
 
-use super::key::Limits;
 use super::keys::TankFile;
 use super::read::FromNode;
 use super::shape::{Book, KeyInfo, Object, Shape};
 use super::values::pattern;
+use tank::keys::Limits;
 
 /// The JSON Schema of `tank.json`, draft 2020-12.
 pub fn json_schema() -> Value {

@@ -3,7 +3,7 @@
 use tank::units::Dimension;
 use tank::words::Words;
 
-use super::key::{Absent, Key, Limits, prose};
+use tank::keys::{Absent, Key, Limits, prose};
 
 /// Form of a value.
 #[derive(Clone, Debug)]

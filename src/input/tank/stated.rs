@@ -2,11 +2,11 @@
 
 use std::ops::Deref;
 
-use super::key::Key;
 use super::read::{Field, FromNode, ObjectReader, Opt, Property, wrong_kind};
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::Kind;
 use crate::input::diagnostic::Faults;
+use tank::keys::Key;
 
 /// The word for a part that is not there.
 pub(in crate::input) const NONE: &str = "none";
@@ -28,6 +28,7 @@ impl<T> Deref for Stated<T> {
 
 impl<T: FromNode> Property for Stated<T> {
     type Inner = T;
+    type Default = T;
     const REQUIRED: bool = false;
     fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
         let absent = Stated::absent(object.path(), key);
@@ -64,6 +65,9 @@ impl<T: FromNode> Property for Stated<T> {
             object: Opt::absent(path, key),
             none: None,
         }
+    }
+    fn written(default: &T) -> Option<String> {
+        default.written()
     }
     fn info(key: &'static Key<T>, book: &mut Book) -> KeyInfo {
         let info = <Opt<T> as Property>::info(key, book);

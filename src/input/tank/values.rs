@@ -1,13 +1,22 @@
 //! Types of values in the file: quantities, numbers, words, lists.
 
 use files::code::Code;
+use tank::options::AfterRecord;
+use tank::options::nonlinear::ThicknessRule;
 use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};
+use tank::value::Value;
 
-use super::key::written;
+pub(in crate::input) use tank::keys::{
+    Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
+    Subgrade, Time, Velocity, Whole,
+};
+
 use super::read::{Field, FromNode, wrong_kind, wrong_value};
+use super::resolver::Resolver;
 use super::shape::{Book, Shape};
 use super::syntax::{Kind, Node};
+use tank::keys::written;
 
 use crate::input::diagnostic::{Fault, Faults};
 
@@ -87,13 +96,44 @@ pub(in crate::input) fn pattern(dimension: Dimension) -> String {
     format!("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? ?({unit}){optional}$")
 }
 
-/// Declares a quantity type of one dimension.
-macro_rules! quantity {
-    ($($(#[$doc:meta])* $name:ident : $dimension:expr;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub(crate) struct $name(pub f64);
+/// A number with a dimension.
+pub(in crate::input) trait Si: Copy {
+    const DIMENSION: Dimension;
+    /// Value in SI.
+    fn si(self) -> f64;
+}
 
+/// How a value of a key is resolved: echoed, and within the limits of its key.
+pub(in crate::input) trait Resolved: FromNode + Value {
+    /// The value; `None` if it is faulty.
+    fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<Self::Domain>;
+    /// What stands for a faulty value that an object needs, so that the object is checked all the same.
+    fn stand_in() -> Option<Self::Domain> {
+        None
+    }
+}
+
+/// Numbers: NaN stands for a faulty one.
+macro_rules! resolved {
+    ($name:ident, $dimension:expr) => {
+        impl Si for $name {
+            const DIMENSION: Dimension = $dimension;
+            fn si(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl Resolved for $name {
+            fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<f64> {
+                Some(r.number(field))
+            }
+        }
+    };
+}
+
+/// Quantities of one dimension.
+macro_rules! quantity {
+    ($($name:ident: $dimension:expr;)*) => {$(
         impl FromNode for $name {
             fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
                 quantity(node, $dimension, faults).map($name)
@@ -115,59 +155,29 @@ macro_rules! quantity {
             }
         }
 
-        impl Si for $name {
-            const DIMENSION: Dimension = $dimension;
-            fn si(self) -> f64 {
-                self.0
-            }
-        }
-
+        resolved!($name, $dimension);
     )*};
 }
 
-/// A number with a dimension.
-pub(in crate::input) trait Si: Copy {
-    const DIMENSION: Dimension;
-    /// Value in SI.
-    fn si(self) -> f64;
-}
-
 quantity! {
-    /// A bare number, or a percentage.
     Number: Dimension::Dimensionless;
-    /// A length.
     Length: Dimension::Length;
-    /// An angle.
     Angle: Dimension::Angle;
-    /// A time.
     Time: Dimension::Time;
-    /// A mass.
     Mass: Dimension::Mass;
-    /// A density.
     Density: Dimension::Density;
-    /// A velocity.
     Velocity: Dimension::Velocity;
-    /// A subgrade modulus.
     Subgrade: Dimension::Subgrade;
-    /// An acceleration.
     Acceleration: Dimension::Acceleration;
-    /// A force.
     Force: Dimension::Force;
-    /// A stress, pressure or modulus.
     Stress: Dimension::Stress;
-    /// A force per length; an energy per area.
     LineForce: Dimension::LineForce;
-    /// An area per length.
     LineArea: Dimension::LineArea;
 }
 
-/// Declares a quantity that may also be a bare number in one conventional unit.
+/// Quantities that may also be a bare number in one conventional unit.
 macro_rules! conventional {
-    ($($(#[$doc:meta])* $name:ident : $dimension:expr, $unit:literal, $factor:expr, $example:literal;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub(crate) struct $name(pub f64);
-
+    ($($name:ident: $dimension:expr, $unit:literal, $factor:expr, $example:literal;)*) => {$(
         impl FromNode for $name {
             fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
                 let factor: f64 = $factor;
@@ -190,32 +200,19 @@ macro_rules! conventional {
             }
         }
 
-        impl Si for $name {
-            const DIMENSION: Dimension = Dimension::Dimensionless;
-            fn si(self) -> f64 {
-                self.0
-            }
-        }
-
+        resolved!($name, Dimension::Dimensionless);
     )*};
 }
 
 conventional! {
-    /// A mapped acceleration, kept in units of g.
     InG: Dimension::Acceleration, "units of g", tank::STANDARD_GRAVITY, "0.5";
-    /// A period, kept in seconds.
     Seconds: Dimension::Time, "seconds", 1.0, "4.0";
 }
 
-/// Where on the frequency axis: `"3 rad/s"`, `"0.48 Hz"` or the period `"2.1 s"`; kept as circular frequency [rad/s].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::input) struct Pitch(pub f64);
-
-impl Pitch {
-    const DIMENSIONS: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
-    /// Frequencies of any mode of a tank [rad/s], and far beyond.
-    const RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
-}
+/// What a place on the frequency axis may be given as.
+const PITCH: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
+/// Frequencies of any mode of a tank [rad/s], and far beyond.
+const PITCH_RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 
 impl FromNode for Pitch {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -223,10 +220,7 @@ impl FromNode for Pitch {
             faults.push(wrong_kind(node, &Self::allowed()));
             return None;
         };
-        let mut results = Self::DIMENSIONS
-            .map(|d| units::parse(text, d))
-            .into_iter()
-            .zip(Self::DIMENSIONS);
+        let mut results = PITCH.map(|d| units::parse(text, d)).into_iter().zip(PITCH);
         let two_pi = 2.0 * std::f64::consts::PI;
         let Some((value, dimension)) = results.find_map(|(r, d)| r.ok().map(|v| (v, d))) else {
             let error = match units::parse(text, Dimension::AngularFrequency) {
@@ -241,7 +235,7 @@ impl FromNode for Pitch {
             Dimension::Frequency => two_pi * value,
             _ => two_pi / value,
         };
-        if Self::RANGE.contains(&omega) {
+        if PITCH_RANGE.contains(&omega) {
             return Some(Pitch(omega));
         }
         let (message, allowed) = match value > 0.0 {
@@ -260,7 +254,7 @@ impl FromNode for Pitch {
     fn shape(_: &mut Book) -> Shape {
         Shape::Pattern {
             noun: "a circular frequency, a frequency or a period".into(),
-            patterns: Self::DIMENSIONS.map(pattern).into(),
+            patterns: PITCH.map(pattern).into(),
             examples: &["3 rad/s", "0.48 Hz", "2.1 s"],
         }
     }
@@ -299,9 +293,39 @@ impl FromNode for MeshSize {
     }
 }
 
-/// A whole number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::input) struct Whole(pub u32);
+impl Resolved for Whole {
+    fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<u32> {
+        r.count(field)
+    }
+    fn stand_in() -> Option<u32> {
+        Some(0)
+    }
+}
+
+impl Resolved for String {
+    fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<String> {
+        r.text(field)
+    }
+}
+
+/// Values without limits.
+macro_rules! echoed {
+    ($($name:ty),+) => {$(
+        impl $crate::input::tank::values::Resolved for $name {
+            fn resolve(
+                field: &$crate::input::tank::read::Field<Self>,
+                r: &mut $crate::input::tank::resolver::Resolver<'_>,
+            ) -> Option<<$name as ::tank::value::Value>::Domain> {
+                r.echo_given(field);
+                field.value.map(::tank::value::Value::domain)
+            }
+        }
+    )+};
+}
+
+pub(in crate::input) use echoed;
+
+echoed!(bool, MeshSize, Pitch, AfterRecord, ThicknessRule);
 
 impl FromNode for Whole {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {

@@ -37,6 +37,8 @@ impl Default for AfterRecord {
     }
 }
 
+crate::value::own!(AfterRecord);
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! Options of the frequency domain.
 
+use crate::keys::{As, Opt, Or, Pitch, Whole, keys};
 use crate::words;
-use serde::{Deserialize, Serialize};
 
 words! {
     /// Damping of transfer functions.
@@ -13,17 +13,18 @@ words! {
     }
 }
 
-/// Options of transfer functions under harmonic base motion.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FrequencyOptions {
-    /// Lowest circular frequency [rad/s]; none: around the modes.
-    pub from: Option<f64>,
-    /// Highest circular frequency [rad/s]; none: around the modes.
-    pub to: Option<f64>,
-    /// Frequencies with equal ratios; those at peaks are added.
-    pub points: usize,
-    /// Damping.
-    pub damping: FrequencyDamping,
+keys! {
+    /// Transfer functions of a linear engine: wave, base shear and overturning moment per unit of harmonic horizontal acceleration.
+    pub FrequencyOptions as Frequency (Copy) {
+        /// Lowest frequency.
+        from ("0.05 Hz"): Opt<Pitch> = Absent::Follows("a fifth of the first sloshing frequency"),
+        /// Highest frequency.
+        to ("50 Hz"): Opt<Pitch> = Absent::Follows("twice the frequency of the impulsive mode"),
+        /// Number of frequencies with equal ratios; those around the peaks of the modes are added.
+        points (1000): As<Or<Whole>, usize> [Limits::count(2, 20_000)] = default(Whole(FrequencyOptions::DEFAULT.points as u32)),
+        /// Damping.
+        damping: Or<FrequencyDamping> = default(FrequencyOptions::DEFAULT.damping),
+    }
 }
 
 impl FrequencyOptions {

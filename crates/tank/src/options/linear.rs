@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::frequency::FrequencyOptions;
+use crate::keys::{Angle, Field, Length, Limits, Number, Opt, Or, keys};
 use crate::words;
 
 words! {
@@ -61,15 +62,20 @@ words! {
     }
 }
 
-/// Dashpots between the ground and the wall of a cylinder, evenly spaced around it at one height.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Dashpots {
-    /// Height above the base [m].
-    pub z: f64,
-    /// Direction.
-    pub direction: WallDirection,
-    /// Coefficient of all of them together [N·s/m].
-    pub coefficient: f64,
+/// Heights of dashpots above the clamped base [m].
+const RINGS: Limits = Limits::above(0.0).to(1000.0);
+
+keys! {
+    /// Dashpots between the ground and the wall, three or more, evenly spaced around it at one height: they damp each harmonic of the
+    /// motion by itself.
+    pub Dashpots as RingOfDashpots (Copy) {
+        /// Height above the base.
+        z: Field<Length> [RINGS],
+        /// Direction.
+        direction: Or<WallDirection> = default(WallDirection::Radial),
+        /// Coefficient of all of them together in N s/m, a bare number.
+        coefficient (200000): Field<Number> [Limits::above(0.0).to(1e15)],
+    }
 }
 
 /// Pairs of Caughey's series, six at most.
@@ -147,13 +153,19 @@ impl SpectrumOptions {
     };
 }
 
-/// A place of the wall.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WallPlace {
-    /// Height above the base [m].
-    pub z: f64,
-    /// Angle from the direction of shaking [rad].
-    pub theta: f64,
+/// Heights, as those of gauges and stations; the tank bounds them further.
+const HEIGHTS: Limits = Limits::from(0.0).to(1000.0).items(0, 100);
+/// Angles around the tank [rad]: a turn in either sense.
+const TURN: Limits = Limits::from(-std::f64::consts::TAU).to(std::f64::consts::TAU);
+
+keys! {
+    /// A place of a cylinder's wall: height above the base and angle from the direction of shaking.
+    pub WallPlace as ForceStation (Copy) {
+        /// Height above the base; at a joint of courses just above it.
+        z: Field<Length> [HEIGHTS],
+        /// Angle from the direction of shaking.
+        theta ("90 deg"): Or<Angle> [TURN] = default(Angle(0.0)),
+    }
 }
 
 impl WallPlace {
@@ -203,11 +215,16 @@ impl Peak {
     }
 }
 
-/// Inertia of wall and roof that the foot of an unanchored cylinder lifts and drops.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Heave {
-    /// Damping ratio of the foot that bounces on the closed ground; none damps it in proportion to its stiffness, as the wall at its impulsive mode.
-    pub damping: Option<f64>,
+/// Damping of the foot that bounces.
+const BOUNCE: Limits = Limits::from(0.0).to(2.0);
+
+keys! {
+    /// Wall and roof on the foot, which bounce on the ground where it lands.
+    pub Heave as FootHeave (Copy, Default) {
+        /// Ratio of critical damping of that bounce with all of the rim on the ground.
+        damping (0.2): Opt<Number> [BOUNCE]
+            = Absent::Follows("damping.impulsive, in proportion to the frequency of the bounce over that of the impulsive mode"),
+    }
 }
 
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.

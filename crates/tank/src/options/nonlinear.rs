@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::after_record::AfterRecord;
 use crate::case;
 use crate::imperfection::Imperfections;
+use crate::keys::{Number, Opt, Or, Time, Within, keys};
 use crate::words;
 
 /// Most elements over the height of a wall.
@@ -12,47 +13,61 @@ pub const MOST_ROWS: u32 = 1000;
 /// Most elements around a tank.
 pub const MOST_SECTORS: u32 = 4000;
 
-/// Options of the nonlinear engine.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct NonlinearOptions {
-    /// Numbers of elements of the wall; `None` lets the engine choose.
-    pub elements: Option<WallElements>,
-    /// Whether only the half of the tank on one side of the plane of shaking is computed; of no account for a strip.
-    pub symmetry: bool,
-    /// Spectral radius ρ∞ at infinite frequency of the generalised-α method, 0 to 1 (1: trapezoidal rule).
-    pub spectral_radius: f64,
-    /// Time step [s]; `None`: T_imp/20, at most half the step of the record.
-    pub time_step: Option<f64>,
-    /// Whether quiet phases are marched in longer steps.
-    #[serde(default, skip_serializing_if = "StepLength::is_fixed")]
-    pub step: StepLength,
-    /// Damping.
-    pub damping: Damping,
-    /// Contact of liquid and wall.
-    pub contact: Contact,
-    /// Elements of the walls of a strip; of no account for a cylinder, whose walls are shells.
-    #[serde(default)]
-    pub wall: StripWall,
-    /// Whether the weight of the wall acts.
-    pub self_weight: bool,
-    /// Whether the pressure turns with the wall.
-    pub follower_pressure: bool,
-    /// Points through the thickness of each layer.
-    pub integration: Integration,
-    /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
-    #[serde(default = "one", skip_serializing_if = "is_one")]
-    pub bottom_mesh: f64,
-    /// Whether the foot of a cylinder on its bottom plate stays a plane, as under a stiff roof; of no account where the foot is clamped.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub plane_foot: bool,
-    /// Free vibration after the record.
-    #[serde(default)]
-    pub after_record: AfterRecord,
-    /// Computing time between two checkpoints [s].
-    pub checkpoint: f64,
-    /// Deviations of the wall from the perfect cylinder.
-    #[serde(default, skip_serializing_if = "Imperfections::is_empty")]
-    pub imperfections: Imperfections,
+/// Defaults. The damping ratios are placeholders: those of the case replace them.
+const DEFAULT: &NonlinearOptions = &NonlinearOptions::new(case::Damping {
+    sloshing: f64::NAN,
+    impulsive: f64::NAN,
+});
+
+keys! {
+    /// Options of the nonlinear engine: walls that yield and crack, large rotations, liquid of linear theory.
+    pub NonlinearOptions as Nonlinear {
+        /// Numbers of elements of the wall.
+        elements: Within<Option<WallElements>> = Absent::Without("by the size of the wall and its materials"),
+        /// Whether only the half of the tank on one side of the plane of shaking is computed; not for a strip.
+        symmetry (false): Or<bool>
+            = default(DEFAULT.symmetry).because("half of the tank is computed, the other is its mirror image"),
+        /// Spectral radius of the time integration at high frequencies; 1 is the trapezoidal rule (generalised-alpha method
+        /// of Chung and Hulbert).
+        spectral_radius (0.8): Or<Number> [Limits::from(0.0).to(1.0)] = default(Number(DEFAULT.spectral_radius))
+            .because("next to no numerical damping of the modes that count (Chung and Hulbert 1993)"),
+        /// Time step.
+        time_step ("0.0025 s"): Opt<Time> [Limits::from(1e-6).to(1.0)]
+            = without("a twentieth of the impulsive period, at most half the step of the record"),
+        /// Whether quiet phases of a cylinder with bonded liquid are marched in longer steps: several time steps at once, at most
+        /// the step of the record, as long as the local error of the displacements stays below 0.1 % of the largest so far.
+        @"StepLength::is_fixed" step ("adaptive"): Or<StepLength> = default(DEFAULT.step).because("every time step is resolved"),
+        /// Damping model.
+        damping: Within<Damping> = Absent::Follows("by_group with the ratios of damping"),
+        /// Contact of liquid and wall.
+        contact: Or<Contact> = default(DEFAULT.contact).because("the liquid stays at the wall"),
+        /// Elements of the walls of a strip; not for a cylinder, whose walls are shells.
+        @(default) wall ("shell"): Or<StripWall>
+            = default(DEFAULT.wall).because("one leaf bends, and fibres take a sixth of the time of shells"),
+        /// Whether the weight of the wall acts.
+        self_weight (false): Or<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
+        /// Whether the pressure turns with the wall.
+        follower_pressure (false): Or<bool>
+            = default(DEFAULT.follower_pressure).because("pressure stands on the deformed wall"),
+        /// Points through the thickness, by kind of material.
+        integration: Within<Integration>,
+        /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
+        @(default = "one", skip_serializing_if = "is_one") bottom_mesh (2): Or<Number> [Limits::from(0.5).to(8.0)] = default(Number(DEFAULT.bottom_mesh))
+            .because("rings of two thicknesses at the foot resolve the hinge of the plate"),
+        /// Whether the foot of a cylinder on its bottom plate stays a plane, as it does in the strips of the harmonic engine and under a stiff roof; of
+        /// no account where the foot is clamped.
+        @"std::ops::Not::not" plane_foot (true): Or<bool>
+            = default(DEFAULT.plane_foot).because("the mass of the roof is modelled, not its stiffness: the foot may warp"),
+        /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
+        @(default) after_record ("2 periods"): Or<AfterRecord> = default(DEFAULT.after_record)
+            .because("as the linear engines: two periods of the first sloshing mode"),
+        /// Computing time between two checkpoints from which a run can be resumed.
+        checkpoint ("300 s"): Or<Time> [Limits::from(1.0).to(1e6)]
+            = default(Time(DEFAULT.checkpoint)).because("at most a minute of computing is lost"),
+    } with {
+        /// Deviations of the wall from the perfect cylinder, those of `analysis.imperfections`.
+        @"Imperfections::is_empty" imperfections: Imperfections = Imperfections::NONE,
+    }
 }
 
 impl NonlinearOptions {
@@ -177,15 +192,16 @@ pub enum MassProportionalAt {
     Frequency(f64),
 }
 
-/// Points through the thickness of a layer, by kind of material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Integration {
-    /// Elastic layers.
-    pub elastic: ThicknessRule,
-    /// Steel.
-    pub steel: ThicknessRule,
-    /// Concrete.
-    pub concrete: ThicknessRule,
+keys! {
+    /// Points through the thickness of a layer, by kind of material.
+    pub Integration as Integrations (Copy, Eq) {
+        /// Elastic layers.
+        elastic ("gauss 2"): Or<ThicknessRule> = default(Integration::DEFAULT.elastic),
+        /// Steel.
+        steel ("gauss 5"): Or<ThicknessRule> = default(Integration::DEFAULT.steel),
+        /// Concrete.
+        concrete ("midpoint 20"): Or<ThicknessRule> = default(Integration::DEFAULT.concrete),
+    }
 }
 
 impl Integration {
@@ -218,3 +234,5 @@ pub enum ThicknessRule {
     /// Trapezoidal (Newton-Cotes, linear).
     Trapezoid(u32),
 }
+
+crate::value::own!(ThicknessRule);

@@ -119,6 +119,8 @@ impl FromStr for MeshSize {
     }
 }
 
+crate::value::own!(MeshSize);
+
 #[cfg(test)]
 mod tests {
     use super::*;

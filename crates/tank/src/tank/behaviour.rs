@@ -1,6 +1,7 @@
 //! Behaviour of a material beyond its elastic range. Plain data for the nonlinear engine; the code procedures and the
 //! linear engines use E, ν and ρ only.
 
+use crate::keys::{Field, Limits, Or, Stress, keys};
 use crate::words;
 use serde::{Deserialize, Serialize};
 
@@ -169,17 +170,23 @@ pub enum Softening {
     Brittle,
 }
 
-/// Elastic layer between two shells.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Interlayer {
-    /// Modulus along the normal of the wall [Pa], > 0.
-    pub e_normal: f64,
-    /// Modulus in the plane of the wall [Pa], ≥ 0.
-    pub e_parallel: f64,
-    /// Transverse shear modulus [Pa], ≥ 0; with 0 the layer passes no shear and the shells bend on their own.
-    pub shear_modulus: f64,
-    /// Whether it carries tension along the normal.
-    pub tension: bool,
+/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
+pub const STRESS: Limits = Limits::from(1e3).to(1e18);
+/// Slopes and moduli that may be zero.
+pub const SLOPE: Limits = Limits::from(0.0).to(1e18);
+
+keys! {
+    /// Elastic layer between two shells.
+    pub Interlayer as InterlayerBehaviour (Copy) {
+        /// Modulus along the normal of the wall.
+        e_normal ("10 MPa"): Field<Stress> [STRESS],
+        /// Modulus in the plane of the wall.
+        e_parallel ("10 MPa"): Or<Stress> [SLOPE] = default(Stress(0.0)).because("stiff along the normal only"),
+        /// Transverse shear modulus; 0: the layer passes no shear.
+        shear_modulus ("4 MPa"): Or<Stress> [SLOPE] = default(Stress(0.0)).because("passes no shear"),
+        /// Whether the layer carries tension along the normal.
+        tension (false): Or<bool> = default(true).because("glued"),
+    }
 }
 
 /// Used fraction of the largest stable element size.

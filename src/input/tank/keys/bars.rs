@@ -6,10 +6,10 @@ use tank::{BarDirection, Behaviour, LayerKind};
 
 use super::materials::Materials;
 use super::wall::{Use, material};
-use crate::input::tank::key::{Absent, Limits};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::values::{Length, LineArea};
+use tank::keys::{Absent, Limits};
 
 /// Bars: more than a tenth of a metre of steel is not reinforcement.
 const AREA: Limits = Limits::from(1e-6).to(0.1);

@@ -3,20 +3,18 @@
 use ::base::{Plate, Soil, subgrade_modulus};
 use files::code::{Code, Warning};
 use tank::units::{Dimension, display};
-use tank::{FoundationKind, Joint, Shape, ShellSupport, Support};
+use tank::{Anchors, FoundationKind, Joint, SIZE, Shape, ShellSupport, Support};
 
 use super::corrosion::loss;
 use super::details::Connections;
 use super::materials::Materials;
-use super::tank::{SIZE, Tank};
+use super::tank::Tank;
 use super::wall::{self, CORROSION, THICKNESS, Use};
-use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
-use crate::input::tank::values::{Density, Force, Length, LineForce, Number, Subgrade, Velocity, Whole};
-
-/// Forces of an anchor, from one of a model up.
-const FORCE: Limits = Limits::from(1.0).to(1e9);
+use crate::input::tank::values::{Density, Length, Number, Subgrade, Velocity};
+use tank::keys::{Absent, Limits, default, without};
 
 object! {
     /// Bottom plate under the wall.
@@ -79,29 +77,6 @@ object! {
         shell_support ("grouted"): Opt<ShellSupport> = Absent::Follows("not known; API 650 E.7.9 stays open"),
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
         friction (0.4): Opt<Number> [Limits::from(1e-3).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
-    }
-
-    /// Anchor bolts.
-    Anchors {
-        /// Number of anchors around the circumference.
-        count (36): Field<Whole> [Limits::count(1, 10_000)],
-        /// Design tension capacity of one anchor.
-        capacity ("120 kN"): Opt<Force> [FORCE]
-            = without("the force of an anchor is given without a check"),
-        /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
-        attachment_capacity ("300 kN"): Opt<Force> [FORCE]
-            = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
-        /// Stiffness of one anchor with its chair and embedment, force over elongation: E A/l of the bolt between nut and anchor plate, less
-        /// what chair and concrete give way. With it, and with tank.bottom, the base lifts on its anchors in the time history of the
-        /// harmonic engine where one yields.
-        stiffness ("80 MN/m"): Opt<LineForce> [Limits::from(1e4).to(1e12)]
-            = Absent::Follows("the wall is held down also where an anchor yields"),
-        /// Force at which one anchor yields, at least capacity.
-        yield_force ("150 kN"): Opt<Force> [FORCE] = Absent::Follows("capacity"),
-        /// Play of the nut: the uplift of the rim before the anchor pulls.
-        gap ("1 mm"): Opt<Length> [Limits::from(0.0).to(0.1)] = Absent::Follows("no play"),
-        /// Elongation at which one anchor breaks, play not counted; the uniform elongation of its steel over the free length.
-        rupture_elongation ("40 mm"): Opt<Length> [Limits::from(1e-6).to(10.0)] = Absent::Follows("anchors do not break"),
     }
 }
 
@@ -193,22 +168,14 @@ fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &tank::Botto
 }
 
 /// The anchors.
-pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors) -> tank::Anchors {
-    let found = tank::Anchors {
-        count: r.count(&given.count).unwrap_or(0),
-        capacity: r.optional(&given.capacity),
-        attachment_capacity: r.optional(&given.attachment_capacity),
-        stiffness: r.optional(&given.stiffness),
-        yield_force: r.optional(&given.yield_force),
-        gap: r.optional(&given.gap),
-        rupture_elongation: r.optional(&given.rupture_elongation),
-    };
+pub(super) fn anchors(r: &mut Resolver<'_>, given: &Given<Anchors>) -> Option<Anchors> {
+    let found = given.resolve(r)?;
     springs(r, given, &found);
-    found
+    Some(found)
 }
 
 /// Anchors that cannot be springs: a spring without a strength, a strength below its design value, an elongation that comes before yielding.
-fn springs(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Anchors) {
+fn springs(r: &mut Resolver<'_>, given: &Given<Anchors>, found: &Anchors) {
     let strength = found.yield_force.or(found.capacity);
     let Some(field) = &given.stiffness.given else {
         let needless = [given.gap.given.as_ref(), given.rupture_elongation.given.as_ref()];

@@ -3,10 +3,10 @@
 use tank::Tank;
 use tank::case;
 
-use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Number;
+use tank::keys::{Absent, Limits, default};
 
 /// Ratios of Rayleigh damping and of single modes.
 pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);

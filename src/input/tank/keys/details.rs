@@ -5,11 +5,11 @@ use tank::units::Dimension;
 use tank::{BottomConnections, Joint, Presence, ShellSupport, Snow};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::key::Limits;
 use crate::input::tank::read::{FromNode, choice, wrong_value};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::Length;
+use tank::keys::Limits;
 
 choice!(Presence, Snow, ShellSupport, Joint);
 

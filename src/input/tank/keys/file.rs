@@ -1,18 +1,20 @@
 //! The top level of the file.
 
+use ::tank::{Liquid, Project};
+
 use super::accepted::Accepted;
 use super::damping::Damping;
 use super::linear::Analysis;
 use super::materials::Material;
 use super::procedures::Procedures;
-use super::project::Project;
 use super::record::Record;
 use super::reported::{Measured, Published};
 use super::site::Site;
-use super::tank::{Liquid, Tank};
-use crate::input::tank::key::{Absent, Limits, default};
+use super::tank::Tank;
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::values::{Acceleration, Named};
+use ::tank::keys::{Absent, Limits, default};
 
 object! {
     /// A liquid storage tank to be verified for earthquakes.
@@ -23,7 +25,7 @@ object! {
         /// Title of the report.
         name ("Fire-water tank"): Field<String>,
         /// Cover of the report.
-        project: Opt<Project>,
+        project: Opt<Given<Project>>,
         /// Remarks for the report, free text.
         notes ("as built 1974"): Opt<String>,
         /// Acceleration of free fall.
@@ -34,7 +36,7 @@ object! {
         /// The tank.
         tank: Field<Tank>,
         /// The stored liquid.
-        liquid: Field<Liquid>,
+        liquid: Field<Given<Liquid>>,
         /// Materials by name.
         materials: Field<Named<Material>>,
         /// Processing of the accelerogram given with --quake.

@@ -2,7 +2,7 @@
 
 use materials::grades::{BARS, CONCRETES, PlateKind, SteelGrade, Step, folded, steels};
 
-use crate::input::tank::key::list;
+use ::tank::keys::list;
 
 /// Values of a grade, SI.
 #[derive(Clone, Debug, PartialEq)]

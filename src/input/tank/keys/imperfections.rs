@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
 use tank::imperfection::{self, Imperfections, Profile, Table, Wave};
 use tank::units::Dimension;
 use tank::{Shape, Tank};
@@ -13,13 +12,13 @@ use tank::{Shape, Tank};
 use super::linear::Analysis;
 use crate::input::csv;
 use crate::input::diagnostic::{Faults, Source};
-use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, FromNode, Opt, object, wrong_kind, wrong_value};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::shape::{Book, Shape as Looks};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Angle, Length, Number, Whole, quantity};
 use results::InputValue;
+use tank::keys::{Absent, Limits, default};
 
 /// Largest deviation over the radius: far beyond every tolerance, and of what a shell with this radius can be.
 const LARGEST: f64 = 0.05;
@@ -131,13 +130,6 @@ fn points(node: &Node, pairs: &[Node], faults: &mut Faults) -> Option<Vec<[f64; 
     None
 }
 
-/// Whether the wall moves about its loaded state, if given.
-pub(super) fn initial_stress(r: &mut Resolver<'_>, option: &Opt<bool>) -> Option<bool> {
-    let field = option.given.as_ref()?;
-    r.echo_given(field);
-    field.value
-}
-
 /// The imperfections; those that are faulty are left out.
 ///
 /// * `folder`: of the tank file
@@ -245,8 +237,7 @@ fn table(r: &mut Resolver<'_>, file: &Field<String>, factor: f64, folder: &Path)
     });
     match read {
         Ok((source, table)) => {
-            let hash = Sha256::digest(source.text.as_bytes());
-            let hash: String = hash.iter().take(8).map(|b| format!("{b:02x}")).collect();
+            let hash = csv::short_hash(&source);
             let largest = table.w.iter().flatten().fold(0.0_f64, |m, w| m.max(w.abs()));
             r.echo.push(InputValue {
                 path: format!("{} (sha256 {hash}…)", file.path),

@@ -6,7 +6,7 @@ use tank::units::Dimension;
 
 use crate::input::diagnostic::Faults;
 use crate::input::tank::read::{Field, FromNode, Opt, one_of_words, quoted};
-use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Time, pattern};
@@ -51,11 +51,7 @@ pub(super) fn instants(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Moment>>>) -
     let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
         return Vec::new();
     };
-    let (_, most) = field.limits.items;
-    if list.len() > most {
-        let fault = range_fault(Code::ItemCount, field, "too many times", &format!("at most {most}"));
-        r.faults.push(fault.found(format!("{} times", list.len())));
-    }
+    r.at_most(field, "times");
     let mut found = Vec::new();
     for one in list {
         r.echo_given(one);

@@ -4,11 +4,11 @@ use files::code::{Code, Warning};
 use tank::{Bearing, FoundationKind, Shape, Support};
 
 use super::tank::Tank;
-use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Si};
 use ::tank::words;
+use tank::keys::{Absent, Limits, default, without};
 
 /// Reinforced concrete [kg/m³].
 const CONCRETE: f64 = 2500.0;
@@ -237,18 +237,14 @@ impl Keys<'_, '_> {
             (Some(given), _) => self.r.number(given),
             (None, false) => f64::NAN,
             (None, true) => {
-                let key = option.key.name;
-                if !self.r.faults.suggest(&format!("did you mean `{key}`?")) {
-                    let own = option.key.example;
-                    let example = match (own.is_empty(), own.parse::<f64>().is_ok()) {
-                        (true, _) => T::example(),
-                        (false, true) => own.into(),
-                        (false, false) => format!("\"{own}\""),
-                    };
-                    let allowed = option.key.limits.describe(T::DIMENSION);
-                    self.r
-                        .missing(self.field, key, &allowed, format!("add \"{key}\": {example}"));
-                }
+                let own = option.key.example;
+                let example = match (own.is_empty(), own.parse::<f64>().is_ok()) {
+                    (true, _) => T::example(),
+                    (false, true) => own.into(),
+                    (false, false) => format!("\"{own}\""),
+                };
+                let allowed = option.key.limits.describe(T::DIMENSION);
+                self.r.missing(self.field, option, "", &allowed, &example);
                 f64::NAN
             }
         }

@@ -3,11 +3,11 @@
 use files::code::Code;
 use tank::Shape;
 
-use crate::input::tank::key::{Limits, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Number, Stress};
 use ::tank::words;
+use tank::keys::{Limits, without};
 
 object! {
     /// Joint between the wall of a concrete cylinder and its base. Hoop force, bending and shear of the wall are those of the shell on this
@@ -65,14 +65,10 @@ pub(super) fn wall_base(
     let kind = given.kind.value?;
     if kind != Joint::Sliding {
         let allowed = "\"kind\": \"sliding\", or a joint without it";
-        if let Some(field) = &given.stiffness.given {
-            let message = "stiffness does not apply to a joint that does not slide";
-            r.refuse(Code::DoesNotApply, field, message, allowed);
-        }
-        if let Some(field) = &given.friction.given {
-            let message = "friction does not apply to a joint that does not slide";
-            r.refuse(Code::DoesNotApply, field, message, allowed);
-        }
+        let message = "stiffness does not apply to a joint that does not slide";
+        r.inapplicable(&given.stiffness, message, allowed);
+        let message = "friction does not apply to a joint that does not slide";
+        r.inapplicable(&given.friction, message, allowed);
     } else if given.stiffness.given.is_none() && given.friction.given.is_none() {
         let message = "a sliding joint without the force with which it resists";
         let allowed = "stiffness or friction beside \"kind\": \"sliding\"; 0 is an answer";

@@ -1,21 +1,23 @@
 //! `analysis`: options of the linear engines.
 
 use files::code::Code;
-use tank::options::LinearOptions;
+use tank::options::frequency::FrequencyOptions;
 use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Heave, Integrator, WallDirection, WallPlace};
+use tank::options::{LinearOptions, NonlinearOptions};
 use tank::{Shape, Support, Tank, case};
 
-use super::frequency::{Frequency, frequency};
+use super::frequency::frequency;
 use super::imperfections::Imperfection;
 use super::instant::{Moment, instants};
-use super::nonlinear::{ByGroup, Nonlinear, by_group};
+use super::nonlinear::{ByGroup, by_group};
 use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
 use super::response::{ResponseSpectrum, response};
 use super::solid::Solid;
-use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::values::{Angle, Length, Number, Time, Whole};
+use tank::keys::{Absent, Limits, default, without};
 
 /// Defaults.
 const DEFAULT: &LinearOptions = &LinearOptions::DEFAULT;
@@ -28,15 +30,10 @@ const COEFFICIENT: Limits = Limits::from(-1e6).to(1e6);
 const SNAPSHOTS: Limits = Limits::from(0.0).to(1e5).items(0, 20);
 /// Angles of a tilt test [rad]: up to 45°.
 const TILT: Limits = Limits::above(0.0).to(std::f64::consts::FRAC_PI_4);
-/// Angles around the tank [rad]: a turn in either sense.
-const TURN: Limits = Limits::from(-std::f64::consts::TAU).to(std::f64::consts::TAU);
-/// Heights of dashpots above the clamped base [m], and most rings of them.
-const RINGS: Limits = Limits::above(0.0).to(1000.0);
+/// Most rings of dashpots.
 const MOST_RINGS: usize = 20;
 /// Most stations of internal forces, six histories each.
 const MOST_STATIONS: usize = 50;
-/// Damping of the foot that bounces.
-const BOUNCE: Limits = Limits::from(0.0).to(2.0);
 /// Pairs of Caughey's series.
 const PAIRS: Limits = Limits::from(0.0).items(2, CaugheyPairs::MOST);
 
@@ -56,7 +53,7 @@ object! {
         /// Stress stations: heights above the base with histories of hoop, axial and bending stress.
         stations: Opt<Vec<Field<Length>>> [PLACES],
         /// Places of a cylinder's wall with histories of its membrane forces and moments by the linear engines.
-        force_stations: Opt<Vec<Field<ForceStation>>> [Limits::ANY.items(0, MOST_STATIONS)]
+        force_stations: Opt<Vec<Field<Given<WallPlace>>>> [Limits::ANY.items(0, MOST_STATIONS)]
             = Absent::Without("no histories of internal forces"),
         /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes; a time, or
         /// the peak of a history by name.
@@ -64,7 +61,7 @@ object! {
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
         /// Inertia of wall and roof that the foot of an unanchored cylinder with `tank.bottom` lifts and drops as it rocks, by the harmonic engine.
-        heave: Opt<FootHeave> = Absent::Without("the foot lifts wall and roof without inertia"),
+        heave: Opt<Given<Heave>> = Absent::Without("the foot lifts wall and roof without inertia"),
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
         /// Deviations of a cylinder's wall from the perfect shape, which are added, in the three-dimensional and the nonlinear
@@ -77,26 +74,11 @@ object! {
         /// Response-spectrum method under the design spectrum of `site`.
         spectrum: Opt<ResponseSpectrum>,
         /// Transfer functions of the linear engines under harmonic base motion.
-        frequency: Opt<Frequency>,
+        frequency: Opt<Given<FrequencyOptions>>,
         /// Options of the three-dimensional engine (--fe solid, --fe both).
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.
-        nonlinear: Opt<Nonlinear>,
-    }
-
-    /// Wall and roof on the foot, which bounce on the ground where it lands.
-    FootHeave {
-        /// Ratio of critical damping of that bounce with all of the rim on the ground.
-        damping (0.2): Opt<Number> [BOUNCE]
-            = Absent::Follows("damping.impulsive, in proportion to the frequency of the bounce over that of the impulsive mode"),
-    }
-
-    /// A place of a cylinder's wall: height above the base and angle from the direction of shaking.
-    ForceStation {
-        /// Height above the base; at a joint of courses just above it.
-        z: Field<Length> [PLACES],
-        /// Angle from the direction of shaking.
-        theta ("90 deg"): Opt<Angle> [TURN] = default(Angle(0.0)),
+        nonlinear: Opt<Given<NonlinearOptions>>,
     }
 
     /// Damping model of the finite-element analysis instead of modal ratios; give one of them. Dashpots act besides it.
@@ -110,18 +92,7 @@ object! {
         /// Rayleigh damping with given coefficients of either sign.
         coefficients: Opt<Coefficients>,
         /// Dashpots between the ground and the wall of a cylinder in the linear engines, besides the damping model; they couple the modes.
-        dashpots: Opt<Vec<Field<RingOfDashpots>>> [Limits::ANY.items(0, MOST_RINGS)] = Absent::Without("no dashpots"),
-    }
-
-    /// Dashpots between the ground and the wall, three or more, evenly spaced around it at one height: they damp each harmonic of the
-    /// motion by itself.
-    RingOfDashpots {
-        /// Height above the base.
-        z: Field<Length> [RINGS],
-        /// Direction.
-        direction: Opt<WallDirection> = default(WallDirection::Radial),
-        /// Coefficient of all of them together in N s/m, a bare number.
-        coefficient (200000): Field<Number> [Limits::above(0.0).to(1e15)],
+        dashpots: Opt<Vec<Field<Given<Dashpots>>>> [Limits::ANY.items(0, MOST_RINGS)] = Absent::Without("no dashpots"),
     }
 
     /// Coefficients of Rayleigh damping C = a_M M + a_K K.
@@ -185,7 +156,7 @@ pub(super) fn analysis(
 }
 
 /// Inertia on the foot, of an unanchored cylinder alone.
-fn heave(r: &mut Resolver<'_>, option: &Opt<FootHeave>, tank: Option<&Tank>) -> Option<Heave> {
+fn heave(r: &mut Resolver<'_>, option: &Opt<Given<Heave>>, tank: Option<&Tank>) -> Option<Heave> {
     let field = option.given.as_ref()?;
     let given = field.value.as_ref()?;
     let refused = tank.and_then(|tank| match (tank.shape, tank.support, &tank.bottom) {
@@ -202,12 +173,7 @@ fn heave(r: &mut Resolver<'_>, option: &Opt<FootHeave>, tank: Option<&Tank>) -> 
         let fault = range_fault(Code::DoesNotApply, field, message, allowed);
         r.faults.push(fault.help("remove analysis.heave"));
     }
-    Some(Heave {
-        damping: match given.damping.given {
-            Some(_) => r.optional(&given.damping),
-            None => None,
-        },
-    })
+    given.resolve(r)
 }
 
 /// A list that only a cylinder may have, with faults where the tank is another, or the list too long.
@@ -227,27 +193,22 @@ fn of_cylinder<'a, T>(
         let fault = range_fault(Code::DoesNotApply, field, &message, "a cylinder");
         r.faults.push(fault.help(format!("remove {}", field.path)));
     }
-    let (_, most) = field.limits.items;
-    if list.len() > most {
-        let message = format!("too many {items}");
-        let allowed = format!("at most {most}");
-        let fault = range_fault(Code::ItemCount, field, &message, &allowed);
-        r.faults.push(fault.found(format!("{} {items}", list.len())));
-    }
+    r.at_most(field, items);
     list
 }
 
 /// Stations of internal forces, of a cylinder alone.
-fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, tank: Option<&Tank>) -> Vec<WallPlace> {
+fn force_stations(
+    r: &mut Resolver<'_>,
+    option: &Opt<Vec<Field<Given<WallPlace>>>>,
+    tank: Option<&Tank>,
+) -> Vec<WallPlace> {
     let list = of_cylinder(r, option, tank, ("stations of internal forces", "stations"));
     let height = tank.map_or(f64::NAN, Tank::wall_height);
     let mut all: Vec<WallPlace> = Vec::new();
     for one in list {
         let Some(given) = &one.value else { continue };
-        let place = WallPlace {
-            z: r.number(&given.z),
-            theta: r.or_default(&given.theta),
-        };
+        let Some(place) = given.resolve(r) else { continue };
         if place.z > height * (1.0 + 1e-9) {
             let allowed = format!("from 0 to {}, the height of the wall", like_field(&given.z, height));
             r.refuse(Code::OutOfRange, &given.z, "outside the tank", &allowed);
@@ -266,13 +227,7 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
     let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
         return all;
     };
-    let (_, most) = field.limits.items;
-    if list.len() > most {
-        r.faults.push(
-            range_fault(Code::ItemCount, field, "too many places", &format!("at most {most}"))
-                .found(format!("{} places", list.len())),
-        );
-    }
+    r.at_most(field, "places");
     for place in list {
         let value = r.within(place, field.limits);
         if value > end * (1.0 + 1e-9) {
@@ -325,21 +280,17 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
 }
 
 /// Rings of dashpots, of a cylinder alone.
-fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank: Option<&Tank>) -> Vec<Dashpots> {
+fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Given<Dashpots>>>>, tank: Option<&Tank>) -> Vec<Dashpots> {
     let list = of_cylinder(r, option, tank, ("dashpots around the wall", "rings of dashpots"));
     let height = tank.map_or(f64::NAN, Tank::wall_height);
     let mut all = Vec::new();
     for given in list.iter().filter_map(|one| one.value.as_ref()) {
-        let z = r.number(&given.z);
-        if z > height * (1.0 + 1e-9) {
+        let Some(ring) = given.resolve(r) else { continue };
+        if ring.z > height * (1.0 + 1e-9) {
             let allowed = format!("above 0 to {}, the height of the wall", like_field(&given.z, height));
             r.refuse(Code::OutOfRange, &given.z, "outside the tank", &allowed);
         }
-        all.push(Dashpots {
-            z,
-            direction: r.choice(&given.direction),
-            coefficient: r.number(&given.coefficient),
-        });
+        all.push(ring);
     }
     all
 }
@@ -356,13 +307,6 @@ fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Fi
         }
         pairs.push(pair);
     }
-    let (least, most) = field.limits.items;
-    if !(least..=most).contains(&pairs.len()) {
-        let message = "too few or too many pairs";
-        let allowed = format!("{least} to {most} pairs");
-        let fault = range_fault(Code::ItemCount, field, message, &allowed);
-        r.faults.push(fault.found(format!("{} pairs", pairs.len())));
-        return None;
-    }
-    Some(DampingModel::Caughey(CaugheyPairs::new(&pairs)))
+    r.sized(field, "pairs")
+        .then(|| DampingModel::Caughey(CaugheyPairs::new(&pairs)))
 }

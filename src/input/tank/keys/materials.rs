@@ -10,13 +10,14 @@ use files::code::Code;
 use std::collections::BTreeMap;
 
 use super::grades::{self, Found, Preset, Strengths};
-use crate::input::tank::key::{Absent, Limits, without};
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Density, Named, Number, Stress};
 use laws::Behaviour;
-use reader::{Reader, STRESS};
+use reader::Reader;
+use tank::STRESS;
+use tank::keys::{Absent, Limits, without};
 
 /// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit. From 1e17 Pa on the motion of a wall is lost in
 /// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.

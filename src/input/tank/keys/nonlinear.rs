@@ -2,77 +2,25 @@
 
 use files::code::Code;
 use tank::case;
-use tank::imperfection::Imperfections;
+use tank::options::NonlinearOptions;
 use tank::options::nonlinear::{
     Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StepLength, StripWall, ThicknessRule,
     WallElements,
 };
-use tank::options::{AfterRecord, NonlinearOptions};
 use tank::{Shape, Tank};
 
 use super::damping::RATIO;
 use super::rayleigh::{Rayleigh, rayleigh};
 use crate::input::diagnostic::Faults;
-use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::given::{Given, within};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object, wrong_kind, wrong_value};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape as Looks};
 use crate::input::tank::syntax::{Kind, Node};
-use crate::input::tank::values::{Number, Pitch, Time, Whole};
-
-/// Defaults. The damping ratios are placeholders: those of the case replace them.
-const DEFAULT: &NonlinearOptions = &NonlinearOptions::new(case::Damping {
-    sloshing: f64::NAN,
-    impulsive: f64::NAN,
-});
+use crate::input::tank::values::{Number, Pitch, Whole};
+use tank::keys::{Absent, Limits};
 
 object! {
-    /// Options of the nonlinear engine: walls that yield and crack, large rotations, liquid of linear theory.
-    Nonlinear {
-        /// Numbers of elements of the wall.
-        elements: Opt<Elements> = Absent::Without("by the size of the wall and its materials"),
-        /// Whether only the half of the tank on one side of the plane of shaking is computed; not for a strip.
-        symmetry (false): Opt<bool>
-            = default(DEFAULT.symmetry).because("half of the tank is computed, the other is its mirror image"),
-        /// Spectral radius of the time integration at high frequencies; 1 is the trapezoidal rule (generalised-alpha method
-        /// of Chung and Hulbert).
-        spectral_radius (0.8): Opt<Number> [Limits::from(0.0).to(1.0)] = default(Number(DEFAULT.spectral_radius))
-            .because("next to no numerical damping of the modes that count (Chung and Hulbert 1993)"),
-        /// Time step.
-        time_step ("0.0025 s"): Opt<Time> [Limits::from(1e-6).to(1.0)]
-            = without("a twentieth of the impulsive period, at most half the step of the record"),
-        /// Whether quiet phases of a cylinder with bonded liquid are marched in longer steps: several time steps at once, at most
-        /// the step of the record, as long as the local error of the displacements stays below 0.1 % of the largest so far.
-        step ("adaptive"): Opt<StepLength> = default(DEFAULT.step).because("every time step is resolved"),
-        /// Damping model.
-        damping: Opt<NonlinearDamping> = Absent::Follows("by_group with the ratios of damping"),
-        /// Contact of liquid and wall.
-        contact: Opt<Contact> = default(DEFAULT.contact).because("the liquid stays at the wall"),
-        /// Elements of the walls of a strip; not for a cylinder, whose walls are shells.
-        wall ("shell"): Opt<StripWall>
-            = default(DEFAULT.wall).because("one leaf bends, and fibres take a sixth of the time of shells"),
-        /// Whether the weight of the wall acts.
-        self_weight (false): Opt<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
-        /// Whether the pressure turns with the wall.
-        follower_pressure (false): Opt<bool>
-            = default(DEFAULT.follower_pressure).because("pressure stands on the deformed wall"),
-        /// Points through the thickness, by kind of material.
-        integration: Opt<Integrations>,
-        /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
-        bottom_mesh (2): Opt<Number> [Limits::from(0.5).to(8.0)] = default(Number(DEFAULT.bottom_mesh))
-            .because("rings of two thicknesses at the foot resolve the hinge of the plate"),
-        /// Whether the foot of a cylinder on its bottom plate stays a plane, as it does in the strips of the harmonic engine and under a stiff roof; of
-        /// no account where the foot is clamped.
-        plane_foot (true): Opt<bool>
-            = default(DEFAULT.plane_foot).because("the mass of the roof is modelled, not its stiffness: the foot may warp"),
-        /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
-        after_record ("2 periods"): Opt<AfterRecord> = default(DEFAULT.after_record)
-            .because("as the linear engines: two periods of the first sloshing mode"),
-        /// Computing time between two checkpoints from which a run can be resumed.
-        checkpoint ("300 s"): Opt<Time> [Limits::from(1.0).to(1e6)]
-            = default(Time(DEFAULT.checkpoint)).because("at most a minute of computing is lost"),
-    }
-
     /// Numbers of elements of the wall.
     Elements {
         /// Over the height of the wall.
@@ -80,16 +28,6 @@ object! {
         /// Around a cylinder, even unless symmetry is false, or along the whole perimeter of a rectangle. Both need it; it does not
         /// apply to a strip.
         circumference (64): Opt<Whole> [Limits::count(8, MOST_SECTORS)],
-    }
-
-    /// Points through the thickness of a layer, by kind of material.
-    Integrations {
-        /// Elastic layers.
-        elastic ("gauss 2"): Opt<ThicknessRule> = default(Integration::DEFAULT.elastic),
-        /// Steel.
-        steel ("gauss 5"): Opt<ThicknessRule> = default(Integration::DEFAULT.steel),
-        /// Concrete.
-        concrete ("midpoint 20"): Opt<ThicknessRule> = default(Integration::DEFAULT.concrete),
     }
 
     /// Damping of the nonlinear engine. Give one of the three.
@@ -187,75 +125,50 @@ impl FromNode for ThicknessRule {
 /// * `ratios`: damping ratios of the case
 pub(super) fn nonlinear(
     r: &mut Resolver<'_>,
-    given: Option<&Nonlinear>,
+    given: Option<&Given<NonlinearOptions>>,
     tank: Option<&Tank>,
     ratios: case::Damping,
 ) -> NonlinearOptions {
-    let Some(given) = given else {
+    r.known.shape = tank.map(|t| t.shape);
+    r.known.ratios = Some(ratios);
+    let Some((given, found)) = given.and_then(|given| Some((given, given.resolve(r)?))) else {
         return NonlinearOptions::new(ratios);
     };
-    let elements = elements(r, &given.elements, tank);
-    if let (Some(symmetry), Some(Shape::Rectangle { strip: true, .. })) = (&given.symmetry.given, tank.map(|t| t.shape))
-    {
-        let message = "symmetry does not apply to a strip";
+    let strip = r.known.shape.map(|s| matches!(s, Shape::Rectangle { strip: true, .. }));
+    if strip == Some(true) {
         let allowed = "symmetry for a cylinder or a rectangle";
-        r.refuse(Code::DoesNotApply, symmetry, message, allowed);
+        r.inapplicable(&given.symmetry, "symmetry does not apply to a strip", allowed);
     }
-    if let (Some(wall), Some(false)) = (
-        &given.wall.given,
-        tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. })),
-    ) {
-        let message = "wall applies to a strip alone";
+    if strip == Some(false) {
         let allowed = "no `wall`: walls of this tank are shells";
-        r.refuse(Code::DoesNotApply, wall, message, allowed);
+        r.inapplicable(&given.wall, "wall applies to a strip alone", allowed);
     }
-    let symmetry = r.choice(&given.symmetry);
-    if symmetry {
-        halves(r, &given.elements, tank);
+    let cylinder = (r.known.shape).map(|s| matches!(s, Shape::Cylinder { .. }));
+    if found.symmetry && cylinder == Some(true) {
+        halves(r, &given.elements);
     }
-    NonlinearOptions {
-        elements,
-        symmetry,
-        spectral_radius: r.or_default(&given.spectral_radius),
-        time_step: r.optional(&given.time_step),
-        step: step(r, &given.step, tank, &given.contact),
-        damping: damping(r, &given.damping, ratios),
-        contact: r.choice(&given.contact),
-        wall: r.choice(&given.wall),
-        self_weight: r.choice(&given.self_weight),
-        follower_pressure: r.choice(&given.follower_pressure),
-        integration: integration(r, &given.integration),
-        bottom_mesh: r.or_default(&given.bottom_mesh),
-        plane_foot: r.choice(&given.plane_foot),
-        after_record: r.choice(&given.after_record),
-        checkpoint: r.or_default(&given.checkpoint),
-        // Those of `analysis`.
-        imperfections: Imperfections::NONE,
-    }
-}
-
-/// Longer steps are for cylinders with bonded liquid: an impact of opening contact has no smooth acceleration to estimate errors by.
-fn step(r: &mut Resolver<'_>, option: &Opt<StepLength>, tank: Option<&Tank>, contact: &Opt<Contact>) -> StepLength {
-    let found = r.choice(option);
-    let opening = contact.given.as_ref().and_then(|field| field.value) == Some(Contact::Opening);
-    let cylinder = tank.is_none_or(|t| matches!(t.shape, Shape::Cylinder { .. }));
-    if let (StepLength::Adaptive, Some(field)) = (found, &option.given)
-        && (!cylinder || opening)
-    {
+    // An impact of opening contact has no smooth acceleration to estimate errors by.
+    if found.step == StepLength::Adaptive && (cylinder == Some(false) || found.contact == Contact::Opening) {
         let message = "adaptive steps are for cylinders with bonded liquid";
-        r.refuse(Code::DoesNotApply, field, message, "\"fixed\"");
+        r.inapplicable(&given.step, message, "\"fixed\"");
     }
     found
 }
 
-fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -> Option<WallElements> {
+within! {
+    Option<WallElements> => Elements, elements;
+    Damping => NonlinearDamping, damping;
+    Integration => Given<Integration>, integration;
+}
+
+fn elements(r: &mut Resolver<'_>, option: &Opt<Elements, ()>) -> Option<WallElements> {
     let Some(field) = &option.given else {
         r.not_given(option);
         return None;
     };
     let given = field.value.as_ref()?;
     let height = r.count(&given.height);
-    let strip = tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. }));
+    let strip = r.known.shape.map(|s| matches!(s, Shape::Rectangle { strip: true, .. }));
     let circumference = match (&given.circumference.given, strip) {
         (Some(field), Some(true)) => {
             let message = "circumference does not apply to a strip";
@@ -285,10 +198,9 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
 }
 
 /// Half a cylinder has half of the elements around the circumference, so their number must be even.
-fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
-    let cylinder = matches!(tank.map(|t| t.shape), Some(Shape::Cylinder { .. }));
+fn halves(r: &mut Resolver<'_>, option: &Opt<Elements, ()>) {
     let given = option.value().and_then(|e| e.circumference.given.as_ref());
-    if let (true, Some((field, Whole(around)))) = (cylinder, given.and_then(|f| Some((f, f.value?))))
+    if let Some((field, Whole(around))) = given.and_then(|f| Some((f, f.value?)))
         && around % 2 == 1
     {
         let message = "half a tank needs an even number of elements around the whole circumference";
@@ -299,13 +211,9 @@ fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
     }
 }
 
-fn integration(r: &mut Resolver<'_>, option: &Opt<Integrations>) -> Integration {
+fn integration(r: &mut Resolver<'_>, option: &Opt<Given<Integration>, ()>) -> Integration {
     match option.value() {
-        Some(rules) => Integration {
-            elastic: r.choice(&rules.elastic),
-            steel: r.choice(&rules.steel),
-            concrete: r.choice(&rules.concrete),
-        },
+        Some(rules) => rules.resolve(r).unwrap_or_default(),
         None => {
             r.echo_default(
                 &option.path,
@@ -328,7 +236,12 @@ pub(super) fn by_group(r: &mut Resolver<'_>, group: &ByGroup, ratios: case::Damp
     )
 }
 
-fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::Damping) -> Damping {
+fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping, ()>) -> Damping {
+    let unknown = case::Damping {
+        sloshing: f64::NAN,
+        impulsive: f64::NAN,
+    };
+    let ratios = r.known.ratios.unwrap_or(unknown);
     let default = Damping::ByGroup {
         wall: ratios.impulsive,
         sloshing: ratios.sloshing,

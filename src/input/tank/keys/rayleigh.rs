@@ -1,10 +1,10 @@
 //! Rayleigh damping fitted to two ratios, for the linear engines and the nonlinear one.
 
 use super::damping::RATIO;
-use crate::input::tank::key::default;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::{Number, Pitch};
+use ::tank::keys::default;
 use files::code::Code;
 
 object! {

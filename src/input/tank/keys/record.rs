@@ -1,10 +1,10 @@
 //! `record`: processing of the accelerogram.
 
 use crate::input::records::Processing;
-use crate::input::tank::key::{Limits, without};
 use crate::input::tank::read::{Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::{Acceleration, Number, Time};
+use ::tank::keys::{Limits, without};
 use files::code::Code;
 
 object! {

@@ -2,16 +2,17 @@
 
 use files::code::Code;
 use tank::Quantity;
-use tank::case;
+use tank::case::{self, NamedMotion};
 use tank::units::Dimension;
 
 use crate::input::diagnostic::{Fault, Faults};
-use crate::input::tank::key::{Limits, list, without};
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, FromNode, Opt, nearest, object, wrong_kind};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
-use crate::input::tank::values::{Acceleration, Pitch, Time, quantity};
+use crate::input::tank::values::{Pitch, quantity};
+use tank::keys::list;
 
 object! {
     /// A measured value.
@@ -24,24 +25,7 @@ object! {
         note ("peak at the wall"): Opt<String>,
         /// Ground motion under which it was measured. Without it, or under another record, the value is listed apart and not
         /// compared; periods and masses belong to no ground motion and need none.
-        motion: Opt<Motion>,
-    }
-
-    /// A ground motion: the record as recorded, before `record` of this file processes it, by `sha256` or by `peak` and `step`; and
-    /// what shook the tank. Numbers count as equal within 1 %, the accuracy of three printed digits.
-    Motion {
-        /// SHA-256 of the record file.
-        sha256 ("787e5172cebfd464c7a91e776fabe476afbedab5018f501e2028b285549f95ee"): Opt<String>,
-        /// Peak ground acceleration of the record as recorded.
-        peak ("0.348 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * tank::STANDARD_GRAVITY)] = without("not named"),
-        /// Time step of the record as recorded.
-        step ("0.02 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
-        /// Duration of the record as recorded.
-        duration ("53.74 s"): Opt<Time> [Limits::above(0.0).to(1e6)] = without("not named"),
-        /// Peak of the motion that shook the tank, after scaling.
-        applied_peak ("0.5 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * tank::STANDARD_GRAVITY)] = without("not named"),
-        /// Time step of the motion that shook the tank, after stretching the time axis.
-        applied_step ("0.01155 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
+        motion: Opt<Given<NamedMotion>>,
     }
 
     /// A published value.
@@ -55,7 +39,7 @@ object! {
         /// Remark.
         note ("belongs to the record as recorded"): Opt<String>,
         /// Ground motion to which it belongs. There is a ratio to it under this motion only, and of periods and masses.
-        motion: Opt<Motion>,
+        motion: Opt<Given<NamedMotion>>,
     }
 }
 
@@ -190,27 +174,19 @@ fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
 }
 
 /// The ground motion that a value names.
-fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotion> {
+fn motion(r: &mut Resolver<'_>, option: &Opt<Given<NamedMotion>>) -> Option<NamedMotion> {
     let field = option.given.as_ref()?;
     let given = field.value.as_ref()?;
-    let sha256 = given.sha256.given.as_ref().and_then(|field| {
-        let text = r.text(field)?;
+    let mut named = given.resolve(r)?;
+    if let (Some(field), Some(text)) = (&given.sha256.given, &named.sha256) {
         let hash = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
         if !hash {
             let message = "not a SHA-256";
             let allowed = "64 hexadecimal digits, as sha256sum prints them";
             r.refuse(Code::BadForm, field, message, allowed);
         }
-        hash.then(|| text.to_lowercase())
-    });
-    let named = case::NamedMotion {
-        peak: r.optional(&given.peak),
-        step: r.optional(&given.step),
-        duration: r.optional(&given.duration),
-        applied_peak: r.optional(&given.applied_peak),
-        applied_step: r.optional(&given.applied_step),
-        sha256,
-    };
+        named.sha256 = hash.then(|| text.to_lowercase());
+    }
     if given.sha256.given.is_none() && (given.peak.given.is_none() || given.step.given.is_none()) {
         let message = "the ground motion is not named";
         let allowed = "`sha256` of the record file, or `peak` and `step` of the record";

@@ -1,14 +1,11 @@
 //! `analysis.spectrum`: options of the response-spectrum method.
 
-use codes::{ALL, site_action};
 use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
 
-use crate::input::diagnostic::Faults;
-use crate::input::tank::key::{Absent, default};
-use crate::input::tank::read::{FromNode, Opt, choice, object, one_of_words, quoted};
+use super::ids::SpectrumCode;
+use crate::input::tank::read::{Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
-use crate::input::tank::shape::{Book, Shape};
-use crate::input::tank::syntax::Node;
+use tank::keys::{Absent, default};
 
 /// Defaults.
 const DEFAULT: SpectrumOptions = SpectrumOptions::DEFAULT;
@@ -31,47 +28,12 @@ object! {
 
 choice!(ModalCombination, PartCombination);
 
-/// The procedure whose design spectrum the modes see.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SpectrumCode(&'static str);
-
-/// Ids of the procedures that have one.
-fn codes() -> Vec<(&'static str, SpectrumCode)> {
-    site_action::ids().iter().map(|id| (*id, SpectrumCode(id))).collect()
-}
-
-impl FromNode for SpectrumCode {
-    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        one_of_words(node, &codes(), faults)
-    }
-    fn allowed() -> String {
-        quoted(site_action::ids())
-    }
-    fn example() -> String {
-        format!("\"{}\"", site_action::ids()[0])
-    }
-    fn shape(book: &mut Book) -> Shape {
-        let title = |id: &str| ALL.iter().find(|p| p.id() == id).map_or("", |p| p.label().title);
-        let words = site_action::ids()
-            .iter()
-            .map(|id| (*id, format!("{}.", title(id))))
-            .collect();
-        book.choice("SpectrumCode", &["A code procedure with a design spectrum."], words)
-    }
-    fn written(&self) -> Option<String> {
-        Some(self.0.into())
-    }
-}
-
 /// Options of the response-spectrum method.
 pub(super) fn response(r: &mut Resolver<'_>, given: Option<&ResponseSpectrum>) -> SpectrumOptions {
     let Some(given) = given else {
         return DEFAULT;
     };
-    let code = given.code.given.as_ref().and_then(|field| {
-        r.echo_given(field);
-        field.value
-    });
+    let code = r.word(&given.code);
     SpectrumOptions {
         combination: r.choice(&given.combination),
         parts: r.choice(&given.parts),

@@ -4,11 +4,11 @@ use tank::options::SolidOptions;
 use tank::options::solid::{Liquid as LiquidElement, MeshSize};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::key::{Limits, default, without};
 use crate::input::tank::read::{Object, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Whole;
 use results::InputValue;
+use tank::keys::{Limits, default, without};
 
 /// Defaults.
 const DEFAULT: &SolidOptions = &SolidOptions::DEFAULT;

@@ -4,12 +4,10 @@ use files::code::Code;
 use std::path::Path;
 
 use oscillator::STANDARD_GRAVITY;
-use sha2::{Digest, Sha256};
 use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters, SpectrumTable, TableFault};
 
 use crate::input::csv;
 use crate::input::diagnostic::{Fault, Faults, Source};
-use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object, wrong_kind};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
@@ -17,6 +15,7 @@ use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Acceleration, Number, Seconds};
 use ::tank::words;
 use results::InputValue;
+use tank::keys::{Absent, Limits, default, without};
 
 /// Control periods.
 const PERIOD: Limits = Limits::above(0.0).to(100.0);
@@ -344,8 +343,7 @@ fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folde
     });
     match read {
         Ok((source, (horizontal, vertical))) => {
-            let hash = Sha256::digest(source.text.as_bytes());
-            let hash: String = hash.iter().take(8).map(|b| format!("{b:02x}")).collect();
+            let hash = csv::short_hash(&source);
             echo(r, &format!("{} (sha256 {hash}…)", file.path), &horizontal);
             if let Some(vertical) = &vertical {
                 echo(r, &format!("{}, vertical column", file.path), vertical);

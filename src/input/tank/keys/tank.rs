@@ -2,26 +2,20 @@
 
 use files::code::{Code, Warning};
 use tank::units::Dimension;
-use tank::{Presence, RoofKind, Shape, Snow, Support};
+use tank::{Anchors, Pipes, Presence, Pressure, RoofKind, SIZE, Shape, Snow, Support};
 
-use super::base::{self, Anchors, Bottom, Foundation};
+use super::base::{self, Bottom, Foundation};
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
-use super::wall::{self, Course, HEIGHT};
-use crate::input::tank::key::{Absent, Limits, default, without};
+use super::wall::{self, Course};
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::stated::Stated;
-use crate::input::tank::values::{Density, Length, Mass, Stress};
+use crate::input::tank::values::{Length, Mass};
 use ::tank::words;
-
-/// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
-pub(super) const SIZE: Limits = Limits::from(1e-3).to(1000.0);
-/// Displacements of pipes.
-const DISPLACEMENT: Limits = Limits::from(0.0).to(10.0);
-/// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
-const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0).usual(400.0, 2000.0);
+use tank::keys::{Absent, Limits, default, without};
 
 object! {
     /// An upright tank on the ground.
@@ -53,41 +47,15 @@ object! {
         /// Isolators between the slab and the ground; the foundation is then a slab.
         isolators: Opt<Isolators>,
         /// Anchor bolts, needed by the anchorage checks.
-        anchors: Stated<Anchors>,
+        anchors: Stated<Given<Anchors>>,
         /// Gas or vapour above the liquid while the earthquake acts.
-        pressure: Opt<Pressure> = Absent::Follows("neither overpressure nor vacuum: an atmospheric tank"),
+        pressure: Opt<Given<Pressure>> = Absent::Follows("neither overpressure nor vacuum: an atmospheric tank"),
         /// Pipes that are connected to the tank, needed by the checks of their displacement; `"none"` if there are none.
-        pipes: Stated<Pipes> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
+        pipes: Stated<Given<Pipes>> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
         /// Equipment within the liquid that wall or bottom carry.
         internals ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.5 stays open"),
         /// Structures that are connected to the tank, such as walkways to another tank.
         adjacent_structures ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.8 stays open"),
-    }
-
-    /// Gas or vapour above the liquid while the earthquake acts, against the atmosphere.
-    Pressure {
-        /// Largest overpressure.
-        internal ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6).usual(0.0, 50e3)] = default(Stress(0.0)).because("no overpressure"),
-        /// Largest vacuum, as a positive number.
-        vacuum ("0.5 kPa"): Opt<Stress> [Limits::from(0.0).to(101_325.0).usual(0.0, 6.9e3)] = default(Stress(0.0)).because("no vacuum"),
-    }
-
-    /// Pipes that are connected to the tank; of several the one with the least reserve.
-    Pipes {
-        /// Distance from the connection to the first support of the pipe that is fixed to the ground.
-        support_distance ("12 m"): Opt<Length> [SIZE] = without("displacements of pipes are not checked, EN 1998-4:2006 4.5.1.3"),
-        /// Displacement of the connection against that support that the pipe and its connection can bear without yielding, a
-        /// design value.
-        allowable_displacement ("60 mm"): Opt<Length> [Limits::from(0.0).to(10.0)]
-            = without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
-        /// Displacement upwards, relative to the foundation, that the pipes allow.
-        uplift ("100 mm"): Opt<Length> [DISPLACEMENT] = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
-        /// Displacement downwards, relative to the foundation.
-        settlement ("25 mm"): Opt<Length> [DISPLACEMENT]
-            = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
-        /// Displacement horizontally, radial and tangential.
-        horizontal ("50 mm"): Opt<Length> [DISPLACEMENT]
-            = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
     }
 
     /// Roof, or the mass on top of the wall of an open tank.
@@ -105,14 +73,6 @@ object! {
         snow ("none"): Opt<Snow> = Absent::Follows("not known; the share of the snow stays open"),
         /// Height of a floating roof's rim and seal above the level of the liquid; the freeboard is less by it.
         rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],
-    }
-
-    /// The stored liquid.
-    Liquid {
-        /// Density.
-        density: Field<Density> [LIQUID_DENSITY],
-        /// Depth of the liquid above the tank bottom.
-        fill_height ("9 m"): Field<Length> [HEIGHT],
     }
 }
 
@@ -146,7 +106,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let isolators = (t.isolators.given.as_ref())
         .zip(t.isolators.value())
         .and_then(|(field, given)| isolators(r, (field, given), t, foundation.as_ref(), shape));
-    let anchors = t.anchors.value().map(|given| base::anchors(r, given));
+    let anchors = t.anchors.value().and_then(|given| base::anchors(r, given));
     let pressure = pressure(r, &t.pressure);
     let pipes = pipes(r, &t.pipes);
     if support == Some(Support::Unanchored)
@@ -181,18 +141,11 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
 }
 
 /// The pipes.
-fn pipes(r: &mut Resolver<'_>, stated: &Stated<Pipes>) -> Option<tank::Pipes> {
+fn pipes(r: &mut Resolver<'_>, stated: &Stated<Given<Pipes>>) -> Option<Pipes> {
     if stated.given.is_none() && stated.none.is_none() {
         r.not_given(stated);
     }
-    let pipes = stated.value()?;
-    Some(tank::Pipes {
-        support_distance: r.optional(&pipes.support_distance),
-        allowable_displacement: r.optional(&pipes.allowable_displacement),
-        uplift: r.optional(&pipes.uplift),
-        settlement: r.optional(&pipes.settlement),
-        horizontal: r.optional(&pipes.horizontal),
-    })
+    stated.value()?.resolve(r)
 }
 
 /// The roof; a floating one does not load the wall.
@@ -242,20 +195,19 @@ fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
 }
 
 /// Pressure above the liquid; none unless given.
-fn pressure(r: &mut Resolver<'_>, option: &Opt<Pressure>) -> tank::Pressure {
+fn pressure(r: &mut Resolver<'_>, option: &Opt<Given<Pressure>>) -> Pressure {
     let Some(given) = option.value() else {
         r.echo_default("tank.pressure", "0 kPa", "atmospheric tank");
-        return tank::Pressure::default();
+        return Pressure::default();
     };
-    let internal = r.or_default(&given.internal);
-    let vacuum = r.or_default(&given.vacuum);
+    let found = given.resolve(r).unwrap_or_default();
     for (pressure, text) in [
         (
-            internal,
+            found.internal,
             "`tank.pressure.internal` enters the checks of EN 1998-4 and API 650; the finite-element engines leave it out",
         ),
         (
-            vacuum,
+            found.vacuum,
             "`tank.pressure.vacuum` enters the checks of EN 1998-4 alone; API 650 (annex V) and the finite-element engines leave it out",
         ),
     ] {
@@ -263,7 +215,7 @@ fn pressure(r: &mut Resolver<'_>, option: &Opt<Pressure>) -> tank::Pressure {
             r.warnings.push(Warning::new(Code::NotUsed, text));
         }
     }
-    tank::Pressure { internal, vacuum }
+    found
 }
 
 /// The plan.
@@ -306,25 +258,15 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
 
 /// A dimension that the shape requires.
 fn required(r: &mut Resolver<'_>, tank: &Field<Tank>, option: &Opt<Length>) -> f64 {
-    let key = option.key.name;
-    match &option.given {
-        Some(field) => r.number(field),
-        // A misspelt key was already reported with this one as the suggestion.
-        None if r.faults.suggest(&format!("did you mean `{key}`?")) => f64::NAN,
-        None => {
-            let alternative = if key == "breadth" { ", or \"strip\": true" } else { "" };
-            let allowed = option.key.limits.describe(Dimension::Length);
-            r.missing(tank, key, &allowed, format!("add \"{key}\": \"1.83 m\"{alternative}"));
-            f64::NAN
-        }
+    if let Some(field) = &option.given {
+        return r.number(field);
     }
-}
-
-/// The liquid.
-pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<Liquid>) -> Option<tank::Liquid> {
-    let l = field.value.as_ref()?;
-    Some(tank::Liquid {
-        density: r.number(&l.density),
-        fill_height: r.number(&l.fill_height),
-    })
+    let alternative = if option.key.name == "breadth" {
+        ", or \"strip\": true"
+    } else {
+        ""
+    };
+    let allowed = option.key.limits.describe(Dimension::Length);
+    r.missing(tank, option, "", &allowed, &format!("\"1.83 m\"{alternative}"));
+    f64::NAN
 }

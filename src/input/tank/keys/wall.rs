@@ -1,20 +1,17 @@
 //! `tank.courses`: of one material, or of layers with bars.
 
 use files::code::Code;
-use tank::{Behaviour, LayerKind, Material};
+use tank::{Behaviour, HEIGHT, LayerKind, Material};
 
 use super::bars::{Reinforcement, all_bars, bonded};
 use super::corrosion::loss;
 use super::grades::{self, Found};
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
-use crate::input::tank::key::{Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::Length;
+use tank::keys::{Limits, list};
 
-/// Heights of courses and of the liquid, from the smallest laboratory tank up. The smallest for an engine depends on the radius; the engine
-/// checks it.
-pub(super) const HEIGHT: Limits = Limits::from(1e-3).to(1000.0);
 /// Wall and plate thicknesses, from a foil up; the smallest follows from the radius.
 pub(super) const THICKNESS: Limits = Limits::from(1e-6).to(10.0);
 
@@ -179,12 +176,12 @@ fn uniform(
     let thickness = match &c.thickness.given {
         Some(field) => r.number(field),
         None => {
-            missing::<Length, _>(r, field, "thickness");
+            missing(r, field, &c.thickness);
             f64::NAN
         }
     };
     let Some(name) = &c.material.given else {
-        missing::<String, _>(r, field, "material");
+        missing(r, field, &c.material);
         return None;
     };
     let Some(list) = &c.reinforcement.given else {
@@ -215,14 +212,12 @@ fn uniform(
     Some(tank::Course::layered(height, vec![layer]))
 }
 
-/// Reports a missing key.
-fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
-    // A misspelt key was already reported with this one as the suggestion.
-    if r.faults.suggest(&format!("did you mean `{key}`?")) || r.faults.suggest("did you mean `layers`?") {
-        return;
+/// Reports a missing key of a course without layers.
+fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, option: &Opt<T>) {
+    if !r.faults.suggest("did you mean `layers`?") {
+        let example = format!("{}, or layers", T::example());
+        r.missing(object, option, "", &T::allowed(), &example);
     }
-    let help = format!("add \"{key}\": {}, or layers", T::example());
-    r.missing(object, key, &T::allowed(), help);
 }
 
 fn layered(

@@ -1,14 +1,14 @@
 //! `behaviour.concrete` of a material: concrete that cracks and crushes.
 
 use files::code::Code;
-use tank::{BarBond, BiaxialEnvelope, Concrete, ConcreteLaw, Softening};
+use tank::{BarBond, BiaxialEnvelope, Concrete, ConcreteLaw, STRESS, Softening};
 
-use super::reader::{ElasticPart, Reader, STRESS, like, shown};
-use crate::input::tank::key::{Absent, Limits, default};
+use super::reader::{ElasticPart, Reader, like, shown};
 use crate::input::tank::keys::grades::{Preset, Strengths};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Length, LineForce, Number, Stress};
+use tank::keys::{Absent, Limits, default};
 
 /// Strengths of concrete: `35 kPa` is a slip of the unit.
 const STRENGTH: Limits = Limits::above(1e6).to(500e6);

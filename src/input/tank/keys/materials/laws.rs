@@ -1,24 +1,23 @@
 //! `behaviour` of a material beyond its elastic range.
 
 use files::code::Code;
-use tank::{Bar, Interlayer, Steel};
+use tank::{Bar, Interlayer, SLOPE, STRESS, Steel};
 
 use super::concrete::{self, ConcreteBehaviour};
-use super::reader::{ElasticPart, Reader, STRESS, like, shown};
+use super::reader::{ElasticPart, Reader, like, shown};
 use super::yielding;
 use crate::input::diagnostic::Faults;
-use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::given::Given;
 use crate::input::tank::keys::grades::Strengths;
 use crate::input::tank::read::{Field, FromNode, Object, Opt, object, wrong_kind, wrong_value};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Number, Stress};
+use tank::keys::{Absent, Limits, default, without};
 
 /// Stiffer than any material [Pa]: `3.0e9 kN/m2` for 3.0e9 N/m2 is a slip of the unit.
 const STIFFEST_INTERLAYER: f64 = 1e11;
-/// Slopes and moduli that may be zero.
-const SLOPE: Limits = Limits::from(0.0).to(1e18);
 
 object! {
     /// Behaviour of a material beyond its elastic range. Give one of them.
@@ -30,7 +29,7 @@ object! {
         /// Bars in concrete.
         reinforcement: Opt<BarBehaviour>,
         /// Elastic layer between two shells.
-        interlayer: Opt<InterlayerBehaviour>,
+        interlayer: Opt<Given<Interlayer>>,
     }
 
     /// Steel that yields: von Mises, linear hardening.
@@ -56,18 +55,6 @@ object! {
         tangent_modulus ("1 GPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("no hardening"),
         /// Strain at rupture: larger strains are reported. A grade supplies its own.
         rupture_strain (0.05): Opt<Number> [Limits::above(0.0).to(1.0)] = without("no limit"),
-    }
-
-    /// Elastic layer between two shells.
-    InterlayerBehaviour {
-        /// Modulus along the normal of the wall.
-        e_normal ("10 MPa"): Field<Stress> [STRESS],
-        /// Modulus in the plane of the wall.
-        e_parallel ("10 MPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("stiff along the normal only"),
-        /// Transverse shear modulus; 0: the layer passes no shear.
-        shear_modulus ("4 MPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("passes no shear"),
-        /// Whether the layer carries tension along the normal.
-        tension (false): Opt<bool> = default(true).because("glued"),
     }
 }
 
@@ -184,7 +171,7 @@ pub(super) fn of_file(
     if let Some(b) = kinds.reinforcement.value() {
         return Some(tank::Behaviour::Reinforcement(bars(r, &reader, b, elastic)));
     }
-    Some(tank::Behaviour::Interlayer(interlayer(r, kinds.interlayer.value()?)))
+    interlayer(r, kinds.interlayer.value()?).map(tank::Behaviour::Interlayer)
 }
 
 /// The yield strength of a law: its own, or that of the material.
@@ -273,18 +260,13 @@ fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): 
     }
 }
 
-fn interlayer(r: &mut Resolver<'_>, l: &InterlayerBehaviour) -> Interlayer {
-    let e_normal = r.number(&l.e_normal);
-    if e_normal > STIFFEST_INTERLAYER {
+fn interlayer(r: &mut Resolver<'_>, l: &Given<Interlayer>) -> Option<Interlayer> {
+    let found = l.resolve(r)?;
+    if found.e_normal > STIFFEST_INTERLAYER {
         r.remarks.push(format!(
             "{}: found \"{}\", which is above 1e8 kN/m2 and stiffer than steel; check the unit (kN/m2 instead of N/m2?)",
             l.e_normal.path, l.e_normal.text
         ));
     }
-    Interlayer {
-        e_normal,
-        e_parallel: r.or_default(&l.e_parallel),
-        shear_modulus: r.or_default(&l.shear_modulus),
-        tension: r.choice(&l.tension),
-    }
+    Some(found)
 }

@@ -3,15 +3,11 @@
 use files::code::Code;
 use tank::units::{display_in, unit_for};
 
-use crate::input::tank::key::Limits;
 use crate::input::tank::keys::grades::Preset;
 use crate::input::tank::read::{Field, FromNode, Opt};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Si, Stress};
-
-/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
-pub(super) const STRESS: Limits = Limits::from(1e3).to(1e18);
 
 /// Relative difference from which a given value is not that of the grade beside it.
 const UNLIKE: f64 = 0.1;

@@ -1,12 +1,23 @@
 //! Declaration of a key of `tank.json`: name, help, example, limits and default.
 //!
-//! The reader, range checks, defaults with their echo in the report, the JSON Schema and the reference page use it.
+//! The reader, range checks, defaults with their echo in the report, the JSON Schema and the reference page use it. An object whose keys
+//! are what the tank has of it is declared once, as keys and as domain type, with [`keys!`](crate::keys).
 
-use tank::units::{Dimension, Unit, in_unit, unit_for};
+mod declared;
+mod values;
+
+pub(crate) use declared::keys;
+pub use declared::{As, ByHand, Declared, Field, Form, Needed, Opt, Or, Reader, Reads, Within};
+pub use values::{
+    Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
+    Subgrade, Time, Velocity, Whole,
+};
+
+use crate::units::{Dimension, Unit, in_unit, unit_for};
 
 /// A key whose value is a `T`.
 #[derive(Debug)]
-pub(in crate::input) struct Key<T: 'static> {
+pub struct Key<T: 'static> {
     /// Name as in the file.
     pub name: &'static str,
     /// Its meaning, line by line.
@@ -21,7 +32,7 @@ pub(in crate::input) struct Key<T: 'static> {
 
 /// Default of an optional key.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::input) enum Absent<T> {
+pub enum Absent<T> {
     /// No default that the report lists.
     Silent,
     /// A value.
@@ -40,7 +51,7 @@ pub(in crate::input) enum Absent<T> {
 }
 
 /// A default that the report does not list.
-pub(in crate::input) const fn default<T: Copy>(value: T) -> Absent<T> {
+pub const fn default<T: Copy>(value: T) -> Absent<T> {
     Absent::Value {
         value,
         shown: "",
@@ -49,13 +60,13 @@ pub(in crate::input) const fn default<T: Copy>(value: T) -> Absent<T> {
 }
 
 /// No value; the report states the meaning of its absence.
-pub(in crate::input) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
+pub const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
     Absent::Without(meaning)
 }
 
 impl<T: Copy> Absent<T> {
     /// Adds the reason for the default, so that the report lists it.
-    pub(crate) const fn because(self, why: &'static str) -> Absent<T> {
+    pub const fn because(self, why: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, shown, .. } => Absent::Value { value, shown, why },
             other => other,
@@ -63,7 +74,7 @@ impl<T: Copy> Absent<T> {
     }
 
     /// Sets the text that the report shows.
-    pub(crate) const fn shown(self, shown: &'static str) -> Absent<T> {
+    pub const fn shown(self, shown: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, why, .. } => Absent::Value { value, shown, why },
             other => other,
@@ -73,10 +84,14 @@ impl<T: Copy> Absent<T> {
 
 /// Admissible values: a range of numbers in SI, or a few numbers; the length of a list.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::input) struct Limits {
+pub struct Limits {
+    /// Lower end.
     pub low: f64,
+    /// Whether the lower end belongs to the range.
     pub low_allowed: bool,
+    /// Upper end.
     pub high: f64,
+    /// Whether the upper end belongs to the range.
     pub high_allowed: bool,
     /// The only numbers, if there are any.
     pub values: &'static [f64],
@@ -90,7 +105,7 @@ pub(in crate::input) struct Limits {
 
 impl Limits {
     /// Everything.
-    pub(crate) const ANY: Limits = Limits {
+    pub const ANY: Limits = Limits {
         low: f64::NEG_INFINITY,
         low_allowed: true,
         high: f64::INFINITY,
@@ -102,7 +117,7 @@ impl Limits {
     };
 
     /// Greater than this.
-    pub(crate) const fn above(low: f64) -> Limits {
+    pub const fn above(low: f64) -> Limits {
         Limits {
             low,
             low_allowed: false,
@@ -111,17 +126,17 @@ impl Limits {
     }
 
     /// This or greater.
-    pub(crate) const fn from(low: f64) -> Limits {
+    pub const fn from(low: f64) -> Limits {
         Limits { low, ..Limits::ANY }
     }
 
     /// And at most this.
-    pub(crate) const fn to(self, high: f64) -> Limits {
+    pub const fn to(self, high: f64) -> Limits {
         Limits { high, ..self }
     }
 
     /// And less than this.
-    pub(crate) const fn below(self, high: f64) -> Limits {
+    pub const fn below(self, high: f64) -> Limits {
         Limits {
             high,
             high_allowed: false,
@@ -130,7 +145,7 @@ impl Limits {
     }
 
     /// Usual from this to this.
-    pub(crate) const fn usual(self, least: f64, most: f64) -> Limits {
+    pub const fn usual(self, least: f64, most: f64) -> Limits {
         Limits {
             usual: (least, most),
             ..self
@@ -138,12 +153,12 @@ impl Limits {
     }
 
     /// With the clause or reason of the range.
-    pub(crate) const fn clause(self, clause: &'static str) -> Limits {
+    pub const fn clause(self, clause: &'static str) -> Limits {
         Limits { clause, ..self }
     }
 
     /// The usual range in words, where a value is outside of it; for a value that is allowed.
-    pub(crate) fn unusual(self, value: f64, dimension: Dimension) -> Option<String> {
+    pub fn unusual(self, value: f64, dimension: Dimension) -> Option<String> {
         let (least, most) = self.usual;
         // Slack for quotients of decimal fractions.
         let slack = 1e-9 * value.abs();
@@ -171,17 +186,17 @@ impl Limits {
     }
 
     /// A whole number between these.
-    pub(crate) const fn count(least: u32, most: u32) -> Limits {
+    pub const fn count(least: u32, most: u32) -> Limits {
         Limits::from(least as f64).to(most as f64)
     }
 
     /// One of these numbers.
-    pub(crate) const fn one_of(values: &'static [f64]) -> Limits {
+    pub const fn one_of(values: &'static [f64]) -> Limits {
         Limits { values, ..Limits::ANY }
     }
 
     /// A list with so many items.
-    pub(crate) const fn items(self, fewest: usize, most: usize) -> Limits {
+    pub const fn items(self, fewest: usize, most: usize) -> Limits {
         Limits {
             items: (fewest, most),
             ..self
@@ -189,7 +204,7 @@ impl Limits {
     }
 
     /// Whether a value lies in the range.
-    pub(crate) fn hold(self, value: f64) -> bool {
+    pub fn hold(self, value: f64) -> bool {
         let low = match self.low_allowed {
             true => value >= self.low,
             false => value > self.low,
@@ -202,12 +217,12 @@ impl Limits {
     }
 
     /// Whether the range has an end.
-    pub(crate) fn bounded(self) -> bool {
+    pub fn bounded(self) -> bool {
         self.low.is_finite() || self.high.is_finite()
     }
 
     /// The message for a value outside the range.
-    pub(crate) fn message(self, value: f64) -> &'static str {
+    pub fn message(self, value: f64) -> &'static str {
         match (value <= self.low, self.low == 0.0) {
             (true, true) if self.low_allowed => "this must not be negative",
             (true, true) => "this must be positive",
@@ -218,7 +233,7 @@ impl Limits {
     }
 
     /// The range in words: "a length greater than 0, at most 1000 m".
-    pub(crate) fn describe(self, dimension: Dimension) -> String {
+    pub fn describe(self, dimension: Dimension) -> String {
         let noun = match dimension {
             Dimension::Dimensionless => "a number",
             dimension => dimension.noun(),
@@ -227,7 +242,7 @@ impl Limits {
     }
 
     /// The range without the noun, with what is usual and the clause.
-    pub(crate) fn in_full(self, dimension: Dimension) -> String {
+    pub fn in_full(self, dimension: Dimension) -> String {
         let usual = match self.usual {
             (f64::NEG_INFINITY, f64::INFINITY) => String::new(),
             _ => format!(", usually {}", self.usually(dimension)),
@@ -236,7 +251,7 @@ impl Limits {
     }
 
     /// The range without the noun: "greater than 0, at most 1000 m".
-    pub(crate) fn range(self, dimension: Dimension) -> String {
+    pub fn range(self, dimension: Dimension) -> String {
         let low = if self.low_allowed { "at least" } else { "greater than" };
         let high = if self.high_allowed { "at most" } else { "less than" };
         let ends = [(low, self.low), (high, self.high)];
@@ -249,7 +264,7 @@ impl Limits {
     }
 
     /// The few numbers: "1, 1.5 or 2.5".
-    pub(crate) fn words(self) -> String {
+    pub fn words(self) -> String {
         let words: Vec<String> = self.values.iter().map(f64::to_string).collect();
         list(&words.iter().map(String::as_str).collect::<Vec<_>>(), "or")
     }
@@ -264,7 +279,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
 }
 
 /// A value in SI as a user writes it: as short as possible, with an engineer's unit.
-pub(in crate::input) fn written(value: f64, dimension: Dimension) -> String {
+pub fn written(value: f64, dimension: Dimension) -> String {
     // Angles are written in degrees.
     let degrees = (dimension == Dimension::Angle)
         .then(|| Unit::find("deg", dimension))
@@ -282,7 +297,7 @@ pub(in crate::input) fn written(value: f64, dimension: Dimension) -> String {
 }
 
 /// `a, b or c`.
-pub(in crate::input) fn list(words: &[&str], conjunction: &str) -> String {
+pub fn list(words: &[&str], conjunction: &str) -> String {
     match words {
         [] => String::new(),
         [one] => (*one).into(),
@@ -291,7 +306,7 @@ pub(in crate::input) fn list(words: &[&str], conjunction: &str) -> String {
 }
 
 /// Lines of a documentation comment as one text: lines joined, paragraphs kept.
-pub(in crate::input) fn prose(lines: &[&str]) -> String {
+pub fn prose(lines: &[&str]) -> String {
     let paragraphs: Vec<String> = lines
         .split(|l| l.trim().is_empty())
         .map(|p| p.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
