@@ -428,4 +428,7 @@ pub(crate) fn late_warnings(job: &Job, results: &Results) {
     for warning in results.warnings.iter().filter(|w| !job.warnings.contains(w)) {
         stream::warn("", warning);
     }
+    for text in report::words::verdict::dated_ahead(results) {
+        stream::warn("", &Warning::new(Code::Inconsistent, text));
+    }
 }

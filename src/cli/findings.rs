@@ -54,11 +54,16 @@ pub(crate) fn of_checks(results: &Results, strict: bool) -> Vec<Finding> {
     let of = |method: &Method| -> Vec<Finding> {
         let group = format!("{}/{}", method.id, method.excitation.word());
         let required = method.checks.iter().filter(|c| c.status != CheckStatus::NotApplicable);
-        required.map(|check| of_check(&group, check, strict)).collect()
+        required
+            .map(|check| of_check(&group, check, (strict, &results.volatile.created)))
+            .collect()
     };
+    let dated = words::verdict::dated_ahead(results).into_iter();
+    let dated: Vec<Warning> = dated.map(|text| Warning::new(Code::Inconsistent, text)).collect();
     std::iter::once(of_verdict(results, strict))
         .chain(methods.flat_map(of))
         .chain(results.warnings.iter().map(of_warning))
+        .chain(dated.iter().map(of_warning))
         .collect()
 }
 
@@ -79,7 +84,7 @@ fn of_verdict(results: &Results, strict: bool) -> Finding {
     }
 }
 
-fn of_check(group: &str, check: &Check, strict: bool) -> Finding {
+fn of_check(group: &str, check: &Check, (strict, created): (bool, &str)) -> Finding {
     let outcome = match check.status {
         CheckStatus::Fails => Outcome::Fails,
         CheckStatus::NotChecked => Outcome::NotChecked,
@@ -91,7 +96,7 @@ fn of_check(group: &str, check: &Check, strict: bool) -> Finding {
     if let Some(utilisation) = check.utilisation {
         let _ = write!(message, ", utilisation {utilisation:.3}");
     }
-    for part in [&words::verdict::approval(check), &check.reason, &check.note] {
+    for part in [&words::verdict::approval(check, created), &check.reason, &check.note] {
         if !part.is_empty() {
             let _ = write!(message, "; {part}");
         }

@@ -154,3 +154,77 @@ fn no_bars_beyond_a_scope() {
         );
     }
 }
+
+/// Values divided by R_w or q stand beside elastic ones: each is marked where it stands, with the factors; periods, masses and waves are
+/// not divided, nor is anything under the record.
+#[test]
+fn divided_values_are_marked() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let tank = "examples/05_oil_tank/tank.json";
+    let run = tankcheck(&["compare", tank, "--quake", QUAKE, "--out", out.to_str().expect("text")]);
+    let said = String::from_utf8_lossy(&run.stdout).into_owned();
+    let html = std::fs::read_to_string(out.join("report.html")).expect("a report");
+    for text in [&said, &html] {
+        for line in [
+            "Values with †, API 650 annex E: divided by R_wi = 3.5, R_wc = 2.",
+            "Values with †, EN 1998-4:2006: divided by q = 1.5.",
+        ] {
+            assert!(text.contains(line), "{line}");
+        }
+    }
+    let tables: Vec<&str> = said.split("\n\n").collect();
+    let row = |table: &str, title: &str| {
+        let mut lines = tables
+            .iter()
+            .filter(|t| t.lines().next().is_some_and(|head| head.contains(table)));
+        let lines = lines.next().expect("a table").lines();
+        lines
+            .filter(|line| line.starts_with(title))
+            .map(str::to_owned)
+            .collect::<String>()
+    };
+    // Columns under the site: housner, both of Eurocode, both of API, the engine with the spectrum of Eurocode.
+    assert_eq!(row("site", "Base shear").matches('†').count(), 4, "{said}");
+    assert_eq!(row("site", "Sloshing height").matches('†').count(), 0);
+    assert_eq!(row("record", "Base shear").matches('†').count(), 0);
+    // Elastic spectra are not divided.
+    let elastic = example("05_oil_tank", |tank| {
+        tank["site"]["ec8"]["behaviour_factor"] = json!(1.0)
+    });
+    let file = home.path().join("elastic.json");
+    std::fs::write(&file, elastic).expect("writable");
+    let run = tankcheck(&["check", file.to_str().expect("text")]);
+    let said = String::from_utf8_lossy(&run.stdout).into_owned();
+    assert!(
+        said.contains("divided by R_wi") && !said.contains("divided by q"),
+        "{said}"
+    );
+}
+
+/// A box and a cylinder of concrete whose wall is clamped to its floor: the summary says that the floor is not verified; no other tank.
+#[test]
+fn the_floor_is_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let said = |name: &str, change: &dyn Fn(&mut Value)| {
+        let (file, out) = (home.path().join("tank.json"), home.path().join("out"));
+        std::fs::write(&file, example(name, change)).expect("writable");
+        let [file, place] = [&file, &out].map(|path| path.to_str().expect("text").to_owned());
+        let run = tankcheck(&["check", &file, "--out", &place]);
+        let text = String::from_utf8_lossy(&run.stdout).into_owned();
+        let html = std::fs::read_to_string(out.join("report.html")).unwrap_or_else(|e| panic!("{e}: {}", stderr(&run)));
+        let words = "The floor is not part of this verification";
+        assert_eq!(text.contains(words), html.contains(words), "{name}");
+        text.contains(words)
+    };
+    let site = json!({ "ec8": { "ground": "B", "spectrum": 1, "ag": "0.1 g" } });
+    let sited = |tank: &mut Value| tank["site"] = site.clone();
+    let hinged = |tank: &mut Value| {
+        tank["site"] = site.clone();
+        tank["tank"]["wall_base"] = json!({ "kind": "hinged" });
+    };
+    assert!(said("04_concrete_strip", &sited));
+    assert!(said("08_concrete_cylinder", &sited));
+    assert!(!said("08_concrete_cylinder", &hinged));
+    assert!(!said("05_oil_tank", &|_| {}));
+}

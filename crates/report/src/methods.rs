@@ -3,6 +3,7 @@
 use results::compare::MEASURED;
 use results::{FE, Method, Results};
 use tank::assessment::Excitation;
+use tank::units::Dimension;
 
 /// Label, palette class and excitation of a method.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +50,50 @@ impl Look {
             self.class.clone()
         }
     }
+}
+
+/// Names of the factors by which a code divides the forces of an elastic tank, with their symbols.
+const DIVISORS: [(&str, &str); 3] = [
+    ("R_wi", "response modification"),
+    ("R_wc", "response modification"),
+    ("q", "behaviour factor"),
+];
+
+/// Whether quantities of this dimension are divided by them: not periods, masses and waves.
+pub fn divides(dimension: Dimension) -> bool {
+    use Dimension::{Force, LineForce, Moment, Stress};
+    matches!(dimension, Force | LineForce | Moment | Stress)
+}
+
+/// Factors by which a method divides the forces of an elastic tank: "R_wi = 4, R_wc = 2"; empty without one. The modes of an engine have those
+/// of the procedure whose spectrum they see.
+pub fn divided(results: &Results, method: &Method) -> String {
+    if method.excitation != Excitation::Site {
+        return String::new();
+    }
+    let reduced = |line: &results::InputValue| line.path == "analysis.spectrum.reduced" && line.text == "false";
+    let source = match method.is_run() {
+        false => Some(method),
+        true if results.input.iter().any(reduced) => None,
+        true => (results.methods.iter())
+            .find(|m| !m.is_run() && m.excitation == Excitation::Site && method.title.ends_with(&m.id)),
+    };
+    let of = |(symbol, name): &(&str, &str)| {
+        let mut steps = source?.steps.iter();
+        let step = steps.find(|step| step.symbol == *symbol && step.name.starts_with(name))?;
+        (step.value != 1.0).then(|| format!("{symbol} = {}", step.value))
+    };
+    DIVISORS.iter().filter_map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// The methods of a list that divide, a sentence each.
+pub fn dividing(results: &Results, order: &[usize]) -> Vec<String> {
+    let methods = order.iter().filter_map(|&i| results.methods.get(i));
+    let of = |method: &Method| match divided(results, method) {
+        by if by.is_empty() => None,
+        by => Some(crate::words::figures::divided(&look(method).label, &by)),
+    };
+    methods.filter_map(of).collect()
 }
 
 /// The excitation in a word.

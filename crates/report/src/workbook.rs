@@ -213,7 +213,7 @@ fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
         page.cells([Some(Cell::Text(label)), Some(Cell::Text(text))])?;
     }
     for gap in &results.verdict.accepted {
-        let approval = all_words::verdict::approval(&gap.check);
+        let approval = all_words::verdict::approval(&gap.check, &results.volatile.created);
         let text = format!("{} ({}), {approval}: {}", gap.check.name, gap.method, gap.check.reason);
         page.cells([Some(Cell::Text(all_words::verdict::GAPS)), Some(Cell::Text(&text))])?;
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use files::code::Code;
+use report::methods::{divided, divides, dividing};
 use report::words::{self, terminal};
 use results::nonlinear::End;
 use results::{Channel, ComparisonRow, EngineId, Limit, Method, Results, Run, SeriesInfo};
@@ -51,6 +52,10 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
                 };
                 let value = units::significant(units::in_unit(cell.value, unit), 3);
                 let ratio = cell.ratio.map_or(String::new(), |ratio| format!(" ({ratio:.2})"));
+                let mark = match divides(row.dimension) && !divided(results, &results.methods[i]).is_empty() {
+                    true => format!("{mark}†"),
+                    false => mark.to_owned(),
+                };
                 let unusable = if cell.unusable { terminal::UNUSABLE } else { "" };
                 let outside = if cell.outside { terminal::OUTSIDE } else { "" };
                 format!("{value}{ratio}{mark}{unusable}{outside}")
@@ -65,6 +70,9 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
         .reference()
         .and_then(|run| terminal::components(&run.directions));
     if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
+        let _ = writeln!(text, "{line}");
+    }
+    for line in dividing(results, &columns) {
         let _ = writeln!(text, "{line}");
     }
     if let Some(later) = later_peaks {
@@ -170,7 +178,7 @@ pub(super) fn accepted(results: &Results) -> String {
     let _ = writeln!(text, "{} ({}):", words::verdict::GAPS, gaps.len());
     for gap in gaps {
         let check = &gap.check;
-        let approval = words::verdict::approval(check);
+        let approval = words::verdict::approval(check, &results.volatile.created);
         let _ = writeln!(
             text,
             "  {} ({}), {approval}: {}",
@@ -193,6 +201,10 @@ fn sentences(results: &Results) -> String {
     let unstated = words::verdict::unstated(verdict);
     if !unstated.is_empty() {
         let _ = writeln!(text, "  {unstated}");
+    }
+    let outside = words::verdict::outside(results);
+    if !outside.is_empty() {
+        let _ = writeln!(text, "  {outside}");
     }
     for warning in results.warnings.iter().filter(|w| words::verdict::of_input(w)) {
         let _ = writeln!(text, "  unusual: {}", warning.text());

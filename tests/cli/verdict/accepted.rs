@@ -107,3 +107,53 @@ fn the_report_lists_the_gaps_first() {
     let [gap, deciding] = ["accepted by J. Doe on 2026-03-14", "Deciding"].map(|text| block.find(text).expect(text));
     assert!(gap < deciding);
 }
+
+/// A gap that is accepted on a day after that of the results: named beside the gap, in the report and as a warning; on the same day or
+/// before, not. The day is that of `SOURCE_DATE_EPOCH`, 1 000 000 000 s being 2001-09-09.
+#[test]
+fn an_acceptance_of_a_later_day_is_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let path = home.path().join("tank.json");
+    let out = home.path().join("out");
+    for (date, later) in [
+        ("2001-09-08", false),
+        ("2001-09-09", false),
+        ("2001-09-10", true),
+        ("2099-01-01", true),
+    ] {
+        let gaps: Vec<Value> = ACCEPTED
+            .map(|id| {
+                let mut gap = gap(id);
+                gap["date"] = json!(if id == "sliding" { date } else { "2000-01-01" });
+                gap
+            })
+            .to_vec();
+        let tank = Tank::new(
+            "dated",
+            "",
+            Expected::NotAssessed,
+            vec![only_ec8(), json!({ "accepted": gaps })],
+        );
+        std::fs::write(&path, tank.json()).expect("writable");
+        let run = |arguments: &[&str]| {
+            let output = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+                .arg("check")
+                .arg(&path)
+                .args(arguments)
+                .env("SOURCE_DATE_EPOCH", "1000000000")
+                .output()
+                .expect("tankcheck runs");
+            assert_eq!(output.status.code(), Some(0));
+            [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned())
+        };
+        let [said, warned] = run(&["--out", out.to_str().expect("text")]);
+        let mark = "a date after that of these results";
+        assert_eq!(said.matches(mark).count(), usize::from(later), "{date}: {said}");
+        let warning = format!("`sliding` is dated {date}, after the day of these results, 2001-09-09");
+        assert_eq!(warned.contains(&warning), later, "{date}: {warned}");
+        let html = std::fs::read_to_string(out.join("report.html")).expect("a report");
+        assert_eq!(html.contains(mark), later, "{date}");
+        let [junit, _] = run(&["--format", "junit"]);
+        assert_eq!(junit.contains("is dated"), later, "{date}");
+    }
+}

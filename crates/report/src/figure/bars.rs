@@ -28,13 +28,17 @@ pub struct Bar {
     pub outside: bool,
     /// Whether it is a wave higher than the freeboard.
     pub overtops: bool,
+    /// Whether it is divided by the factor of a code.
+    pub divided: bool,
 }
 
 /// Bars of one quantity, in the unit that suits `all` its values (SI): the same for each figure of the quantity; `None`
 /// without a finite value.
+///
+/// * `divided`: which methods divide, and by what, in sentences; empty if none does
 pub fn bars(
     id: &str,
-    title: &str,
+    (title, divided): (&str, &str),
     dimension: Dimension,
     bars: &[Bar],
     all: impl IntoIterator<Item = f64>,
@@ -75,6 +79,9 @@ pub fn bars(
         if bar.overtops {
             text.push('*');
         }
+        if bar.divided {
+            text.push('†');
+        }
         svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
         if bar.outside {
             svg.text((WIDTH, y + 10.5), Anchor::End, "vl", "✗");
@@ -103,7 +110,11 @@ pub fn bars(
     Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption: figures::by_methods(bars.iter().any(|b| b.look.site), bars.iter().any(|b| b.overtops)),
+        caption: figures::by_methods(
+            bars.iter().any(|b| b.look.site),
+            bars.iter().any(|b| b.overtops),
+            divided,
+        ),
         description,
         size: (WIDTH, height),
         markup: svg.into_markup(),

@@ -65,7 +65,7 @@ struct Row {
 /// In the title of an edition that is no longer in force.
 const SUPERSEDED: &str = "superseded";
 
-fn row(check: &Check) -> Row {
+fn row(check: &Check, created: &str) -> Row {
     let values = [check.demand, check.capacity];
     let scale = Scale::of(check.dimension, values.into_iter().flatten());
     let text = |value: Option<f64>| value.map(|v| scale.text(v)).unwrap_or_default();
@@ -75,7 +75,7 @@ fn row(check: &Check) -> Row {
     };
     let place = words::verdict::place(check);
     let error = words::verdict::error(check);
-    let approval = capital(&words::verdict::approval(check));
+    let approval = capital(&words::verdict::approval(check, created));
     let remarks = [
         approval,
         capital(&check.reason),
@@ -118,7 +118,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     // Editions in force come first.
     methods.sort_by_key(|m| m.title.contains(SUPERSEDED));
     // Below the full level: what decides, and one line for each other method; without a deciding one all of them.
-    let verdict = &source.results.verdict;
+    let (verdict, created) = (&source.results.verdict, &source.results.volatile.created);
     let decides = |m: &Method| verdict.decides(m);
     let all = source.level == Level::Full || !methods.iter().any(|m| decides(m));
     let applies = |c: &&Check| all || c.status != CheckStatus::NotApplicable;
@@ -127,7 +127,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),
-            rows: m.checks.iter().filter(applies).map(row).collect(),
+            rows: (m.checks.iter().filter(applies))
+                .map(|check| row(check, created))
+                .collect(),
             absent: words::verdict::without(m.checks.iter().filter(|c| !applies(c))),
         })
         .collect();

@@ -5,7 +5,7 @@ use tank::Quantity;
 use tank::assessment::Excitation;
 
 use super::{Section, Source};
-use crate::methods::{excitation, figure_order, look};
+use crate::methods::{divided, divides, dividing, excitation, figure_order, look};
 use crate::number::{Scale, ratio};
 use crate::words::labels::OUTSIDE;
 use crate::words::terminal;
@@ -35,6 +35,8 @@ struct Row {
 struct CellView {
     value: String,
     unusable: bool,
+    /// Whether it is divided by the factor of a code.
+    divided: bool,
     outside: Option<&'static str>,
     ratio: String,
     fe: bool,
@@ -85,6 +87,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             break_before: Some(p) == first_site,
         })
         .collect();
+    let by: Vec<String> = columns.iter().map(|&i| divided(results, &results.methods[i])).collect();
     let mut rows = Vec::new();
     for row in &results.comparison.rows {
         let cells: Vec<_> = columns.iter().map(|&i| row.cells.get(i).copied().flatten()).collect();
@@ -100,9 +103,11 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             cells: cells
                 .iter()
                 .zip(&head)
-                .map(|(cell, head)| CellView {
+                .zip(&by)
+                .map(|((cell, head), by)| CellView {
                     value: cell.map_or("–".into(), |c| scale.text(c.value)),
                     unusable: cell.is_some_and(|c| c.unusable),
+                    divided: cell.is_some() && divides(row.dimension) && !by.is_empty(),
                     outside: cell.filter(|c| c.outside).map(|_| OUTSIDE),
                     ratio: cell
                         .and_then(|c| c.ratio)
@@ -122,6 +127,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let modal = |row: &results::ComparisonRow| MODAL.iter().any(|quantity| quantity.id() == row.quantity);
     let masses = source.fe().is_some() && results.comparison.rows.iter().any(modal);
     section.set("masses", &masses);
+    section.set("divided", &dividing(results, &columns));
     section.set("head", &head);
     section.set("rows", &rows);
     section.set("absent", &absent);

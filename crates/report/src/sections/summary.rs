@@ -10,7 +10,7 @@ use super::{Section, Source};
 use crate::figure::Figure;
 use crate::figure::bars::{Bar, bars};
 use crate::frame::{self, Pair};
-use crate::methods::{excitation, figure_order, look};
+use crate::methods::{divided, divides, dividing, excitation, figure_order, look};
 use crate::number::{Scale, fixed, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
@@ -34,6 +34,8 @@ struct Verdict {
     accepted: Vec<Missing>,
     /// Parts of the tank of which nothing is said, at most one line.
     unstated: String,
+    /// What no method verifies, at most one line.
+    outside: &'static str,
     /// Methods that decide.
     deciding: String,
     missing: Vec<Missing>,
@@ -119,7 +121,8 @@ fn verdict(results: &Results) -> Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
-        accepted: v.accepted.iter().map(missing).collect(),
+        accepted: (v.accepted.iter().map(|gap| missing(gap, &results.volatile.created))).collect(),
+        outside: words::verdict::outside(results),
         unstated: words::verdict::unstated(v),
         deciding: deciding(results),
         supply: match (open.is_empty(), input) {
@@ -137,7 +140,7 @@ fn verdict(results: &Results) -> Verdict {
 /// Gaps, those of a method with the same reason in one line.
 fn together(gaps: &[results::Governing]) -> Vec<Missing> {
     let mut all: Vec<Missing> = Vec::new();
-    for gap in gaps.iter().map(missing) {
+    for gap in gaps.iter().map(|gap| missing(gap, "")) {
         let same = |m: &&mut Missing| m.method == gap.method && m.reason == gap.reason;
         match all.iter_mut().find(same) {
             Some(same) => same.name = format!("{}, {}", same.name, gap.name),
@@ -160,12 +163,12 @@ fn deciding(results: &Results) -> String {
     }
 }
 
-fn missing(gap: &results::Governing) -> Missing {
+fn missing(gap: &results::Governing, created: &str) -> Missing {
     Missing {
         name: capital(&gap.check.name),
         method: gap.method.clone(),
         reason: gap.check.reason.clone(),
-        approval: words::verdict::approval(&gap.check),
+        approval: words::verdict::approval(&gap.check, created),
     }
 }
 
@@ -310,6 +313,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
         .collect();
     let mut figures = Vec::new();
     let freeboard = results.tank.freeboard();
+    let dividing = dividing(results, &order).join(" ");
     for quantity in HEADLINES {
         let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else {
             continue;
@@ -324,12 +328,18 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
                     ratio: cell.ratio,
                     outside: cell.outside,
                     overtops: quantity == Quantity::SloshingHeight && cell.value > freeboard,
+                    divided: divides(row.dimension) && !divided(results, results.methods.get(i)?).is_empty(),
                 })
             })
             .collect();
+        let by = if values.iter().any(|bar| bar.divided) {
+            dividing.as_str()
+        } else {
+            ""
+        };
         figures.extend(bars(
             &format!("bars_{}{}", row.quantity, if site { "_site" } else { "" }),
-            &row.title,
+            (&row.title, by),
             row.dimension,
             &values,
             row.cells.iter().flatten().map(|c| c.value),

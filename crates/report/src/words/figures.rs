@@ -18,17 +18,27 @@ pub fn by_method(title: &str, values: &str, unit: &str) -> String {
 /// Caption of bars under the spectrum of the `site`, or under the record.
 ///
 /// * `overtops`: whether a wave is higher than the freeboard
-pub fn by_methods(site: bool, overtops: bool) -> String {
+///
+/// * `divided`: which methods divide, and by what, in sentences; empty if none does
+pub fn by_methods(site: bool, overtops: bool, divided: &str) -> String {
     let methods = match site {
         true => "By method, site.",
         false => "By method, record.",
     };
-    match overtops {
-        true => format!(
+    match (overtops, divided) {
+        (true, _) => format!(
             "{methods} Waves with * are higher than the freeboard: no method follows one that strikes the roof or overtops the wall."
         ),
-        false => methods.into(),
+        (false, "") => methods.into(),
+        (false, divided) => format!("{methods} {divided}"),
     }
+}
+
+/// What the mark of divided values means for one method.
+///
+/// * `by`: "R_wi = 4, R_wc = 2"
+pub fn divided(method: &str, by: &str) -> String {
+    format!("Values with †, {method}: divided by {by}.")
 }
 
 /// Mark at the peak of a history.

@@ -2,9 +2,10 @@
 
 use files::code::{Code, Warning};
 use results::compare::{Incomplete, Unusable};
-use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Overruled, Verdict, VerdictStatus};
+use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Overruled, Results, Verdict, VerdictStatus};
 use tank::assessment::{Check, CheckStatus};
 use tank::units::{Dimension, display};
+use tank::{Shape, WallBase};
 
 /// Why the values of a run with separation are not design values.
 pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and closed again. An incompressible liquid on a stiff joint \
@@ -102,12 +103,59 @@ pub fn unstated(verdict: &Verdict) -> String {
 pub const GAPS: &str = "Accepted without a check";
 
 /// Who accepts a gap, and when; empty where nobody does.
-pub fn approval(check: &Check) -> String {
-    match &check.accepted {
-        Some(accepted) => format!("accepted by {} on {}", accepted.by, accepted.date),
-        None => String::new(),
+///
+/// * `created`: when the results were computed, empty where that is not known
+pub fn approval(check: &Check, created: &str) -> String {
+    let Some(accepted) = &check.accepted else {
+        return String::new();
+    };
+    let text = format!("accepted by {} on {}", accepted.by, accepted.date);
+    match ahead(&accepted.date, created) {
+        true => format!("{text}, a date after that of these results"),
+        false => text,
     }
 }
+
+/// Whether a day is after that of a time; both begin with year, month and day.
+fn ahead(date: &str, created: &str) -> bool {
+    created.get(..10).is_some_and(|day| date > day)
+}
+
+/// Acceptances that are dated after the results, a sentence each.
+pub fn dated_ahead(results: &Results) -> Vec<String> {
+    let created = &results.volatile.created;
+    let accepted = results.verdict.accepted.iter().map(|gap| &gap.check);
+    let dated = accepted.filter_map(|check| Some((check, &check.accepted.as_ref()?.date)));
+    let mut lines: Vec<String> = dated
+        .filter(|(_, date)| ahead(date, created))
+        .map(|(check, date)| {
+            let day = created.get(..10).unwrap_or_default();
+            format!(
+                "accepted: `{}` is dated {date}, after the day of these results, {day}",
+                check.limit_state
+            )
+        })
+        .collect();
+    lines.dedup();
+    lines
+}
+
+/// What the tank needs and no method here verifies; empty if nothing.
+pub fn outside(results: &Results) -> &'static str {
+    let tank = &results.tank.tank;
+    let clamps = match tank.shape {
+        Shape::Rectangle { .. } => true,
+        Shape::Cylinder { .. } => !tank.is_metal() && tank.wall_base == WallBase::Fixed,
+    };
+    match clamps && results.verdict.status != VerdictStatus::NotAssessed {
+        true => FLOOR,
+        false => "",
+    }
+}
+
+/// The floor of a tank whose walls are clamped to it.
+const FLOOR: &str = "The floor is not part of this verification: it takes the clamping moment and the tension of the walls at their foot, and bears \
+                     on the ground (EN 1998-4:2006 4.5, EN 1992-1-1:2004 6.1, 7.3)";
 
 /// Whether a warning is about values that are unusual or contradict each other.
 pub fn of_input(warning: &Warning) -> bool {
