@@ -68,7 +68,7 @@ fn respond(input: &Input) -> Result<Response, InputError> {
         clause: String::new(),
     };
     let mut sheet = Sheet::new();
-    let mut lines = Lines::new(&tank, Plan::Circle, Abs, &mut sheet);
+    let lines = Lines::new(&tank, Plan::Circle, Abs, &mut sheet);
     Ok(lines.respond("", ordinate)?.0)
 }
 

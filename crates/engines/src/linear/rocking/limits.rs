@@ -83,7 +83,7 @@ fn elastic_wall(free: &Free) -> Option<Limit> {
     })
 }
 
-fn repeats(free: &Free) -> Option<Limit> {
+pub(super) fn repeats(free: &Free) -> Option<Limit> {
     let spread = free.moved()?.result.spread?;
     Some(Limit {
         id: "base_repeats".into(),

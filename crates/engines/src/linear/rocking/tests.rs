@@ -299,13 +299,13 @@ fn a_run_that_does_not_repeat_says_so() {
     });
     moved.wall = Some([250e6, 235e6]);
     let free = Free::Moves(Box::new(moved));
-    let said = repeats(&free).unwrap();
+    let said = limits::repeats(&free).unwrap();
     assert!(
         !said.holds && said.value > 0.4 && said.note.contains("does not repeat"),
         "{said:?}"
     );
     // So is a wall that yields at the joint.
-    let found = limits(&free, Vec::new());
+    let found = limits::limits(&free, Vec::new());
     let wall = found.iter().find(|limit| limit.id == "base_wall").unwrap();
     assert!(!wall.holds && wall.note.contains("lowest course yields"), "{wall:?}");
 }

@@ -1,6 +1,8 @@
 //! Grounds and bases that have no run.
 
 use super::*;
+use results::Limit;
+use tank::units::Dimension;
 
 /// A run of the band that finds no equilibrium is in the results with its ground and reason, and in the notes, and the others stay.
 #[test]
@@ -39,7 +41,7 @@ fn a_base_beyond_the_model_is_a_limit() {
         note: String::new(),
     };
     let missed = setup::Missed::TooFar(0.0612, 3.25);
-    let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
+    let found = limits::limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
     let [turns] = &found[..] else { panic!("{found:?}") };
     assert_eq!(
         (turns.id.as_str(), turns.value, turns.limit, turns.holds),
@@ -53,7 +55,7 @@ fn a_base_beyond_the_model_is_a_limit() {
         to: 0.1,
     };
     let missed = setup::Missed::Base(error);
-    let found = limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
+    let found = limits::limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
     assert!(
         found.len() == 1 && !found[0].holds && found[0].note.contains("no run with uplift"),
         "{found:?}"
