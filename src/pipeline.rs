@@ -18,7 +18,6 @@ mod unsaid;
 
 use std::collections::BTreeMap;
 
-use codes::Procedure;
 use codes::base_state;
 use codes::time_history::{self, Findings, Ready};
 use fem::progress::Progress;
