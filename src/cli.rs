@@ -151,7 +151,7 @@ pub fn main() -> ExitCode {
     progress::listen(&cli.global);
     match cli.run() {
         Ok(code) => ExitCode::from(code),
-        Err(error) => ExitCode::from(report_failure(&error)),
+        Err(error) => ExitCode::from(terminal::report_failure(&error)),
     }
 }
 
@@ -207,16 +207,6 @@ fn refused(answer: &clap::Error) -> u8 {
     };
     match terminal::print_coloured(&text) {
         Ok(()) => EXIT_OK,
-        Err(error) => report_failure(&error),
+        Err(error) => terminal::report_failure(&error),
     }
-}
-
-/// Prints the error of a failed run; returns its exit code.
-pub(crate) fn report_failure(error: &Error) -> u8 {
-    match error {
-        // The user's text is already escaped; the remaining escapes are our own colours.
-        Error::Files(files::error::Error::Faults(rendered)) => terminal::coloured(rendered.trim_end()),
-        other => say!("{}", other.message()),
-    }
-    error.exit_code()
 }

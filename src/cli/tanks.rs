@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::cli::inputs::{Inputs, shaken};
-use crate::cli::terminal::{say, warn};
-use crate::cli::{compare, print, report_failure, solve};
+use crate::cli::terminal::{report_failure, say, warn};
+use crate::cli::{compare, print, solve};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_OK, Error};
 use crate::input::csv::{self, Cell, Table};
 use crate::input::diagnostic::{Fault, Faults};

@@ -80,6 +80,16 @@ pub(crate) fn coloured(text: &str) {
     let _ = messages.write_all(line.as_bytes()).and_then(|()| messages.flush());
 }
 
+/// Prints the error of a failed run; returns its exit code.
+pub(crate) fn report_failure(error: &Error) -> u8 {
+    match error {
+        // The user's text is already escaped; the remaining escapes are our own colours.
+        Error::Files(files::error::Error::Faults(rendered)) => coloured(rendered.trim_end()),
+        other => message(other.message()),
+    }
+    error.exit_code()
+}
+
 /// Writes a warning with its code to standard error.
 ///
 /// * `origin`: what it is about ("tanks.csv:3: "), may be empty

@@ -10,7 +10,7 @@ use crate::number::{Scale, ratio};
 use crate::words::labels::OUTSIDE;
 use crate::words::terminal;
 use files::error::Error;
-use results::{FE, Method, Status};
+use results::{FE, Method, Results, Status};
 
 /// Masses that are modal with finite elements.
 const MODAL: [Quantity; 3] = [Quantity::ImpulsiveMass, Quantity::WallMass, Quantity::RoofMass];
@@ -59,19 +59,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .into_iter()
         .filter(|&i| given(&results.methods[i]))
         .collect();
-    let absent: Vec<Absent> = results
-        .methods
-        .iter()
-        .filter_map(|m| match &m.status {
-            Status::Computed => None,
-            Status::NotApplicable { clause, reason } => Some(Absent {
-                title: m.title.clone(),
-                excitation: excitation(m),
-                clause: clause.clone(),
-                reason: reason.clone(),
-            }),
-        })
-        .collect();
+    let absent = absent(results);
     if (columns.is_empty() || results.comparison.rows.is_empty()) && absent.is_empty() {
         return Ok(None);
     }
@@ -132,4 +120,21 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("rows", &rows);
     section.set("absent", &absent);
     Ok(Some(section))
+}
+
+/// Methods that do not apply.
+fn absent(results: &Results) -> Vec<Absent> {
+    results
+        .methods
+        .iter()
+        .filter_map(|m| match &m.status {
+            Status::Computed => None,
+            Status::NotApplicable { clause, reason } => Some(Absent {
+                title: m.title.clone(),
+                excitation: excitation(m),
+                clause: clause.clone(),
+                reason: reason.clone(),
+            }),
+        })
+        .collect()
 }
