@@ -122,7 +122,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Optio
         },
     };
     let factor = r.or_default(&file.factor);
-    let fit = r.choice(&file.fit);
+    let fit = r.or_default(&file.fit);
     r.sized(&file.records, "records");
     let mut entries: Vec<SetEntry> = Vec::new();
     for item in file.records.value.iter().flatten() {

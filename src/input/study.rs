@@ -148,7 +148,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
     let records = records::records(&mut r, &file.records, folder);
     let scales = scales::scales(&mut r, &file.scales);
     let sampling = sample::sampling(&mut r, &file.sample);
-    let engine = match r.choice(&file.engine) {
+    let engine = match r.or_default(&file.engine) {
         StudyEngine::Harmonic => Some(EngineId::Harmonic),
         StudyEngine::Solid => Some(EngineId::Solid),
         StudyEngine::Nonlinear => Some(EngineId::Nonlinear),
@@ -165,7 +165,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
         }
         Some(path)
     });
-    let block = r.count_or_default(&file.block) as usize;
+    let block = r.or_default(&file.block) as usize;
     let method = method(&mut r, &file, scales.as_ref());
     let rule = match &file.rule.given {
         Some(field) if records.is_empty() && file.records.given.is_none() => {

@@ -44,7 +44,7 @@ pub(super) fn rule(
     broken: &mut Vec<Error>,
 ) -> Option<Rule> {
     let given = field.value.as_ref()?;
-    r.choice(&given.code);
+    r.or_default(&given.code);
     let mut text = |option: &crate::input::tank::read::Opt<String>, usual: &str| match &option.given {
         Some(field) => r.text(field),
         None => Some(usual.to_owned()),

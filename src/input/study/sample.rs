@@ -124,8 +124,8 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
     let Some(field) = &option.given else { return Some(None) };
     let given = field.value.as_ref()?;
     let n = r.count(&given.n);
-    let seed = r.count_or_default(&given.seed);
-    let method = r.choice(&given.method);
+    let seed = r.or_default(&given.seed);
+    let method = r.or_default(&given.method);
     r.sized(&given.parameters, "parameters");
     let mut parameters = Vec::new();
     for item in given.parameters.value.iter().flatten() {

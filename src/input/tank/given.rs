@@ -6,7 +6,7 @@ use std::ops::Deref;
 use tank::keys::{self, Declared, Form, Key, Reader, Reads};
 
 use super::read::{Field, FromNode, Object, ObjectReader, Opt, Property};
-use super::resolver::{Resolver, default};
+use super::resolver::Resolver;
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::Node;
 use super::values::Resolved;
@@ -71,21 +71,14 @@ impl<T: Resolved> Reads<keys::Field<T>> for Json {
 impl<T: Resolved> Reads<keys::Opt<T>> for Json {
     kept!(Opt<T>, T);
     fn resolve(given: &Opt<T>, r: &mut Resolver<'_>) -> Option<Option<T::Domain>> {
-        let Some(field) = &given.given else {
-            r.not_given(given);
-            return Some(None);
-        };
-        Some(T::resolve(field, r))
+        Some(r.optional(given))
     }
 }
 
 impl<T: Resolved + Copy> Reads<keys::Or<T>> for Json {
     kept!(Opt<T>, T);
     fn resolve(given: &Opt<T>, r: &mut Resolver<'_>) -> Option<T::Domain> {
-        match &given.given {
-            Some(field) => T::resolve(field, r).or_else(|| Some(default(given).domain())),
-            None => Some(r.default(given).domain()),
-        }
+        Some(r.or_default(given))
     }
 }
 

@@ -92,7 +92,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let imperfect = imperfections::imperfections(&mut r, analysis, tank.as_ref(), folder);
     solid.imperfections.clone_from(&imperfect);
     nonlinear.imperfections = imperfect;
-    solid.initial_stress = analysis.and_then(|a| r.word(&a.initial_stress));
+    solid.initial_stress = analysis.and_then(|a| r.optional(&a.initial_stress));
     let measured = reported::measured(&mut r, &file.measured);
     let published = reported::published(&mut r, &file.published);
     let case = Case {

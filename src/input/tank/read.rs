@@ -389,6 +389,21 @@ pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
         .allowed(allowed)
 }
 
+/// Reports a value of a kind that a `T` does not have.
+pub(in crate::input) fn other_kind<T: FromNode>(node: &Node, faults: &mut Faults) -> Option<T> {
+    faults.push(wrong_kind(node, &T::allowed()));
+    None
+}
+
+/// The text of a value; reports one that is not a text.
+pub(in crate::input) fn text_of<'n, T: FromNode>(node: &'n Node, faults: &mut Faults) -> Option<&'n str> {
+    let Kind::Text(text) = &node.kind else {
+        other_kind::<T>(node, faults)?;
+        return None;
+    };
+    Some(text)
+}
+
 /// A fault about a value of the right kind with the wrong content.
 pub(in crate::input) fn wrong_value(code: Code, node: &Node, message: &str, allowed: &str) -> Fault {
     Fault::new(code, message)

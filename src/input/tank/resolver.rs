@@ -8,7 +8,7 @@ use tank::case::Damping;
 use tank::units::{Dimension, display_in, unit_for};
 
 use super::read::{Field, FromNode, Opt, unit_of};
-use super::values::{Si, Whole};
+use super::values::{Resolved, Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::AccelerationUnit;
 use results::InputValue;
@@ -164,11 +164,11 @@ impl<'f> Resolver<'f> {
         self.warnings.push(Warning::new(Code::Inconsistent, text));
     }
 
-    /// A number, or its default.
-    pub(crate) fn or_default<T: Si + FromNode>(&mut self, option: &Opt<T>) -> f64 {
+    /// A value, or its default; the default in place of a faulty one, but NaN of a number.
+    pub(crate) fn or_default<T: Resolved + Copy>(&mut self, option: &Opt<T>) -> T::Domain {
         match &option.given {
-            Some(field) => self.number(field),
-            None => self.default(option).si(),
+            Some(field) => T::resolve(field, self).unwrap_or_else(|| default(option).domain()),
+            None => self.default(option).domain(),
         }
     }
 
@@ -183,28 +183,14 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// A number, if it is in the file.
-    pub(crate) fn optional<T: Si>(&mut self, option: &Opt<T>) -> Option<f64> {
+    /// A value, if it is in the file.
+    pub(crate) fn optional<T: Resolved>(&mut self, option: &Opt<T>) -> Option<T::Domain> {
         match &option.given {
-            Some(field) => Some(self.number(field)),
+            Some(field) => T::resolve(field, self),
             None => {
                 self.not_given(option);
                 None
             }
-        }
-    }
-
-    /// A value without limits, such as a word or a switch; or its default.
-    pub(crate) fn choice<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
-        match &option.given {
-            Some(field) => {
-                self.echo_given(field);
-                match field.value {
-                    Some(value) => value,
-                    None => default(option),
-                }
-            }
-            None => self.default(option),
         }
     }
 
@@ -238,14 +224,6 @@ impl<'f> Resolver<'f> {
         None
     }
 
-    /// A whole number, or its default; the default if it is faulty.
-    pub(crate) fn count_or_default(&mut self, option: &Opt<Whole>) -> u32 {
-        match &option.given {
-            Some(field) => self.count(field).unwrap_or_else(|| default(option).0),
-            None => self.default(option).0,
-        }
-    }
-
     /// A text that is not blank.
     pub(crate) fn text(&mut self, field: &Field<String>) -> Option<String> {
         self.echo_given(field);
@@ -257,13 +235,6 @@ impl<'f> Resolver<'f> {
         Some(text.clone())
     }
 
-    /// A word of the file, if given.
-    pub(crate) fn word<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> Option<T> {
-        let field = option.given.as_ref()?;
-        self.echo_given(field);
-        field.value
-    }
-
     /// Echoes the absence of a key without a default.
     pub(crate) fn not_given<T, K>(&mut self, option: &Opt<T, K>) {
         if let Absent::Without(meaning) = &option.key.absent {
@@ -272,7 +243,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// The default of a key, echoed if its declaration gives a reason.
-    pub(super) fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
+    fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
         if let Absent::Value { value, shown, why } = option.key.absent
             && !why.is_empty()
         {
@@ -315,7 +286,7 @@ impl<'f> Resolver<'f> {
 }
 
 /// The default of a key.
-pub(super) fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
+fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
     match option.key.absent {
         Absent::Value { value, .. } => value,
         _ => unreachable!(

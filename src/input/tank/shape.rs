@@ -109,9 +109,13 @@ impl Book {
 
     /// The choice of this name.
     pub(crate) fn choice(&mut self, name: &'static str, help: &[&str], words: Vec<(&'static str, String)>) -> Shape {
-        if !self.choices.iter().any(|c| c.name == name) {
-            let help = prose(help);
-            self.choices.push(Choice { name, help, words });
+        match self.choices.iter().find(|c| c.name == name) {
+            Some(known) => debug_assert_eq!(known.words, words, "two choices named {name}"),
+            None => self.choices.push(Choice {
+                name,
+                help: prose(help),
+                words,
+            }),
         }
         Shape::Choice(name)
     }

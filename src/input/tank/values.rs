@@ -12,7 +12,7 @@ pub(in crate::input) use tank::keys::{
     Subgrade, Time, Velocity, Whole,
 };
 
-use super::read::{Field, FromNode, wrong_kind, wrong_value};
+use super::read::{Field, FromNode, other_kind, text_of, wrong_kind, wrong_value};
 use super::resolver::Resolver;
 use super::shape::{Book, Shape};
 use super::syntax::{Kind, Node};
@@ -216,10 +216,7 @@ const PITCH_RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 
 impl FromNode for Pitch {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        let Kind::Text(text) = &node.kind else {
-            faults.push(wrong_kind(node, &Self::allowed()));
-            return None;
-        };
+        let text = text_of::<Self>(node, faults)?;
         let mut results = PITCH.map(|d| units::parse(text, d)).into_iter().zip(PITCH);
         let two_pi = 2.0 * std::f64::consts::PI;
         let Some((value, dimension)) = results.find_map(|(r, d)| r.ok().map(|v| (v, d))) else {
@@ -262,10 +259,7 @@ impl FromNode for Pitch {
 
 impl FromNode for MeshSize {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        let Kind::Text(text) = &node.kind else {
-            faults.push(wrong_kind(node, &Self::allowed()));
-            return None;
-        };
+        let text = text_of::<Self>(node, faults)?;
         match text.parse() {
             Ok(mesh) => Some(mesh),
             Err(_) => {
@@ -360,10 +354,7 @@ impl FromNode for String {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
         match &node.kind {
             Kind::Text(text) => Some(text.clone()),
-            _ => {
-                faults.push(wrong_kind(node, &Self::allowed()));
-                None
-            }
+            _ => other_kind(node, faults),
         }
     }
     fn allowed() -> String {
@@ -381,10 +372,7 @@ impl FromNode for bool {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
         match &node.kind {
             Kind::Bool(value) => Some(*value),
-            _ => {
-                faults.push(wrong_kind(node, &Self::allowed()));
-                None
-            }
+            _ => other_kind(node, faults),
         }
     }
     fn allowed() -> String {
@@ -406,10 +394,7 @@ impl<T: FromNode> FromNode for Vec<Field<T>> {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
         match &node.kind {
             Kind::List(nodes) => Some(nodes.iter().map(|n| Field::from_node(n, faults)).collect()),
-            _ => {
-                faults.push(wrong_kind(node, &Self::allowed()));
-                None
-            }
+            _ => other_kind(node, faults),
         }
     }
     fn allowed() -> String {
@@ -436,10 +421,7 @@ impl<T: FromNode> FromNode for Named<T> {
                     .map(|m| (m.key.clone(), Field::from_node(&m.value, faults)))
                     .collect(),
             )),
-            _ => {
-                faults.push(wrong_kind(node, &Self::allowed()));
-                None
-            }
+            _ => other_kind(node, faults),
         }
     }
     fn allowed() -> String {

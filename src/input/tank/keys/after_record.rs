@@ -5,9 +5,9 @@ use tank::options::AfterRecord;
 use tank::units::{self, Dimension};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::read::{FromNode, wrong_kind, wrong_value};
+use crate::input::tank::read::{FromNode, text_of, wrong_value};
 use crate::input::tank::shape::{Book, Shape};
-use crate::input::tank::syntax::{Kind, Node};
+use crate::input::tank::syntax::Node;
 use crate::input::tank::values::pattern;
 
 /// The word for a history that ends with its record.
@@ -20,10 +20,7 @@ const LONGEST: f64 = 86_400.0;
 /// `"2 periods"` of the first sloshing mode, a time `"20 s"`, or `"none"`.
 impl FromNode for AfterRecord {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        let Kind::Text(text) = &node.kind else {
-            faults.push(wrong_kind(node, &Self::allowed()));
-            return None;
-        };
+        let text = text_of::<Self>(node, faults)?;
         let text = text.trim();
         if text == NONE {
             return Some(AfterRecord::NONE);

@@ -2,13 +2,14 @@
 
 use files::code::Code;
 use tank::units::Dimension;
+use tank::value::Value;
 use tank::{BottomConnections, Joint, Presence, ShellSupport, Snow};
 
 use crate::input::diagnostic::Faults;
 use crate::input::tank::read::{FromNode, choice, wrong_value};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
-use crate::input::tank::values::Length;
+use crate::input::tank::values::{Length, echoed};
 use tank::keys::Limits;
 
 choice!(Presence, Snow, ShellSupport, Joint);
@@ -18,7 +19,16 @@ const DISTANCE: Limits = Limits::from(0.0).to(1000.0);
 
 /// Connections through the bottom, as written: `"none"`, or a distance.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Connections(pub BottomConnections);
+pub(crate) struct Connections(BottomConnections);
+
+impl Value for Connections {
+    type Domain = BottomConnections;
+    fn domain(self) -> BottomConnections {
+        self.0
+    }
+}
+
+echoed!(Connections);
 
 impl FromNode for Connections {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {

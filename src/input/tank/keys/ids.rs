@@ -2,18 +2,20 @@
 
 use codes::{ALL, site_action};
 use results::EngineId;
+use tank::value::Value;
 
 use crate::input::diagnostic::Faults;
 use crate::input::tank::read::{FromNode, one_of_words, quoted};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::Node;
+use crate::input::tank::values::echoed;
 
 /// Declares ids by the ids that are allowed, each with its meaning.
 macro_rules! ids {
     ($($(#[doc = $doc:literal])+ $name:ident = $ids:expr;)+) => {$(
         $(#[doc = $doc])+
         #[derive(Clone, Copy, Debug)]
-        pub(crate) struct $name(pub &'static str);
+        pub(crate) struct $name(&'static str);
 
         impl FromNode for $name {
             fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -33,6 +35,15 @@ macro_rules! ids {
                 Some(self.0.into())
             }
         }
+
+        impl Value for $name {
+            type Domain = &'static str;
+            fn domain(self) -> &'static str {
+                self.0
+            }
+        }
+
+        echoed!($name);
     )+};
 }
 

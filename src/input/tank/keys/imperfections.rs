@@ -12,7 +12,7 @@ use tank::{Shape, Tank};
 use super::linear::Analysis;
 use crate::input::csv;
 use crate::input::diagnostic::{Faults, Source};
-use crate::input::tank::read::{Field, FromNode, Opt, object, wrong_kind, wrong_value};
+use crate::input::tank::read::{Field, FromNode, Opt, object, other_kind, wrong_kind, wrong_value};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::shape::{Book, Shape as Looks};
 use crate::input::tank::syntax::{Kind, Node};
@@ -105,8 +105,7 @@ impl FromNode for Pair {
             let z = quantity(z, Dimension::Length, faults)?;
             return Some(Pair([z, quantity(factor, Dimension::Dimensionless, faults)?]));
         }
-        faults.push(wrong_kind(node, &Self::allowed()));
-        None
+        other_kind(node, faults)
     }
     fn allowed() -> String {
         "a pair [height, factor] such as [\"4 m\", 0.5]".into()

@@ -6,7 +6,7 @@ use tank::{Bearing, FoundationKind, Shape, Support};
 use super::tank::Tank;
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
 use crate::input::tank::resolver::Resolver;
-use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Si};
+use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Resolved, Si};
 use ::tank::words;
 use tank::keys::{Absent, Limits, default, without};
 
@@ -265,7 +265,7 @@ impl Keys<'_, '_> {
     }
 
     /// A number or its default, which the report lists if it is `used`.
-    fn or_default<T: Si + FromNode>(&mut self, option: &Opt<T>, kinds: &[Isolation], used: bool) -> f64 {
+    fn or_default<T: Si + Resolved<Domain = f64>>(&mut self, option: &Opt<T>, kinds: &[Isolation], used: bool) -> f64 {
         let applies = self.applies(option, kinds);
         match &option.given {
             Some(given) => self.r.number(given),

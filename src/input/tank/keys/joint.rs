@@ -27,7 +27,7 @@ object! {
 
 words! {
     /// Kind of joint.
-    pub(crate) Joint {
+    pub(crate) Joint as WallJoint {
         /// Monolithic with the base: the foot neither moves nor turns.
         Fixed = "fixed",
         /// The foot turns freely and does not move.

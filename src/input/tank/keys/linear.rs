@@ -126,10 +126,10 @@ pub(super) fn analysis(
     };
     let height = tank.map_or(f64::NAN, Tank::wall_height);
     LinearOptions {
-        integrator: r.choice(&given.integrator),
+        integrator: r.or_default(&given.integrator),
         refine: r.or_default(&given.refine),
-        wave_modes: r.count_or_default(&given.wave_modes) as usize,
-        mesh_error: r.choice(&given.mesh_error),
+        wave_modes: r.or_default(&given.wave_modes) as usize,
+        mesh_error: r.or_default(&given.mesh_error),
         gauges: places(r, &given.gauges, half, what),
         stations: places(r, &given.stations, height, "the height of the wall"),
         force_stations: force_stations(r, &given.force_stations, tank),

@@ -13,10 +13,10 @@ use super::damping::RATIO;
 use super::rayleigh::{Rayleigh, rayleigh};
 use crate::input::diagnostic::Faults;
 use crate::input::tank::given::{Given, within};
-use crate::input::tank::read::{Field, FromNode, Opt, choice, object, wrong_kind, wrong_value};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, object, text_of, wrong_value};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape as Looks};
-use crate::input::tank::syntax::{Kind, Node};
+use crate::input::tank::syntax::Node;
 use crate::input::tank::values::{Number, Pitch, Whole};
 use tank::keys::{Absent, Limits};
 
@@ -75,10 +75,7 @@ const RULES: [Known; 5] = [
 /// Quadrature through the thickness: a rule and its number of points.
 impl FromNode for ThicknessRule {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        let Kind::Text(text) = &node.kind else {
-            faults.push(wrong_kind(node, &Self::allowed()));
-            return None;
-        };
+        let text = text_of::<Self>(node, faults)?;
         let mut words = text.split_whitespace();
         let name = words.next().unwrap_or_default().to_lowercase();
         let count: Option<u32> = words.next().and_then(|n| n.parse().ok());

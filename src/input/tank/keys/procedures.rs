@@ -99,12 +99,12 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
     let mut options = DEFAULT;
     // Defaults replace faulty values.
     if let Some(housner) = given.as_ref().and_then(|p| p.housner.or_absent()) {
-        options.housner_convective = r.choice(&housner.convective);
-        options.housner_combination = r.choice(&housner.combination);
+        options.housner_convective = r.or_default(&housner.convective);
+        options.housner_combination = r.or_default(&housner.combination);
     }
     if let Some(ec8) = given.as_ref().and_then(|p| p.ec8.or_absent()) {
-        options.ec8_combination = r.choice(&ec8.combination);
-        options.ec8_impulsive = r.choice(&ec8.impulsive);
+        options.ec8_combination = r.or_default(&ec8.combination);
+        options.ec8_impulsive = r.or_default(&ec8.impulsive);
     }
     if let Some(concrete) = given.as_ref().and_then(|p| p.concrete.value()) {
         options.concrete = concrete.resolve(r).unwrap_or_default();

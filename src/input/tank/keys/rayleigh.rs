@@ -46,7 +46,7 @@ pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair
         let message = "both pairs have the same frequency";
         r.refuse(Code::Repeated, &rayleigh.second, message, "two frequencies");
     }
-    let allow_negative = r.choice(&rayleigh.allow_negative);
+    let allow_negative = r.or_default(&rayleigh.allow_negative);
     // ζ = a_M/(2ω) + a_K ω/2 through both pairs.
     let denominator = second.0.powi(2) - first.0.powi(2);
     let stiffness = 2.0 * (second.1 * second.0 - first.1 * first.0) / denominator;

@@ -7,7 +7,7 @@ use tank::units::Dimension;
 
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, FromNode, Opt, nearest, object, wrong_kind};
+use crate::input::tank::read::{Field, FromNode, Opt, nearest, object, other_kind, text_of, wrong_kind};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
@@ -52,8 +52,7 @@ impl FromNode for Raw {
         if let Kind::Text(_) | Kind::Number(_) = node.kind {
             return Some(Raw(node.clone()));
         }
-        faults.push(wrong_kind(node, &Self::allowed()));
-        None
+        other_kind(node, faults)
     }
     fn allowed() -> String {
         "a value with its unit such as \"13.4 cm\"".into()
@@ -81,10 +80,7 @@ fn quantity_ids() -> Vec<&'static str> {
 
 impl FromNode for QuantityId {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-        let Kind::Text(text) = &node.kind else {
-            faults.push(wrong_kind(node, &Self::allowed()));
-            return None;
-        };
+        let text = text_of::<Self>(node, faults)?;
         let quantity = Quantity::from_id(text);
         if quantity.is_none() {
             faults.push(unknown_quantity(text, node));

@@ -33,12 +33,12 @@ pub(super) fn response(r: &mut Resolver<'_>, given: Option<&ResponseSpectrum>) -
     let Some(given) = given else {
         return DEFAULT;
     };
-    let code = r.word(&given.code);
+    let code = r.optional(&given.code);
     SpectrumOptions {
-        combination: r.choice(&given.combination),
-        parts: r.choice(&given.parts),
-        missing_mass: r.choice(&given.missing_mass),
-        reduced: r.choice(&given.reduced),
-        code: code.map(|code| code.0.to_owned()),
+        combination: r.or_default(&given.combination),
+        parts: r.or_default(&given.parts),
+        missing_mass: r.or_default(&given.missing_mass),
+        reduced: r.or_default(&given.reduced),
+        code: code.map(str::to_owned),
     }
 }

@@ -39,7 +39,9 @@ pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>
     let Some(given) = option.or_absent() else {
         return case::Site::default();
     };
-    r.not_given(&given.spectrum);
+    if given.spectrum.given.is_none() {
+        r.not_given(&given.spectrum);
+    }
     let spectrum = spectrum::spectrum(r, &given.spectrum, folder);
     let own = given.spectrum.given.is_some();
     let ec8 = match &given.ec8.given {

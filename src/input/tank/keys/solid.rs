@@ -38,9 +38,9 @@ pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions
         options.mesh = field.value;
     }
     if given.liquid.given.is_some() {
-        options.liquid = r.choice(&given.liquid);
+        options.liquid = r.or_default(&given.liquid);
     }
-    options.memory_limit_mib = r.count_or_default(&given.memory_limit).into();
+    options.memory_limit_mib = r.or_default(&given.memory_limit).into();
     options
 }
 
@@ -50,6 +50,6 @@ pub fn solid_defaults() -> Vec<InputValue> {
     let mut faults = Faults::new();
     let mut r = Resolver::new(&mut faults);
     r.not_given(&absent.mesh);
-    r.choice(&absent.liquid);
+    r.or_default(&absent.liquid);
     r.echo
 }

@@ -8,7 +8,7 @@ use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters, SpectrumTable
 
 use crate::input::csv;
 use crate::input::diagnostic::{Fault, Faults, Source};
-use crate::input::tank::read::{Field, FromNode, Opt, choice, object, wrong_kind};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, object, other_kind};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
@@ -106,8 +106,7 @@ impl FromNode for Row {
         {
             return Some(Row([period, acceleration]));
         }
-        faults.push(wrong_kind(node, &Self::allowed()));
-        None
+        other_kind(node, faults)
     }
     fn allowed() -> String {
         "a row [T, S_a] of two numbers without unit, the period in s and the acceleration in `unit`".into()

@@ -158,7 +158,7 @@ fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> tank::Roof {
     let Some(given) = stated.value() else {
         return tank::Roof::default();
     };
-    let kind = r.choice(&given.r#type);
+    let kind = r.or_default(&given.r#type);
     let mass = r.number(&given.mass);
     if kind == RoofKind::Floating {
         let message = "height does not apply to a floating roof";
@@ -184,13 +184,13 @@ fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> tank::Roof {
 fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
     let bottom = t.bottom.value();
     tank::Details {
-        internals: r.word(&t.internals),
-        adjacent_structures: r.word(&t.adjacent_structures),
-        snow: t.roof.value().and_then(|roof| r.word(&roof.snow)),
-        shell_support: t.foundation.value().and_then(|f| r.word(&f.shell_support)),
-        annular_weld: bottom.and_then(|b| r.word(&b.annular_weld)),
+        internals: r.optional(&t.internals),
+        adjacent_structures: r.optional(&t.adjacent_structures),
+        snow: t.roof.value().and_then(|roof| r.optional(&roof.snow)),
+        shell_support: t.foundation.value().and_then(|f| r.optional(&f.shell_support)),
+        annular_weld: bottom.and_then(|b| r.optional(&b.annular_weld)),
         shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
-        bottom_connections: bottom.and_then(|b| r.word(&b.connections)).map(|c| c.0),
+        bottom_connections: bottom.and_then(|b| r.optional(&b.connections)),
     }
 }
 

@@ -175,6 +175,16 @@ fn limits_of_the_schema_are_those_of_the_reader() {
     assert!(tried > 60, "{tried}");
 }
 
+/// A joint between wall and base and one between plates are two choices.
+#[test]
+fn welds_of_the_annular_plate_are_those_of_the_reader() {
+    let schema = json_schema();
+    let weld = schema.pointer("/$defs/Bottom/properties/annular_weld/$ref");
+    let name = weld.and_then(Value::as_str).expect("a choice");
+    let words = schema.pointer(name.trim_start_matches('#')).expect("a definition");
+    assert_eq!(words["enum"], json!(["butt", "lap"]));
+}
+
 /// The reference page has every key of the schema.
 #[test]
 fn reference_page_names_every_key() {

@@ -35,6 +35,7 @@ fn a_table_in_the_file() {
         .find(|e| e.path == "site.spectrum.table")
         .expect("an echo");
     assert!(echoed.text.contains("2 rows up to 0.5 s"), "{}", echoed.text);
+    assert!(file.echo.iter().all(|e| e.path != "site.spectrum"), "not absent");
 }
 
 #[test]

@@ -72,7 +72,7 @@ pub(super) fn concrete(
     c: &ConcreteBehaviour,
     (e, _): ElasticPart,
 ) -> Concrete {
-    let law = r.choice(&c.law);
+    let law = r.or_default(&c.law);
     let strengths = |p: &Preset| match p.strengths {
         Strengths::Concrete {
             compressive, tensile, ..
@@ -127,7 +127,7 @@ pub(super) fn concrete(
 
 /// Biaxial strength in compression: the curve is for the law `cracked`.
 fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> BiaxialEnvelope {
-    let envelope = r.choice(&c.envelope);
+    let envelope = r.or_default(&c.envelope);
     if let (Some(field), true) = (
         &c.envelope.given,
         envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked,
@@ -182,7 +182,7 @@ fn bond(
     (law, softening): (ConcreteLaw, Softening),
     f_c: f64,
 ) -> BarBond {
-    let bond = r.choice(&c.bond);
+    let bond = r.or_default(&c.bond);
     if let Some(field) = &c.bond.given
         && bond != BarBond::Perfect
     {

@@ -9,7 +9,7 @@ use super::yielding;
 use crate::input::diagnostic::Faults;
 use crate::input::tank::given::Given;
 use crate::input::tank::keys::grades::Strengths;
-use crate::input::tank::read::{Field, FromNode, Object, Opt, object, wrong_kind, wrong_value};
+use crate::input::tank::read::{Field, FromNode, Object, Opt, object, other_kind, wrong_value};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
@@ -83,10 +83,7 @@ impl FromNode for Behaviour {
                 faults.push(fault);
                 None
             }
-            _ => {
-                faults.push(wrong_kind(node, &Self::allowed()));
-                None
-            }
+            _ => other_kind(node, faults),
         }
     }
     fn allowed() -> String {
