@@ -4,8 +4,8 @@ use std::path::Path;
 
 use report::Level;
 use report::template::Templates;
-use results::{Part, Results, Series};
 use results::part::{Amount, Axis, Block, Chart, Fact, Form, Line, Look, Message, Scale, Table};
+use results::{Part, Results, Series};
 use tank::units::Dimension;
 
 /// Accepted results of an example.
