@@ -141,7 +141,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         records,
         record_set: design.map(|design| design.set),
         spectra,
-        standing: None,
+        parts: Vec::new(),
         methods,
         runs,
         comparison,
@@ -202,8 +202,9 @@ pub fn findings(job: &Job, demands: &Demands, errors: &BTreeMap<String, f64>) ->
 ///
 /// Errors: a value that is not finite.
 pub fn draw(job: &Job, results: &mut Results) -> Result<(), Error> {
-    results.standing = standing::standing(job, &results.methods);
-    finite::check("the base", &results.standing)?;
+    let standing = standing::standing(job, &results.methods);
+    results.parts.extend(standing.map(|found| found.part(&results.methods)));
+    finite::check("the base", &results.parts)?;
     Ok(())
 }
 

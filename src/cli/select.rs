@@ -30,7 +30,7 @@ const PARTS: [&str; 14] = [
     "spectra",
     "methods",
     "runs",
-    "standing",
+    "parts",
     "comparison",
     "warnings",
     "volatile",

@@ -85,18 +85,17 @@ fn one_uplift_in_table_and_sheet() {
         tank["tank"]["bottom"]["corrosion_allowance"] = json!("2 mm");
         tank["site"]["ec8"]["vertical"] = json!(true);
     }));
-    let standing = &results["standing"];
+    let blocks = list(&results["parts"][0], "blocks");
+    let grounds = blocks.iter().find(|block| block["id"] == "grounds").expect("a table");
     let methods = list(&results, "methods");
-    let method = methods
-        .iter()
-        .find(|m| m["id"] == standing["method"] && m["excitation"] == "site");
-    let steps = list(method.expect("the method of the moment"), "steps");
-    let on_sheet: Vec<f64> = { steps.iter() }
+    let sheets = methods.iter().filter(|m| m["excitation"] == "site");
+    let on_sheet: Vec<f64> = sheets
+        .flat_map(|method| list(method, "steps"))
         .filter(|s| s["symbol"] == "w" && s["name"] == "largest uplift")
         .filter_map(|s| s["value"].as_f64())
         .collect();
-    let in_table: Vec<f64> = { list(standing, "grounds").iter() }
-        .filter_map(|g| g["values"]["uplift"].as_f64())
+    let in_table: Vec<f64> = { list(grounds, "rows").iter() }
+        .filter_map(|row| row[2].as_f64())
         .map(|w| w.max(0.0))
         .collect();
     assert!(in_table.len() >= 3 && in_table.iter().any(|w| *w > 0.0), "{in_table:?}");

@@ -138,7 +138,7 @@ fn finished(case: &Case, options: &Options, simulation: &mut Simulation) -> Resu
     }
     if let Some(angle) = options.tilt {
         let build = |tilted: &Case| crate::harmonic::build_observed(tilted, options, 1, Places::Usual);
-        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+        simulation.result.parts.push(tilt::tilt(case, angle, build)?);
     }
     Ok(())
 }

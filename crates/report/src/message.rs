@@ -31,6 +31,9 @@ const TEXTS: [&[&str]; 2] = texts![
     "report/src/message",
     "engines/src/linear/isolation",
     "engines/src/linear/soil",
+    "engines/src/linear/tilt",
+    "engines/src/linear/transfer",
+    "results/src/standing",
 ];
 
 /// Patterns by the ids of their messages.
@@ -60,7 +63,7 @@ fn found(id: &str) -> Option<&'static Pattern<&'static str>> {
 pub fn text(message: &Message) -> String {
     match found(&message.id) {
         // What was written in English finds its translation as ever.
-        Some(pattern) if message.id == "verbatim" => set(pattern, message),
+        Some(pattern) if message.id == "verbatim" => made(language::say(&set(pattern, message)).into_owned()),
         Some(pattern) => made(set(pattern, message)),
         None => language::lacks(&message.id),
     }

@@ -27,11 +27,8 @@ mod section;
 mod sheets;
 mod spatial;
 mod spectra;
-mod standing;
 mod summary;
 mod tank;
-mod tilt;
-mod transfer;
 
 use crate::level::Level;
 use files::error::Error;
@@ -78,14 +75,14 @@ sections![
     histories: Standard,
     internal_forces: Standard,
     directions: Standard,
-    standing: Standard,
+    standing part: Standard,
     isolation part: Standard,
     base: Standard,
     soil part: Standard,
     nonlinear: Standard,
-    tilt: Standard,
+    tilt part: Standard,
     modes: Full,
-    transfer: Standard,
+    transfer part: Standard,
     spatial: Standard,
     around: Standard,
     sheets: Standard,
@@ -121,12 +118,9 @@ pub(crate) const TEMPLATES: &[(&str, &str)] = templates![
     "histories",
     "internal_forces",
     "directions",
-    "standing",
     "base",
     "nonlinear",
-    "tilt",
     "modes",
-    "transfer",
     "spatial",
     "around",
     "sheets",

@@ -12,7 +12,6 @@
 //! | [`base`] | the command of that name |
 //! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
-//! | [`standing`] | the base of a tank without anchors under the moments of the codes |
 //! | [`summary`] | the first page |
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
@@ -20,7 +19,6 @@
 //! | [`ida`], [`push`], [`study`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`terminal`] | the summaries on the terminal |
-//! | [`transfer`] | transfer functions |
 //! | [`uplift`] | the base of a tank that lifts or slides |
 //! | [`workbook`] | sheets and heads of the workbook |
 
@@ -39,11 +37,9 @@ pub mod push;
 pub mod record_set;
 pub mod sections;
 pub mod sheets;
-pub mod standing;
 pub mod study;
 pub mod summary;
 pub mod terminal;
-pub mod transfer;
 pub mod uplift;
 pub mod verdict;
 pub mod workbook;

@@ -28,7 +28,6 @@ mod snapshots;
 mod standing;
 mod store;
 mod study;
-mod tilt;
 mod transfer;
 mod value;
 mod verdict;
@@ -75,7 +74,6 @@ pub use study::{
     Study, StudyCurve, StudyFault, StudyGap, StudyLimit, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState,
     StudyTank, StudyTrace,
 };
-pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};
 pub use value::Value;
 pub use verdict::{Aside, Counts, Deciding, Governing, Overruled, Verdict, VerdictStatus, verdict};
@@ -114,9 +112,9 @@ pub struct Results {
     pub methods: Vec<Method>,
     /// Runs of the engines, that of the reference first; empty in `check`.
     pub runs: Vec<Run>,
-    /// The base of an unanchored tank under the moments of the codes, in results that are written to a folder.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub standing: Option<Standing>,
+    /// What belongs to no run: the base of an unanchored tank under the moments of the codes, in results that are written to a folder.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Part>,
     /// Quantities × methods.
     pub comparison: Comparison,
     /// The verdict.

@@ -3,13 +3,19 @@
 //! Titles follow from ids. That of the column `force` of the table `band` in the part `isolation` is the message
 //! `isolation-band-force`, else `isolation-force`, else `force`; so are those of rows, tables, charts, axes and lines.
 
+mod chart;
+mod fact;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-use crate::channel::Channel;
 use crate::value::{Value, unit_symbol};
+use fact::is_default;
+
+pub use chart::{Axis, Chart, History, Line, Look, Room, Scale};
+pub use fact::{Amount, Fact, Form, Message};
 
 /// The facts on one subject.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,6 +29,7 @@ pub struct Part {
 /// A piece of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
+#[allow(clippy::large_enum_variant, reason = "a part has a few dozen blocks")]
 pub enum Block {
     /// A paragraph.
     Text(Message),
@@ -48,67 +55,6 @@ pub enum Block {
     History(History),
     /// Numbers for scripts, which no page shows.
     Series(Table),
-}
-
-/// A sentence or a label by its id, with what is put into it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Message {
-    /// Id of its text.
-    pub id: String,
-    /// Facts by the names under which the text has them.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub args: BTreeMap<String, Fact>,
-}
-
-/// What a sentence or a cell holds.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum Fact {
-    /// Nothing.
-    #[default]
-    None,
-    /// A number in the unit of its column; a count in a sentence.
-    Number(f64),
-    /// An id: of a row's title in a cell, of a choice in a sentence.
-    Word(String),
-    /// A number with its unit.
-    Amount(Amount),
-    /// A sentence or a label.
-    Message(Message),
-}
-
-/// A number with its unit.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Amount {
-    /// Value in SI.
-    pub value: f64,
-    /// Dimension, written as the symbol of its unit in SI.
-    #[serde(with = "unit_symbol")]
-    pub unit: Dimension,
-    /// How it is printed.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub form: Form,
-}
-
-/// How a number is printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Form {
-    /// Four significant digits in an engineer's unit; in a column with a unit, as many decimals as its largest value.
-    #[default]
-    Usual,
-    /// A given value, without idle zeros.
-    Given,
-    /// With this many decimals, in the unit of SI.
-    Fixed(u8),
-    /// With this many significant digits.
-    Significant(u8),
-    /// As a percentage.
-    Percent,
-    /// An angle in degrees with this many decimals.
-    Degrees(u8),
-    /// Not a number: words, to the left in a column.
-    Words,
 }
 
 /// A value that is compared, with its time and place.
@@ -160,124 +106,12 @@ pub struct Column {
     pub form: Form,
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
-}
-
 fn plain() -> Dimension {
     Dimension::Dimensionless
 }
 
 fn is_plain(unit: &Dimension) -> bool {
     *unit == plain()
-}
-
-/// Values against each other. Charts of one line that several engines have under one id are drawn into one figure.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Chart {
-    /// Id; with the subject in front that of the file of the figure.
-    pub id: String,
-    /// Title; by default that of the id.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub title: Option<Message>,
-    /// The rest of the caption.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub caption: Option<Message>,
-    /// Room.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub room: Room,
-    /// Horizontal axis.
-    pub x: Axis,
-    /// Vertical axis.
-    pub y: Axis,
-    /// Filled areas, drawn first.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub areas: Vec<Line>,
-    /// Curves.
-    pub lines: Vec<Line>,
-    /// Values of x with their symbols.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub marks: Vec<(f64, String)>,
-}
-
-/// Room of a chart.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Room {
-    /// Half the width of the text.
-    #[default]
-    Half,
-    /// The same, higher.
-    Tall,
-    /// The width of the text.
-    Wide,
-}
-
-/// An axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Axis {
-    /// Id.
-    pub id: String,
-    /// Dimension, written as the symbol of its unit in SI.
-    #[serde(with = "unit_symbol")]
-    pub unit: Dimension,
-    /// What it holds.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub scale: Scale,
-}
-
-/// What an axis holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Scale {
-    /// The values.
-    #[default]
-    Free,
-    /// The values and zero.
-    Zero,
-    /// From one value to another.
-    Range([f64; 2]),
-    /// The logarithms of the values.
-    Log,
-    /// The same with labels at powers of ten, at most this many below the largest value.
-    Decades(u8),
-}
-
-/// A curve, or the corners of an area.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Line {
-    /// Text of the legend.
-    #[serde(default, skip_serializing_if = "Fact::is_none")]
-    pub label: Fact,
-    /// Its look.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub look: Look,
-    /// Points in SI.
-    pub points: Vec<[f64; 2]>,
-}
-
-/// What a curve stands for, which gives it its look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Look {
-    /// The result.
-    #[default]
-    Main,
-    /// A result of many points.
-    Thin,
-    /// Another one beside it.
-    Other,
-}
-
-/// Histories of one dimension over time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct History {
-    /// Id, also of the file of the figure.
-    pub id: String,
-    /// Id of the axis upwards.
-    pub axis: String,
-    /// At most two columns of `series.csv`; the legend calls them x and y.
-    pub channels: Vec<String>,
 }
 
 impl Part {
@@ -334,50 +168,6 @@ impl Part {
         });
         let own = |line: &&Line| matches!(&line.label, Fact::Word(id) if id == label);
         found?.lines.iter().find(own).map(|line| line.points.as_slice())
-    }
-}
-
-impl Message {
-    /// A sentence without facts.
-    pub fn new(id: &str) -> Message {
-        Message {
-            id: id.into(),
-            args: BTreeMap::new(),
-        }
-    }
-
-    /// The same with a fact.
-    #[must_use]
-    pub fn with(mut self, name: &str, fact: impl Into<Fact>) -> Message {
-        self.args.insert(name.into(), fact.into());
-        self
-    }
-}
-
-impl Amount {
-    /// A number in the usual form.
-    pub fn new(value: f64, unit: Dimension) -> Amount {
-        Amount {
-            value,
-            unit,
-            form: Form::Usual,
-        }
-    }
-
-    /// The same in another form.
-    #[must_use]
-    pub fn form(self, form: Form) -> Amount {
-        Amount { form, ..self }
-    }
-
-    /// A number without a unit.
-    pub fn ratio(value: f64) -> Amount {
-        Amount::new(value, Dimension::Dimensionless)
-    }
-
-    /// A share in percent.
-    pub fn percent(value: f64) -> Amount {
-        Amount::ratio(value).form(Form::Percent)
     }
 }
 
@@ -450,100 +240,5 @@ impl Table {
         let at = self.columns.iter().position(|column| column.id == id);
         let cells = |at: usize| self.rows.iter().filter_map(move |row| row.get(at)?.value());
         at.into_iter().flat_map(cells).collect()
-    }
-}
-
-impl Chart {
-    /// A chart of half the width.
-    pub fn new(id: &str, x: Axis, y: Axis, lines: Vec<Line>) -> Chart {
-        Chart {
-            id: id.into(),
-            title: None,
-            caption: None,
-            room: Room::Half,
-            x,
-            y,
-            areas: Vec::new(),
-            lines,
-            marks: Vec::new(),
-        }
-    }
-}
-
-impl Axis {
-    /// An axis.
-    pub fn new(id: &str, unit: Dimension, scale: Scale) -> Axis {
-        Axis {
-            id: id.into(),
-            unit,
-            scale,
-        }
-    }
-}
-
-impl Line {
-    /// A line.
-    pub fn new(label: impl Into<Fact>, look: Look, points: Vec<[f64; 2]>) -> Line {
-        Line {
-            label: label.into(),
-            look,
-            points,
-        }
-    }
-}
-
-impl History {
-    /// Channels of one dimension.
-    pub fn new(id: &str, axis: &str, channels: &[Channel]) -> History {
-        History {
-            id: id.into(),
-            axis: axis.into(),
-            channels: channels.iter().map(|channel| channel.id()).collect(),
-        }
-    }
-}
-
-impl Fact {
-    fn is_none(&self) -> bool {
-        *self == Fact::None
-    }
-
-    /// Its number, with or without a unit.
-    pub fn value(&self) -> Option<f64> {
-        match self {
-            Fact::Number(value) => Some(*value),
-            Fact::Amount(amount) => Some(amount.value),
-            _ => None,
-        }
-    }
-}
-
-impl From<f64> for Fact {
-    fn from(value: f64) -> Fact {
-        Fact::Number(value)
-    }
-}
-
-impl From<&str> for Fact {
-    fn from(id: &str) -> Fact {
-        Fact::Word(id.into())
-    }
-}
-
-impl From<Amount> for Fact {
-    fn from(amount: Amount) -> Fact {
-        Fact::Amount(amount)
-    }
-}
-
-impl From<Message> for Fact {
-    fn from(message: Message) -> Fact {
-        Fact::Message(message)
-    }
-}
-
-impl<T: Into<Fact>> From<Option<T>> for Fact {
-    fn from(fact: Option<T>) -> Fact {
-        fact.map_or(Fact::None, Into::into)
     }
 }

@@ -7,7 +7,8 @@
 //! | 1 | `nonlinear.end`, `nonlinear.events` of a run | `end`, `events` |
 //! | 1, 2 | `verdict.holds`, `checks`, `failed` | `verdict.status`, `counts`; all methods decided |
 //! | 1, 2 | `verdict.incomplete` | `verdict.unfinished` |
-//! | 1 to 3 | `isolation`, `soil` of a run | its part of this name in `parts` |
+//! | 1 to 3 | `isolation`, `soil`, `tilt`, `transfer` of a run | its part of this name in `parts` |
+//! | 1 to 3 | `standing` | the part of this name in `parts` |
 //!
 //! No number changes. A check of an earlier format says `holds` in place of `status`; [`tank::check::Check`] reads both.
 
@@ -31,9 +32,14 @@ pub(crate) fn convert(mut results: Value) -> Value {
     if is(FORMATS[0]) {
         collect_runs(map);
     }
+    parts::standing(map);
+    let tank = map.get("tank").cloned().unwrap_or_default();
+    let height = serde_json::from_value::<super::TankSummary>(tank)
+        .ok()
+        .map(|found| found.tank.wall_height());
     let runs = map.get_mut("runs").and_then(Value::as_array_mut);
     let runs = runs.into_iter().flatten().filter_map(Value::as_object_mut);
-    runs.for_each(parts::collect);
+    runs.for_each(|run| parts::collect(run, height));
     results
 }
 
@@ -119,6 +125,36 @@ mod tests {
         assert_eq!(convert(old), new);
         assert_eq!(convert(json!({ "format": FORMATS[0], "fe": null }))["runs"], json!([]));
         assert_eq!(convert(json!(7)), json!(7));
+    }
+
+    /// Numbers of a tilt test and of transfer functions as format 3 had them, found under their ids.
+    #[test]
+    fn subjects_of_a_run_are_parts() {
+        let tilt = json!({
+            "angle": 0.1, "base_shear": 5.0, "base_moment": 7.0, "overturning_moment": 8.0, "r": [0.0, 2.0], "surface": [0.0, -0.2],
+            "lines": [{ "id": "pressure", "title": "p", "dimension": "stress", "z": [0.0, 3.0], "low": [4.0, 1.0], "high": [2.0, 0.5] }],
+            "notes": ["Tilted."],
+        });
+        let transfer = json!({
+            "damping": "as_engine", "frequency": [0.5, 1.0],
+            "modes": [{ "kind": "sloshing", "number": 1, "frequency": 0.6, "damping": 0.005 }],
+            "functions": [{
+                "id": "base_shear", "title": "V", "unit": "n_per_m_s2", "static_value": -2.0, "magnitude": [3.0, 8.0], "phase": [0.1, 0.2],
+            }],
+        });
+        let new = convert(json!({ "format": FORMATS[2], "runs": [{ "tilt": tilt, "transfer": transfer }] }));
+        let parts: Vec<crate::Part> = serde_json::from_value(new["runs"][0]["parts"].clone()).unwrap();
+        let [transfer, tilt] = &parts[..] else {
+            panic!("{parts:?}")
+        };
+        assert_eq!(transfer.cell("peaks", "base_shear", "static"), Some(-2.0));
+        assert_eq!(transfer.cell("peaks", "base_shear", "amplification"), Some(4.0));
+        assert_eq!(transfer.cell("modes", "sloshing", "frequency"), Some(0.6));
+        let phases = transfer.table("transfer").unwrap().column("base_shear_phase_rad");
+        assert_eq!(phases, [0.1, 0.2]);
+        assert_eq!(tilt.value("base_moment").unwrap().value.value, 7.0);
+        assert_eq!(tilt.value("rise").unwrap().value.value, 0.2);
+        assert_eq!(tilt.line("pressure", "high").unwrap(), [[2.0, 0.0], [0.5, 3.0]]);
     }
 
     #[test]

@@ -13,8 +13,6 @@ use crate::fields::Fields;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
 use crate::part::Part;
-use crate::tilt::Tilt;
-use crate::transfer::Transfer;
 
 /// Id of the first engine's column in the comparison, the reference of all ratios.
 pub const FE: &str = "fe";
@@ -149,12 +147,6 @@ pub struct Run {
     /// Extremes under two horizontal components; empty with one.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub directions: Vec<Directional>,
-    /// Static tilt test, if asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub tilt: Option<Tilt>,
-    /// Transfer functions, if asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub transfer: Option<Transfer>,
     /// What it found on the subjects that its tank has.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<Part>,
@@ -197,8 +189,6 @@ impl Run {
             envelopes: Vec::new(),
             histories: Vec::new(),
             directions: Vec::new(),
-            tilt: None,
-            transfer: None,
             parts: Vec::new(),
             base: None,
             limits: Vec::new(),

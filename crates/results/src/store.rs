@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
-use super::{FORMAT, Results, Series, layout, previous, transfer};
+use super::{FORMAT, Results, Run, Series, layout, previous, transfer};
 use files::code::Code;
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
@@ -147,8 +147,9 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     let mut value = serde_json::to_value(results).map_err(|e| Error::Report(e.to_string()))?;
     round_numbers(&mut value, DIGITS);
     put(&path, layout::text(&value).as_bytes())?;
-    if let Some(found) = results.runs.iter().find_map(|run| run.transfer.as_ref()) {
-        put(&folder.join(TRANSFER_FILE), transfer::csv(found).as_bytes())?;
+    let functions = |run: &Run| Some(transfer::csv(run.part("transfer")?.table("transfer")?));
+    if let Some(functions) = results.runs.iter().find_map(functions) {
+        put(&folder.join(TRANSFER_FILE), functions.as_bytes())?;
     }
     if series.time.is_empty() {
         return Ok(());

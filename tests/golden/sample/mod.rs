@@ -158,7 +158,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
         },
         name: name.into(),
         project: Some(project()),
-        standing: None,
+        parts: Vec::new(),
         record_set: None,
         not_computed: Vec::new(),
         files: vec![

@@ -15,8 +15,10 @@
 
 use fem::linalg::{Cholesky, dot};
 use results::channel::OnWall;
-use results::{Channel, Tilt, TiltLine};
+use results::part::{Amount, Axis, Block, Chart, Form, Line, Look, Message, Room, Scale, Table};
+use results::{Channel, Finding, Part};
 use tank::Case;
+use tank::units::Dimension;
 
 use crate::FeError;
 use crate::coupled::Coupled;
@@ -33,28 +35,47 @@ pub(crate) fn tilt(
     case: &Case,
     angle: f64,
     build: impl FnOnce(&Case) -> Result<Coupled, FeError>,
-) -> Result<Tilt, FeError> {
+) -> Result<Part, FeError> {
     let tilted = Case {
         gravity: case.gravity * angle.cos(),
         ..case.clone()
     };
     let coupled = build(&tilted)?;
     let across = Across::new(&coupled, -case.gravity * angle.sin())?;
-    let on_base = |channel| coupled.probe(channel).map_or(0.0, |probe| -across.value(probe));
-    Ok(Tilt {
-        angle,
-        base_shear: on_base(Channel::BaseShear),
-        base_moment: on_base(Channel::BaseMoment),
-        overturning_moment: on_base(Channel::OverturningMoment),
-        r: coupled.shape_rows.r.clone(),
-        surface: coupled
-            .shape_rows
-            .surface
-            .iter()
-            .map(|row| row.iter().map(|&(i, c)| c * across.x[i]).sum())
-            .collect(),
-        lines: coupled.lines.iter().map(|line| across.line(line)).collect(),
-        notes: notes(case, angle),
+    let on_base = |id, channel: Channel| {
+        let value = coupled.probe(channel).map_or(0.0, |probe| -across.value(probe));
+        Finding::new(id, value, channel.dimension())
+    };
+    let rows = coupled.shape_rows.r.iter().zip(&coupled.shape_rows.surface);
+    let surface: Vec<[f64; 2]> = rows
+        .map(|(r, row)| [*r, row.iter().map(|&(i, c)| c * across.x[i]).sum()])
+        .collect();
+    let rise = surface.iter().fold(0.0, |most: f64, point| most.max(point[1].abs()));
+    let resultants = vec![
+        Finding {
+            form: Form::Degrees(2),
+            ..Finding::new("angle", angle, Dimension::Angle)
+        },
+        on_base("base_shear", Channel::BaseShear),
+        on_base("base_moment", Channel::BaseMoment),
+        on_base("overturning_moment", Channel::OverturningMoment),
+        Finding::new("rise", rise, Dimension::Length),
+    ];
+    let columns = ["r", "rise"].map(|id| (id, Dimension::Length, Form::Usual));
+    let surface = surface.iter().map(|point| point.map(Into::into).to_vec()).collect();
+    let mut blocks = vec![
+        Block::Note(Message::new("tilt-rest")),
+        Block::values("resultants", resultants),
+    ];
+    blocks.extend(remarks(case, angle).into_iter().map(Block::Text));
+    blocks.push(Block::Note(Message::new("tilt-over-height")));
+    let height = case.tank.wall_height();
+    let drawn = coupled.lines.iter().filter(|line| line.z.len() > 1);
+    blocks.extend(drawn.map(|line| Block::Chart(across.chart(line, height))));
+    blocks.push(Block::Series(Table::new("surface", &columns, surface)));
+    Ok(Part {
+        id: "tilt".into(),
+        blocks,
     })
 }
 
@@ -88,56 +109,49 @@ impl<'a> Across<'a> {
         product(&probe.displacement, &self.x) + inertia * self.acceleration
     }
 
-    fn line(&self, line: &ProbeLine) -> TiltLine {
-        let whole = |sign: f64| {
-            line.probes
-                .iter()
-                .map(|p| p.static_value + sign * self.value(p))
+    /// Both sides of the tank over its height.
+    fn chart(&self, line: &ProbeLine, height: f64) -> Chart {
+        let side = |sign: f64| {
+            let points = line.probes.iter().zip(&line.z);
+            points
+                .map(|(p, z)| [p.static_value + sign * self.value(p), *z])
                 .collect()
         };
-        TiltLine {
-            id: line.what.id().into(),
-            title: title(line.what).into(),
-            dimension: line.what.dimension(),
-            z: line.z.clone(),
-            low: whole(1.0),
-            high: whole(-1.0),
+        let title = match line.what {
+            // The whole one here.
+            OnWall::Pressure => "tilt-on-wall-pressure".to_owned(),
+            other => format!("on-wall-{}", other.id()),
+        };
+        let lines = vec![
+            Line::new("low", Look::Main, side(1.0)),
+            Line::new("high", Look::Other, side(-1.0)),
+        ];
+        let x = Axis::new(&title, line.what.dimension(), Scale::Zero);
+        let y = Axis::new("height", Dimension::Length, Scale::Range([0.0, height]));
+        Chart {
+            title: Some(Message::new("tilt-chart").with("of", Message::new(&title))),
+            room: Room::Tall,
+            ..Chart::new(line.what.id(), x, y, lines)
         }
     }
 }
 
-/// The pressure is the whole one here.
-fn title(what: OnWall) -> &'static str {
-    match what {
-        OnWall::Pressure => "Pressure on the wall",
-        other => other.title(),
-    }
-}
-
 /// Where the tilt leaves linear theory.
-fn notes(case: &Case, angle: f64) -> Vec<String> {
+fn remarks(case: &Case, angle: f64) -> Vec<Message> {
     let rise = case.tank.shape.half_length() * angle.tan();
-    let degrees = angle.to_degrees();
-    let mut notes = Vec::new();
-    if rise > case.freeboard() {
-        notes.push(format!(
-            "Tilted by {degrees:.1}° the surface rises by {rise:.2} m at the wall, above the freeboard of {:.2} m: the liquid overtops or \
-             presses on the roof, which the tilt test does not model.",
-            case.freeboard()
-        ));
-    }
-    if rise > case.liquid.fill_height {
-        notes.push(format!(
-            "Tilted by {degrees:.1}° the liquid leaves a part of the bottom dry, which the tilt test does not model."
-        ));
-    }
-    if rise > 0.2 * case.tank.shape.half_length() {
-        notes.push(format!(
-            "Tilted by {degrees:.1}° the wetted part of the wall changes by {rise:.2} m on both sides, which the linear tilt test leaves \
-             out."
-        ));
-    }
-    notes
+    let remark = |id: &str| {
+        let degrees = Amount::new(angle, Dimension::Angle).form(Form::Degrees(1));
+        Message::new(id)
+            .with("angle", degrees)
+            .with("rise", Amount::new(rise, Dimension::Length))
+    };
+    let overtops = (rise > case.freeboard()).then(|| {
+        let freeboard = Amount::new(case.freeboard(), Dimension::Length);
+        remark("tilt-overtops").with("freeboard", freeboard)
+    });
+    let dry = (rise > case.liquid.fill_height).then(|| remark("tilt-dry"));
+    let wetted = (rise > 0.2 * case.tank.shape.half_length()).then(|| remark("tilt-wetted"));
+    overtops.into_iter().chain(dry).chain(wetted).collect()
 }
 
 #[cfg(test)]

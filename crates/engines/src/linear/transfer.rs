@@ -86,21 +86,21 @@ pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options)
     let statics = superpose::transfer(&system, &probes, hysteretic, &[0.0])?;
     let found = superpose::transfer(&system, &probes, hysteretic, &omega)?;
     let functions = functions.into_iter().zip(found).zip(statics);
-    simulation.result.transfer = Some(Transfer {
+    let found = Transfer {
         damping: wanted.damping,
         frequency: omega.iter().map(|omega| omega / TAU).collect(),
         modes,
         functions: functions
-            .map(|(((channel, id, unit), values), at_rest)| TransferFunction {
+            .map(|(((_, id, unit), values), at_rest)| TransferFunction {
                 id: id.into(),
-                title: channel.title(),
                 unit: unit.into(),
                 static_value: at_rest.first().map_or(0.0, |h| h.re),
                 magnitude: values.iter().map(|h| h.norm()).collect(),
                 phase: values.iter().map(|h| h.arg()).collect(),
             })
             .collect(),
-    });
+    };
+    simulation.result.parts.push(found.part());
     Ok(())
 }
 

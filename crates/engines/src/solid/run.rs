@@ -32,7 +32,7 @@ use crate::linear::units;
 use crate::linear::{Across, Extent, Linear, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
-use results::{EngineId, Tilt};
+use results::{EngineId, Part};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::SolidOptions;
@@ -294,7 +294,10 @@ pub fn simulate(
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
     if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
-        simulation.result.tilt = Some(tilted(case, angle, options, solid, progress)?);
+        simulation
+            .result
+            .parts
+            .push(tilted(case, angle, options, solid, progress)?);
     }
     simulation.result.incomplete |= progress.interrupted();
     mesh_error::note(&mut simulation, second.as_ref(), options);
@@ -310,7 +313,7 @@ pub fn tilted(
     options: &Options,
     solid: &SolidOptions,
     progress: &dyn Progress,
-) -> Result<Tilt, FeError> {
+) -> Result<Part, FeError> {
     tilt::tilt(case, angle, |tilted| coupled(tilted, options, solid, progress))
 }
 
@@ -341,7 +344,7 @@ fn without_record(
     };
     if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
         let build = |tilted: &Case| coupled(tilted, options, solid, progress);
-        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+        simulation.result.parts.push(tilt::tilt(case, angle, build)?);
     }
     if solid.snapshot_interval.is_some() || !options.snapshots.is_empty() {
         let note = "States for pictures and ParaView are those of a time history: this run has no record.";

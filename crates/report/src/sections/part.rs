@@ -39,12 +39,12 @@ type Engine = (String, &'static str);
 /// Makes the section of a part.
 pub(super) fn section(source: &Source, id: &'static str) -> Result<Option<Section>, Error> {
     let runs = source.results.runs.iter().enumerate();
-    let found: Vec<(Engine, &Part)> = runs
-        .filter_map(|(i, run)| {
-            let name = title("engine", "", run.engine.id());
-            Some(((name, run.engine.figure_key(i)), run.part(id)?))
-        })
-        .collect();
+    let of_runs = runs.filter_map(|(i, run)| {
+        let name = title("engine", "", run.engine.id());
+        Some(((name, run.engine.figure_key(i)), run.part(id)?))
+    });
+    let of_all = source.results.parts.iter().filter(|part| part.id == id);
+    let found: Vec<(Engine, &Part)> = of_runs.chain(of_all.map(|part| ((String::new(), ""), part))).collect();
     if found.is_empty() {
         return Ok(None);
     }
@@ -258,7 +258,7 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
             class: if several {
                 format!("{class} thin")
             } else {
-                class_of(line.look).into()
+                class_of(&line.look)
             },
             label: match &line.label {
                 _ if several => engine.clone(),
@@ -269,7 +269,7 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
     }
     let areas = own.areas.iter().map(|area| Band {
         points: drawn(area, &own.y),
-        class: class_of(area.look).into(),
+        class: class_of(&area.look),
         label: String::new(),
     });
     let bands: Vec<Band> = areas.collect();
@@ -310,11 +310,18 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
     })
 }
 
-fn class_of(look: Look) -> &'static str {
+fn class_of(look: &Look) -> String {
     match look {
-        Look::Main => "k-fe",
-        Look::Thin => "k-fe thin",
-        Look::Other => "k-other",
+        Look::Main => "k-fe".into(),
+        Look::Thin => "k-fe thin".into(),
+        Look::Other => "k-other".into(),
+        Look::Soft => "k-soft".into(),
+        Look::Hard => "k-hard".into(),
+        Look::Rock => "k-rock".into(),
+        Look::Ground => "k-ground".into(),
+        Look::Level => "k-ground thin".into(),
+        Look::Yielded => "k-yielded".into(),
+        Look::Method(key) => format!("{key} thin"),
     }
 }
 
@@ -371,6 +378,11 @@ fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
         number::Scale::of(own.y.unit, all(1)),
     ];
     let numbers = |title: &str, k: usize| table::Column::numbers(title, scales[k].symbol());
+    let number = |k: usize, value: f64| match [&own.x, &own.y][k].scale {
+        // Values of many decades.
+        Scale::Log | Scale::Decades(_) => significant(scales[k].convert(value), 4),
+        _ => scales[k].text(value),
+    };
     let label = |line: &Line| worded(part, &own.id, &line.label);
     let Some(first) = own.lines.first() else {
         return table::Table::default();
@@ -386,12 +398,8 @@ fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
         columns.extend(own.lines.iter().map(|line| numbers(&label(line), 1 - k)));
         let mut table = table::Table::new(columns);
         for i in spread(first.points.len(), 24) {
-            let values = own.lines.iter().map(|line| scales[1 - k].text(line.points[i][1 - k]));
-            table.row(
-                std::iter::once(scales[k].text(first.points[i][k]))
-                    .chain(values)
-                    .collect(),
-            );
+            let values = own.lines.iter().map(|line| number(1 - k, line.points[i][1 - k]));
+            table.row(std::iter::once(number(k, first.points[i][k])).chain(values).collect());
         }
         return table;
     }
@@ -402,8 +410,8 @@ fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
     }
     let mut table = table::Table::new(columns);
     for line in &own.lines {
-        for i in spread(line.points.len(), if several { 8 } else { 24 }) {
-            let numbers = (0..2).map(|k| scales[k].text(line.points[i][k]));
+        for i in spread(line.points.len(), if own.lines.len() > 3 { 8 } else { 24 }) {
+            let numbers = (0..2).map(|k| number(k, line.points[i][k]));
             table.row(several.then(|| label(line)).into_iter().chain(numbers).collect());
         }
     }

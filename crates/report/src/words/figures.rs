@@ -73,21 +73,6 @@ pub fn history_description(title: &str, dimension: Dimension, end: f64, highest:
     )
 }
 
-/// Title and description of a quantity on both sides of a tilted tank.
-pub fn tilted(title: &str, dimension: Dimension, values: impl Iterator<Item = f64>) -> [String; 2] {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
-    [
-        format!("{title}, tilted"),
-        format!(
-            "{title} over the height on the low and the high side, from {} to {}.",
-            with_unit(low, dimension),
-            with_unit(high, dimension)
-        ),
-    ]
-}
-
 /// Caption of two histories: `part` is their largest difference over the largest value, `end` the end of a run that stops
 /// early [s].
 pub fn overlay(part: f64, run: &str, end: Option<f64>) -> String {

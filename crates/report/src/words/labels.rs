@@ -14,16 +14,6 @@ pub const LARGEST_TIME: &str = "Time of the largest";
 pub const RECORD_END: &str = "end of the record";
 /// Membrane stress where an imperfect wall stands.
 pub const BASE_STRESS: &str = "Axial membrane stress at the base";
-/// Moment of the pressure on the wall alone.
-pub const MOMENT_ABOVE: &str = "Moment above the base plate";
-/// With the pressure on the base plate.
-pub const MOMENT_BELOW: &str = "Moment below the base plate";
-/// Rise of a tilted liquid.
-pub const SURFACE_RISE: &str = "Rise of the surface at the wall";
-/// Low side of a tilted tank.
-pub const LOW_SIDE: &str = "θ = 0°, low side";
-/// Its high side.
-pub const HIGH_SIDE: &str = "θ = 180°, high side";
 /// Ratio to the finite-element value.
 pub const RATIO_TO_ENGINE: &str = "Ratio to FE";
 /// Relative difference between two meshes.

@@ -3,19 +3,40 @@
 use serde_json::{Map, Value, json};
 use tank::units::Dimension;
 
-use crate::Channel;
-use crate::part::{Amount, Axis, Block, Chart, Fact, Finding, Form, History, Line, Look, Message, Part, Scale, Table};
+use crate::part::{
+    Amount, Axis, Block, Chart, Fact, Finding, Form, History, Line, Look, Message, Part, Room, Scale, Table,
+};
+use crate::{Channel, Method, Standing, Transfer};
 
 /// Moves the subjects of a run into its `parts`.
-pub(super) fn collect(run: &mut Map<String, Value>) {
+///
+/// * `height`: that of the wall [m]
+pub(super) fn collect(run: &mut Map<String, Value>, height: Option<f64>) {
     let two = run.get("histories").and_then(Value::as_array).is_some_and(|all| {
         let y = Channel::IsolatorDisplacementY.id();
         all.iter().any(|history| history["id"] == json!(y))
     });
     let mut parts: Vec<Part> = run.remove("isolation").iter().map(|old| isolation(old, two)).collect();
     parts.extend(run.remove("soil").iter().map(soil));
+    let transfer = run
+        .remove("transfer")
+        .and_then(|old| serde_json::from_value::<Transfer>(old).ok());
+    parts.extend(transfer.map(|found| found.part()));
+    parts.extend(run.remove("tilt").iter().map(|old| tilt(old, height)));
     if !parts.is_empty() {
         run.insert("parts".into(), serde_json::to_value(parts).unwrap_or_default());
+    }
+}
+
+/// Moves the base under the moments of the codes into the parts of the results.
+pub(super) fn standing(map: &mut Map<String, Value>) {
+    let methods = map.get("methods").cloned().unwrap_or_default();
+    let methods: Vec<Method> = serde_json::from_value(methods).unwrap_or_default();
+    let old = map
+        .remove("standing")
+        .and_then(|old| serde_json::from_value::<Standing>(old).ok());
+    if let Some(part) = old.map(|found| found.part(&methods)) {
+        map.insert("parts".into(), serde_json::to_value([part]).unwrap_or_default());
     }
 }
 
@@ -32,7 +53,7 @@ fn list<T: serde::de::DeserializeOwned>(old: &Value, key: &str) -> Vec<T> {
 fn sentences(old: &Value, key: &str, subject: &str, known: &[(&str, &str)]) -> Block {
     let sentence = |text: String| match known.iter().find(|(begins, _)| text.starts_with(begins)) {
         Some((_, id)) => Message::new(&format!("{subject}-{id}")),
-        None => Message::new("verbatim").with("text", text.as_str()),
+        None => Message::verbatim(&text),
     };
     Block::List {
         items: list(old, key).into_iter().map(sentence).collect(),
@@ -221,4 +242,63 @@ fn soil(old: &Value) -> Part {
             sentences(old, "assumptions", "soil", &SOIL),
         ],
     }
+}
+
+fn tilt(old: &Value, height: Option<f64>) -> Part {
+    let value = |id, dimension| Finding::new(id, number(old, id), dimension);
+    let (r, surface): (Vec<f64>, Vec<f64>) = (list(old, "r"), list(old, "surface"));
+    let rise = surface.iter().fold(0.0, |most: f64, rise| most.max(rise.abs()));
+    let resultants = vec![
+        Finding {
+            form: Form::Degrees(2),
+            ..value("angle", Dimension::Angle)
+        },
+        value("base_shear", Dimension::Force),
+        value("base_moment", Dimension::Moment),
+        value("overturning_moment", Dimension::Moment),
+        Finding::new("rise", rise, Dimension::Length),
+    ];
+    let mut blocks = vec![
+        Block::Note(Message::new("tilt-rest")),
+        Block::values("resultants", resultants),
+    ];
+    if let Block::List { items } = sentences(old, "notes", "tilt", &[]) {
+        blocks.extend(items.into_iter().map(Block::Text));
+    }
+    blocks.push(Block::Note(Message::new("tilt-over-height")));
+    blocks.extend(
+        list::<Value>(old, "lines")
+            .iter()
+            .filter_map(|line| both_sides(line, height))
+            .map(Block::Chart),
+    );
+    let columns = ["r", "rise"].map(|id| (id, Dimension::Length, Form::Usual));
+    let rows = r.into_iter().zip(surface).map(|(r, rise)| vec![r.into(), rise.into()]);
+    blocks.push(Block::Series(Table::new("surface", &columns, rows.collect())));
+    Part {
+        id: "tilt".into(),
+        blocks,
+    }
+}
+
+/// A line of the tilted tank over the height.
+fn both_sides(old: &Value, height: Option<f64>) -> Option<Chart> {
+    let (id, z): (&str, Vec<f64>) = (old["id"].as_str()?, list(old, "z"));
+    let unit: Dimension = serde_json::from_value(old["dimension"].clone()).ok()?;
+    let side = |key: &str, look| {
+        let points = list::<f64>(old, key).into_iter().zip(&z);
+        Line::new(key, look, points.map(|(value, z)| [value, *z]).collect())
+    };
+    let title = match id {
+        "pressure" => "tilt-on-wall-pressure".to_owned(),
+        id => format!("on-wall-{id}"),
+    };
+    let top = height.or(z.last().copied()).filter(|_| z.len() > 1)?;
+    let y = Axis::new("height", Dimension::Length, Scale::Range([0.0, top]));
+    let lines = vec![side("low", Look::Main), side("high", Look::Other)];
+    Some(Chart {
+        title: Some(Message::new("tilt-chart").with("of", Message::new(&title))),
+        room: Room::Tall,
+        ..Chart::new(id, Axis::new(&title, unit, Scale::Zero), y, lines)
+    })
 }

@@ -17,7 +17,6 @@ use super::{exact, row};
 use crate::{Answer, Benchmark, Part, Reference, Row};
 use engines::{FeError, Options, Simulation, simulate};
 use oscillator::record::Record;
-use results::Transfer;
 use tank::case::GroundMotion;
 use tank::options::frequency::FrequencyOptions;
 use tank::reference::{GRAVITY, broad, case, material};
@@ -76,12 +75,17 @@ fn potential_flow(omega: f64) -> [(Complex<f64>, f64); 2] {
     [(shear, sizes[0]), (wave, sizes[1])]
 }
 
-fn function<'a>(found: &'a Transfer, id: &str) -> Result<&'a results::TransferFunction, FeError> {
-    let found = found.functions.iter().find(|f| f.id == id);
-    found.ok_or_else(|| FeError::Analysis(format!("no transfer function {id}")))
+/// Frequencies [Hz], magnitudes or phases of a function, by the beginning of their head.
+fn numbers(found: &results::Part, begin: &str) -> Result<Vec<f64>, FeError> {
+    let series = found.table("transfer");
+    let own = series.and_then(|series| series.columns.iter().find(|own| own.id.starts_with(begin)));
+    match (series, own) {
+        (Some(series), Some(own)) => Ok(series.column(&own.id)),
+        _ => Err(FeError::Analysis(format!("no column {begin} of transfer functions"))),
+    }
 }
 
-fn run(case: &Case, record: (f64, Vec<f64>), options: &Options) -> Result<(Simulation, Transfer), FeError> {
+fn run(case: &Case, record: (f64, Vec<f64>), options: &Options) -> Result<(Simulation, results::Part), FeError> {
     let mut case = case.clone();
     case.ground_motion = Some(GroundMotion {
         horizontal: Record {
@@ -93,8 +97,8 @@ fn run(case: &Case, record: (f64, Vec<f64>), options: &Options) -> Result<(Simul
         transverse: None,
         vertical: None,
     });
-    let mut found = simulate(&case, options)?;
-    let transfer = found.result.transfer.take();
+    let found = simulate(&case, options)?;
+    let transfer = found.result.part("transfer").cloned();
     let transfer = transfer.ok_or_else(|| FeError::Analysis("no transfer functions".into()))?;
     Ok((found, transfer))
 }
@@ -134,10 +138,12 @@ fn rigid() -> Answer {
         ("2", 2.0),
     ] {
         let omega = multiple * first;
-        let at = (0..found.frequency.len()).find(|&i| (found.frequency[i] * TAU / omega - 1.0).abs() < 1e-9);
+        let frequency = numbers(&found, "frequency_hz")?;
+        let at = frequency.iter().position(|f| (f * TAU / omega - 1.0).abs() < 1e-9);
         let at = at.ok_or_else(|| FeError::Analysis(format!("{omega} rad/s is not among the frequencies")))?;
         for ((id, title, unit), (expected, size)) in tables.iter().zip(potential_flow(omega)) {
-            let f = function(&found, id)?;
+            let magnitude = numbers(&found, &format!("{id}_magnitude"))?;
+            let phase = numbers(&found, &format!("{id}_phase"))?;
             // Masses of the default mesh err by 0.2 %, with twice the elements by at most a quarter of it; the first frequency by 1e-5,
             // which is 0.001 of the half-width of the peak. Modes beyond the fifth have 0.1 % of the shear's static part and are in
             // the total mass: 3e-3 in all, of the sum of the parts.
@@ -146,7 +152,7 @@ fn rigid() -> Answer {
                 format!("{title}, Ω = {name} ω_1"),
                 SOURCE,
                 (expected.norm(), 3e-3 * size / expected.norm()),
-                f.magnitude[at],
+                magnitude[at],
                 unit,
             ));
             if multiple == 1.0 {
@@ -156,7 +162,7 @@ fn rigid() -> Answer {
                     format!("{title}, phase at resonance"),
                     SOURCE,
                     (expected.arg(), 3e-3),
-                    f.phase[at],
+                    phase[at],
                     "rad",
                 ));
             }
@@ -203,8 +209,8 @@ fn history() -> Answer {
         for i in last - 2000..last {
             sum += history[i] * Complex::new(0.0, -omega * run.series.time[i]).exp() / 1000.0;
         }
-        let f = function(&found, id)?;
-        let steady = Complex::from_polar(f.magnitude[0], f.phase[0]);
+        let first = |what: &str| Ok::<f64, FeError>(numbers(&found, &format!("{id}_{what}"))?[0]);
+        let steady = Complex::from_polar(first("magnitude")?, first("phase")?);
         let reference = (0.0, "the engine's own time history", Reference::SecondFormulation);
         rows.push(Row::new(
             "transfer-3",

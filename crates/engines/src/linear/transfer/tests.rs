@@ -11,6 +11,7 @@ use tank::{Case, Shape};
 use super::*;
 use crate::harmonic::test_tanks;
 use crate::simulate;
+use results::Part;
 
 fn options(frequency: FrequencyOptions) -> Options {
     Options {
@@ -35,14 +36,35 @@ fn shaken(mut case: Case, dt: f64, acceleration: Vec<f64>) -> Case {
 }
 
 /// With a record that is of no account.
-fn transfer(case: &Case, frequency: FrequencyOptions) -> Transfer {
+fn transfer(case: &Case, frequency: FrequencyOptions) -> Part {
     let case = shaken(case.clone(), 0.01, vec![0.0, 0.1, 0.0]);
     let run = simulate(&case, &options(frequency)).unwrap();
-    run.result.transfer.expect("asked for")
+    run.result.part("transfer").expect("asked for").clone()
 }
 
-fn function<'a>(found: &'a Transfer, id: &str) -> &'a TransferFunction {
-    found.functions.iter().find(|f| f.id == id).unwrap()
+/// A function as the results have it.
+struct Function {
+    static_value: f64,
+    magnitude: Vec<f64>,
+    phase: Vec<f64>,
+}
+
+fn function(found: &Part, id: &str) -> Function {
+    let series = found.table("transfer").unwrap();
+    let column = |what: &str| {
+        let begin = format!("{id}_{what}_");
+        let own = series.columns.iter().find(|column| column.id.starts_with(&begin));
+        series.column(&own.unwrap().id)
+    };
+    Function {
+        static_value: found.cell("peaks", id, "static").unwrap(),
+        magnitude: column("magnitude"),
+        phase: column("phase"),
+    }
+}
+
+fn frequency(found: &Part) -> Vec<f64> {
+    found.table("transfer").unwrap().column("frequency_hz")
 }
 
 fn rigid(radius: f64, depth: f64) -> Case {
@@ -69,9 +91,10 @@ fn slow_motion_is_statics() {
     close(function(&found, "base_shear").static_value, liquid + wall, 1e-6);
     let moment = liquid * depth / 2.0 + wall * case.tank.wall_centroid() + liquid * radius * radius / (4.0 * depth);
     close(function(&found, "overturning_moment").static_value, moment, 1e-5);
-    for f in &found.functions {
+    for (_, id, _) in FUNCTIONS {
+        let f = function(&found, id);
         let first = f.magnitude[0] / f.static_value.abs();
-        assert!((1.0..1.05).contains(&first), "{} {first}", f.id);
+        assert!((1.0..1.05).contains(&first), "{id} {first}");
         assert!(
             (f.phase[0].abs()
                 - if f.static_value < 0.0 {
@@ -95,13 +118,11 @@ fn the_surface_tilts_in_slow_motion() {
         refine: 2.0,
         ..options(FrequencyOptions::DEFAULT)
     };
-    let found = simulate(&case, &fine).unwrap().result.transfer.expect("asked for");
+    let run = simulate(&case, &fine).unwrap();
+    let found = run.result.part("transfer").expect("asked for");
     let zeros = [1.841_184, 5.331_443, 8.536_316, 11.706_005, 14.863_589_f64];
     let five: f64 = zeros.iter().map(|l| 2.0 / (l * l - 1.0)).sum();
-    let (wave, expected) = (
-        function(&found, "wave_height").static_value,
-        -five * 1.83 / case.gravity,
-    );
+    let (wave, expected) = (function(found, "wave_height").static_value, -five * 1.83 / case.gravity);
     assert!((wave / expected - 1.0).abs() < 1e-3, "{wave} {expected}");
 }
 
@@ -122,13 +143,11 @@ fn the_first_sloshing_mode_resonates() {
                     ..FrequencyOptions::DEFAULT
                 },
             );
-            let mode = found
-                .modes
-                .iter()
-                .find(|m| m.kind == "sloshing" && m.number == 1)
-                .unwrap();
-            let distance = |i: &usize| (found.frequency[*i] / mode.frequency - 1.0).abs();
-            let at = (0..found.frequency.len())
+            // The first row is the first sloshing mode.
+            let mode = found.cell("modes", "sloshing", "frequency").unwrap();
+            let frequency = frequency(&found);
+            let distance = |i: &usize| (frequency[*i] / mode - 1.0).abs();
+            let at = (0..frequency.len())
                 .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                 .unwrap();
             assert!(distance(&at) < 1e-9, "the peak is hit");
@@ -167,8 +186,8 @@ fn a_long_harmonic_record_ends_in_the_steady_state() {
             .collect();
         let case = shaken(case.clone(), dt, record);
         let run = simulate(&case, &options(one)).unwrap();
-        let found = run.result.transfer.as_ref().unwrap();
-        assert!((found.frequency[0] / frequency - 1.0).abs() < 1e-9);
+        let found = run.result.part("transfer").unwrap();
+        assert!((self::frequency(found)[0] / frequency - 1.0).abs() < 1e-9);
         let channels = FUNCTIONS.map(|(channel, id, _)| (channel.id(), id));
         for (column, id) in channels {
             let place = run.series.ids.iter().position(|c| *c == column).expect("a history");
@@ -207,6 +226,6 @@ fn an_undamped_tank_has_no_steady_state() {
     case.damping.sloshing = 0.0;
     let case = shaken(case, 0.01, vec![0.0, 0.1, 0.0]);
     let run = simulate(&case, &options(FrequencyOptions::DEFAULT)).unwrap();
-    assert!(run.result.transfer.is_none());
+    assert!(run.result.part("transfer").is_none());
     assert!(run.notes.iter().any(|n| n.contains("no damping")));
 }

@@ -174,16 +174,6 @@ pub(super) const ALL: &[Words] = &[
         )],
     },
     Words {
-        id: "standing",
-        title: "Base under the moments of the codes",
-        sentences: &[(
-            "about",
-            "The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane; plates, \
-                 wall and weight are those of the sheet: less corrosion, vertical motion and overpressure. A given stiffness of the ground decides, of assumed \
-                 ones the least favourable.",
-        )],
-    },
-    Words {
         id: "base",
         title: "Base: uplift and sliding",
         sentences: &[
@@ -203,35 +193,6 @@ pub(super) const ALL: &[Words] = &[
                 "band",
                 "The ground under the rim is never known well: the same run on a third and on three times its modulus. The spread is that of rotation, \
                  toe stress and shear under motions 0.1 % weaker and stronger and with half the time step; above 5 % the run does not repeat.",
-            ),
-        ],
-    },
-    Words {
-        id: "tilt",
-        title: "Static tilt test",
-        sentences: &[
-            (
-                "rest",
-                "Tank and liquid at rest on a tilted base: weight and pressure of the tilted tank, in axes of the tank. θ = 0 is the low \
-                 side. Linear: the wall is not wetted higher on the low side.",
-            ),
-            ("height", "Over the height, including weight and pressure."),
-        ],
-    },
-    Words {
-        id: "transfer",
-        title: "Harmonic base motion",
-        sentences: &[
-            (
-                "meaning",
-                "Steady state under harmonic horizontal motion of the ground, by frequency: the amplitude over its quasi-static value, which is 1 \
-                 for very slow motion. Vertical lines are modes of the first engine drawn: f_c sloshing, f_i structural. Magnitudes and phases of \
-                 the first engine are in `transfer.csv`, those of every engine in `results.json` (`runs[].transfer`).",
-            ),
-            (
-                "linear",
-                "Linear theory: the amplitudes hold while waves are small and the liquid touches the wall; near a lightly damped sloshing mode this \
-                 limits the ground acceleration to very small values.",
             ),
         ],
     },
