@@ -172,6 +172,16 @@ fn declared() -> Vec<(&'static str, LimitState)> {
             "engines",
             time_history::limit_states(case, &time_history::counted(case, &[])),
         );
+        // What a run has under a name of its own where it decides alone.
+        let alone = time_history::counted(case, &[results::FE.to_owned()]);
+        let known = |state: &LimitState| {
+            codes::ALL
+                .iter()
+                .any(|p| p.limit_states(case).iter().any(|s| s.id == state.id))
+        };
+        let mut alone = time_history::limit_states(case, &alone);
+        alone.retain(|state| !known(state));
+        add("engines", alone);
         let asked = time_history::ground_motion(case);
         add("engines", asked.map(|(state, _)| state).into_iter().collect());
     }
