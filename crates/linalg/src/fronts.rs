@@ -100,12 +100,13 @@ impl Fronts {
                 bundle(tree, left, values, keep, first)?,
                 bundle(tree, right, values, keep, second)?,
             ],
-            false => std::thread::scope(|scope| {
-                let other = scope.spawn(|| bundle(tree, right, values, keep, second));
-                let own = bundle(tree, left, values, keep, first);
-                let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                Ok([own?, other?])
-            })?,
+            false => {
+                let (own, other) = rayon::join(
+                    || bundle(tree, left, values, keep, first),
+                    || bundle(tree, right, values, keep, second),
+                );
+                [own?, other?]
+            }
         };
         for (members, (made, leaves)) in tree.bundles.iter().zip(bundles) {
             members.iter().zip(made).for_each(|(&k, panel)| panels[k] = panel);

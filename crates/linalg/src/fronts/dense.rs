@@ -161,10 +161,7 @@ fn divide(l: MatRef<'_, f64>, lower: MatMut<'_, f64>, threads: usize) {
         solve(lower);
         return;
     }
-    std::thread::scope(|scope| {
-        scope.spawn(|| solve(lower));
-        solve(upper);
-    });
+    rayon::join(|| solve(upper), || solve(lower));
 }
 
 /// Products for the columns of a trapezoid whose first one is that of row `from` of `y` and `scaled`.
@@ -204,8 +201,6 @@ fn run(products: Vec<Product<'_>>, depth: usize, threads: usize) {
         halves[to].push(product);
     }
     let [own, other] = halves;
-    std::thread::scope(|scope| {
-        scope.spawn(|| other.into_iter().for_each(Product::run));
-        own.into_iter().for_each(Product::run);
-    });
+    let all = |products: Vec<Product<'_>>| products.into_iter().for_each(Product::run);
+    rayon::join(|| all(own), || all(other));
 }

@@ -73,14 +73,7 @@ impl Fronts {
         if threads < 2 || entries < WORTH {
             return [make(left), make(right)];
         }
-        std::thread::scope(|scope| {
-            let other = scope.spawn(|| make(right));
-            let own = make(left);
-            [
-                own,
-                other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            ]
-        })
+        rayon::join(|| make(left), || make(right)).into()
     }
 
     fn down(&self, k: usize, b: &mut [f64], room: &mut Vec<f64>) {

@@ -240,10 +240,7 @@ impl Newton<'_> {
             of_inertia(blend, own);
             of_damping(blend, other);
         } else {
-            std::thread::scope(|scope| {
-                scope.spawn(|| of_damping(&mut Vec::new(), other));
-                of_inertia(blend, own);
-            });
+            rayon::join(|| of_inertia(blend, own), || of_damping(&mut Vec::new(), other));
         }
         for part in [own, other] {
             scale += norm(part);
