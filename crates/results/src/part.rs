@@ -118,7 +118,7 @@ impl Part {
     /// All values that are compared.
     pub fn values(&self) -> impl Iterator<Item = &Finding> {
         let of = |block| match block {
-            &Block::Values { ref values, .. } => values.as_slice(),
+            Block::Values { values, .. } => values.as_slice(),
             _ => &[],
         };
         self.blocks.iter().flat_map(of)
