@@ -225,7 +225,7 @@ mod tests {
     fn derivatives_of_the_likelihood() {
         let run = |k: u32| Run {
             im: 0.3 * f64::from(k),
-            demand: (k % 3 > 0).then_some(1.0),
+            demand: (!k.is_multiple_of(3)).then_some(1.0),
         };
         let runs: Vec<Run> = (1..=9).map(run).collect();
         newton::derivatives_agree([-0.4, 1.3], |at| likelihood(&runs, 0.2, at));

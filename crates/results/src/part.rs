@@ -117,11 +117,10 @@ fn is_plain(unit: &Dimension) -> bool {
 impl Part {
     /// All values that are compared.
     pub fn values(&self) -> impl Iterator<Item = &Finding> {
-        let of = |block| match block {
+        self.blocks.iter().flat_map(|block| match block {
             Block::Values { values, .. } => values.as_slice(),
             _ => &[],
-        };
-        self.blocks.iter().flat_map(of)
+        })
     }
 
     /// A value by its id.
