@@ -8,7 +8,7 @@ use super::{Free, words};
 use crate::linear::limits::UPLIFT;
 
 /// The limits of validity of a run, those of its base among them: in place of the tension of a wall held down, where the base was free.
-pub(in crate::linear) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
+pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
     let mut limits = others;
     if free.is_modelled() {
         limits.retain(|limit| limit.id != UPLIFT);
