@@ -64,11 +64,11 @@ pub trait Code: Sync {
 /// How a run that decides alone answers a limit state of a code.
 #[derive(Clone, Copy, Debug)]
 pub enum Answer {
-    /// By that of its own list with this id.
+    /// The run checks the limit state of its own list that has this id.
     Run(&'static str),
-    /// As the code does: the action of the run does not change it.
+    /// The answer of the code holds for the run too: the action does not change it.
     Code,
-    /// Not at all, under a name of its own because another code has the same id.
+    /// The run leaves it open. It has an id of its own, because another code uses the same one.
     Open(LimitStateDef),
 }
 

@@ -1,4 +1,4 @@
-//! Number and spacing of the anchors, of a run that decides alone: the tank has them, whatever shakes it.
+//! A run that decides alone checks number and spacing of the anchors: they do not depend on the motion.
 
 use tank::Support;
 use tank::assessment::CheckStatus;

@@ -32,8 +32,8 @@ fn close(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() < tolerance, "{found}, not {wanted}");
 }
 
-/// On the way from rest, springs and curve have the same moment where chords meet, whatever the share η; the tangent is the slope of the moment on
-/// any way.
+/// Springs and curve have the same moment where chords meet on the way from rest, for every share η. The tangent is the slope of the moment on any
+/// way.
 #[test]
 fn the_springs_share_the_curve() {
     let law = concave();
