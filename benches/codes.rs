@@ -31,11 +31,7 @@ fn case() -> Case {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/05_oil_tank/tank.json");
     let file = tankcheck::input::read_tank(&path).unwrap_or_else(|e| panic!("examples/05 is readable: {e}"));
     let mut case = file.case;
-    case.ground_motion = Some(tank::case::GroundMotion {
-        horizontal: record(),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(tank::case::GroundMotion { horizontal: record(), transverse: None, vertical: None });
     case
 }
 
@@ -48,9 +44,7 @@ fn procedures(c: &mut Criterion) {
                 continue;
             }
             let id = format!("{}/{excitation:?}", procedure.id());
-            group.bench_function(id, |b| {
-                b.iter(|| black_box(procedure.assess(black_box(&case), excitation)))
-            });
+            group.bench_function(id, |b| b.iter(|| black_box(procedure.assess(black_box(&case), excitation))));
         }
     }
     group.finish();

@@ -30,22 +30,12 @@ fn cylinder(c: &mut Criterion) {
         transverse: None,
         vertical: None,
     });
-    let options = NonlinearOptions {
-        elements: Some(WallElements {
-            height: 30,
-            circumference: 48,
-        }),
-        ..read.nonlinear
-    };
+    let options = NonlinearOptions { elements: Some(WallElements { height: 30, circumference: 48 }), ..read.nonlinear };
     let run = || simulate(black_box(&case), &options, None, &Silent).expect("the tank is modelled");
     let found = run();
     // The shock of 0.4 g lifts one side and not the other, and the energies agree.
     let lifted = |side| {
-        let of = found
-            .result
-            .histories
-            .iter()
-            .find(|h| h.id == Channel::Uplift(side).id());
+        let of = found.result.histories.iter().find(|h| h.id == Channel::Uplift(side).id());
         of.map_or(0.0, |h| h.peak)
     };
     let [front, back] = Side::BOTH.map(lifted);

@@ -11,21 +11,13 @@ use engines::modes::{Kind, solve};
 
 fn harmonic(c: &mut Criterion) {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/01_broad_tank/tank.json");
-    let case = tankcheck::input::read_tank(file.as_ref())
-        .expect("the example is valid")
-        .case;
+    let case = tankcheck::input::read_tank(file.as_ref()).expect("the example is valid").case;
     for refine in [1.0, 2.0] {
-        let options = Options {
-            refine,
-            ..Options::default()
-        };
+        let options = Options { refine, ..Options::default() };
         let coupled = build(&case, &options, 1).expect("the example is modelled");
         let count = coupled.surface.unknowns.len() + 20;
         let modes = solve(&coupled, Some(count)).expect("the modes are resolved");
-        let bulging = modes
-            .iter()
-            .find(|m| m.kind == Kind::Structural)
-            .expect("the wall is flexible");
+        let bulging = modes.iter().find(|m| m.kind == Kind::Structural).expect("the wall is flexible");
         assert!((bulging.omega / 164.67 - 1.0).abs() < 0.003, "{}", bulging.omega);
 
         let unknowns = coupled.mass.rows;

@@ -24,11 +24,8 @@ use tank::reference::broad;
 
 fn shaken() -> Case {
     let mut case = broad(1000.0);
-    case.ground_motion = Some(GroundMotion {
-        horizontal: motions::broad_band(0.0115, 31.0),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion =
+        Some(GroundMotion { horizontal: motions::broad_band(0.0115, 31.0), transverse: None, vertical: None });
     case
 }
 
@@ -49,42 +46,18 @@ fn response(c: &mut Criterion) {
     let of = |p| -> Observable { vec![(0, 1.0, p)] };
     let scalars: Vec<Observable> = coupled.probes.iter().map(of).collect();
     let lines: Vec<Observable> = coupled.lines.iter().flat_map(|l| &l.probes).map(of).collect();
-    println!(
-        "{} unknowns, {} sub-steps, {} probes on lines",
-        coupled.influence.len(),
-        grid.steps(),
-        lines.len()
-    );
+    println!("{} unknowns, {} sub-steps, {} probes on lines", coupled.influence.len(), grid.steps(), lines.len());
     c.bench_function("superposition, histories and envelopes", |b| {
-        b.iter(|| {
-            superpose::respond(
-                black_box(&systems),
-                &[&motion],
-                grid,
-                &scalars,
-                &lines,
-                &fem::progress::Silent,
-            )
-        });
+        b.iter(|| superpose::respond(black_box(&systems), &[&motion], grid, &scalars, &lines, &fem::progress::Silent));
     });
 
     let direct_system = [DirectSystem::new(&coupled, &modes, &damper)];
-    let short = Grid {
-        samples: 1 + 1000 / grid.sub_steps,
-        ..grid
-    };
+    let short = Grid { samples: 1 + 1000 / grid.sub_steps, ..grid };
     let mut group = c.benchmark_group("direct");
     group.sample_size(10);
     group.bench_function("1000 steps with histories and envelopes", |b| {
         b.iter(|| {
-            direct::respond(
-                black_box(&direct_system),
-                &[&motion],
-                short,
-                &scalars,
-                &lines,
-                &fem::progress::Silent,
-            )
+            direct::respond(black_box(&direct_system), &[&motion], short, &scalars, &lines, &fem::progress::Silent)
         });
     });
     group.finish();

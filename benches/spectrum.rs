@@ -11,9 +11,7 @@ use oscillator::spectrum::{Method, spectrum};
 fn record() -> Record {
     if let Ok(path) = std::env::var("SPECTRUM_RECORD") {
         let options = tankcheck::input::records::ReadOptions::default();
-        return tankcheck::input::records::read(path.as_ref(), &options)
-            .expect("a readable record")
-            .record;
+        return tankcheck::input::records::read(path.as_ref(), &options).expect("a readable record").record;
     }
     let mut seed = 1u64;
     let acceleration = (0..2688)
@@ -23,12 +21,7 @@ fn record() -> Record {
             ((seed >> 33) as f64 / f64::from(1u32 << 31) - 0.5) * 20.0 * x * (-6.0 * x).exp()
         })
         .collect();
-    Record {
-        name: "noise".into(),
-        dt: 0.02,
-        acceleration,
-        processing: Vec::new(),
-    }
+    Record { name: "noise".into(), dt: 0.02, acceleration, processing: Vec::new() }
 }
 
 fn bench(c: &mut Criterion) {

@@ -194,17 +194,11 @@ fn refused(answer: &clap::Error) -> u8 {
         return EXIT_INPUT;
     }
     if answer.use_stderr() {
-        let _ = anstream::stderr()
-            .lock()
-            .write_all(text::without_commands(&coded(text.ansi().to_string())).as_bytes());
+        let _ = anstream::stderr().lock().write_all(text::without_commands(&coded(text.ansi().to_string())).as_bytes());
         return EXIT_INPUT;
     }
     let styled = anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never;
-    let text = if styled {
-        text.ansi().to_string()
-    } else {
-        text.to_string()
-    };
+    let text = if styled { text.ansi().to_string() } else { text.to_string() };
     match terminal::print_coloured(&text) {
         Ok(()) => EXIT_OK,
         Err(error) => terminal::report_failure(&error),

@@ -104,11 +104,7 @@ pub struct Point {
 impl Point {
     /// A point of runs of which none is missing.
     pub fn whole(stripe: Stripe) -> Point {
-        Point {
-            stripe,
-            missing: None,
-            bounds: None,
-        }
+        Point { stripe, missing: None, bounds: None }
     }
 }
 
@@ -155,10 +151,7 @@ impl Asked {
                 Some(_) => CurveStatus::Fitted,
                 None => CurveStatus::NotIdentifiable,
             },
-            bounds: refusal
-                .as_ref()
-                .map(|r| r.bounds)
-                .filter(|b| b.iter().any(Option::is_some)),
+            bounds: refusal.as_ref().map(|r| r.bounds).filter(|b| b.iter().any(Option::is_some)),
             reason: refusal.map(|r| r.reason),
             negative_log_likelihood: fit.map(|f| f.negative_log_likelihood),
             scatter: None,
@@ -176,9 +169,7 @@ impl Asked {
     }
 
     fn scatter(&self, sample: impl Fn(&mut Draw) -> Result<Lognormal, NotIdentifiable>) -> Option<Scatter> {
-        (self.resamples > 0)
-            .then(|| bootstrap::scatter(self.resamples, self.seed, sample))
-            .flatten()
+        (self.resamples > 0).then(|| bootstrap::scatter(self.resamples, self.seed, sample)).flatten()
     }
 
     /// Curves of counts at intensities, state by state from mild to severe.
@@ -212,12 +203,7 @@ impl Asked {
             let n = data.len() + ended.map_or(0, |(_, censored)| censored);
             let found = fit(data);
             // The runs that never reached the state are runs too.
-            let runs: Vec<Option<f64>> = data
-                .iter()
-                .copied()
-                .map(Some)
-                .chain(vec![None; n - data.len()])
-                .collect();
+            let runs: Vec<Option<f64>> = data.iter().copied().map(Some).chain(vec![None; n - data.len()]).collect();
             let sample = |draw: &mut Draw| {
                 let drawn = bootstrap::resampled(&runs, draw);
                 let seen: Vec<f64> = drawn.iter().copied().flatten().collect();
@@ -227,11 +213,7 @@ impl Asked {
                 }
                 .map(|f| f.curve)
             };
-            let method = if ended.is_some() {
-                "truncated_capacities"
-            } else {
-                "capacities"
-            };
+            let method = if ended.is_some() { "truncated_capacities" } else { "capacities" };
             Curve {
                 scatter: found.as_ref().ok().and_then(|_| self.scatter(sample)),
                 ..self.curve(state, method, n, found)
@@ -245,11 +227,7 @@ impl Asked {
         let regression = cloud::fit(runs);
         let curve = |(state, limit): &(String, f64)| {
             let found = regression.clone().and_then(|cloud| {
-                Ok(Fit {
-                    curve: cloud.curve(*limit)?,
-                    n: cloud.n,
-                    negative_log_likelihood: f64::NAN,
-                })
+                Ok(Fit { curve: cloud.curve(*limit)?, n: cloud.n, negative_log_likelihood: f64::NAN })
             });
             let sample = |draw: &mut Draw| cloud::fit(&bootstrap::resampled(runs, draw))?.curve(*limit);
             Curve {
@@ -267,9 +245,8 @@ impl Asked {
 ///
 /// * `data`: counts of each curve
 fn refit(curves: &mut [Curve], data: &[&[Stripe]]) {
-    let fitted: Vec<usize> = (0..curves.len())
-        .filter(|&i| curves[i].curve().is_some() && stripes::fit(data[i]).is_ok())
-        .collect();
+    let fitted: Vec<usize> =
+        (0..curves.len()).filter(|&i| curves[i].curve().is_some() && stripes::fit(data[i]).is_ok()).collect();
     let free: Vec<Lognormal> = fitted.iter().filter_map(|&i| curves[i].curve()).collect();
     let ims = || data.iter().flat_map(|data| data.iter().map(|s| s.im));
     let range = [ims().fold(f64::INFINITY, f64::min), ims().fold(0.0, f64::max)];
@@ -287,9 +264,6 @@ fn refit(curves: &mut [Curve], data: &[&[Stripe]]) {
 impl Curve {
     /// The lognormal curve; none where the data do not identify it.
     pub fn curve(&self) -> Option<Lognormal> {
-        Some(Lognormal {
-            median: self.median?,
-            dispersion: self.dispersion?,
-        })
+        Some(Lognormal { median: self.median?, dispersion: self.dispersion? })
     }
 }

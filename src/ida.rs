@@ -85,12 +85,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         incomplete: true,
         sloshing_beyond_usable: beyond(&job.job)?,
     };
-    let missing: Vec<f64> = job
-        .scales
-        .iter()
-        .copied()
-        .filter(|&scale| !has(&ida.runs, scale))
-        .collect();
+    let missing: Vec<f64> = job.scales.iter().copied().filter(|&scale| !has(&ida.runs, scale)).collect();
     let key = ida.key.clone();
     let checkpoint = |scale: f64| CheckpointFile {
         path: work.file(&format!("{CHECKPOINT}{scale}")),
@@ -129,9 +124,7 @@ fn beyond(job: &Job) -> Result<Option<[f64; 2]>, Error> {
         return Ok(None);
     };
     let sloshing = pipeline::sloshing_period(&pipeline::procedures::under(job, Excitation::Record)?);
-    Ok(sloshing
-        .filter(|period| *period > usable)
-        .map(|period| [usable, period]))
+    Ok(sloshing.filter(|period| *period > usable).map(|period| [usable, period]))
 }
 
 /// Warnings about the input, placed above the assumptions of the engine.

@@ -207,10 +207,7 @@ mod tests {
     #[test]
     fn the_order_of_keys_is_of_no_account_and_every_digit_counts() {
         let of = |text: &str| canonical(serde_json::from_str(text).expect("JSON")).to_string();
-        assert_eq!(
-            of(r#"{"b": [{"d": 1, "c": 0.1}], "a": null}"#),
-            of(r#"{"a": null, "b": [{"c": 0.1, "d": 1}]}"#)
-        );
+        assert_eq!(of(r#"{"b": [{"d": 1, "c": 0.1}], "a": null}"#), of(r#"{"a": null, "b": [{"c": 0.1, "d": 1}]}"#));
         assert_ne!(of("[0.1]"), of("[0.10000000000000002]"));
         assert_ne!(of("[1, 2]"), of("[2, 1]"));
     }

@@ -85,9 +85,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
-    let of_engine = simulations
-        .first()
-        .and_then(|s| s.values.get(&Quantity::SloshingPeriod).copied());
+    let of_engine = simulations.first().and_then(|s| s.values.get(&Quantity::SloshingPeriod).copied());
     motion::mark(&mut records, of_engine.or_else(|| sloshing_period(&methods)));
     for simulation in &mut simulations {
         attribution::separate(job, simulation);
@@ -115,9 +113,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         columns.methods.extend(measured::column(job));
     }
     let comparison = columns.compare(job, context);
-    let Columns {
-        methods, runs, series, ..
-    } = columns;
+    let Columns { methods, runs, series, .. } = columns;
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
     let verdict = Verdict {
@@ -129,10 +125,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     let not_computed = runs::left_out(job, &runs);
     let results = Results {
         format: FORMAT.into(),
-        volatile: Volatile {
-            version: env!("CARGO_PKG_VERSION").into(),
-            ..Volatile::default()
-        },
+        volatile: Volatile { version: env!("CARGO_PKG_VERSION").into(), ..Volatile::default() },
         name: job.case.name.clone(),
         project: job.project.clone(),
         files: job.files.clone(),
@@ -150,11 +143,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         not_computed,
     };
     finite::check_results(&results)?;
-    Ok(Outcome {
-        results,
-        series,
-        snapshots,
-    })
+    Ok(Outcome { results, series, snapshots })
 }
 
 /// Demands of a run under the record, or those of a set, against the capacities of the codes and the rule for the records.
@@ -163,11 +152,7 @@ fn of_run(job: &Job, number: usize, simulation: &Simulation, design: Option<&Des
         Some(design) => design.findings.clone(),
         None => runs::findings(job, simulation),
     };
-    if simulation
-        .demands
-        .as_ref()
-        .is_some_and(|demands| demands.base.is_none())
-    {
+    if simulation.demands.as_ref().is_some_and(|demands| demands.base.is_none()) {
         base_state::overstressed(&mut findings.checks);
     }
     if ground_motion::asked(job, simulation.result.engine.column(number)) {
@@ -238,18 +223,12 @@ fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, E
 fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64> {
     match simulation {
         Some(simulation) => {
-            let modes = simulation
-                .result
-                .modes
-                .iter()
-                .filter(|m| m.harmonic == 1 && m.number <= 3);
+            let modes = simulation.result.modes.iter().filter(|m| m.harmonic == 1 && m.number <= 3);
             modes.map(|m| m.period).collect()
         }
         None => {
             let ids = [Quantity::SloshingPeriod.id(), Quantity::ImpulsivePeriod.id()];
-            let values = methods
-                .iter()
-                .flat_map(|m| ids.iter().filter_map(|id| m.quantities.get(*id)));
+            let values = methods.iter().flat_map(|m| ids.iter().filter_map(|id| m.quantities.get(*id)));
             values.map(|v| v.value).collect()
         }
     }

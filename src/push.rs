@@ -31,14 +31,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
     // Faults of the folder are reported before anything is computed.
     let folder = OutputFolder::prepare_alone(&job.out, PUSH)?;
     let case = &job.job.case;
-    let pushed = pushover(
-        case,
-        &job.job.nonlinear,
-        &job.options,
-        &formulas(case),
-        job.checkpoint.as_ref(),
-        progress,
-    )?;
+    let pushed = pushover(case, &job.job.nonlinear, &job.options, &formulas(case), job.checkpoint.as_ref(), progress)?;
     let joint = pushed.shells.first();
     let joint = joint.and_then(|shell| PushJoint::of(shell, plate_uplift::ROTATION, "EN 1998-4:2006, A.9"));
     let push = Push {

@@ -97,22 +97,15 @@ impl SetJob {
                     .into(),
             ));
         }
-        self.job = Job {
-            case: self.job.case.clone(),
-            raw_records: Vec::new(),
-            usable_periods: Vec::new(),
-            ..job.clone()
-        };
+        self.job =
+            Job { case: self.job.case.clone(), raw_records: Vec::new(), usable_periods: Vec::new(), ..job.clone() };
         Ok(())
     }
 }
 
 impl Earthquake {
     fn horizontal(&self) -> Horizontal<'_> {
-        Horizontal {
-            along: &self.motion.horizontal,
-            across: self.motion.transverse.as_ref(),
-        }
+        Horizontal { along: &self.motion.horizontal, across: self.motion.transverse.as_ref() }
     }
 
     /// Longest period of which both horizontal components say something [s].
@@ -122,19 +115,13 @@ impl Earthquake {
     }
 
     fn scale(&mut self, factor: f64) {
-        let GroundMotion {
-            horizontal,
-            transverse,
-            vertical,
-        } = &mut self.motion;
+        let GroundMotion { horizontal, transverse, vertical } = &mut self.motion;
         let components = std::iter::once(horizontal).chain(transverse).chain(vertical);
         for record in components {
             for a in &mut record.acceleration {
                 *a *= factor;
             }
-            record
-                .processing
-                .push(format!("times the factor of the set, {factor:.6}"));
+            record.processing.push(format!("times the factor of the set, {factor:.6}"));
         }
     }
 }
@@ -160,8 +147,7 @@ impl Under {
         self.values.clone_from(&simulation.values);
         // A mean or maximum leaves out forces of a wall that is held down: the tank does not have them.
         if matches!(demands.footing, Footing::Beyond { .. }) {
-            self.values
-                .retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
+            self.values.retain(|quantity, _| !results::compare::depends(*quantity, Outside::Uplift));
         }
     }
 }
@@ -196,11 +182,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
         Err(error) => (None, rule::reason(&error)),
     };
     let horizontal: Vec<Horizontal<'_>> = set.records.iter().map(Earthquake::horizontal).collect();
-    let rules = Rules {
-        compatibility,
-        no_target,
-        of_site: ground_motion::ask(&set.job, &wanted, &horizontal),
-    };
+    let rules = Rules { compatibility, no_target, of_site: ground_motion::ask(&set.job, &wanted, &horizontal) };
     let impulsive = modes[0].or_else(|| wanted.iter().find(|w| w.which == "impulsive").map(|w| w.period));
     let shown = strongest(&set.records, impulsive);
     let (mut simulation, mut errors) = (None, BTreeMap::new());
@@ -262,9 +244,7 @@ fn run_engine(
         None => engine(id).run(&job.task(), progress)?,
     };
     if simulation.result.incomplete {
-        return Err(Error::Fe(FeError::Interrupted {
-            stage: "a set of records".into(),
-        }));
+        return Err(Error::Fe(FeError::Interrupted { stage: "a set of records".into() }));
     }
     Ok(Some(simulation))
 }
@@ -308,18 +288,10 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
 /// Errors: no target; one that ends too early; no periods.
 fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<(Compatibility, Option<String>), Error> {
     if wanted.is_empty() {
-        return Err(Error::input(
-            Code::MissingInput,
-            "no procedure and no engine gives a period of this tank".into(),
-        ));
+        return Err(Error::input(Code::MissingInput, "no procedure and no engine gives a period of this tank".into()));
     }
-    let question = Question {
-        code: set.code,
-        table: set.table.as_ref(),
-        target: &set.target,
-        site: &set.job.case.site,
-        wanted,
-    };
+    let question =
+        Question { code: set.code, table: set.table.as_ref(), target: &set.target, site: &set.job.case.site, wanted };
     let ask = |records: &[Earthquake]| {
         let horizontal: Vec<Horizontal<'_>> = records.iter().map(Earthquake::horizontal).collect();
         rule::answer(&question, &horizontal)

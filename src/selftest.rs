@@ -224,40 +224,20 @@ fn line(procedure: &dyn Procedure, symbol: &str, unit: f64) -> Answer {
 }
 
 fn cracked_section() -> Answer {
-    let bars = Bars {
-        depth: 0.05,
-        area: 1e-3,
-        diameter: Some(0.016),
-        yield_strength: 500e6,
-        modulus: 200e9,
-    };
-    let section = Section {
-        thickness: 0.25,
-        strength: 30e6,
-        modulus: 33e9,
-        bars: vec![bars],
-        factors: (1.5, 1.15),
-    };
+    let bars = Bars { depth: 0.05, area: 1e-3, diameter: Some(0.016), yield_strength: 500e6, modulus: 200e9 };
+    let section = Section { thickness: 0.25, strength: 30e6, modulus: 33e9, bars: vec![bars], factors: (1.5, 1.15) };
     let found = width(&section, 0.0, 50e3, 2.9e6, LASTING);
     Ok(found.ok_or("nothing pulls")?.stress / 1e6)
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 /// A uniform cylinder of radius, height and thickness [m], Young's modulus [Pa], water to a depth [m].
 fn cylinder([radius, height, thickness]: [f64; 3], modulus: f64, depth: f64) -> Case {
     let wall = material(modulus, 0.3, 7850.0);
-    case(
-        Shape::Cylinder { radius },
-        &[(height, thickness)],
-        &wall,
-        (1000.0, depth),
-    )
+    case(Shape::Cylinder { radius }, &[(height, thickness)], &wall, (1000.0, depth))
 }
 
 /// First coupled frequency of a kind, harmonic 1 [rad/s].
@@ -269,17 +249,8 @@ fn first(kind: &str, case: Case) -> Answer {
 
 /// The case under a record that does nothing.
 fn at_rest(mut case: Case) -> Case {
-    let horizontal = Record {
-        name: "rest".into(),
-        dt: 0.01,
-        acceleration: vec![0.0; 3],
-        processing: Vec::new(),
-    };
-    case.ground_motion = Some(GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    });
+    let horizontal = Record { name: "rest".into(), dt: 0.01, acceleration: vec![0.0; 3], processing: Vec::new() };
+    case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
     case
 }
 
@@ -323,12 +294,8 @@ fn steel_cycle() -> Answer {
 /// The base of a wall 3 m high and 30 cm thick of 25 kN/m³, f_t = 3.5 MPa: the moment under which the strain of its edge reaches f_t/E.
 fn cracking_moment() -> Answer {
     let (modulus, strength, thickness) = (34e9 / 0.96, 3.5e6, 0.3);
-    let tension = Tension {
-        strength,
-        softening: Softening::Strain { softening_strain: 3e-4 },
-        stiffening: None,
-        bond: None,
-    };
+    let tension =
+        Tension { strength, softening: Softening::Strain { softening_strain: 3e-4 }, stiffening: None, bond: None };
     let concrete = UniaxialConcrete::new(modulus, Compression::Plastic { strength: 35e6 }, Some(tension))?;
     let section = FibreSection::new(765.0)?.rectangle(Arc::new(concrete), [1.0, thickness], 0.0, 30)?;
     let curvatures: Vec<f64> = (0..400).map(|i| 5e-6 * f64::from(i)).collect();
@@ -341,12 +308,7 @@ fn cracking_moment() -> Answer {
 
 /// 10 mm of steel under 128 kPa on nearly rigid ground, its rim free to turn.
 fn lifted_plate() -> Answer {
-    let plate = Plate {
-        thickness: 0.01,
-        young_modulus: 205e9,
-        poisson_ratio: 0.3,
-        yield_stress: None,
-    };
+    let plate = Plate { thickness: 0.01, young_modulus: 205e9, poisson_ratio: 0.3, yield_stress: None };
     let strip = Strip::new(Bands::uniform(plate), Rim::Hinged, 3.0, 1e12, 128e3, Plan::Strip)?.refined(2.0);
     let mut state = Lifted::at_rest(&strip, 0.0)?;
     state.lift_to(closed::hinged(&plate, 128e3, 0.7).uplift)?;

@@ -49,13 +49,7 @@ pub fn run(job: &Job, variable: Variable) -> Result<Solution, Error> {
     let given = variable.given(&job.case)?;
     let range = variable.range(&job.case);
     let (methods, reference) = pipeline::procedures::decide(job)?;
-    let solution = |found, evaluations| Solution {
-        variable,
-        given,
-        range,
-        found,
-        evaluations,
-    };
+    let solution = |found, evaluations| Solution { variable, given, range, found, evaluations };
     if reference.status == VerdictStatus::NotAssessed {
         let reason = inapplicable(&methods).unwrap_or_else(|| "no deciding procedure checked a limit state".into());
         return Ok(solution(Found::Unanswered(reason), 1));
@@ -120,17 +114,11 @@ mod tests {
     use results::{Deciding, verdict};
 
     fn method(checks: Vec<Check>) -> Method {
-        Method {
-            checks,
-            ..Method::new("code", "code", Excitation::Site)
-        }
+        Method { checks, ..Method::new("code", "code", Excitation::Site) }
     }
 
     fn judged(methods: &[Method]) -> Verdict {
-        let deciding = Deciding {
-            method: "code".into(),
-            excitation: Excitation::Site,
-        };
+        let deciding = Deciding { method: "code".into(), excitation: Excitation::Site };
         verdict(methods, vec![deciding], false, None)
     }
 
@@ -139,12 +127,7 @@ mod tests {
     }
 
     fn gap(id: &'static str) -> Check {
-        let state = LimitState {
-            id,
-            name: id,
-            clause: String::new(),
-            requirement: Requirement::Required,
-        };
+        let state = LimitState { id, name: id, clause: String::new(), requirement: Requirement::Required };
         Check::without_comparison(&state, CheckStatus::NotChecked, "no data", None)
     }
 

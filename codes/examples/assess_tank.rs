@@ -29,11 +29,7 @@ fn main() {
         match procedure.assess(&case, Excitation::Site) {
             Ok(assessment) => {
                 println!("{title}");
-                for quantity in [
-                    Quantity::SloshingHeight,
-                    Quantity::BaseShear,
-                    Quantity::OverturningMoment,
-                ] {
+                for quantity in [Quantity::SloshingHeight, Quantity::BaseShear, Quantity::OverturningMoment] {
                     if let Some(value) = assessment.values.get(&quantity) {
                         println!("  {:<44} {}", quantity.title(), display(*value, quantity.dimension()));
                     }

@@ -14,13 +14,8 @@ use tank::assessment::{Check, CheckStatus};
 /// Limit states of the tension of anchors, of procedures and engines.
 const ANCHORAGE: [&str; 2] = ["anchorage", "anchor_tension"];
 /// Limit states of the compression of a wall.
-const COMPRESSED: [&str; 5] = [
-    "buckling_elastic",
-    "buckling_elastic_plastic",
-    "shell_compression",
-    "upper_compression",
-    "equivalent_stress",
-];
+const COMPRESSED: [&str; 5] =
+    ["buckling_elastic", "buckling_elastic_plastic", "shell_compression", "upper_compression", "equivalent_stress"];
 /// Why the base of a tank on anchors is not known.
 const LIFTS_OFF: &str =
     "its anchors are overstressed: the wall lifts, and its compression grows beyond that of a wall held down";

@@ -93,10 +93,7 @@ fn nth_zero(m: u32, n: usize) -> f64 {
             }
         }
         left = right;
-        debug_assert!(
-            left < 10.0 * (n as f64 + 2.0 * f64::from(m) + 2.0) * PI,
-            "zero not found"
-        );
+        debug_assert!(left < 10.0 * (n as f64 + 2.0 * f64::from(m) + 2.0) * PI, "zero not found");
     }
 }
 
@@ -136,10 +133,7 @@ mod tests {
 
     /// Panics unless the two agree within the relative tolerance.
     fn close(value: f64, reference: f64, rtol: f64) {
-        assert!(
-            (value - reference).abs() <= rtol * reference.abs(),
-            "{value} instead of {reference}"
-        );
+        assert!((value - reference).abs() <= rtol * reference.abs(), "{value} instead of {reference}");
     }
 
     /// Abramowitz and Stegun, table 9.5 (five decimals; order 0 to ten); tolerance half the last printed digit.
@@ -152,11 +146,7 @@ mod tests {
         ];
         for (m, zeros) in table {
             for (i, zero) in zeros.into_iter().enumerate() {
-                assert!(
-                    (j_prime_zero(m, i + 1) - zero).abs() <= 0.5e-5,
-                    "m = {m}, n = {}",
-                    i + 1
-                );
+                assert!((j_prime_zero(m, i + 1) - zero).abs() <= 0.5e-5, "m = {m}, n = {}", i + 1);
             }
         }
         assert!((j_prime_zero(0, 1) - 3.8317059702).abs() <= 0.5e-10);

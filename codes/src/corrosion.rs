@@ -32,13 +32,7 @@ pub(crate) fn lines(sheet: &mut Sheet, tank: &Tank, symbol: &str, clause: &str) 
     });
     for (index, name, path, thickness, corrosion) in courses.chain(bottom).filter(|part| part.4 > 0.0) {
         let (built, lost) = (format!("{symbol}_n{index}"), format!("c_{index}"));
-        sheet.input(
-            &built,
-            &format!("thickness of {name} as built"),
-            thickness,
-            Length,
-            &path,
-        );
+        sheet.input(&built, &format!("thickness of {name} as built"), thickness, Length, &path);
         sheet.input(&lost, &format!("corrosion of {name}"), corrosion, Length, &path);
         let terms = [(built.as_str(), thickness, Length), (lost.as_str(), corrosion, Length)];
         let net = format!("net thickness of {name}");

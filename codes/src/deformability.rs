@@ -96,13 +96,9 @@ mod tests {
     /// Coefficients of the period in the module's table: C of EN 1998-4 table A.2 times √(H/R).
     #[test]
     fn period_coefficients() {
-        for (ratio, c, product) in [
-            (0.5, 7.74, 5.5),
-            (1.0, 6.36, 6.4),
-            (1.5, 6.06, 7.4),
-            (2.0, 6.21, 8.8),
-            (3.0, 7.03, 12.2_f64),
-        ] {
+        for (ratio, c, product) in
+            [(0.5, 7.74, 5.5), (1.0, 6.36, 6.4), (1.5, 6.06, 7.4), (2.0, 6.21, 8.8), (3.0, 7.03, 12.2_f64)]
+        {
             let ratio: f64 = ratio;
             assert!((c * ratio.sqrt() - product).abs() < 0.051);
         }

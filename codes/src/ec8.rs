@@ -105,11 +105,7 @@ impl Procedure for En2006 {
     }
 
     fn label(&self) -> Label {
-        Label {
-            title: "EN 1998-4:2006, annex A",
-            short: "EN 1998-4:2006",
-            figure_key: "k-ec8-2006",
-        }
+        Label { title: "EN 1998-4:2006, annex A", short: "EN 1998-4:2006", figure_key: "k-ec8-2006" }
     }
 
     fn decides(&self, site: &Site) -> bool {
@@ -129,11 +125,7 @@ impl Procedure for En2006 {
             return Vec::new();
         };
         let own = site.spectrum.as_ref();
-        let title = if own.is_some() {
-            "Own spectrum"
-        } else {
-            "EN 1998-1 elastic"
-        };
+        let title = if own.is_some() { "Own spectrum" } else { "EN 1998-1 elastic" };
         let curve = |&damping: &f64| {
             Some(DesignCurve {
                 id: format!("ec8-{damping}"),
@@ -171,11 +163,7 @@ impl Procedure for Env1998 {
     }
 
     fn label(&self) -> Label {
-        Label {
-            title: "ENV 1998-4:1998, annex B (superseded)",
-            short: "ENV 1998-4",
-            figure_key: "k-ec8-env",
-        }
+        Label { title: "ENV 1998-4:1998, annex B (superseded)", short: "ENV 1998-4", figure_key: "k-ec8-env" }
     }
 
     fn table(&self) -> &'static [LimitStateDef] {
@@ -216,9 +204,7 @@ fn assess_one(case: &Case, excitation: Excitation, edition: Edition) -> Result<A
 }
 
 fn finished(work: Work) -> Result<Assessment, CodeError> {
-    let Work {
-        sheet, mut out, base, ..
-    } = work;
+    let Work { sheet, mut out, base, .. } = work;
     base.follow(&mut out.checks);
     out.steps = sheet.into_steps()?;
     Ok(out)
@@ -262,13 +248,7 @@ fn situation(work: &mut Work) {
     let name = "factor of weight, liquid, pressure above it (ψ_2 = 1) and seismic action (γ_I is part of a_g)";
     sheet.input("γ_F", name, 1.0, Dimensionless, clause);
     let name = "partial factor of the resistance of a metal wall";
-    sheet.input(
-        "γ_M",
-        name,
-        1.0,
-        Dimensionless,
-        "EN 1998-1:2004 6.1.3, EN 1993-4-2:2007 2.9",
-    );
+    sheet.input("γ_M", name, 1.0, Dimensionless, "EN 1998-1:2004 6.1.3, EN 1993-4-2:2007 2.9");
     let pressure = work.case.tank.pressure;
     if !pressure.is_none() {
         let (name, path) = ("overpressure above the liquid", "tank.pressure.internal");

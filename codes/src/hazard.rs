@@ -66,15 +66,8 @@ pub fn covers(spectrum: Option<&SiteSpectrum>, what: &str, period: f64) -> Resul
 /// Elastic spectrum [m/s²] over the period [s] at a damping, times an importance factor.
 pub fn elastic(spectrum: &SiteSpectrum, importance: f64, damping: f64) -> Box<dyn Fn(f64) -> f64> {
     match &spectrum.form {
-        SpectrumForm::Table {
-            damping: given,
-            horizontal,
-            ..
-        } => {
-            let (table, ratio) = (
-                horizontal.clone(),
-                damping_correction(damping) / damping_correction(*given),
-            );
+        SpectrumForm::Table { damping: given, horizontal, .. } => {
+            let (table, ratio) = (horizontal.clone(), damping_correction(damping) / damping_correction(*given));
             Box::new(move |period| importance * scaled(&table, period, ratio))
         }
         SpectrumForm::Parameters(given) => {
@@ -102,12 +95,7 @@ mod tests {
     /// 1.9e-5 beyond T_D = 2 s and 0.25 (0.01/0.6)² = 7e-5 beyond T_C = 0.6 s. The rising branch and the plateau are linear.
     #[test]
     fn a_sampled_spectrum_gives_the_spectrum() {
-        let parameters = SpectrumParameters {
-            ag: 1.0,
-            soil: 1.15,
-            corners: [0.2, 0.6, 2.0],
-            long_corners: None,
-        };
+        let parameters = SpectrumParameters { ag: 1.0, soil: 1.15, corners: [0.2, 0.6, 2.0], long_corners: None };
         let spectrum = ElasticSpectrum::of_parameters(&parameters, 0.9, 1.0);
         for (given, wanted) in [(0.05, 0.05), (0.05, 0.005), (0.05, 0.2), (0.02, 0.05)] {
             let table = sampled(&spectrum, given);
@@ -140,36 +128,18 @@ mod tests {
         let rows = vec![[0.0, 1.0], [0.2, 2.5], [0.6, 2.5], [2.0, 0.8]];
         let table = SpectrumTable::new(rows).unwrap();
         let site = |damping: f64| SiteSpectrum {
-            form: SpectrumForm::Table {
-                damping,
-                horizontal: table.clone(),
-                vertical: None,
-            },
+            form: SpectrumForm::Table { damping, horizontal: table.clone(), vertical: None },
             vertical_ratio: 0.9,
         };
-        for (period, exact) in [
-            (0.0, 1.0),
-            (0.1, 1.75),
-            (0.2, 2.5),
-            (0.5, 2.5),
-            (1.3, 1.65),
-            (2.0, 0.8),
-            (9.0, 0.8),
-        ] {
+        for (period, exact) in [(0.0, 1.0), (0.1, 1.75), (0.2, 2.5), (0.5, 2.5), (1.3, 1.65), (2.0, 0.8), (9.0, 0.8)] {
             assert!((ordinate(&table, period) - exact).abs() < 1e-12, "{period}");
-            assert!(
-                (elastic(&site(0.05), 1.4, 0.05)(period) - 1.4 * exact).abs() < 1e-12,
-                "{period}"
-            );
+            assert!((elastic(&site(0.05), 1.4, 0.05)(period) - 1.4 * exact).abs() < 1e-12, "{period}");
         }
         assert_eq!(longest(&site(0.05)), 2.0);
         let eta = (10.0_f64 / 5.5).sqrt();
         // From the plateau on all is times η; halfway up the rise half of the plateau's gain.
         for (period, exact) in [(0.1, 1.75 + (eta - 1.0) * 1.25), (0.4, 2.5 * eta), (1.3, 1.65 * eta)] {
-            assert!(
-                (elastic(&site(0.05), 1.0, 0.005)(period) - exact).abs() < 1e-12,
-                "{period}"
-            );
+            assert!((elastic(&site(0.05), 1.0, 0.005)(period) - exact).abs() < 1e-12, "{period}");
             assert!((elastic(&site(0.005), 1.0, 0.005)(period) - ordinate(&table, period)).abs() < 1e-12);
         }
     }
@@ -197,11 +167,7 @@ mod tests {
     fn a_table_is_not_continued() {
         let table = SpectrumTable::new(vec![[0.0, 1.0], [4.0, 1.0]]).unwrap();
         let spectrum = SiteSpectrum {
-            form: SpectrumForm::Table {
-                damping: 0.05,
-                horizontal: table,
-                vertical: None,
-            },
+            form: SpectrumForm::Table { damping: 0.05, horizontal: table, vertical: None },
             vertical_ratio: 0.9,
         };
         assert!(covers(Some(&spectrum), "sloshing", 4.0).is_ok() && covers(None, "sloshing", 9.0).is_ok());

@@ -47,11 +47,7 @@ fn tanks() -> Vec<Case> {
 fn cases() -> Vec<Case> {
     let mut all = Vec::new();
     for (number, mut case) in tanks().into_iter().enumerate() {
-        case.ground_motion = Some(GroundMotion {
-            horizontal: record(3.0),
-            transverse: None,
-            vertical: None,
-        });
+        case.ground_motion = Some(GroundMotion { horizontal: record(3.0), transverse: None, vertical: None });
         case.site.ec8 = Some(ec8_site(1 + (number % 2) as u8, number % 3 == 0));
         let mut api = api_site();
         api.sug = 1 + (number % 3) as u8;
@@ -89,10 +85,7 @@ fn ingredients_give_the_values() {
     each(|id, case, excitation, ingredients, values| {
         let q = ingredients.quantity;
         let expected = values[&q];
-        let what = format!(
-            "{id} {excitation:?} {q:?} H/a {}",
-            case.liquid.fill_height / case.tank.shape.half_length()
-        );
+        let what = format!("{id} {excitation:?} {q:?} H/a {}", case.liquid.fill_height / case.tank.shape.half_length());
         let value = ingredients.value().unwrap();
         near(value, expected, TOLERANCE * expected.abs(), &what);
         count += 1;
@@ -144,13 +137,7 @@ fn ordinates_of_a_record_are_its_spectrum() {
         if excitation == Excitation::Record {
             let record = &case.ground_motion.as_ref().unwrap().horizontal;
             for part in parts(ingredients) {
-                let Ordinate {
-                    rule,
-                    period,
-                    damping,
-                    base,
-                    ref factors,
-                } = part.ordinate;
+                let Ordinate { rule, period, damping, base, ref factors } = part.ordinate;
                 let spectrum = oscillator::spectrum::ordinates(record, period.unwrap(), damping).psa;
                 near(base, spectrum, TOLERANCE * spectrum, id);
                 assert!(factors.iter().all(|f| f.1 == 1.0));
@@ -197,18 +184,9 @@ fn api_ordinate_by_hand() {
     api.sug = 2;
     c.site.api650 = Some(api);
     let out = crate::ALL[4].assess(&c, Excitation::Site).unwrap();
-    let shear = out
-        .ingredients
-        .iter()
-        .find(|i| i.quantity == Quantity::BaseShear)
-        .unwrap();
+    let shear = out.ingredients.iter().find(|i| i.quantity == Quantity::BaseShear).unwrap();
     let part = parts(shear)[0];
     near(part.ordinate.factor(Factor::Importance), 1.25, 1e-12, "I");
-    near(
-        part.ordinate.factor(Factor::BehaviourFactor),
-        0.25,
-        1e-12,
-        "1/R_wi, anchored",
-    );
+    near(part.ordinate.factor(Factor::BehaviourFactor), 0.25, 1e-12, "1/R_wi, anchored");
     near(part.ordinate.factor(Factor::Bounds), 1.0, 1e-9, "bounds");
 }

@@ -59,16 +59,11 @@ fn grouped(number: &str) -> String {
 pub(crate) fn grounds(case: &Case) -> Option<Vec<Ground>> {
     let own = Base::net(case).ok()?;
     let assumed = matches!(own.origin, Origin::Assumed(_));
-    let mut moduli = BAND
-        .map(|factor| (factor * own.modulus, assumed || factor == 1.0))
-        .to_vec();
+    let mut moduli = BAND.map(|factor| (factor * own.modulus, assumed || factor == 1.0)).to_vec();
     if case.tank.foundation.is_none() && assumed {
         moduli.push((CONCRETE, true));
     }
-    let ground = |(modulus, decides)| Ground {
-        base: own.on(modulus),
-        decides,
-    };
+    let ground = |(modulus, decides)| Ground { base: own.on(modulus), decides };
     Some(moduli.into_iter().map(ground).collect())
 }
 
@@ -183,18 +178,10 @@ pub fn drawings(case: &Case, moment: f64, weight: f64) -> Vec<Drawing> {
             modulus: base.modulus,
             decides,
             curve: turns.iter().map(|turn| [turn.rotation, turn.moment]).collect(),
-            stand: if share < 1.0 {
-                None
-            } else {
-                plate().map(|plate| (end, plate))
-            },
+            stand: if share < 1.0 { None } else { plate().map(|plate| (end, plate)) },
         })
     };
-    grounds(case)
-        .unwrap_or_default()
-        .into_iter()
-        .filter_map(drawing)
-        .collect()
+    grounds(case).unwrap_or_default().into_iter().filter_map(drawing).collect()
 }
 
 #[cfg(test)]

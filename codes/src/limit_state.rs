@@ -102,22 +102,11 @@ impl LimitStateDef {
 
     /// The check that is named like it.
     pub fn check(&self) -> Part {
-        Part {
-            id: self.id,
-            name: self.name,
-            demand: self.demand,
-            capacity: self.capacity,
-            dimension: self.dimension,
-        }
+        Part { id: self.id, name: self.name, demand: self.demand, capacity: self.capacity, dimension: self.dimension }
     }
 
     /// The limit state of a case, under the clause of an edition.
     pub fn under(&self, clause: String, case: &Case) -> LimitState {
-        LimitState {
-            id: self.id,
-            name: self.name,
-            clause,
-            requirement: (self.applies)(case),
-        }
+        LimitState { id: self.id, name: self.name, clause, requirement: (self.applies)(case) }
     }
 }

@@ -32,9 +32,7 @@ mod tests {
     fn tables_agree() {
         let all = all();
         let parts = all.iter().flat_map(|(_, parts)| parts);
-        let ids: Vec<&str> = (all.iter().map(|(state, _)| state.id))
-            .chain(parts.clone().map(|part| part.id))
-            .collect();
+        let ids: Vec<&str> = (all.iter().map(|(state, _)| state.id)).chain(parts.clone().map(|part| part.id)).collect();
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len(), "{ids:?}");
         let pages: BTreeSet<u16> = all.iter().map(|(state, _)| state.page).collect();
         assert_eq!(pages.len(), all.len());

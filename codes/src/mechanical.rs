@@ -195,12 +195,7 @@ impl ConvectiveField {
     /// The `n`-th mode (`n ≥ 1`) at slenderness γ = H/a.
     pub fn new(plan: Plan, slenderness: f64, n: usize) -> ConvectiveField {
         let eigenvalue = eigenvalue(plan, n);
-        ConvectiveField {
-            plan,
-            eigenvalue,
-            wave_factor: wave_factor(plan, n),
-            x: eigenvalue * slenderness,
-        }
+        ConvectiveField { plan, eigenvalue, wave_factor: wave_factor(plan, n), x: eigenvalue * slenderness }
     }
 
     /// `p/(ρ a A_n)` at the wall, `w cosh(xζ)/cosh x`; equals the wave factor at the surface.
@@ -300,12 +295,7 @@ impl ImpulsiveField {
                 2.0 * sign * wall_ratio(plan, nu / slenderness) / (nu * nu)
             })
             .collect();
-        ImpulsiveField {
-            plan,
-            slenderness,
-            wall: Rc::new(wall),
-            known: Rc::default(),
-        }
+        ImpulsiveField { plan, slenderness, wall: Rc::new(wall), known: Rc::default() }
     }
 
     /// A sum at a height, found once.
@@ -345,9 +335,7 @@ impl ImpulsiveField {
             let (nu, sign) = nu(n);
             self.wall[n] * (sign - (nu * zeta).sin()) / nu
         };
-        self.remembered(Sum::Shear, zeta, || {
-            self.slenderness * (0..self.wall.len()).map(term).sum::<f64>()
-        })
+        self.remembered(Sum::Shear, zeta, || self.slenderness * (0..self.wall.len()).map(term).sum::<f64>())
     }
 
     /// `C` at `ξ = r/R` or `x/L` (0 ≤ ξ ≤ 1) and ζ, in the direction of motion.

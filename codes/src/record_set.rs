@@ -84,9 +84,7 @@ pub fn zero_period(code: Standard, set: &[Horizontal<'_>], target: &dyn Fn(f64) 
     let mean = |peaks: Vec<f64>| peaks.iter().sum::<f64>() / set.len() as f64 / target(0.0);
     let along = mean(set.iter().map(|h| h.along.pga()).collect());
     let across: Option<Vec<f64>> = set.iter().map(|h| h.across.map(Record::pga)).collect();
-    let smaller = across
-        .filter(|a| !a.is_empty())
-        .map_or(along, |peaks| along.min(mean(peaks)));
+    let smaller = across.filter(|a| !a.is_empty()).map_or(along, |peaks| along.min(mean(peaks)));
     code.asks_for_peak().then_some(smaller)
 }
 
@@ -101,9 +99,8 @@ pub fn ratios(code: Standard, set: &[Horizontal<'_>], asked: &Asked<'_>) -> Rati
         found.ordinates[0].iter().map(|o| o.psa).collect()
     };
     let of = |component: Component, records: Vec<Vec<f64>>| {
-        let mean: Vec<f64> = (0..PERIODS)
-            .map(|i| records.iter().map(|r| r[i]).sum::<f64>() / records.len() as f64)
-            .collect();
+        let mean: Vec<f64> =
+            (0..PERIODS).map(|i| records.iter().map(|r| r[i]).sum::<f64>() / records.len() as f64).collect();
         let ratio = |i: usize| mean[i] / target[i];
         let least = (0..PERIODS).fold(0, |best, i| if ratio(i) < ratio(best) { i } else { best });
         Ratios {
@@ -175,18 +172,8 @@ mod tests {
     fn scaled_copies_have_a_known_mean() {
         let set: Vec<Record> = [0.5, 1.0, 1.5].map(record).into();
         let own = record(1.0);
-        let target = |t: f64| {
-            1.25 * if t == 0.0 {
-                0.7 * own.pga()
-            } else {
-                ordinates(&own, t, 0.05).psa
-            }
-        };
-        let asked = Asked {
-            period: 0.5,
-            damping: 0.05,
-            target: &target,
-        };
+        let target = |t: f64| 1.25 * if t == 0.0 { 0.7 * own.pga() } else { ordinates(&own, t, 0.05).psa };
+        let asked = Asked { period: 0.5, damping: 0.05, target: &target };
         let found = ratios(EN, &alone(&set), &asked);
         let zero = zero_period(EN, &alone(&set), &target);
         assert!((found.smallest.0 - 0.8).abs() < 1e-12);
@@ -220,16 +207,9 @@ mod tests {
     #[test]
     fn two_components() {
         let (along, across) = (record(1.0), record(0.5));
-        let set = [Horizontal {
-            along: &along,
-            across: Some(&across),
-        }];
+        let set = [Horizontal { along: &along, across: Some(&across) }];
         let target = |t: f64| if t == 0.0 { 1.0 } else { ordinates(&along, t, 0.05).psa };
-        let asked = Asked {
-            period: 0.5,
-            damping: 0.05,
-            target: &target,
-        };
+        let asked = Asked { period: 0.5, damping: 0.05, target: &target };
         let weaker = ratios(EN, &set, &asked);
         assert_eq!(weaker.component, Component::Across);
         assert!((weaker.smallest.0 - 0.5).abs() < 1e-12);

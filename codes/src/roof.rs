@@ -11,10 +11,9 @@ pub(crate) fn assumption(tank: &Tank) -> Option<String> {
         return None;
     }
     let rim = match tank.roof.rim > 0.0 {
-        true => format!(
-            " The freeboard is counted from its rim, {} above the liquid.",
-            with_unit(tank.roof.rim, Length)
-        ),
+        true => {
+            format!(" The freeboard is counted from its rim, {} above the liquid.", with_unit(tank.roof.rim, Length))
+        }
         false => String::new(),
     };
     Some(format!(

@@ -40,13 +40,7 @@ pub(crate) fn bottom_plate(material: Material) -> Bottom {
 
 /// A course; height and thickness [m].
 pub(crate) fn course(height: f64, thickness: f64, material: Material) -> Course {
-    Course {
-        height,
-        thickness,
-        corrosion: 0.0,
-        material,
-        layers: Vec::new(),
-    }
+    Course { height, thickness, corrosion: 0.0, material, layers: Vec::new() }
 }
 
 /// The dissertation's broad aluminium tank, 8.1, filled to 1.525 m.
@@ -59,11 +53,7 @@ pub(crate) fn broad_tank(site: Ec8Site) -> Case {
 /// A rectangle 2L = 5 m long, H = 2.5 m of water, concrete walls 0.3 m thick and 3 m high.
 pub(crate) fn concrete_rectangle(breadth: f64, strip: bool, site: Ec8Site) -> Case {
     let concrete = material("concrete", 30e9, 0.2, 2500.0);
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth,
-        strip,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth, strip };
     case(shape, vec![course(3.0, 0.3, concrete)], 2.5, Some(site))
 }
 
@@ -85,16 +75,10 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             pressure: Default::default(),
             pipes: None,
         },
-        liquid: Liquid {
-            density: 1000.0,
-            fill_height: depth,
-        },
+        liquid: Liquid { density: 1000.0, fill_height: depth },
         gravity: 9.81,
         ground_motion: None,
-        damping: Damping {
-            sloshing: 0.005,
-            impulsive: 0.02,
-        },
+        damping: Damping { sloshing: 0.005, impulsive: 0.02 },
         site: Site { ec8, ..Site::default() },
         procedures: ProcedureOptions::default(),
         measured: Vec::new(),
@@ -121,8 +105,5 @@ pub(crate) fn close(value: f64, expected: f64, tolerance: f64) {
 /// As [`close`], with the name of the value.
 #[track_caller]
 pub(crate) fn near(value: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!(
-        (value - expected).abs() <= tolerance,
-        "{what}: {value} instead of {expected} ± {tolerance}"
-    );
+    assert!((value - expected).abs() <= tolerance, "{what}: {value} instead of {expected} ± {tolerance}");
 }

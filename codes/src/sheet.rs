@@ -138,10 +138,7 @@ impl Sheet {
 
     fn push(&mut self, step: Step) -> f64 {
         let value = step.value;
-        self.steps.push(Step {
-            section: self.section.clone(),
-            ..step
-        });
+        self.steps.push(Step { section: self.section.clone(), ..step });
         value
     }
 
@@ -169,14 +166,7 @@ mod tests {
             ("f(a)", "`f(a)`: no function `f` of 1 arguments"),
         ] {
             let mut sheet = Sheet::new();
-            let value = sheet.calc(
-                "x",
-                "",
-                formula,
-                &[("a", 1.0, Dimension::Length)],
-                Dimension::Length,
-                "",
-            );
+            let value = sheet.calc("x", "", formula, &[("a", 1.0, Dimension::Length)], Dimension::Length, "");
             assert!(value.is_nan());
             let error = sheet.into_steps().unwrap_err().to_string();
             assert!(error.starts_with(fault), "{error}");
@@ -215,22 +205,8 @@ mod tests {
         assert_eq!((a, b, c), (2.0, 3.0, 5.0));
         let kinds: Vec<_> = steps
             .iter()
-            .map(|s| {
-                (
-                    s.section.as_str(),
-                    s.formula.as_str(),
-                    s.substitution.as_str(),
-                    s.look_up.as_str(),
-                )
-            })
+            .map(|s| (s.section.as_str(), s.formula.as_str(), s.substitution.as_str(), s.look_up.as_str()))
             .collect();
-        assert_eq!(
-            kinds,
-            [
-                ("first", "", "", ""),
-                ("second", "", "", "table 1"),
-                ("second", "a + b", "2 m + 3 m", "")
-            ]
-        );
+        assert_eq!(kinds, [("first", "", "", ""), ("second", "", "", "table 1"), ("second", "a + b", "2 m + 3 m", "")]);
     }
 }

@@ -53,10 +53,7 @@ mod tests {
         for (behaviour_factor, damping) in [(1.0, 0.02), (1.5, 0.02), (1.5, 0.08)] {
             let mut case = crate::ec8::example::oil_tank();
             case.damping.impulsive = damping;
-            case.site.ec8 = case.site.ec8.map(|site| Ec8Site {
-                behaviour_factor,
-                ..site
-            });
+            case.site.ec8 = case.site.ec8.map(|site| Ec8Site { behaviour_factor, ..site });
             let sheet = crate::ec8::En2006.assess(&case, Excitation::Site).unwrap();
             let line = |symbol: &str| sheet.steps.iter().find(|s| s.symbol == symbol).unwrap().value;
             let (id, action) = of(&case, None, true).unwrap();
@@ -90,19 +87,11 @@ mod tests {
         close((action.structural)(period, 0.02), plateau);
         close((action.structural)(0.0, 0.02), 0.4 * plateau);
         let long = 3.9_f64.min(0.99 * spectrum.t_l);
-        close(
-            (action.sloshing)(long, 0.005),
-            (1.5 * spectrum.s_d1 / long * i / 2.0 * STANDARD_GRAVITY).min(plateau),
-        );
+        close((action.sloshing)(long, 0.005), (1.5 * spectrum.s_d1 / long * i / 2.0 * STANDARD_GRAVITY).min(plateau));
         close((action.sloshing)(0.1, 0.005), plateau);
         let importance = if site.sug == 3 { 1.0 } else { i };
-        close(
-            (action.wave)(long, 0.005),
-            1.5 * spectrum.s_d1 / long * importance * STANDARD_GRAVITY,
-        );
-        let sheet = crate::api650::edition2020::Api6502020
-            .assess(&case, Excitation::Site)
-            .unwrap();
+        close((action.wave)(long, 0.005), 1.5 * spectrum.s_d1 / long * importance * STANDARD_GRAVITY);
+        let sheet = crate::api650::edition2020::Api6502020.assess(&case, Excitation::Site).unwrap();
         let line = |symbol: &str| sheet.steps.iter().find(|s| s.symbol == symbol).unwrap().value;
         close((action.wave)(line("T_c"), 0.005), line("A_f") * STANDARD_GRAVITY);
         close((action.sloshing)(line("T_c"), 0.005), line("A_c") * STANDARD_GRAVITY);
@@ -116,11 +105,7 @@ mod tests {
         assert!(of(&case, None, true).is_none());
         let table = SpectrumTable::new(vec![[0.0, 1.0], [0.2, 2.5], [2.0, 0.5]]).unwrap();
         case.site.spectrum = Some(SiteSpectrum {
-            form: SpectrumForm::Table {
-                damping: 0.05,
-                horizontal: table,
-                vertical: None,
-            },
+            form: SpectrumForm::Table { damping: 0.05, horizontal: table, vertical: None },
             vertical_ratio: 0.9,
         });
         let (id, action) = of(&case, None, true).unwrap();

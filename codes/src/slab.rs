@@ -48,13 +48,7 @@ pub(crate) fn is_anchored(case: &Case) -> bool {
 /// Lines of the slab and its soil: radius, velocity of shear waves, density, Poisson's ratio.
 fn inputs(sheet: &mut Sheet, [r, velocity, rho, nu]: [f64; 4]) {
     for (symbol, name, value, dimension, source) in [
-        (
-            "r",
-            "radius of the slab, that of the bottom plate",
-            r,
-            Length,
-            "tank.radius, tank.bottom.projection",
-        ),
+        ("r", "radius of the slab, that of the bottom plate", r, Length, "tank.radius, tank.bottom.projection"),
         (
             "V_s",
             "velocity of shear waves at the strains of the earthquake",
@@ -62,20 +56,8 @@ fn inputs(sheet: &mut Sheet, [r, velocity, rho, nu]: [f64; 4]) {
             Velocity,
             "tank.foundation.shear_wave_velocity",
         ),
-        (
-            "ρ_s",
-            "density of the soil",
-            rho,
-            Density,
-            "tank.foundation.soil_density",
-        ),
-        (
-            "ν_s",
-            "Poisson's ratio of the soil",
-            nu,
-            Dimensionless,
-            "tank.foundation.soil_poisson_ratio",
-        ),
+        ("ρ_s", "density of the soil", rho, Density, "tank.foundation.soil_density"),
+        ("ν_s", "Poisson's ratio of the soil", nu, Dimensionless, "tank.foundation.soil_poisson_ratio"),
     ] {
         sheet.input(symbol, name, value, dimension, source);
     }
@@ -111,27 +93,12 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
     let mut values = Vec::new();
     for (symbol, name, formula, dimension) in [
         ("G", "shear modulus of the soil", "ρ_s·V_s²", Stress),
-        (
-            "K_x",
-            "horizontal stiffness of the slab on a half-space",
-            "8·G·r/(2 - ν_s)",
-            LineForce,
-        ),
+        ("K_x", "horizontal stiffness of the slab on a half-space", "8·G·r/(2 - ν_s)", LineForce),
         ("K_θ", "its rocking stiffness", "8·G·r³/(3·(1 - ν_s))", Moment),
         ("m_e", "impulsive mass with wall and roof", "m_i + m_w + m_r", Mass),
-        (
-            "h_e",
-            "its arm with the pressure on the base",
-            "(m_i·h_i′ + m_w·h_w + m_r·h_r)/m_e",
-            Length,
-        ),
+        ("h_e", "its arm with the pressure on the base", "(m_i·h_i′ + m_w·h_w + m_r·h_r)/m_e", Length),
         ("k_e", "its stiffness on a fixed base", "m_e·(2·π/T_i)²", LineForce),
-        (
-            "T_e0",
-            "its period on static springs",
-            "T_i·√(1 + k_e/K_x·(1 + K_x·h_e²/K_θ))",
-            Time,
-        ),
+        ("T_e0", "its period on static springs", "T_i·√(1 + k_e/K_x·(1 + K_x·h_e²/K_θ))", Time),
     ] {
         let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
         terms.push((symbol, value, dimension));
@@ -140,26 +107,10 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
     let [_, k_x, k_theta, mass, height, k, on_springs] = values[..] else {
         return None;
     };
-    let soil = Soil {
-        density: rho,
-        shear_wave_velocity: velocity,
-        poisson_ratio: nu,
-        damping: 0.0,
-        depth: None,
-    };
-    let structure = Structure {
-        mass,
-        height,
-        period,
-        damping: case.damping.impulsive,
-    };
+    let soil = Soil { density: rho, shear_wave_velocity: velocity, poisson_ratio: nu, damping: 0.0, depth: None };
+    let structure = Structure { mass, height, period, damping: case.damping.impulsive };
     let on = OnSoil::new(structure, Disc::new(r, soil).ok()?).ok()?;
-    Some(Slab {
-        on,
-        k,
-        ground: [k_x, k_theta],
-        period: on_springs,
-    })
+    Some(Slab { on, k, ground: [k_x, k_theta], period: on_springs })
 }
 
 impl Slab {

@@ -138,19 +138,11 @@ fn of_demands(
         let checked = work.checks.iter().any(|check| check.limit_state == state.id);
         if !checked && state.requirement == Requirement::Required {
             let reason = "the engine does not give the demand";
-            work.checks
-                .push(Check::without_comparison(state, CheckStatus::NotChecked, reason, None));
+            work.checks.push(Check::without_comparison(state, CheckStatus::NotChecked, reason, None));
         }
     }
-    let Work {
-        sheet, checks, notes, ..
-    } = work;
-    Findings {
-        steps: steps(sheet),
-        checks,
-        notes,
-        outside: outside.map(|(why, _)| why),
-    }
+    let Work { sheet, checks, notes, .. } = work;
+    Findings { steps: steps(sheet), checks, notes, outside: outside.map(|(why, _)| why) }
 }
 
 /// The lines; none if a formula is faulty, which the tests exclude.

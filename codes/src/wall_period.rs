@@ -21,10 +21,7 @@ const WEIGHTLESS: f64 = 1e-6;
 ///
 /// Errors: an iteration that does not converge.
 pub fn rungs(case: &Case, thickness: f64, modulus: f64, period: f64) -> Result<Vec<Rung>, CodeError> {
-    let formula = Rung {
-        factor: Factor::Formula,
-        value: period,
-    };
+    let formula = Rung { factor: Factor::Formula, value: period };
     let Shape::Cylinder { radius } = case.tank.shape else {
         return Ok(vec![formula]);
     };
@@ -38,10 +35,7 @@ pub fn rungs(case: &Case, thickness: f64, modulus: f64, period: f64) -> Result<V
     uniform.thickness = thickness;
     uniform.material.youngs_modulus = modulus;
     let rung = |factor, courses: &[Course]| -> Result<Rung, CodeError> {
-        Ok(Rung {
-            factor,
-            value: coupled_mode(radius, courses, case.liquid, Base::Clamped)?.period,
-        })
+        Ok(Rung { factor, value: coupled_mode(radius, courses, case.liquid, Base::Clamped)?.period })
     };
     Ok(vec![
         rung(Factor::ShellModel, courses)?,
@@ -61,12 +55,7 @@ mod tests {
     fn a_uniform_light_wall_is_the_formulas_wall() {
         let mut light = steel();
         light.density = 1e-3;
-        let c = case(
-            Shape::Cylinder { radius: 5.0 },
-            vec![course(6.0, 0.01, light)],
-            5.0,
-            None,
-        );
+        let c = case(Shape::Cylinder { radius: 5.0 }, vec![course(6.0, 0.01, light)], 5.0, None);
         let found = rungs(&c, 0.01, 210e9, 0.1).unwrap();
         // 1e-3 kg/m³ of wall against 1000 kg/m³ of liquid 5 m deep: the period moves by less than 1e-6.
         near(found[1].value / found[0].value, 1.0, 1e-6, "weight");
@@ -76,12 +65,7 @@ mod tests {
     /// A heavier wall is slower; a wall of twice the stiffness everywhere is faster by √2, if it has no mass.
     #[test]
     fn mass_and_stiffness_have_their_factors() {
-        let c = case(
-            Shape::Cylinder { radius: 5.0 },
-            vec![course(6.0, 0.01, steel())],
-            5.0,
-            None,
-        );
+        let c = case(Shape::Cylinder { radius: 5.0 }, vec![course(6.0, 0.01, steel())], 5.0, None);
         let found = rungs(&c, 0.01, 420e9, 0.1).unwrap();
         assert!(found[1].value < found[0].value);
         // Both weightless; the iteration stops at changes of 1e-6 or less.

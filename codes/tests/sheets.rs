@@ -32,10 +32,7 @@ fn every_line_is_what_it_says_and_every_branch_is_reached() {
         lines(&case, |id, step| {
             count += 1;
             let of = format!("{id}, {}, {}: {step:?}", step.section, step.symbol);
-            assert!(
-                !step.section.is_empty() && !step.name.is_empty() && !step.clause.is_empty(),
-                "{of}"
-            );
+            assert!(!step.section.is_empty() && !step.name.is_empty() && !step.clause.is_empty(), "{of}");
             assert!(!step.value.is_nan(), "{of}");
             assert!(step.formula.is_empty() || step.look_up.is_empty(), "{of}");
             assert_eq!(step.formula.is_empty(), step.substitution.is_empty(), "{of}");

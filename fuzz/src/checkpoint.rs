@@ -47,17 +47,10 @@ fn file(bytes: &[u8]) {
     match inspect(&path) {
         Err(error) => assert!(error.to_string().contains("checkpoint"), "{error}"),
         Ok(()) => {
-            assert!(
-                bytes.len() >= HEAD + 8 && bytes.starts_with(&MAGIC),
-                "no checkpoint was taken for one"
-            );
+            assert!(bytes.len() >= HEAD + 8 && bytes.starts_with(&MAGIC), "no checkpoint was taken for one");
             let mut hash = Hash::default();
             hash.bytes(&bytes[HEAD..bytes.len() - 8]);
-            assert_eq!(
-                bytes[bytes.len() - 8..],
-                hash.value().to_le_bytes(),
-                "a damaged file was taken"
-            );
+            assert_eq!(bytes[bytes.len() - 8..], hash.value().to_le_bytes(), "a damaged file was taken");
         }
     }
 }
@@ -66,10 +59,8 @@ fn file(bytes: &[u8]) {
 fn reader(bytes: &[u8]) {
     let folder = Folder::new();
     let path = folder.0.join("checkpoint");
-    let chunks: Vec<f64> = bytes
-        .chunks_exact(8)
-        .map(|c| f64::from_le_bytes(c.try_into().expect("eight bytes")))
-        .collect();
+    let chunks: Vec<f64> =
+        bytes.chunks_exact(8).map(|c| f64::from_le_bytes(c.try_into().expect("eight bytes"))).collect();
     let text = String::from_utf8_lossy(bytes);
     let mut to = Writer::default();
     to.count(bytes.len());
@@ -163,20 +154,11 @@ impl Chain {
         let assembler = Assembler::new(&model);
         let symbolic = Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).expect("a pattern");
         let system = System::new(&model, &assembler).expect("a system");
-        Chain {
-            symbolic: Arc::new(symbolic),
-            model,
-            assembler,
-            system,
-        }
+        Chain { symbolic: Arc::new(symbolic), model, assembler, system }
     }
 
     fn recorder(&self) -> QuantityObserver {
-        QuantityObserver::new(vec![Quantity::Linear(Observable::displacement(
-            &self.model,
-            MASSES,
-            Dof::Ux,
-        ))])
+        QuantityObserver::new(vec![Quantity::Linear(Observable::displacement(&self.model, MASSES, Dof::Ux))])
     }
 
     fn march(
@@ -185,12 +167,8 @@ impl Chain {
         recorder: &mut QuantityObserver,
         progress: &dyn Progress,
     ) -> Result<Run, String> {
-        let problem = Problem {
-            model: &self.model,
-            assembler: &self.assembler,
-            symbolic: &self.symbolic,
-            system: &self.system,
-        };
+        let problem =
+            Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system };
         let grid = Grid::new(DT, STEPS as f64 * DT, 0.0, DT);
         let ground: Vec<f64> = (0..=STEPS).map(|k| (k as f64).sin()).collect();
         let load = Load::ground(0, Motion::sampled(DT, &ground, &grid));
@@ -223,19 +201,11 @@ fn known() -> &'static Known {
         let run = chain.march(None, &mut recorder, &Silent).expect("a chain moves");
         let folder = Folder::new();
         let path = folder.0.join("checkpoint");
-        let stopped = chain
-            .march(Some(&path), &mut chain.recorder(), &Patience::default())
-            .expect("a chain moves");
+        let stopped = chain.march(Some(&path), &mut chain.recorder(), &Patience::default()).expect("a chain moves");
         assert_eq!(stopped.outcome, Outcome::Interrupted);
         let bytes = std::fs::read(&path).expect("a checkpoint is written");
         let fingerprint = u64::from_le_bytes(bytes[12..20].try_into().expect("eight bytes"));
-        Known {
-            payload: bytes[HEAD..bytes.len() - 8].to_vec(),
-            histories: recorder.histories,
-            chain,
-            run,
-            fingerprint,
-        }
+        Known { payload: bytes[HEAD..bytes.len() - 8].to_vec(), histories: recorder.histories, chain, run, fingerprint }
     })
 }
 
@@ -258,9 +228,5 @@ pub fn seeds() -> Vec<Vec<u8>> {
     let known = known();
     let whole = framed(&known.payload, known.fingerprint);
     let marked = |kind: u8, bytes: &[u8]| [&[kind], bytes].concat();
-    vec![
-        marked(0, &whole),
-        marked(1, &known.payload[..64]),
-        marked(2, &known.payload),
-    ]
+    vec![marked(0, &whole), marked(1, &known.payload[..64]), marked(2, &known.payload)]
 }

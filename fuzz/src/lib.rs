@@ -29,55 +29,18 @@ pub struct Target {
 
 /// All targets.
 pub const ALL: [Target; 7] = [
-    Target {
-        name: "tank",
-        run: tank::run,
-        seeds: seeds::tanks,
-        most: 20_000,
-    },
-    Target {
-        name: "columns",
-        run: record::columns,
-        seeds: seeds::columns,
-        most: 10_000,
-    },
-    Target {
-        name: "peer",
-        run: record::peer,
-        seeds: |_| seeds::peer(),
-        most: 10_000,
-    },
-    Target {
-        name: "agencies",
-        run: record::agencies,
-        seeds: seeds::agencies,
-        most: 10_000,
-    },
-    Target {
-        name: "results",
-        run: results::run,
-        seeds: seeds::results,
-        most: 400_000,
-    },
-    Target {
-        name: "checkpoint",
-        run: checkpoint::run,
-        seeds: |_| checkpoint::seeds(),
-        most: 10_000,
-    },
-    Target {
-        name: "pipeline",
-        run: pipeline::run,
-        seeds: pipeline::seeds,
-        most: 20_000,
-    },
+    Target { name: "tank", run: tank::run, seeds: seeds::tanks, most: 20_000 },
+    Target { name: "columns", run: record::columns, seeds: seeds::columns, most: 10_000 },
+    Target { name: "peer", run: record::peer, seeds: |_| seeds::peer(), most: 10_000 },
+    Target { name: "agencies", run: record::agencies, seeds: seeds::agencies, most: 10_000 },
+    Target { name: "results", run: results::run, seeds: seeds::results, most: 400_000 },
+    Target { name: "checkpoint", run: checkpoint::run, seeds: |_| checkpoint::seeds(), most: 10_000 },
+    Target { name: "pipeline", run: pipeline::run, seeds: pipeline::seeds, most: 20_000 },
 ];
 
 /// The target of this name.
 pub fn find(name: &str) -> Target {
-    ALL.into_iter()
-        .find(|t| t.name == name)
-        .unwrap_or_else(|| panic!("no target {name}"))
+    ALL.into_iter().find(|t| t.name == name).unwrap_or_else(|| panic!("no target {name}"))
 }
 
 /// Writes the first inputs of a target into its corpus, where libFuzzer looks for them.

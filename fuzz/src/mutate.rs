@@ -142,9 +142,7 @@ fn change(node: &mut Json, other: Json, rng: &mut Rng) {
         Json::Number(text) => *text = number(text, rng),
         Json::Text(text) => {
             // A quantity keeps its unit most of the time.
-            let end = text
-                .find(|c: char| !matches!(c, '0'..='9' | '.' | '-' | '+' | 'e' | 'E'))
-                .unwrap_or(text.len());
+            let end = text.find(|c: char| !matches!(c, '0'..='9' | '.' | '-' | '+' | 'e' | 'E')).unwrap_or(text.len());
             *text = match rng.below(8) {
                 0 => rng.one_of(&TEXTS).to_owned(),
                 1 => match other {
@@ -197,10 +195,7 @@ fn lines(data: &mut Vec<u8>, rng: &mut Rng) {
     let line_at = |data: &[u8], rng: &mut Rng| {
         let middle = rng.below(data.len());
         let start = data[..middle].iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
-        let end = data[middle..]
-            .iter()
-            .position(|b| *b == b'\n')
-            .map_or(data.len(), |i| middle + i + 1);
+        let end = data[middle..].iter().position(|b| *b == b'\n').map_or(data.len(), |i| middle + i + 1);
         start..end
     };
     match rng.below(9) {
@@ -216,10 +211,7 @@ fn lines(data: &mut Vec<u8>, rng: &mut Rng) {
             let middle = rng.below(data.len());
             let inside = |b: &u8| matches!(b, b'0'..=b'9' | b'.' | b'-' | b'+' | b'e' | b'E');
             let start = data[..middle].iter().rposition(|b| !inside(b)).map_or(0, |i| i + 1);
-            let end = data[middle..]
-                .iter()
-                .position(|b| !inside(b))
-                .map_or(data.len(), |i| middle + i);
+            let end = data[middle..].iter().position(|b| !inside(b)).map_or(data.len(), |i| middle + i);
             let old = String::from_utf8_lossy(&data[start..end]).into_owned();
             data.splice(start..end, number(&old, rng).into_bytes());
         }

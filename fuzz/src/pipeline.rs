@@ -51,10 +51,7 @@ pub fn run(bytes: &[u8]) {
             }
         }
         1 => {
-            let double = Record {
-                acceleration: quake.acceleration.iter().map(|a| 2.0 * a).collect(),
-                ..quake.clone()
-            };
+            let double = Record { acceleration: quake.acceleration.iter().map(|a| 2.0 * a).collect(), ..quake.clone() };
             let file = tank::read(&text).filter(|f| f.record.scale_to.is_none());
             if let Some(other) = file.and_then(|f| compute(f, &double)) {
                 let linear = ["base_shear", "base_moment", "sloshing_height"];
@@ -66,13 +63,7 @@ pub fn run(bytes: &[u8]) {
                         .cloned()
                         .collect::<Vec<Method>>()
                 };
-                methods(
-                    "twice the record",
-                    &fe(&found.results),
-                    &fe(&other.results),
-                    1e-9,
-                    factor,
-                );
+                methods("twice the record", &fe(&found.results), &fe(&other.results), 1e-9, factor);
             }
         }
         n => {
@@ -102,14 +93,8 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     let refused = |error: &dyn std::fmt::Display| assert!(!error.to_string().trim().is_empty(), "no message");
     let horizontal = process(quake, &file.record).map_err(|e| refused(&e)).ok()?;
     let mut case = file.case;
-    case.ground_motion = Some(GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    });
-    let procedures = pipeline::procedures::select_procedures(&file.procedures)
-        .map_err(|e| refused(&e))
-        .ok()?;
+    case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
+    let procedures = pipeline::procedures::select_procedures(&file.procedures).map_err(|e| refused(&e)).ok()?;
     let mut fe = file.fe;
     fe.refine = 0.25;
     fe.mesh_error = false;
@@ -175,12 +160,8 @@ pub fn quake() -> String {
         let t = f64::from(k) * 0.02;
         (-t).exp() * ((9.0 * t).sin() + 0.4 * (31.0 * t).cos() - 0.4)
     });
-    let record = Record {
-        name: "waves".into(),
-        dt: 0.02,
-        acceleration: acceleration.collect(),
-        processing: Vec::new(),
-    };
+    let record =
+        Record { name: "waves".into(), dt: 0.02, acceleration: acceleration.collect(), processing: Vec::new() };
     record::columns_of(&record, "m_s2", 1.0, ",", false)
 }
 

@@ -29,10 +29,7 @@ pub fn peer(bytes: &[u8]) {
 pub fn agencies(bytes: &[u8]) {
     check(bytes);
     for channel in ["1", "2"] {
-        let options = ReadOptions {
-            channel: Some(channel.into()),
-            ..ReadOptions::default()
-        };
+        let options = ReadOptions { channel: Some(channel.into()), ..ReadOptions::default() };
         if let Some(found) = read(bytes, &options) {
             promises(&found.record, &options);
             written(&found.record);
@@ -69,18 +66,9 @@ fn check(bytes: &[u8]) {
 
 fn promises(record: &Record, options: &ReadOptions) {
     let a = &record.acceleration;
-    assert!(
-        a.len() >= 2 && record.dt > 0.0 && record.dt.is_finite(),
-        "{} samples, dt {}",
-        a.len(),
-        record.dt
-    );
+    assert!(a.len() >= 2 && record.dt > 0.0 && record.dt.is_finite(), "{} samples, dt {}", a.len(), record.dt);
     assert!(a.iter().all(|a| a.is_finite()) && record.pga() > 0.0, "no motion");
-    assert!(
-        options.allow_implausible || record.pga() <= MAX_PLAUSIBLE,
-        "{} m/s²",
-        record.pga()
-    );
+    assert!(options.allow_implausible || record.pga() <= MAX_PLAUSIBLE, "{} m/s²", record.pga());
     let measures = record.measures();
     assert!(record.pga() > 1e100 || measures.pga == record.pga(), "{measures:?}");
 }
@@ -143,19 +131,9 @@ fn peer_of(record: &Record) -> String {
 }
 
 fn same(record: &Record, text: &str, step: f64) {
-    let options = ReadOptions {
-        allow_implausible: true,
-        ..ReadOptions::default()
-    };
-    let again = read(text.as_bytes(), &options)
-        .unwrap_or_else(|| panic!("refused:\n{text}"))
-        .record;
-    assert!(
-        (again.dt - record.dt).abs() <= step * record.dt,
-        "dt {} from {}\n{text}",
-        again.dt,
-        record.dt
-    );
+    let options = ReadOptions { allow_implausible: true, ..ReadOptions::default() };
+    let again = read(text.as_bytes(), &options).unwrap_or_else(|| panic!("refused:\n{text}")).record;
+    assert!((again.dt - record.dt).abs() <= step * record.dt, "dt {} from {}\n{text}", again.dt, record.dt);
     assert_eq!(again.acceleration.len(), record.acceleration.len());
     for (a, b) in again.acceleration.iter().zip(&record.acceleration) {
         // Two roundings, to the unit and back.
@@ -165,35 +143,18 @@ fn same(record: &Record, text: &str, step: f64) {
 
 /// Scaling does what its description states, and its results are finite numbers.
 fn processed(record: &Record) {
-    let identity = Processing {
-        scale_by: Some(1.0),
-        time_factor: Some(1.0),
-        ..Processing::default()
-    };
+    let identity = Processing { scale_by: Some(1.0), time_factor: Some(1.0), ..Processing::default() };
     match process(record, &identity) {
         Ok(same) => assert!(same.acceleration == record.acceleration && same.dt == record.dt),
-        Err(error) => assert!(
-            record.pga() > MAX_PLAUSIBLE,
-            "an unchanged record was rejected: {error}"
-        ),
+        Err(error) => assert!(record.pga() > MAX_PLAUSIBLE, "an unchanged record was rejected: {error}"),
     }
-    let twice = Processing {
-        scale_by: Some(2.0),
-        ..Processing::default()
-    };
+    let twice = Processing { scale_by: Some(2.0), ..Processing::default() };
     if let Ok(double) = process(record, &twice) {
         let pairs = double.acceleration.iter().zip(&record.acceleration);
         assert!(pairs.into_iter().all(|(d, a)| *d == 2.0 * a));
     }
-    let to = Processing {
-        scale_to: Some(1.0),
-        ..Processing::default()
-    };
+    let to = Processing { scale_to: Some(1.0), ..Processing::default() };
     if let Ok(unit) = process(record, &to) {
-        assert!(
-            (unit.pga() - 1.0).abs() < 1e-9,
-            "scaled to 1 m/s², found {}",
-            unit.pga()
-        );
+        assert!((unit.pga() - 1.0).abs() < 1e-9, "scaled to 1 m/s², found {}", unit.pga());
     }
 }

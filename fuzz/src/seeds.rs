@@ -42,10 +42,7 @@ pub fn tanks(root: &Path) -> Vec<Vec<u8>> {
 
 /// Records in columns: the examples, cut short, and other ways to write them.
 pub fn columns(root: &Path) -> Vec<Vec<u8>> {
-    let mut all: Vec<Vec<u8>> = below(&root.join("examples"), &[".csv"])
-        .iter()
-        .map(|p| short(&bytes(p)))
-        .collect();
+    let mut all: Vec<Vec<u8>> = below(&root.join("examples"), &[".csv"]).iter().map(|p| short(&bytes(p))).collect();
     let texts = [
         "t [s];a [g]\n0,00;0,01\n0,02;-0,02\n0,04;0,00\n",
         "Time(s) Accel(g)\n0.00 0.01\n0.01 -0.02\n0.02 0.00\n",
@@ -90,10 +87,7 @@ pub fn results(root: &Path) -> Vec<Vec<u8>> {
             }
         });
         let mut seed = document.print().into_bytes();
-        let series = path
-            .strip_prefix(&reports)
-            .unwrap_or(&path)
-            .with_file_name("series.csv");
+        let series = path.strip_prefix(&reports).unwrap_or(&path).with_file_name("series.csv");
         if let Ok(series) = std::fs::read(root.join("tests/golden/histories").join(series)) {
             seed.push(0);
             seed.extend(short(&series));
@@ -105,10 +99,5 @@ pub fn results(root: &Path) -> Vec<Vec<u8>> {
 
 /// The first lines of a table.
 fn short(table: &[u8]) -> Vec<u8> {
-    table
-        .split_inclusive(|b| *b == b'\n')
-        .take(LINES)
-        .flatten()
-        .copied()
-        .collect()
+    table.split_inclusive(|b| *b == b'\n').take(LINES).flatten().copied().collect()
 }

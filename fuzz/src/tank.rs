@@ -41,10 +41,7 @@ pub fn read(text: &str) -> Option<TankFile> {
         Ok(file) => Some(file),
         Err(faults) => {
             assert!(!faults.is_empty(), "refused without a fault");
-            assert!(
-                faults.render(&source, false).contains("error"),
-                "a fault without a message"
-            );
+            assert!(faults.render(&source, false).contains("error"), "a fault without a message");
             None
         }
     }
@@ -56,17 +53,11 @@ type Refuses<'a> = Box<dyn Fn(&Task<'_>) -> Vec<Refusal> + 'a>;
 /// Properties of a resolved file.
 fn promises(file: &TankFile) {
     let (tank, liquid) = (&file.case.tank, &file.case.liquid);
-    assert!(
-        tank.courses
-            .iter()
-            .all(|c| c.height > 0.0 && c.thickness > 0.0 && c.thickness.is_finite())
-    );
+    assert!(tank.courses.iter().all(|c| c.height > 0.0 && c.thickness > 0.0 && c.thickness.is_finite()));
     assert!(liquid.fill_height > 0.0 && liquid.fill_height <= tank.wall_height() * 1.000_001);
     assert!(liquid.density > 0.0 && liquid.density.is_finite());
     assert!(file.case.gravity > 0.0 && file.case.damping.impulsive.is_finite());
-    let asked = ALL
-        .iter()
-        .map(|&engine| Box::new(move |task: &Task<'_>| engine.refuses(task)) as Refuses<'_>);
+    let asked = ALL.iter().map(|&engine| Box::new(move |task: &Task<'_>| engine.refuses(task)) as Refuses<'_>);
     for refuses in asked.chain([Box::new(push::refuses) as Refuses<'_>]) {
         let refused = job::refused(file, refuses);
         assert!(refused.is_empty() || refused.render(&file.source, false).contains("error"));
@@ -135,10 +126,7 @@ fn round_trips(text: &str) {
                 continue;
             }
             let back = units::parse(&printed, dimension).unwrap_or_else(|e| panic!("{printed}: {e}"));
-            assert!(
-                (back - value).abs() <= 1e-15 * value.abs(),
-                "{text} → {printed} → {back:e}"
-            );
+            assert!((back - value).abs() <= 1e-15 * value.abs(), "{text} → {printed} → {back:e}");
         }
     }
 }

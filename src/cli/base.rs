@@ -92,13 +92,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
         Dimension::Length,
         [-REACH * base.radius, REACH * base.radius],
     )?;
-    let rotations = list(
-        "--rotation",
-        args.rotation.as_deref(),
-        &ROTATIONS,
-        Dimension::Angle,
-        [0.0, ROTATION],
-    )?;
+    let rotations = list("--rotation", args.rotation.as_deref(), &ROTATIONS, Dimension::Angle, [0.0, ROTATION])?;
     let grounds = BAND.map(|factor| on_ground(factor, &base, suction, &uplifts, &rotations));
     let grounds = grounds.into_iter().collect::<Result<Vec<_>, _>>()?;
     match args.format {
@@ -111,10 +105,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
 
 fn absent(file: &Path, missing: Missing) -> Error {
     let (found, help) = words::absent(missing == Missing::Cylinder, missing == Missing::Plate);
-    Error::input(
-        Code::Unsupported,
-        format!("{found}\n  --> {}\n  help: {help}", text::line(&file.to_string_lossy())),
-    )
+    Error::input(Code::Unsupported, format!("{found}\n  --> {}\n  help: {help}", text::line(&file.to_string_lossy())))
 }
 
 fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
@@ -124,18 +115,12 @@ fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
     if (0.0..=0.5 * rest).contains(&value) {
         return Ok(value);
     }
-    let allowed = format!(
-        "0 to {}, half of the pressure at rest",
-        display(0.5 * rest, Dimension::Stress)
-    );
+    let allowed = format!("0 to {}, half of the pressure at rest", display(0.5 * rest, Dimension::Stress));
     Err(usage("--bottom-pressure", given, &allowed))
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(
-        Code::OptionValue,
-        format!("{option}: found `{}`, expected {allowed}", text::line(found)),
-    )
+    Error::input(Code::OptionValue, format!("{option}: found `{}`, expected {allowed}", text::line(found)))
 }
 
 /// A value that is not a quantity of its dimension.
@@ -157,9 +142,7 @@ fn list(
     };
     let mut values = Vec::with_capacity(given.len());
     for text in given {
-        let bare = (dimension == Dimension::Angle)
-            .then(|| text.trim().parse().ok())
-            .flatten();
+        let bare = (dimension == Dimension::Angle).then(|| text.trim().parse().ok()).flatten();
         let value = match bare {
             Some(value) => value,
             None => parse(text, dimension).map_err(|e| unreadable(option, text, &e))?,
@@ -190,22 +173,11 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
         points.push(up.lift_to(w).map(|()| up.point()).map_err(|e| (w, e)));
     }
     let largest = rotations.iter().copied().fold(0.0, f64::max);
-    let rocking = (!rotations.is_empty())
-        .then(|| rocking(&base, largest, suction, rest.uplift().min(0.0)))
-        .transpose()?;
-    let turns = rocking.map_or(Vec::new(), |r| {
-        rotations
-            .iter()
-            .map(|&psi| r.at(psi, suction).map_err(|e| (psi, e)))
-            .collect()
-    });
-    Ok(OnGround {
-        factor,
-        rest: rest.point(),
-        base,
-        strip: points,
-        turns,
-    })
+    let rocking =
+        (!rotations.is_empty()).then(|| rocking(&base, largest, suction, rest.uplift().min(0.0))).transpose()?;
+    let turns =
+        rocking.map_or(Vec::new(), |r| rotations.iter().map(|&psi| r.at(psi, suction).map_err(|e| (psi, e))).collect());
+    Ok(OnGround { factor, rest: rest.point(), base, strip: points, turns })
 }
 
 /// * `rest`: displacement of the rim at rest [m], below 0 where the ground gives way
@@ -267,10 +239,7 @@ fn ground(on: &OnGround) -> Value {
 
 fn document(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> Value {
     let band: Vec<Value> = grounds.iter().map(ground).collect();
-    let own = grounds
-        .iter()
-        .position(|g| g.factor == 1.0)
-        .map_or(&Value::Null, |i| &band[i]);
+    let own = grounds.iter().position(|g| g.factor == 1.0).map_or(&Value::Null, |i| &band[i]);
     json!({
         "name": name,
         "radius_m": base.radius,
@@ -303,10 +272,7 @@ fn csv(grounds: &[OnGround]) -> String {
         }
         for t in on.turns.iter().flatten() {
             let stress = t.toe_force / on.base.wall_thickness();
-            text += &format!(
-                "base,{k},{},,{},,,,,{},{},{stress}\n",
-                t.uplift, t.rotation, t.moment, t.toe_force
-            );
+            text += &format!("base,{k},{},,{},,,,,{},{},{stress}\n", t.uplift, t.rotation, t.moment, t.toe_force);
         }
     }
     text
@@ -315,12 +281,7 @@ fn csv(grounds: &[OnGround]) -> String {
 fn human(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> String {
     let assumed = matches!(base.origin, Origin::Assumed(_));
     let mut out = format!("{}\n\n", text::line(name));
-    out += &words::strip(
-        base.plate().thickness,
-        base.pressure - suction,
-        base.weight,
-        base.yields(),
-    );
+    out += &words::strip(base.plate().thickness, base.pressure - suction, base.weight, base.yields());
     out += "\n";
     out += &words::ground(base.modulus, assumed, base.origin == Origin::Waves);
     out += "\n\n";

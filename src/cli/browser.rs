@@ -15,15 +15,8 @@ use report::contents;
 /// Variable that names the browser.
 pub(crate) const VARIABLE: &str = "CHROME";
 /// Programs that print, as they are called.
-const PROGRAMS: [&str; 7] = [
-    "chromium",
-    "chromium-browser",
-    "google-chrome-stable",
-    "google-chrome",
-    "chrome",
-    "microsoft-edge",
-    "msedge",
-];
+const PROGRAMS: [&str; 7] =
+    ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chrome", "microsoft-edge", "msedge"];
 /// Where they are when no path leads to them.
 const PLACES: [&str; 3] = [
     "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
@@ -74,11 +67,7 @@ pub(crate) fn find() -> Result<PathBuf, Error> {
 
 fn starts(program: &Path) -> bool {
     let mut command = Command::new(program);
-    command
-        .arg("--version")
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())
 }
 
@@ -128,15 +117,8 @@ fn print_once(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
     if complete(&bytes) {
         return Ok(bytes);
     }
-    let last = said
-        .lines()
-        .rfind(|l| !l.trim().is_empty())
-        .unwrap_or("it said nothing");
-    Err(Error::report(format!(
-        "{} printed no PDF ({status}): {}",
-        line(&program.to_string_lossy()),
-        line(last)
-    )))
+    let last = said.lines().rfind(|l| !l.trim().is_empty()).unwrap_or("it said nothing");
+    Err(Error::report(format!("{} printed no PDF ({status}): {}", line(&program.to_string_lossy()), line(last))))
 }
 
 /// Whether a file is a whole PDF.

@@ -153,24 +153,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let job = args.inputs.job(|_| Vec::new())?;
     inputs::shaken(&job)?;
     if let Some(variable) = &args.solve {
-        return solve::run(
-            &job,
-            variable,
-            (args.format.plain().unwrap_or(Format::Human), args.inputs.strict),
-            global,
-        );
+        return solve::run(&job, variable, (args.format.plain().unwrap_or(Format::Human), args.inputs.strict), global);
     }
     if let Some(out) = &args.out {
         keeps_runs(out)?;
     }
-    let folder = args
-        .out
-        .as_deref()
-        .map(|out| OutputFolder::prepare(out, COMPARE))
-        .transpose()?;
-    let Outcome {
-        mut results, series, ..
-    } = pipeline::run(&job, &Silent)?;
+    let folder = args.out.as_deref().map(|out| OutputFolder::prepare(out, COMPARE)).transpose()?;
+    let Outcome { mut results, series, .. } = pipeline::run(&job, &Silent)?;
     results.volatile = stamp(started);
     if let Some(folder) = folder {
         pipeline::draw(&job, &mut results)?;
@@ -189,23 +178,15 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let found = || findings::of_checks(&results, args.inputs.strict);
     let place = args.inputs.tank.to_string_lossy();
     match (args.format, args.format.plain()) {
-        (_, Some(plain)) => compare::print(
-            &results,
-            args.out.as_deref(),
-            (plain, &args.select, &select::USUAL),
-            global,
-        )?,
+        (_, Some(plain)) => {
+            compare::print(&results, args.out.as_deref(), (plain, &args.select, &select::USUAL), global)?
+        }
         (CheckFormat::Junit, _) => print(&findings::junit(&results.name, &found()))?,
         (CheckFormat::Sarif, _) => print(&findings::sarif(&place, &found())?)?,
         _ => print_coloured(&findings::github(&place, &found()))?,
     }
     compare::late_warnings(&job, &results);
-    if let Some(run) = results
-        .verdict
-        .silent
-        .iter()
-        .find(|d| d.method.starts_with(results::FE))
-    {
+    if let Some(run) = results.verdict.silent.iter().find(|d| d.method.starts_with(results::FE)) {
         say!(
             "note: procedures.decide names `{}`, a finite-element run; `check` has none, `tankcheck compare --quake` has",
             run.method

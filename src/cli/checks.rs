@@ -55,12 +55,8 @@ pub(crate) fn tables(results: &Results) -> String {
             false => table,
         };
         let _ = writeln!(text, "{}", table.fitted(width()));
-        let not: Vec<&str> = method
-            .checks
-            .iter()
-            .filter(|check| !required(check))
-            .map(|check| check.id.as_str())
-            .collect();
+        let not: Vec<&str> =
+            method.checks.iter().filter(|check| !required(check)).map(|check| check.id.as_str()).collect();
         if !not.is_empty() {
             let _ = writeln!(text, "  not required of this tank: {}", not.join(", "));
         }
@@ -81,10 +77,7 @@ fn gaps(checks: &[Check]) -> Vec<(Vec<&str>, &str, CheckStatus)> {
     let told = |c: &&Check| !c.reason.is_empty() && !without.contains(&c.status);
     for check in checks.iter().filter(told) {
         let state = check.limit_state.as_str();
-        match found
-            .iter_mut()
-            .find(|(_, reason, status)| *reason == check.reason && *status == check.status)
-        {
+        match found.iter_mut().find(|(_, reason, status)| *reason == check.reason && *status == check.status) {
             Some((states, ..)) if states.contains(&state) => {}
             Some((states, ..)) => states.push(state),
             None => found.push((vec![state], &check.reason, check.status)),
@@ -100,11 +93,7 @@ pub(crate) fn csv(results: &Results) -> String {
     let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:?}"));
     for method in &results.methods {
         for check in &method.checks {
-            let largest = check
-                .demand
-                .into_iter()
-                .chain(check.capacity)
-                .fold(0.0_f64, |m, v| m.max(v.abs()));
+            let largest = check.demand.into_iter().chain(check.capacity).fold(0.0_f64, |m, v| m.max(v.abs()));
             let unit = style::unit(results, largest, check.dimension);
             let converted = |value: Option<f64>| number(value.map(|v| style::in_csv(v, unit).0));
             let approval = check.accepted.as_ref();

@@ -247,10 +247,7 @@ fn jobs(args: &Args) -> Result<(Job, Option<SetJob>), Error> {
 /// * `of_set`: whether the run is one of a set, which has its second mesh after the runs, not beside them
 fn afford(job: &Job, of_set: bool, global: &Global) -> Result<(), Error> {
     let mut asked = job.task();
-    let alone = engines::Options {
-        mesh_error: false,
-        ..job.linear.clone()
-    };
+    let alone = engines::Options { mesh_error: false, ..job.linear.clone() };
     if of_set {
         asked.linear = &alone;
     }
@@ -271,10 +268,7 @@ fn afford(job: &Job, of_set: bool, global: &Global) -> Result<(), Error> {
 fn not_computed(results: &Results) {
     let parts = &results.not_computed;
     if !parts.is_empty() {
-        say!(
-            "not computed, because no selected part needs it: {}",
-            LeftOut::names(parts)
-        );
+        say!("not computed, because no selected part needs it: {}", LeftOut::names(parts));
         // What it means for checks, which are printed beside it.
         for left in parts.iter().filter(|left| left.part == Omittable::MeshError) {
             say!("note: {}", left.text);

@@ -38,16 +38,11 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
                     let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
                     Error::input(
                         Code::UnknownId,
-                        format!(
-                            "unknown subcommand; found `{name}`, expected one of {}",
-                            known.join(", ")
-                        ),
+                        format!("unknown subcommand; found `{name}`, expected one of {}", known.join(", ")),
                     )
                 })?,
             };
-            clap_mangen::Man::new(chosen)
-                .render(&mut page)
-                .map_err(|e| Error::report(format!("manual page: {e}")))?;
+            clap_mangen::Man::new(chosen).render(&mut page).map_err(|e| Error::report(format!("manual page: {e}")))?;
         }
     }
     print(&String::from_utf8_lossy(&page))?;

@@ -83,18 +83,12 @@ enum DiffFormat {
 }
 
 /// The results folder that is overwritten.
-const BLESSED: Kind = Kind {
-    option: "OLD",
-    ..COMPARE
-};
+const BLESSED: Kind = Kind { option: "OLD", ..COMPARE };
 
 /// Copies the files of a results folder into another one.
 fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     let fault = |path: &Path, e: std::io::Error| {
-        Error::Files(files::error::Error::Unwritten {
-            path: path.into(),
-            what: describe(&e),
-        })
+        Error::Files(files::error::Error::Unwritten { path: path.into(), what: describe(&e) })
     };
     for entry in OUTPUT {
         let (source, target) = (from.join(entry), to.join(entry));
@@ -119,10 +113,7 @@ const ACCEPTED_FILE: &str = "accepted.json";
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::input(
-                Code::OptionValue,
-                format!("{name}: found {value}, expected a number ≥ 0"),
-            ));
+            return Err(Error::input(Code::OptionValue, format!("{name}: found {value}, expected a number ≥ 0")));
         }
     }
     if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
@@ -131,10 +122,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             "--reason: found an empty text, expected a sentence\n  help: state why the numbers may move".into(),
         ));
     }
-    let options = Options {
-        rtol: args.rtol,
-        time_tolerance: args.time_tolerance,
-    };
+    let options = Options { rtol: args.rtol, time_tolerance: args.time_tolerance };
     if args.bless {
         // Only results of this form are copied; those of `ida` and `push` can only be compared.
         results::read(&args.new)?;
@@ -174,11 +162,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         return Ok(EXIT_OK);
     }
-    Ok(if report.moved.is_empty() {
-        EXIT_OK
-    } else {
-        EXIT_CHECK_FAILED
-    })
+    Ok(if report.moved.is_empty() { EXIT_OK } else { EXIT_CHECK_FAILED })
 }
 
 /// Errors: NEW has not computed what OLD has.
@@ -187,10 +171,8 @@ fn keeps_parts(args: &Args) -> Result<(), Error> {
         return Ok(());
     }
     let (old, new) = (results::read(&args.old)?, results::read(&args.new)?);
-    let lost: Vec<&str> = (new.not_computed.iter())
-        .filter(|left| old.has(left.part))
-        .map(|left| left.part.name())
-        .collect();
+    let lost: Vec<&str> =
+        (new.not_computed.iter()).filter(|left| old.has(left.part)).map(|left| left.part.name()).collect();
     if lost.is_empty() {
         return Ok(());
     }
@@ -204,10 +186,7 @@ fn keeps_parts(args: &Args) -> Result<(), Error> {
 }
 
 fn not_compared(report: &Report) -> String {
-    format!(
-        "not compared, because one of the two folders does not have it: {}",
-        LeftOut::names(&report.not_compared)
-    )
+    format!("not compared, because one of the two folders does not have it: {}", LeftOut::names(&report.not_compared))
 }
 
 /// Verdict, quantities and checks of both folders; none of `ida` and `push`, which have others.
@@ -234,20 +213,11 @@ fn findings(changes: Option<&Changes>) -> Vec<Finding> {
         Finding {
             group: c.method.clone(),
             id: c.id.clone(),
-            outcome: if failed || c.turned() {
-                Outcome::Fails
-            } else {
-                Outcome::Warns
-            },
+            outcome: if failed || c.turned() { Outcome::Fails } else { Outcome::Warns },
             message: format!("{} -> {}", ending(c.old), ending(c.new)),
         }
     };
-    changes
-        .checks
-        .iter()
-        .map(check)
-        .chain(changes.quantities.iter().map(quantity))
-        .collect()
+    changes.checks.iter().map(check).chain(changes.quantities.iter().map(quantity)).collect()
 }
 
 fn percent(change: Option<f64>) -> String {
@@ -287,10 +257,7 @@ fn shown(q: &MovedQuantity) -> (String, [String; 2]) {
         true => q.id.clone(),
         false => format!("{} [{}]", q.id, unit.symbol),
     };
-    (
-        name,
-        [q.old, q.new].map(|v| units::significant(units::in_unit(v, unit), 4)),
-    )
+    (name, [q.old, q.new].map(|v| units::significant(units::in_unit(v, unit), 4)))
 }
 
 /// A row a quantity for each excitation: the values of the engine, or of the first method, and the change of every method.
@@ -305,12 +272,8 @@ fn together(text: &mut String, changes: &Changes) {
         };
         let short = |method: &str| method.split('/').next().unwrap_or_default().to_owned();
         let others: Vec<&str> = methods.iter().copied().filter(|method| *method != main).collect();
-        let head = [
-            format!("change under the {excitation}"),
-            format!("{}, old", short(main)),
-            "new".into(),
-            short(main),
-        ];
+        let head =
+            [format!("change under the {excitation}"), format!("{}, old", short(main)), "new".into(), short(main)];
         let mut table = Table::new(head.into_iter().chain(others.iter().map(|method| short(method))));
         let order = |id: &str| Quantity::ALL.iter().position(|q| q.id() == id);
         let mut ids: Vec<&str> = moved.iter().map(|q| q.id.as_str()).collect();
@@ -384,14 +347,7 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
     if old == new {
         let _ = writeln!(text, "verdict  {}{} as before", word(new), governing(new));
     } else {
-        let _ = writeln!(
-            text,
-            "verdict  {}{}  ->  {}{}",
-            word(old),
-            governing(old),
-            word(new),
-            governing(new)
-        );
+        let _ = writeln!(text, "verdict  {}{}  ->  {}{}", word(old), governing(old), word(new), governing(new));
     }
     let more = |text: &mut String, all: usize| {
         if all > most {
@@ -420,16 +376,7 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
                 Some(CheckStatus::NotChecked) => Mark::Open,
                 _ => Mark::None,
             };
-            table.marked(
-                mark,
-                [
-                    c.id.clone(),
-                    c.method.clone(),
-                    ending(c.old),
-                    ending(c.new),
-                    remark.to_owned(),
-                ],
-            );
+            table.marked(mark, [c.id.clone(), c.method.clone(), ending(c.old), ending(c.new), remark.to_owned()]);
         }
         let _ = write!(text, "\n{}", table.fitted(width()));
         more(&mut text, first.len());
@@ -453,10 +400,7 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
 fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) -> String {
     let outcome = match (report.moved.len(), report.drifted) {
         (0, 0) => "same".to_string(),
-        (0, drifted) => format!(
-            "same within tolerance: {drifted} drifted, at most {:.1e}",
-            report.largest_drift
-        ),
+        (0, drifted) => format!("same within tolerance: {drifted} drifted, at most {:.1e}", report.largest_drift),
         (moved, _) => format!("{moved} moved"),
     };
     let apart = changes.and_then(|told| told.apart.as_ref());
@@ -496,12 +440,7 @@ fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) ->
         }
     }
     if report.moved.len() > most {
-        let _ = writeln!(
-            text,
-            "  (+{} more; --most {} shows all)",
-            report.moved.len() - most,
-            report.moved.len()
-        );
+        let _ = writeln!(text, "  (+{} more; --most {} shows all)", report.moved.len() - most, report.moved.len());
     }
     text
 }

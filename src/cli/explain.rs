@@ -135,14 +135,8 @@ fn of_quantity(quantity: Quantity) -> Entry {
         chapter: QUANTITIES,
         meaning,
         facts: vec![
-            Fact {
-                name: "symbol",
-                value: quantity.symbol().into(),
-            },
-            Fact {
-                name: "unit",
-                value: quantity.dimension().si_symbol().into(),
-            },
+            Fact { name: "symbol", value: quantity.symbol().into() },
+            Fact { name: "unit", value: quantity.dimension().si_symbol().into() },
         ],
         example: String::new(),
     }
@@ -168,17 +162,11 @@ fn declared() -> Vec<(&'static str, LimitState)> {
         for procedure in codes::ALL {
             add(procedure.id(), procedure.limit_states(case));
         }
-        add(
-            "engines",
-            time_history::limit_states(case, &time_history::counted(case, &[])),
-        );
+        add("engines", time_history::limit_states(case, &time_history::counted(case, &[])));
         // What a run has under a name of its own where it decides alone.
         let alone = time_history::counted(case, &[results::FE.to_owned()]);
-        let known = |state: &LimitState| {
-            codes::ALL
-                .iter()
-                .any(|p| p.limit_states(case).iter().any(|s| s.id == state.id))
-        };
+        let known =
+            |state: &LimitState| codes::ALL.iter().any(|p| p.limit_states(case).iter().any(|s| s.id == state.id));
         let mut alone = time_history::limit_states(case, &alone);
         alone.retain(|state| !known(state));
         add("engines", alone);
@@ -190,10 +178,7 @@ fn declared() -> Vec<(&'static str, LimitState)> {
 
 fn on_isolators(mut case: Case) -> Case {
     case.tank.isolators = Some(Isolators {
-        bearing: Bearing::Elastomer {
-            stiffness: 1.0,
-            damping: 0.0,
-        },
+        bearing: Bearing::Elastomer { stiffness: 1.0, damping: 0.0 },
         damper: None,
         slab_mass: 0.0,
         slab_thickness: 0.0,
@@ -209,29 +194,15 @@ fn of_check(check: &Part, state: &str, declared: &[&(&'static str, LimitState)])
         unit => unit,
     };
     let mut facts = vec![
-        Fact {
-            name: "demand",
-            value: check.demand.into(),
-        },
-        Fact {
-            name: "capacity",
-            value: check.capacity.into(),
-        },
-        Fact {
-            name: "unit",
-            value: unit.into(),
-        },
+        Fact { name: "demand", value: check.demand.into() },
+        Fact { name: "capacity", value: check.capacity.into() },
+        Fact { name: "unit", value: unit.into() },
     ];
     if check.id != state {
-        facts.push(Fact {
-            name: "limit state",
-            value: state.into(),
-        });
+        facts.push(Fact { name: "limit state", value: state.into() });
     }
-    let clause = |(who, state): &&(&str, LimitState)| Fact {
-        name: "clause",
-        value: format!("{} ({who})", state.clause),
-    };
+    let clause =
+        |(who, state): &&(&str, LimitState)| Fact { name: "clause", value: format!("{} ({who})", state.clause) };
     facts.extend(declared.iter().map(clause));
     Entry {
         kind: "check",
@@ -291,19 +262,14 @@ fn unknown(id: &str, all: &[Entry]) -> Error {
         let word = id.split('_').filter_map(apart).min().map(|apart| apart + 1);
         holds.into_iter().chain(apart(&id)).chain(word).min()
     };
-    let mut near: Vec<(usize, &Entry)> = all
-        .iter()
-        .filter_map(|entry| distance(entry).map(|distance| (distance, entry)))
-        .collect();
+    let mut near: Vec<(usize, &Entry)> =
+        all.iter().filter_map(|entry| distance(entry).map(|distance| (distance, entry))).collect();
     near.sort_by_key(|(distance, _)| *distance);
     // A quantity and the check of it may have one id.
     let mut ids = BTreeSet::new();
     near.retain(|(_, entry)| ids.insert(entry.id.clone()));
-    let near: Vec<String> = near
-        .iter()
-        .take(SUGGESTIONS)
-        .map(|(_, entry)| format!("`{}` ({})", entry.id, entry.title))
-        .collect();
+    let near: Vec<String> =
+        near.iter().take(SUGGESTIONS).map(|(_, entry)| format!("`{}` ({})", entry.id, entry.title)).collect();
     let help = match near.is_empty() {
         true => "`tankcheck explain` lists all".to_owned(),
         false => format!("did you mean {}?", near.join(", ")),
@@ -442,11 +408,7 @@ mod tests {
     fn unknown_ids_get_the_nearest_ones() {
         let all = entries();
         let help = |id: &str| unknown(id, &all).to_string();
-        assert!(
-            help("bukling_elastic").contains("`buckling_elastic`"),
-            "{}",
-            help("bukling_elastic")
-        );
+        assert!(help("bukling_elastic").contains("`buckling_elastic`"), "{}", help("bukling_elastic"));
         assert!(help("bukling").contains("`buckling_elastic`"), "{}", help("bukling"));
         assert!(help("shear").contains("`base_shear`"));
         assert!(help("T0026").contains("T0206"));
@@ -458,10 +420,7 @@ mod tests {
     fn lines_are_wrapped() {
         for entry in entries() {
             for line in human(&entry).lines().filter(|line| !line.starts_with("    ")) {
-                assert!(
-                    line.chars().count() <= WIDTH.max(entry.title.len() + entry.id.len() + 16),
-                    "{line}"
-                );
+                assert!(line.chars().count() <= WIDTH.max(entry.title.len() + entry.id.len() + 16), "{line}");
             }
         }
     }

@@ -34,10 +34,8 @@ fn message(info: &PanicHookInfo<'_>, arguments: impl Iterator<Item = String>) ->
         .copied()
         .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("no message");
-    let place = info.location().map_or_else(
-        || "an unknown place".to_owned(),
-        |at| format!("{}:{}", at.file(), at.line()),
-    );
+    let place =
+        info.location().map_or_else(|| "an unknown place".to_owned(), |at| format!("{}:{}", at.file(), at.line()));
     line(what, &place, arguments)
 }
 
@@ -142,9 +140,6 @@ mod tests {
     #[test]
     fn a_repository_is_named_where_there_is_one() {
         assert_eq!(maintainers(""), "the maintainers");
-        assert_eq!(
-            maintainers("https://example.org/tankcheck"),
-            "https://example.org/tankcheck"
-        );
+        assert_eq!(maintainers("https://example.org/tankcheck"), "https://example.org/tankcheck");
     }
 }

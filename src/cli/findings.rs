@@ -54,9 +54,7 @@ pub(crate) fn of_checks(results: &Results, strict: bool) -> Vec<Finding> {
     let of = |method: &Method| -> Vec<Finding> {
         let group = format!("{}/{}", method.id, method.excitation.word());
         let required = method.checks.iter().filter(|c| c.status != CheckStatus::NotApplicable);
-        required
-            .map(|check| of_check(&group, check, (strict, &results.volatile.created)))
-            .collect()
+        required.map(|check| of_check(&group, check, (strict, &results.volatile.created))).collect()
     };
     let dated = words::verdict::dated_ahead(results).into_iter();
     let dated: Vec<Warning> = dated.map(|text| Warning::new(Code::Inconsistent, text)).collect();
@@ -76,12 +74,7 @@ fn of_verdict(results: &Results, strict: bool) -> Finding {
         VerdictStatus::Holds if !verdict.unfinished && !strict => Outcome::Warns,
         _ => Outcome::NotChecked,
     };
-    Finding {
-        group: "verdict".into(),
-        id: "verdict".into(),
-        outcome,
-        message: words::verdict::headline(verdict),
-    }
+    Finding { group: "verdict".into(), id: "verdict".into(), outcome, message: words::verdict::headline(verdict) }
 }
 
 fn of_check(group: &str, check: &Check, (strict, created): (bool, &str)) -> Finding {
@@ -101,12 +94,7 @@ fn of_check(group: &str, check: &Check, (strict, created): (bool, &str)) -> Find
             let _ = write!(message, "; {part}");
         }
     }
-    Finding {
-        group: group.into(),
-        id: check.id.clone(),
-        outcome,
-        message,
-    }
+    Finding { group: group.into(), id: check.id.clone(), outcome, message }
 }
 
 /// Group of warnings, whose ids are their codes.

@@ -90,10 +90,7 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         if let Some(path) = path.as_ref().filter(|path| path.exists()) {
             return Err(Error::input(
                 Code::FileTaken,
-                format!(
-                    "{option}: found `{}`, which exists, expected the name of a new file",
-                    path.display()
-                ),
+                format!("{option}: found `{}`, which exists, expected the name of a new file", path.display()),
             ));
         }
     }
@@ -150,16 +147,10 @@ fn document(curves: &[Curve]) -> Value {
 }
 
 fn components(curves: &[Curve]) -> Vec<Component> {
-    let states: Vec<_> = curves
-        .iter()
-        .filter_map(|c| Some((c.damage_state.clone(), c.curve()?)))
-        .collect();
+    let states: Vec<_> = curves.iter().filter_map(|c| Some((c.damage_state.clone(), c.curve()?))).collect();
     match states.is_empty() {
         true => Vec::new(),
-        false => vec![Component {
-            id: "tank".into(),
-            states,
-        }],
+        false => vec![Component { id: "tank".into(), states }],
     }
 }
 
@@ -220,9 +211,9 @@ fn human(curves: &[Curve]) -> String {
         let name = text::line(&curve.damage_state);
         if let Some(reason) = &curve.reason {
             let bound = |b: Option<f64>| b.map_or("unknown".into(), |b| b.to_string());
-            let bounds = curve.bounds.map_or(String::new(), |b| {
-                format!("; the median is between {} and {}", bound(b[0]), bound(b[1]))
-            });
+            let bounds = curve
+                .bounds
+                .map_or(String::new(), |b| format!("; the median is between {} and {}", bound(b[0]), bound(b[1])));
             said.push_str(&format!("{name}: not identifiable: {}{bounds}\n", text::line(reason)));
         }
         if let Some(common) = &curve.common {

@@ -70,10 +70,8 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
 const SOURCE_DATE_EPOCH: &str = "SOURCE_DATE_EPOCH";
 
 /// Options that say where results go, how a run is watched and how it is divided, but not what is computed: with or without a value.
-const OF_THE_RUN: ([&str; 6], [&str; 4]) = (
-    ["--out", "-o", "--vtu", "--threads", "--color", "--checkpoint"],
-    ["--quiet", "-q", "--force", "--resume"],
-);
+const OF_THE_RUN: ([&str; 6], [&str; 4]) =
+    (["--out", "-o", "--vtu", "--threads", "--color", "--checkpoint"], ["--quiet", "-q", "--force", "--resume"]);
 
 /// The fixed time of [`SOURCE_DATE_EPOCH`], if it is set.
 ///

@@ -89,11 +89,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let found = ida::run(&job, || stamp(started), &watch)?;
     watch.finish();
     match args.format {
-        Format::Human => print(&format!(
-            "{}\n\n{}",
-            text::line(&found.name),
-            Table::of(&report::ida::table(&found))
-        ))?,
+        Format::Human => print(&format!("{}\n\n{}", text::line(&found.name), Table::of(&report::ida::table(&found))))?,
         Format::Json => {
             print(&json(&found)?)?;
         }
@@ -148,13 +144,7 @@ impl Args {
             let origin = format!("--scale: the factor {largest}");
             plausible::check_peak(peak, origin, self.reading.allow_implausible)?;
         }
-        Ok(IdaJob {
-            job,
-            scales,
-            jobs: self.jobs.into(),
-            out: self.out.clone(),
-            resume: self.resume,
-        })
+        Ok(IdaJob { job, scales, jobs: self.jobs.into(), out: self.out.clone(), resume: self.resume })
     }
 }
 
@@ -225,10 +215,7 @@ fn range(text: &str, (from, to): (&str, &str), steps: Option<&str>) -> Result<Ve
         );
     };
     if let Some(end) = [low, high].into_iter().find(|end| !sound(*end)) {
-        return refuse(
-            format!("--scale: found `{end}` in `{text}`, {expected}"),
-            "write a range such as `0..1.1`",
-        );
+        return refuse(format!("--scale: found `{end}` in `{text}`, {expected}"), "write a range such as `0..1.1`");
     }
     if low >= high {
         let (what, help) = if low == high {
@@ -236,10 +223,7 @@ fn range(text: &str, (from, to): (&str, &str), steps: Option<&str>) -> Result<Ve
         } else {
             ("a reversed range", format!("write {}..{}", to.trim(), from.trim()))
         };
-        return refuse(
-            format!("--scale: found `{text}`, {what}, expected an ascending range"),
-            &help,
-        );
+        return refuse(format!("--scale: found `{text}`, {what}, expected an ascending range"), &help);
     }
     let Some(steps) = steps else {
         let missing = format!("--steps is missing; expected the number of factors in `{text}`");
@@ -257,9 +241,7 @@ fn range(text: &str, (from, to): (&str, &str), steps: Option<&str>) -> Result<Ve
     };
     // Weights of the ends instead of sums of steps: the last factor is exactly the upper end.
     let last = (count - 1) as f64;
-    Ok((0..count)
-        .map(|i| (low * (last - i as f64) + high * i as f64) / last)
-        .collect())
+    Ok((0..count).map(|i| (low * (last - i as f64) + high * i as f64) / last).collect())
 }
 
 #[cfg(test)]
@@ -299,11 +281,7 @@ mod tests {
             ("0..inf", Some("3"), vec!["found `inf`"]),
             ("0..1e3", Some("3"), vec!["found `1000`"]),
             ("0..1", None, vec!["--steps is missing", "--steps 12"]),
-            (
-                "0..1",
-                Some("1"),
-                vec!["--steps: found `1`", "from 2 to 1000", "--scale 0.9"],
-            ),
+            ("0..1", Some("1"), vec!["--steps: found `1`", "from 2 to 1000", "--scale 0.9"]),
             ("0..1", Some("0"), vec!["--steps: found `0`"]),
             ("0..1", Some("-3"), vec!["--steps: found `-3`"]),
             ("0..1", Some("2.5"), vec!["--steps: found `2.5`"]),

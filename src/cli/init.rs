@@ -59,18 +59,11 @@ pub(crate) fn cases() -> Vec<Case> {
         // A test reads the files.
         file.map(|file| file.case).ok()
     };
-    let mut all: Vec<Case> = [Shape::Cylinder, Shape::Rectangle]
-        .into_iter()
-        .filter_map(read)
-        .collect();
+    let mut all: Vec<Case> = [Shape::Cylinder, Shape::Rectangle].into_iter().filter_map(read).collect();
     let strips = all.iter().filter_map(|case| match case.tank.shape {
         tank::Shape::Rectangle { length, breadth, .. } => {
             let mut boxed = case.clone();
-            boxed.tank.shape = tank::Shape::Rectangle {
-                length,
-                breadth,
-                strip: false,
-            };
+            boxed.tank.shape = tank::Shape::Rectangle { length, breadth, strip: false };
             Some(boxed)
         }
         tank::Shape::Cylinder { .. } => None,

@@ -58,12 +58,7 @@ impl Inputs {
         &self,
         refuses: impl Fn(&Task<'_>) -> Vec<Refusal>,
     ) -> Result<(Job, records::Processing), Error> {
-        let bare = Inputs {
-            quake: Vec::new(),
-            quake_y: Vec::new(),
-            vertical: Vec::new(),
-            ..self.clone()
-        };
+        let bare = Inputs { quake: Vec::new(), quake_y: Vec::new(), vertical: Vec::new(), ..self.clone() };
         bare.with_processing(refuses)
     }
 
@@ -87,18 +82,11 @@ impl Inputs {
     ///
     /// * `origin`: beginning of its warnings on standard error ("tanks.csv:3: "), may be empty
     pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
-        let options = [
-            ("--quake", &self.quake),
-            ("--quake-y", &self.quake_y),
-            ("--vertical", &self.vertical),
-        ];
+        let options = [("--quake", &self.quake), ("--quake-y", &self.quake_y), ("--vertical", &self.vertical)];
         if let Some((option, paths)) = options.into_iter().find(|(_, paths)| paths.len() > 1) {
             return Err(Error::input(
                 Code::OptionConflict,
-                format!(
-                    "{option}: found {} records, expected one; `tankcheck compare` takes a set",
-                    paths.len()
-                ),
+                format!("{option}: found {} records, expected one; `tankcheck compare` takes a set", paths.len()),
             ));
         }
         let selected =
@@ -106,11 +94,7 @@ impl Inputs {
         let decision = self.decision(tank.decision.clone(), &selected)?;
         let given = tank.record;
         let file = source("tank", &self.tank, &tank.sha256);
-        let mut job = Job {
-            decision,
-            files: vec![file],
-            ..Job::of(tank, selected)
-        };
+        let mut job = Job { decision, files: vec![file], ..Job::of(tank, selected) };
         if let Some(path) = self.quake.first() {
             let options = self.reading.options();
             let horizontal = records::read(path, &options)?;
@@ -122,11 +106,7 @@ impl Inputs {
             job.warnings.extend(records::plausible::doubts(&processed, &given));
             // One earthquake has one scale: its other components follow the factor of the first.
             let factor = processed.pga() / horizontal.record.pga().max(f64::MIN_POSITIVE);
-            let processing = records::Processing {
-                scale_to: None,
-                scale_by: Some(factor),
-                ..given
-            };
+            let processing = records::Processing { scale_to: None, scale_by: Some(factor), ..given };
             job.usable_periods.push(horizontal.usable_after(&given));
             job.raw_records.push(horizontal.record);
             let mut component = |path: Option<&PathBuf>, role: &str| -> Result<Option<Record>, Error> {
@@ -135,8 +115,7 @@ impl Inputs {
                 job.files.push(source(role, path, &read.sha256));
                 let processed = records::process(&read.record, &processing)?;
                 records::plausible::check(&processed, role, allow)?;
-                job.warnings
-                    .extend(records::plausible::doubts(&processed, &records::Processing::default()));
+                job.warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
                 job.usable_periods.push(read.usable_after(&processing));
                 job.raw_records.push(read.record);
                 Ok(Some(processed))
@@ -146,11 +125,7 @@ impl Inputs {
             if transverse.is_some() {
                 whole_tank(&mut job.nonlinear, &mut job.echo);
             }
-            job.case.ground_motion = Some(GroundMotion {
-                horizontal: processed,
-                transverse,
-                vertical,
-            });
+            job.case.ground_motion = Some(GroundMotion { horizontal: processed, transverse, vertical });
         }
         for warning in &job.warnings {
             warn(origin, warning);
@@ -184,10 +159,7 @@ impl Inputs {
                 ),
             ));
         };
-        let mut decision = Decision {
-            accepted: Vec::new(),
-            ..file
-        };
+        let mut decision = Decision { accepted: Vec::new(), ..file };
         for id in ids.split(',') {
             let Some(gap) = file.accepted.iter().find(|gap| gap.check == id) else {
                 return Err(Error::input(
@@ -271,12 +243,6 @@ impl Reading {
 
 /// A file with its hash.
 pub(crate) fn source(role: &str, path: &std::path::Path, sha256: &str) -> SourceFile {
-    let name = path
-        .file_name()
-        .map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
-    SourceFile {
-        role: role.into(),
-        name,
-        sha256: sha256.into(),
-    }
+    let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
+    SourceFile { role: role.into(), name, sha256: sha256.into() }
 }

@@ -142,10 +142,7 @@ struct Asked {
 impl Asked {
     /// Modes and notes of the harmonic engine: one mesh, and one harmonic after the other.
     fn harmonic(&self, global: &Global) -> Result<(Vec<Mode>, Vec<String>), Error> {
-        let one = engines::Options {
-            mesh_error: false,
-            ..self.options.clone()
-        };
+        let one = engines::Options { mesh_error: false, ..self.options.clone() };
         let mut estimate = harmonic::estimate(&self.case, &one)?;
         estimate.seconds *= self.harmonics.len() as f64;
         budget::admit(&estimate, self.memory_limit_mib, false, global)?;
@@ -164,10 +161,7 @@ impl Asked {
     /// Modes and notes of the three-dimensional engine.
     fn solid(&self, options: SolidOptions, global: &Global) -> Result<(Vec<Mode>, Vec<String>), Error> {
         let (case, harmonics) = (&self.case, &self.harmonics);
-        let solid = SolidOptions {
-            memory_limit_mib: self.memory_limit_mib,
-            ..options
-        };
+        let solid = SolidOptions { memory_limit_mib: self.memory_limit_mib, ..options };
         let estimate = engines::solid::estimate(case, &self.options, &solid)?;
         budget::admit(&estimate, self.memory_limit_mib, true, global)?;
         let watch = Watch::new(global, "modes");
@@ -224,10 +218,7 @@ fn show(
 
 fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
-        Error::input(
-            Code::OptionValue,
-            format!("{option}: found `{found}`, expected {allowed}"),
-        )
+        Error::input(Code::OptionValue, format!("{option}: found `{found}`, expected {allowed}"))
     };
     let largest = match (shape, engine) {
         (Shape::Cylinder { .. }, _) => MAX_HARMONIC,
@@ -235,20 +226,12 @@ fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> R
         (Shape::Rectangle { .. }, Engine::Solid) => MOST_PART,
     };
     if let Some(m) = harmonics.iter().find(|&&m| m > largest) {
-        return Err(usage(
-            "--harmonics",
-            m.to_string(),
-            format!("0 to {largest} for this tank"),
-        ));
+        return Err(usage("--harmonics", m.to_string(), format!("0 to {largest} for this tank")));
     }
     let mut seen = harmonics.to_vec();
     seen.sort_unstable();
     if let Some(pair) = seen.windows(2).find(|p| p[0] == p[1]) {
-        return Err(usage(
-            "--harmonics",
-            format!("{} twice", pair[0]),
-            "each harmonic once".to_owned(),
-        ));
+        return Err(usage("--harmonics", format!("{} twice", pair[0]), "each harmonic once".to_owned()));
     }
     if !(1..=MAX_COUNT).contains(&count) {
         return Err(usage("--count", count.to_string(), format!("1 to {MAX_COUNT}")));
@@ -280,21 +263,14 @@ fn table(modes: &[Mode], case: &Case, engine: Engine) -> Table {
         let cell = |shown: bool, text: String| if shown { text } else { "–".to_owned() };
         let axial = mode.axial.map_or("–".to_owned(), |m| m.to_string());
         let name = [format!("{} {}", mode.kind, mode.number), mode.harmonic.to_string()];
-        table.row(
-            name.into_iter()
-                .chain((engine == Engine::Solid && round).then_some(axial))
-                .chain([
-                    format!("{:.5}", mode.period),
-                    format!("{:.4}", 1.0 / mode.period),
-                    format!("{:.4}", mode.omega),
-                    cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
-                    cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
-                    cell(
-                        mode.harmonic == 1 && engine == Engine::Harmonic,
-                        format!("{:.4}", mode.effective_height),
-                    ),
-                ]),
-        );
+        table.row(name.into_iter().chain((engine == Engine::Solid && round).then_some(axial)).chain([
+            format!("{:.5}", mode.period),
+            format!("{:.4}", 1.0 / mode.period),
+            format!("{:.4}", mode.omega),
+            cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
+            cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
+            cell(mode.harmonic == 1 && engine == Engine::Harmonic, format!("{:.4}", mode.effective_height)),
+        ]));
     }
     table
 }
@@ -327,11 +303,7 @@ mod tests {
     use super::*;
 
     const CYLINDER: Shape = Shape::Cylinder { radius: 1.0 };
-    const BOX: Shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    const BOX: Shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
 
     #[test]
     fn ranges() {

@@ -69,11 +69,7 @@ impl NonlinearArgs {
             }
             _ => {}
         }
-        let file = CheckpointFile {
-            path,
-            key,
-            resume: self.resume,
-        };
+        let file = CheckpointFile { path, key, resume: self.resume };
         for path in file.files() {
             // A killed run leaves the first part of a checkpoint.
             let parts = [(unfinished(&path), true), (path, false)];
@@ -103,11 +99,9 @@ fn refuse<T>(code: Code, what: &str, help: &str) -> Result<T, Error> {
 fn sound(path: &Path) -> Result<(), Error> {
     match inspect(path) {
         Ok(()) => Ok(()),
-        Err(CheckpointError::File { reason, .. }) => Err(Error::Files(files::error::Error::File {
-            code: Code::FileUnreadable,
-            path: path.into(),
-            what: reason,
-        })),
+        Err(CheckpointError::File { reason, .. }) => {
+            Err(Error::Files(files::error::Error::File { code: Code::FileUnreadable, path: path.into(), what: reason }))
+        }
         Err(fault) => refuse(
             Code::Checkpoint,
             &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
@@ -136,9 +130,7 @@ fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
         return Ok(None);
     }
     if let Some(what) = files::special(path).map_err(fault)? {
-        return Err(fault(std::io::Error::other(format!(
-            "found {what}, expected a checkpoint"
-        ))));
+        return Err(fault(std::io::Error::other(format!("found {what}, expected a checkpoint"))));
     }
     let mut head = Vec::new();
     let file = std::fs::File::open(path).map_err(fault)?;
@@ -187,13 +179,9 @@ pub(crate) fn tidy(job: &Job, results: &Results) {
 
 /// Prints how to continue an interrupted nonlinear run.
 pub(crate) fn advise(job: &Job, results: &Results, global: &Global) {
-    if let (Some(file), false) = (
-        &job.checkpoint,
-        matches!(
-            end(results),
-            Some(End::Completed | End::Collapsed { .. } | End::Left { .. })
-        ),
-    ) {
+    if let (Some(file), false) =
+        (&job.checkpoint, matches!(end(results), Some(End::Completed | End::Collapsed { .. } | End::Left { .. })))
+    {
         advise_resume(file, global);
     }
 }
@@ -201,10 +189,7 @@ pub(crate) fn advise(job: &Job, results: &Results, global: &Global) {
 /// Prints how to continue an interrupted run, if it has a checkpoint.
 pub(crate) fn advise_resume(file: &CheckpointFile, global: &Global) {
     if !global.quiet && file.path.exists() {
-        say!(
-            "checkpoint: {}; repeat the command with --resume to continue",
-            file.path.display()
-        );
+        say!("checkpoint: {}; repeat the command with --resume to continue", file.path.display());
     }
 }
 
@@ -214,11 +199,7 @@ mod tests {
 
     #[test]
     fn the_checkpoint_is_next_to_the_output_folder() {
-        for (out, file) in [
-            ("out", "out.checkpoint"),
-            ("out/", "out.checkpoint"),
-            ("a/b.c/", "a/b.c.checkpoint"),
-        ] {
+        for (out, file) in [("out", "out.checkpoint"), ("out/", "out.checkpoint"), ("a/b.c/", "a/b.c.checkpoint")] {
             assert_eq!(beside(Path::new(out)), Path::new(file));
         }
         let here = beside(Path::new("."));

@@ -138,22 +138,11 @@ struct Log {
 
 impl Log {
     fn new(now: Instant) -> Log {
-        Log {
-            name: String::new(),
-            steps: 0,
-            done: 0,
-            before: None,
-            began: now,
-            last: (now, 0),
-        }
+        Log { name: String::new(), steps: 0, done: 0, before: None, began: now, last: (now, 0) }
     }
 
     fn stage(&mut self, name: &str, steps: u64, now: Instant) {
-        *self = Log {
-            name: name.to_owned(),
-            steps,
-            ..Log::new(now)
-        };
+        *self = Log { name: name.to_owned(), steps, ..Log::new(now) };
     }
 
     /// Counts steps; returns a line when one is due.
@@ -196,29 +185,17 @@ mod tests {
         let mut log = Log::new(start);
         log.stage("time steps", 1000, start);
         // 100 s for 1000 steps: a tenth every ten seconds.
-        let lines: Vec<String> = (1..=1000)
-            .filter_map(|i| log.advance(1, after(0.1 * f64::from(i))))
-            .collect();
+        let lines: Vec<String> = (1..=1000).filter_map(|i| log.advance(1, after(0.1 * f64::from(i)))).collect();
         assert_eq!(lines.len(), 9, "{lines:#?}");
-        assert_eq!(
-            lines[0],
-            "time steps: 10 % (100 of 1000), 10 s so far, about 2 min left"
-        );
-        assert_eq!(
-            lines[8],
-            "time steps: 90 % (900 of 1000), 2 min so far, about 10 s left"
-        );
+        assert_eq!(lines[0], "time steps: 10 % (100 of 1000), 10 s so far, about 2 min left");
+        assert_eq!(lines[8], "time steps: 90 % (900 of 1000), 2 min so far, about 10 s left");
         // Ten seconds in all: a line every five at most.
         log.stage("quick", 1000, start);
-        let lines = (1..=1000)
-            .filter_map(|i| log.advance(1, after(0.01 * f64::from(i))))
-            .count();
+        let lines = (1..=1000).filter_map(|i| log.advance(1, after(0.01 * f64::from(i)))).count();
         assert_eq!(lines, 1);
         // A step in forty seconds: a line a minute.
         log.stage("slow", 1000, start);
-        let lines = (1..=9)
-            .filter_map(|i| log.advance(1, after(40.0 * f64::from(i))))
-            .count();
+        let lines = (1..=9).filter_map(|i| log.advance(1, after(40.0 * f64::from(i)))).count();
         assert_eq!(lines, 4);
     }
 
@@ -229,9 +206,6 @@ mod tests {
         log.stage("time steps", 1000, start);
         assert_eq!(log.advance(500, start), None);
         let line = (1..=100).find_map(|i| log.advance(1, start + Duration::from_millis(100 * i)));
-        assert_eq!(
-            line.as_deref(),
-            Some("time steps: 55 % (550 of 1000), 5 s so far, about 45 s left")
-        );
+        assert_eq!(line.as_deref(), Some("time steps: 55 % (550 of 1000), 5 s so far, about 45 s left"));
     }
 }

@@ -188,12 +188,7 @@ impl Args {
         }
         let mut job = PushJob {
             job,
-            options: PushOptions {
-                imperfection,
-                form,
-                height,
-                plane_foot: self.plane_foot,
-            },
+            options: PushOptions { imperfection, form, height, plane_foot: self.plane_foot },
             out: self.out.clone(),
             checkpoint: None,
         };
@@ -239,10 +234,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             if value.abs() > 1.0 {
                 return refuse(
                     Code::OptionValue,
-                    format!(
-                        "--imperfection: found {}, expected up to 1 m",
-                        with_unit(value, Dimension::Length)
-                    ),
+                    format!("--imperfection: found {}, expected up to 1 m", with_unit(value, Dimension::Length)),
                     HELP,
                 );
             }
@@ -278,16 +270,11 @@ mod tests {
         assert_eq!(amplitude("6mm").unwrap(), Amplitude::Length(0.006));
         assert_eq!(amplitude("-6 mm").unwrap(), Amplitude::Length(-0.006));
         assert_eq!(amplitude("class-B").unwrap(), Amplitude::Quality(Quality::B));
-        for text in [
-            "", "0", "0t", "0.5", "class-d", "11t", "2 m", "NaNt", "half", "5 s", "inf t",
-        ] {
+        for text in ["", "0", "0t", "0.5", "class-d", "11t", "2 m", "NaNt", "half", "5 s", "inf t"] {
             let Err(Error::Files(files::error::Error::Input(_, message))) = amplitude(text) else {
                 panic!("{text}");
             };
-            assert!(
-                message.contains("--imperfection") && message.contains("help"),
-                "{message}"
-            );
+            assert!(message.contains("--imperfection") && message.contains("help"), "{message}");
         }
         assert_eq!(height("2 m").unwrap(), 2.0);
         assert!(height("-2m").is_err() && height("2").is_err());

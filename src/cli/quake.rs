@@ -120,10 +120,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
             print(&json(&facts)?)?;
         }
         Format::Csv => {
-            return Err(Error::input(
-                Code::OptionConflict,
-                "--format: found csv, expected human or json".into(),
-            ));
+            return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
         }
     }
     Ok(EXIT_OK)
@@ -166,18 +163,10 @@ fn human(facts: &Facts) -> String {
     row("peak ground displacement", format!("{:.4}", facts.pgd), "m     ");
     row("Arias intensity", format!("{:.4}", facts.arias), "m/s   ");
     row("cumulative absolute velocity", format!("{:.4}", facts.cav), "m/s   ");
-    row(
-        "significant duration D5-95",
-        format!("{:.3}", facts.significant_duration),
-        "s     ",
-    );
+    row("significant duration D5-95", format!("{:.3}", facts.significant_duration), "s     ");
     row("  from", format!("{:.3}", facts.significant_start), "s     ");
     row("velocity at the end", format!("{:.4}", facts.final_velocity), "m/s   ");
-    row(
-        "displacement at the end",
-        format!("{:.4}", facts.final_displacement),
-        "m     ",
-    );
+    row("displacement at the end", format!("{:.4}", facts.final_displacement), "m     ");
     row("duration", format!("{:.3}", facts.duration), "s     ");
     row("time step", format!("{}", facts.dt), "s     ");
     row("samples", format!("{}", facts.samples), "      ");

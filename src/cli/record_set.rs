@@ -109,9 +109,7 @@ impl SetArgs {
         }
         if let Some(path) = &self.target {
             input.table = Some(target::read(path, inputs.reading.options().unit)?);
-            input.target = path
-                .file_name()
-                .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+            input.target = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         }
         input.fit |= self.fit;
         Ok(found.map(|input| Given {
@@ -207,8 +205,7 @@ impl Given {
         for ((entry, found), id) in read.iter().zip(names) {
             let scaled = entry.scale * input.factor;
             let (record, warnings) = earthquake(&id, found, scaled, processing, self.allow_implausible)?;
-            job.warnings
-                .extend(warnings.into_iter().map(|w| w.about(&format!("record {id}"))));
+            job.warnings.extend(warnings.into_iter().map(|w| w.about(&format!("record {id}"))));
             records.push(record);
         }
         if processing.scale_to.is_some() {
@@ -237,15 +234,8 @@ impl Given {
 
 /// Reads the components of an entry; all that cannot be read are in one error.
 fn components(entry: &SetEntry, allow_implausible: bool) -> Result<Components, files::error::Error> {
-    let options = ReadOptions {
-        allow_implausible,
-        ..entry.options.clone()
-    };
-    let all = [
-        ("x", Some(&entry.along)),
-        ("y", entry.across.as_ref()),
-        ("vertical", entry.up.as_ref()),
-    ];
+    let options = ReadOptions { allow_implausible, ..entry.options.clone() };
+    let all = [("x", Some(&entry.along)), ("y", entry.across.as_ref()), ("vertical", entry.up.as_ref())];
     let (mut found, mut broken) = (Vec::new(), Vec::new());
     for (direction, path) in all.into_iter().filter_map(|(d, path)| Some((d, path?))) {
         match records::read(path, &options) {
@@ -264,10 +254,8 @@ fn distinct(read: &[(&SetEntry, Components)]) -> Result<(), Error> {
     let shown = |path: &Path| text::line(&path.display().to_string()).into_owned();
     // A file may hold several components.
     let content = |read: &ReadRecord| (read.sha256.clone(), read.channel.clone());
-    let all: Vec<(&PathBuf, _)> = read
-        .iter()
-        .flat_map(|(_, found)| found.iter().map(|(_, path, read)| (path, content(read))))
-        .collect();
+    let all: Vec<(&PathBuf, _)> =
+        read.iter().flat_map(|(_, found)| found.iter().map(|(_, path, read)| (path, content(read)))).collect();
     for (i, (path, one)) in all.iter().enumerate() {
         let sha = &one.0;
         if let Some((earlier, _)) = all[..i].iter().find(|(_, other)| other == one) {
@@ -331,30 +319,21 @@ fn earthquake(
     for (i, (direction, path, read)) in found.iter().enumerate() {
         let own = match i {
             0 => *processing,
-            _ => Processing {
-                scale_to: None,
-                scale_by: Some(scale),
-                ..*processing
-            },
+            _ => Processing { scale_to: None, scale_by: Some(scale), ..*processing },
         };
         let mut record = records::process(&read.record, &own)?;
         if i == 0 {
             scale = record.pga() / read.record.pga().max(f64::MIN_POSITIVE);
         }
-        let factor_of_set = Processing {
-            scale_by: Some(factor).filter(|f| (f - 1.0).abs() > 0.0),
-            ..Processing::default()
-        };
+        let factor_of_set =
+            Processing { scale_by: Some(factor).filter(|f| (f - 1.0).abs() > 0.0), ..Processing::default() };
         record = records::process(&record, &factor_of_set)?;
         let origin = format!("{} ({direction})", path.display());
         records::plausible::check(&record, &text::line(&origin), allow_implausible)?;
         warnings.extend(records::plausible::doubts(&record, &own));
         processed.push(record);
     }
-    let mut components = found
-        .iter()
-        .zip(processed)
-        .map(|((direction, ..), record)| (*direction, record));
+    let mut components = found.iter().zip(processed).map(|((direction, ..), record)| (*direction, record));
     let mut take = |wanted: &str| {
         let next = components.clone().next().filter(|(d, _)| *d == wanted);
         next.and_then(|_| components.next()).map(|(_, record)| record)
@@ -372,17 +351,10 @@ fn earthquake(
     Ok((
         Earthquake {
             id: id.into(),
-            motion: GroundMotion {
-                horizontal,
-                transverse,
-                vertical,
-            },
+            motion: GroundMotion { horizontal, transverse, vertical },
             raw: found.iter().map(|(_, _, read)| read.record.clone()).collect(),
             usable: found.iter().map(|(_, _, read)| read.usable_after(processing)).collect(),
-            files: found
-                .iter()
-                .map(|(direction, path, read)| source(role(direction), path, &read.sha256))
-                .collect(),
+            files: found.iter().map(|(direction, path, read)| source(role(direction), path, &read.sha256)).collect(),
         },
         warnings,
     ))

@@ -159,10 +159,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
         .filter(|name| forms.iter().all(|form| form.file() != *name) && args.folder.join(name).is_file())
         .collect();
     if !stale.is_empty() {
-        say!(
-            "note: still of the earlier report: {}; --pdf and --format write them again",
-            stale.join(", ")
-        );
+        say!("note: still of the earlier report: {}; --pdf and --format write them again", stale.join(", "));
     }
     if let Some(file) = aside {
         results::put(&file, &pdf)?;
@@ -247,10 +244,7 @@ fn taken(path: PathBuf, what: &str) -> Error {
 /// Errors: pandoc is not installed or fails; a temporary folder that cannot be made.
 fn converted(report: &Report) -> Result<Vec<u8>, Error> {
     let failed = |what: String| Error::report(format!("docx: {what}"));
-    let folder = tempfile::Builder::new()
-        .prefix("tankcheck-")
-        .tempdir()
-        .map_err(|e| failed(e.to_string()))?;
+    let folder = tempfile::Builder::new().prefix("tankcheck-").tempdir().map_err(|e| failed(e.to_string()))?;
     let place = folder.path();
     let document = document(report);
     let put = |path: &Path, text: &str| std::fs::write(path, text).map_err(|e| failed(e.to_string()));
@@ -261,11 +255,7 @@ fn converted(report: &Report) -> Result<Vec<u8>, Error> {
     }
     let has = |program: &str| {
         let mut command = Command::new(program);
-        command
-            .arg("--version")
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null());
+        command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
         command.status().is_ok_and(|s| s.success())
     };
     if !has("rsvg-convert") {
@@ -301,10 +291,7 @@ fn converted(report: &Report) -> Result<Vec<u8>, Error> {
     };
     if !run.status.success() {
         let said = String::from_utf8_lossy(&run.stderr).into_owned();
-        let last = said
-            .lines()
-            .rfind(|l| !l.trim().is_empty())
-            .unwrap_or("it said nothing");
+        let last = said.lines().rfind(|l| !l.trim().is_empty()).unwrap_or("it said nothing");
         return Err(failed(format!("pandoc failed ({}): {}", run.status, line(last))));
     }
     std::fs::read(place.join("report.docx")).map_err(|e| failed(e.to_string()))

@@ -160,11 +160,8 @@ fn short(value: f64) -> Value {
 
 fn verdict(results: &Results) -> Value {
     let verdict = &results.verdict;
-    let deciding: Vec<String> = verdict
-        .deciding
-        .iter()
-        .map(|d| format!("{}/{}", d.method, d.excitation.word()))
-        .collect();
+    let deciding: Vec<String> =
+        verdict.deciding.iter().map(|d| format!("{}/{}", d.method, d.excitation.word())).collect();
     let missing: Vec<&str> = verdict.missing.iter().map(|m| m.check.limit_state.as_str()).collect();
     let governing = verdict.governing.as_ref().map(|g| {
         json!({
@@ -224,11 +221,7 @@ fn quantities(results: &Results) -> Vec<Value> {
 fn checks(results: &Results) -> String {
     let decides = |m: &&Method| results.verdict.decides(m);
     let any = results.methods.iter().any(|m| decides(&m) && !m.checks.is_empty());
-    let methods = results
-        .methods
-        .iter()
-        .filter(|m| !any || decides(m))
-        .filter(|m| !m.checks.is_empty());
+    let methods = results.methods.iter().filter(|m| !any || decides(m)).filter(|m| !m.checks.is_empty());
     let one =
         |check: &Check| json!({ "id": check.id, "status": check.status, "utilisation": check.utilisation.map(short) });
     let of = |method: &Method| {

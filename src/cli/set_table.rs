@@ -31,9 +31,7 @@ pub(super) fn of(results: &Results) -> String {
 fn scatter(set: &RecordSet) -> Table {
     let engine = set.quantities.iter().any(|q| q.method == FE);
     let shown: Vec<&SetQuantity> = set.quantities.iter().filter(|q| !engine || q.method == FE).collect();
-    let mut table = Table::new([
-        "quantity", "method", "design", "mean", "CoV", "smallest", "largest", "under",
-    ]);
+    let mut table = Table::new(["quantity", "method", "design", "mean", "CoV", "smallest", "largest", "under"]);
     for row in shown {
         let s = &row.scatter;
         let unit = units::column_unit([s.design, s.min, s.max], row.dimension);

@@ -126,9 +126,7 @@ fn csv(answered: &Answered) -> String {
         answered.unit,
         governing.map_or("", |g| &g.method),
         governing.map_or("", |g| &g.check),
-        governing
-            .and_then(|g| g.utilisation)
-            .map_or(String::new(), |u| format!("{u:.6}")),
+        governing.and_then(|g| g.utilisation).map_or(String::new(), |u| format!("{u:.6}")),
         answered.status,
         answered.evaluations,
     )
@@ -144,10 +142,7 @@ fn shown(variable: Variable, value: f64, up: bool) -> String {
             (units::in_unit(value, unit), unit.symbol)
         }
     };
-    format!(
-        "{} {symbol}",
-        units::significant(rounded(number, DIGITS, up), DIGITS as usize)
-    )
+    format!("{} {symbol}", units::significant(rounded(number, DIGITS, up), DIGITS as usize))
 }
 
 /// The variable in words.
@@ -182,12 +177,7 @@ fn paragraph(solution: &Solution) -> String {
     let up = !variable.largest();
     let shown = |value: f64| shown(variable, value, up);
     let (from, to) = solution.range;
-    let tried = format!(
-        "{} evaluations from {} to {}",
-        solution.evaluations,
-        shown(from),
-        shown(to)
-    );
+    let tried = format!("{} evaluations from {} to {}", solution.evaluations, shown(from), shown(to));
     let name = name(variable);
     let extreme = if up { "Smallest" } else { "Largest" };
     let mut text = String::new();
@@ -214,11 +204,7 @@ fn paragraph(solution: &Solution) -> String {
             judged(&mut text, at);
         }
         Found::Nowhere { value, at } => {
-            let _ = write!(
-                text,
-                "A check fails at every {name} that was tried; at {}:",
-                shown(*value)
-            );
+            let _ = write!(text, "A check fails at every {name} that was tried; at {}:", shown(*value));
             match &at.governing {
                 Some(governing) => {
                     let _ = write!(text, " {}.", words::terminal::governing(governing));
@@ -227,10 +213,7 @@ fn paragraph(solution: &Solution) -> String {
             }
         }
         Found::Several(samples) => {
-            let _ = write!(
-                text,
-                "No single answer: whether checks fail changes more than once with the {name}:"
-            );
+            let _ = write!(text, "No single answer: whether checks fail changes more than once with the {name}:");
             let part = |run: &[(f64, bool)]| {
                 let (first, last) = (run.first()?, run.last()?);
                 let word = if first.1 { "no check fails" } else { "a check fails" };
@@ -261,9 +244,8 @@ fn governs(text: &mut String, verdict: &Verdict) {
 fn judged(text: &mut String, verdict: &Verdict) {
     let _ = write!(text, " Verdict there: {}", words::verdict::headline(verdict));
     if !verdict.missing.is_empty() {
-        let open: Vec<String> = (verdict.missing.iter())
-            .map(|gap| format!("{}/{}", gap.method, gap.check.limit_state))
-            .collect();
+        let open: Vec<String> =
+            (verdict.missing.iter()).map(|gap| format!("{}/{}", gap.method, gap.check.limit_state)).collect();
         let _ = write!(text, " ({})", open.join(", "));
     }
     text.push('.');

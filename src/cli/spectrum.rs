@@ -42,12 +42,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "LIST", default_value = "5%", allow_hyphen_values = true)]
     damping: String,
     /// Periods [s]: a range `0.02..20` (evenly spaced in log T) or a list `0.1,0.5,2`.
-    #[arg(
-        long,
-        value_name = "RANGE|LIST",
-        default_value = "0.02..20",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "RANGE|LIST", default_value = "0.02..20", allow_hyphen_values = true)]
     periods: String,
     /// Number of periods of a range.
     #[arg(long, value_name = "N", default_value_t = 200)]
@@ -88,11 +83,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let periods = periods(&args.periods, args.points)?;
     if periods.len().saturating_mul(dampings.len()) > MAX_OSCILLATORS {
         let count = periods.len().saturating_mul(dampings.len());
-        return Err(usage(
-            "--points",
-            &format!("{count} oscillators"),
-            &format!("up to {MAX_OSCILLATORS}"),
-        ));
+        return Err(usage("--points", &format!("{count} oscillators"), &format!("up to {MAX_OSCILLATORS}")));
     }
     let processing = Processing {
         scale_to: args.scale_to.as_deref().map(peak).transpose()?,
@@ -123,18 +114,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     match args.format {
         Format::Human => {
-            let mut text = format!(
-                "{}: {} samples at {} s, ",
-                text::line(&record.name),
-                record.acceleration.len(),
-                record.dt
-            );
-            let _ = writeln!(
-                text,
-                "peak {:.4} g; unit from {}",
-                record.pga() / STANDARD_GRAVITY,
-                read.unit_source
-            );
+            let mut text =
+                format!("{}: {} samples at {} s, ", text::line(&record.name), record.acceleration.len(), record.dt);
+            let _ = writeln!(text, "peak {:.4} g; unit from {}", record.pga() / STANDARD_GRAVITY, read.unit_source);
             for step in &record.processing {
                 let _ = writeln!(text, "{step}");
             }
@@ -170,11 +152,7 @@ fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) 
     let steps = samples * dampings.len() as f64 * oscillates().map(|&t| parts(t)).sum::<f64>();
     let (kept, time, other) = match method {
         Method::Exact => (0.0, STEP_TIME[0], "request fewer periods"),
-        _ => (
-            AT_POINT,
-            STEP_TIME[1],
-            "remove the shortest periods, or use --method exact",
-        ),
+        _ => (AT_POINT, STEP_TIME[1], "remove the shortest periods, or use --method exact"),
     };
     let oscillators = periods.len() * dampings.len();
     Estimate {
@@ -182,20 +160,14 @@ fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) 
         size: format!("{oscillators} oscillators, {samples:.0} samples"),
         parts: vec![
             ("the program", PROGRAM),
-            (
-                "record and ordinates",
-                NUMBER * (4.0 * samples + 20.0 * oscillators as f64),
-            ),
+            ("record and ordinates", NUMBER * (4.0 * samples + 20.0 * oscillators as f64)),
             ("refined record", NUMBER * kept * samples * most),
         ],
         samples,
         steps: samples * most,
         seconds: steps * time,
         inelastic: None,
-        lever: Lever {
-            smaller: Vec::new(),
-            other: other.into(),
-        },
+        lever: Lever { smaller: Vec::new(), other: other.into() },
     }
 }
 
@@ -219,10 +191,7 @@ fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, 
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(
-        Code::OptionValue,
-        format!("{option}: found `{found}`, expected {allowed}"),
-    )
+    Error::input(Code::OptionValue, format!("{option}: found `{found}`, expected {allowed}"))
 }
 
 /// A comma-separated list.
@@ -233,9 +202,7 @@ fn list(option: &str, text: &str, item: impl Fn(&str) -> Option<f64>) -> Result<
             "a range such as `0.02..20` with 0 < first < last, or a list such as `0.1,0.5,2` of periods ≥ 0 in seconds"
         }
     };
-    text.split(',')
-        .map(|part| item(part.trim()).ok_or_else(|| usage(option, part.trim(), allowed)))
-        .collect()
+    text.split(',').map(|part| item(part.trim()).ok_or_else(|| usage(option, part.trim(), allowed))).collect()
 }
 
 /// `5%`, `5 %` or `0.05`, below critical.
@@ -258,51 +225,29 @@ fn periods(text: &str, points: usize) -> Result<Vec<f64>, Error> {
     let Some((first, last)) = text.split_once("..") else {
         return list("--periods", text, period);
     };
-    let bounds = list("--periods", &format!("{first},{last}"), |t| {
-        period(t).filter(|t| *t > 0.0)
-    })?;
+    let bounds = list("--periods", &format!("{first},{last}"), |t| period(t).filter(|t| *t > 0.0))?;
     let (first, last) = (bounds[0], bounds[1]);
     if first >= last || bounds.len() != 2 {
-        return Err(usage(
-            "--periods",
-            text,
-            "a range such as `0.02..20` with 0 < first < last",
-        ));
+        return Err(usage("--periods", text, "a range such as `0.02..20` with 0 < first < last"));
     }
     if !(2..=MAX_OSCILLATORS).contains(&points) {
-        return Err(usage(
-            "--points",
-            &points.to_string(),
-            &format!("2 to {MAX_OSCILLATORS}"),
-        ));
+        return Err(usage("--points", &points.to_string(), &format!("2 to {MAX_OSCILLATORS}")));
     }
     let ratio = (last / first).ln() / (points - 1) as f64;
     // The ends are exactly the given ones.
-    Ok((0..points)
-        .map(|i| {
-            if i + 1 == points {
-                last
-            } else {
-                first * (ratio * i as f64).exp()
-            }
-        })
-        .collect())
+    Ok((0..points).map(|i| if i + 1 == points { last } else { first * (ratio * i as f64).exp() }).collect())
 }
 
 /// An acceleration with its unit [m/s²].
 fn peak(text: &str) -> Result<f64, Error> {
-    let split = text
-        .find(|c: char| !(c.is_ascii_digit() || ".+-eE ".contains(c)))
-        .unwrap_or(text.len());
+    let split = text.find(|c: char| !(c.is_ascii_digit() || ".+-eE ".contains(c))).unwrap_or(text.len());
     let (number, unit) = text.split_at(split);
     let value = number.trim().parse::<f64>().ok().filter(|v| v.is_finite() && *v > 0.0);
     match (value, AccelerationUnit::parse(unit)) {
         (Some(value), Some(unit)) => Ok(value * unit.si()),
-        _ => Err(usage(
-            "--scale-to",
-            text,
-            "an acceleration greater than 0 with its unit, such as `0.5 g` or `2 m/s2`",
-        )),
+        _ => {
+            Err(usage("--scale-to", text, "an acceleration greater than 0 with its unit, such as `0.5 g` or `2 m/s2`"))
+        }
     }
 }
 
@@ -346,11 +291,7 @@ fn csv(result: &Spectrum) -> String {
     let mut text = String::from("damping,period_s,sd_m,psv_m_s,psa_m_s2,sv_m_s,sa_m_s2\n");
     for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
         for (period, o) in result.periods.iter().zip(row) {
-            let _ = writeln!(
-                text,
-                "{damping},{period},{},{},{},{},{}",
-                o.sd, o.psv, o.psa, o.sv, o.sa
-            );
+            let _ = writeln!(text, "{damping},{period},{},{},{},{},{}", o.sd, o.psv, o.psa, o.sv, o.sa);
         }
     }
     text
@@ -360,15 +301,7 @@ fn human(result: &Spectrum) -> String {
     let mut text = String::new();
     for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
         let _ = writeln!(text, "\ndamping {} %", significant(100.0 * damping));
-        let mut table = Table::new([
-            "T [s]",
-            "sd [m]",
-            "psv [m/s]",
-            "psa [m/s²]",
-            "psa [g]",
-            "sv [m/s]",
-            "sa [m/s²]",
-        ]);
+        let mut table = Table::new(["T [s]", "sd [m]", "psv [m/s]", "psa [m/s²]", "psa [g]", "sv [m/s]", "sa [m/s²]"]);
         for (period, o) in result.periods.iter().zip(row) {
             let values = [*period, o.sd, o.psv, o.psa, o.psa / STANDARD_GRAVITY, o.sv, o.sa];
             table.row(values.map(significant));
@@ -384,11 +317,7 @@ fn significant(value: f64) -> String {
         return format!("{value}");
     }
     let decimals = 3 - value.abs().log10().floor() as i32;
-    if (-2..=8).contains(&decimals) {
-        format!("{value:.*}", decimals.max(0) as usize)
-    } else {
-        format!("{value:.3e}")
-    }
+    if (-2..=8).contains(&decimals) { format!("{value:.*}", decimals.max(0) as usize) } else { format!("{value:.3e}") }
 }
 
 #[cfg(test)]
@@ -415,19 +344,9 @@ mod tests {
             processing: Vec::new(),
         };
         let periods = periods("0.02..20", 1000).unwrap();
-        let global = Global {
-            color: crate::cli::When::Never,
-            quiet: true,
-            threads: None,
-        };
+        let global = Global { color: crate::cli::When::Never, quiet: true, threads: None };
         let whole = spectrum(&record, &periods, &[0.02, 0.05], Method::Exact);
-        let parts = in_parts(
-            &record,
-            &periods,
-            &[0.02, 0.05],
-            Method::Exact,
-            &Watch::new(&global, "test"),
-        );
+        let parts = in_parts(&record, &periods, &[0.02, 0.05], Method::Exact, &Watch::new(&global, "test"));
         assert_eq!(whole.periods, parts.periods);
         for (a, b) in whole.ordinates.iter().flatten().zip(parts.ordinates.iter().flatten()) {
             assert!((a.sd / b.sd - 1.0).abs() < 1e-12, "{a:?} {b:?}");
@@ -437,12 +356,7 @@ mod tests {
     /// 64 points in a period of 1 ns for a record of two samples 1 s apart: 512 GB per stored number.
     #[test]
     fn refined_records_beyond_the_memory_are_refused() {
-        let record = Record {
-            name: "r".into(),
-            dt: 1.0,
-            acceleration: vec![0.0, 1.0],
-            processing: Vec::new(),
-        };
+        let record = Record { name: "r".into(), dt: 1.0, acceleration: vec![0.0, 1.0], processing: Vec::new() };
         let of = |method| estimate(&record, &[1e-9, 0.5], &[0.05], method).hold(MEMORY_LIMIT_MIB);
         assert_eq!(of(Method::Exact), Ok(()));
         let text = of(Method::Newmark).unwrap_err().to_string();
@@ -456,9 +370,7 @@ mod tests {
         let range = periods("0.02..20", 4).unwrap();
         assert_eq!((range[0], range[3]), (0.02, 20.0));
         assert!((range[1] - 0.2).abs() < 1e-12 && (range[2] - 2.0).abs() < 1e-12);
-        for bad in [
-            "20..0.02", "0..1", "1..", "..", "a,b", "", "-1", "1..2..3", "1,,2", "inf",
-        ] {
+        for bad in ["20..0.02", "0..1", "1..", "..", "a,b", "", "-1", "1..2..3", "1,,2", "inf"] {
             assert!(periods(bad, 10).is_err(), "{bad}");
         }
         assert!(periods("1..2", 1).is_err());

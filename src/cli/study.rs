@@ -76,13 +76,7 @@ struct PlanArgs {
     #[arg(long = "for", value_name = "ENGINE", value_enum)]
     scheduler: Option<Scheduler>,
     /// Arguments for the scheduler, kept as they are.
-    #[arg(
-        long,
-        value_name = "ARGS",
-        default_value = "",
-        allow_hyphen_values = true,
-        requires = "scheduler"
-    )]
+    #[arg(long, value_name = "ARGS", default_value = "", allow_hyphen_values = true, requires = "scheduler")]
     scheduler_args: String,
     /// Compute one task of each class of tanks, and print how long the study will take; the results are kept.
     #[arg(long)]
@@ -143,17 +137,9 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     let _ = writeln!(said, "  tanks    {:>9}", plan.tanks.len());
     let _ = writeln!(said, "  samples  {:>9}", plan.samples);
     let _ = writeln!(said, "  records  {:>9}", plan.records.len());
-    let _ = writeln!(
-        said,
-        "  scales   {:>9}  of {}",
-        plan.levels.len().max(plan.factors.len()),
-        text::line(&plan.im)
-    );
+    let _ = writeln!(said, "  scales   {:>9}  of {}", plan.levels.len().max(plan.factors.len()), text::line(&plan.im));
     let _ = writeln!(said, "  rows     {:>9}", plan.rows);
-    let done = tasks
-        .iter()
-        .filter(|t| store::find(&args.out, &plan, t).whole())
-        .count();
+    let done = tasks.iter().filter(|t| store::find(&args.out, &plan, t).whole()).count();
     let _ = writeln!(said, "  tasks    {:>9}  {done} of them have a result", plan.tasks);
     if let Some(rule) = &plan.rule {
         let _ = writeln!(said, "  {}", kept(rule));
@@ -170,11 +156,7 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     }
     let running = store::survey(&args.out).here.len();
     if running > 0 && !global.quiet {
-        let tasks = if running == 1 {
-            "1 task"
-        } else {
-            &format!("{running} tasks")
-        };
+        let tasks = if running == 1 { "1 task" } else { &format!("{running} tasks") };
         say!(
             "note: {tasks} of a `study run` are being computed in this folder; that run goes on with the plan it began with"
         );
@@ -218,17 +200,10 @@ fn cost(classes: &[Class]) -> String {
             ),
             None => "every task has a result".into(),
         };
-        let _ = writeln!(
-            said,
-            "  {:<13}{} of {} tasks; {found}",
-            class.name, class.tasks[1], class.tasks[0]
-        );
+        let _ = writeln!(said, "  {:<13}{} of {} tasks; {found}", class.name, class.tasks[1], class.tasks[0]);
     }
     let seconds: f64 = classes.iter().map(Class::seconds_left).sum();
-    let disk: f64 = classes
-        .iter()
-        .filter_map(|class| Some(class.row?[1] * class.rows_left as f64))
-        .sum();
+    let disk: f64 = classes.iter().filter_map(|class| Some(class.row?[1] * class.rows_left as f64)).sum();
     let cores = fem::cores::available();
     let _ = writeln!(
         said,
@@ -257,9 +232,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         let study = study_of(&args.folder, &plan)?;
         match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
             true => Ok(study),
-            false => Err(changes::changed_since(
-                "the number of tanks or records of the study file",
-            )),
+            false => Err(changes::changed_since("the number of tanks or records of the study file")),
         }
     };
     let done = run::run(

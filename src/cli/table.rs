@@ -177,10 +177,7 @@ impl std::fmt::Display for Table {
                 if i == 0 {
                     writeln!(f, "{}", "─".repeat(total + signs))?;
                 }
-                let words = row
-                    .cells
-                    .get(all - 1)
-                    .filter(|words| below && i > 0 && !words.is_empty());
+                let words = row.cells.get(all - 1).filter(|words| below && i > 0 && !words.is_empty());
                 if let Some(words) = words {
                     writeln!(f, "{}    {words}", " ".repeat(signs))?;
                 }
@@ -234,10 +231,7 @@ mod tests {
     #[test]
     fn words_that_have_no_room_go_below_their_row() {
         let text = checks().fitted(Some(20)).to_string();
-        assert!(
-            text.contains("✗ buckling    1.2\n      z = 0 m\n? pipes         –\n  hoop"),
-            "{text}"
-        );
+        assert!(text.contains("✗ buckling    1.2\n      z = 0 m\n? pipes         –\n  hoop"), "{text}");
         assert!(text.lines().all(|line| line.chars().count() <= 20), "{text}");
     }
 

@@ -20,15 +20,9 @@ const NAMES: [&str; 2] = ["tag", "id"];
 
 /// The table without the columns that only name its tanks.
 fn values(table: &Table) -> Table {
-    let kept: Vec<usize> = (0..table.head.len())
-        .filter(|&i| !NAMES.contains(&table.head[i].text.as_str()))
-        .collect();
+    let kept: Vec<usize> = (0..table.head.len()).filter(|&i| !NAMES.contains(&table.head[i].text.as_str())).collect();
     let pick = |row: &Vec<Cell>| kept.iter().map(|&i| row[i].clone()).collect();
-    Table {
-        source: table.source.clone(),
-        head: pick(&table.head),
-        rows: table.rows.iter().map(pick).collect(),
-    }
+    Table { source: table.source.clone(), head: pick(&table.head), rows: table.rows.iter().map(pick).collect() }
 }
 
 /// Checks every tank of the table and prints the table with the answers; returns the exit code of the worst tank.
@@ -45,11 +39,7 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
     if let Some(variable) = variable {
         let name = variable.name().replace(':', "_");
         let unit = variable.unit().replace('/', "_");
-        head.extend([
-            format!("solved_{name}_{unit}"),
-            "solved_check".into(),
-            "solved_status".into(),
-        ]);
+        head.extend([format!("solved_{name}_{unit}"), "solved_check".into(), "solved_status".into()]);
     }
     let mut text = line(&head);
     let mut codes = Vec::new();
@@ -122,10 +112,9 @@ fn answer(
     if let Some(variable) = variable {
         let solution = crate::solve::run(&job, variable)?;
         let (value, check) = match solution.value() {
-            Some((value, at)) => (
-                value.to_string(),
-                at.governing.as_ref().map_or(String::new(), |g| g.check.id.clone()),
-            ),
+            Some((value, at)) => {
+                (value.to_string(), at.governing.as_ref().map_or(String::new(), |g| g.check.id.clone()))
+            }
             None => (String::new(), String::new()),
         };
         cells.extend([value, check, solve::status(&solution).into()]);
@@ -147,10 +136,7 @@ fn twins(table: &Table) {
                         table.head[column].text,
                         place(table, other)
                     );
-                    warn(
-                        &format!("{}: ", place(table, row)),
-                        &Warning::new(Code::Inconsistent, text),
-                    );
+                    warn(&format!("{}: ", place(table, row)), &Warning::new(Code::Inconsistent, text));
                 }
                 None => {
                     first.insert(name, row);

@@ -47,25 +47,18 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
 impl Export {
     /// Errors: a template that is there, without --force; a folder or file that cannot be written.
     fn run(&self) -> Result<(), Error> {
-        let files: Vec<(PathBuf, &str)> = report::template::embedded()
-            .map(|(name, text)| (self.folder.join(name), *text))
-            .collect();
+        let files: Vec<(PathBuf, &str)> =
+            report::template::embedded().map(|(name, text)| (self.folder.join(name), *text)).collect();
         if !self.folder.is_dir() && self.folder.symlink_metadata().is_ok() {
             return Err(self.taken("is a file, expected a folder", "name a folder"));
         }
         let there = files.iter().find(|(path, _)| path.symlink_metadata().is_ok());
         if let Some((path, _)) = there.filter(|_| !self.force) {
-            let what = format!(
-                "contains `{}`",
-                path.strip_prefix(&self.folder).unwrap_or(path).display()
-            );
+            let what = format!("contains `{}`", path.strip_prefix(&self.folder).unwrap_or(path).display());
             return Err(self.taken(&what, "name another folder, or add --force to overwrite its templates"));
         }
         let unwritten = |e: std::io::Error| {
-            Error::Files(files::error::Error::Unwritten {
-                path: self.folder.clone(),
-                what: files::error::describe(&e),
-            })
+            Error::Files(files::error::Error::Unwritten { path: self.folder.clone(), what: files::error::describe(&e) })
         };
         for (path, text) in &files {
             if let Some(parent) = path.parent() {
@@ -78,9 +71,6 @@ impl Export {
 
     fn taken(&self, what: &str, help: &str) -> Error {
         let folder = self.folder.display().to_string();
-        Error::input(
-            Code::FileTaken,
-            format!("{}: {what}\n  help: {help}", text::line(&folder)),
-        )
+        Error::input(Code::FileTaken, format!("{}: {what}\n  help: {help}", text::line(&folder)))
     }
 }

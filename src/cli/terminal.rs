@@ -94,12 +94,7 @@ pub(crate) fn report_failure(error: &Error) -> u8 {
 ///
 /// * `origin`: what it is about ("tanks.csv:3: "), may be empty
 pub(crate) fn warn(origin: &str, warning: &Warning) {
-    message(format_args!(
-        "{}: {}{}",
-        warning.head(),
-        text::line(origin),
-        text::line(warning.text())
-    ));
+    message(format_args!("{}: {}{}", warning.head(), text::line(origin), text::line(warning.text())));
 }
 
 /// [`message`] with the arguments of [`format!`].
@@ -117,9 +112,6 @@ mod tests {
     #[test]
     fn lines_with_a_sign_are_coloured_and_no_others() {
         let text = painted("✗ buckling  1.2\n? pipes\n  hoop ✗\n");
-        assert_eq!(
-            text,
-            "\u{1b}[31m✗ buckling  1.2\u{1b}[0m\n\u{1b}[33m? pipes\u{1b}[0m\n  hoop ✗\n"
-        );
+        assert_eq!(text, "\u{1b}[31m✗ buckling  1.2\u{1b}[0m\n\u{1b}[33m? pipes\u{1b}[0m\n  hoop ✗\n");
     }
 }

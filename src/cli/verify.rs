@@ -115,41 +115,22 @@ fn human(lines: &[Line]) -> String {
             continue;
         }
         let computed = line.value().map_or("none".into(), with_unit);
-        let error = line
-            .value()
-            .map_or("–".into(), |value| format!("{:.1e}", row.error(value)));
+        let error = line.value().map_or("–".into(), |value| format!("{:.1e}", row.error(value)));
         table.row([id, what, reference, computed, error, tolerance, line.state()]);
     }
     let outside = lines.iter().filter(|line| line.fails()).count();
-    let outcome = if ran {
-        format!(", {outside} outside their tolerance")
-    } else {
-        String::new()
-    };
-    format!(
-        "{table}\n{} rows{outcome}; the whole manual: cargo run --release -p verification\n",
-        lines.len()
-    )
+    let outcome = if ran { format!(", {outside} outside their tolerance") } else { String::new() };
+    format!("{table}\n{} rows{outcome}; the whole manual: cargo run --release -p verification\n", lines.len())
 }
 
 fn csv(lines: &[Line]) -> String {
     let mut text = String::from("id,what,source,reference,unit,tolerance,computed,state\n");
     for line in lines {
-        let Row {
-            id,
-            what,
-            source,
-            reference,
-            unit,
-            tolerance,
-            ..
-        } = line.row;
+        let Row { id, what, source, reference, unit, tolerance, .. } = line.row;
         let computed = line.value().map_or(String::new(), |value| format!("{value:e}"));
         let state = line.state();
         let [what, source, state] = [what, source, state.as_str()].map(cell);
-        text.push_str(&format!(
-            "{id},{what},{source},{reference:e},{unit},{tolerance:e},{computed},{state}\n"
-        ));
+        text.push_str(&format!("{id},{what},{source},{reference:e},{unit},{tolerance:e},{computed},{state}\n"));
     }
     text
 }
@@ -183,11 +164,7 @@ mod tests {
         for (compute, fails, state) in rows {
             let lines = [Line::of(row(compute), true)];
             assert_eq!(lines[0].fails(), fails, "{state}");
-            assert!(
-                human(&lines).contains(state) && csv(&lines).ends_with(state),
-                "{}",
-                csv(&lines)
-            );
+            assert!(human(&lines).contains(state) && csv(&lines).ends_with(state), "{}", csv(&lines));
             assert_eq!(lines[0].json()["holds"], !fails);
             let listed = Line::of(row(compute), false);
             assert!(!listed.fails() && listed.json().get("holds").is_none());

@@ -35,9 +35,5 @@ fn layer(layer: &Layer) -> String {
         Behaviour::Interlayer(l) if l.shear_modulus == 0.0 => words::NO_SHEAR,
         ref behaviour => behaviour.kind(),
     };
-    format!(
-        "{} {} ({kind}{bars})",
-        display(layer.thickness, Dimension::Length),
-        line(&layer.material.name)
-    )
+    format!("{} {} ({kind}{bars})", display(layer.thickness, Dimension::Length), line(&layer.material.name))
 }

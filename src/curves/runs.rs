@@ -62,20 +62,13 @@ pub fn counted(runs: &[Seen]) -> Vec<Stripe> {
         count[0] += 1.0;
         count[1] += f64::from(u8::from(run.reached));
     }
-    let stripe = |(im, [n, exceed]): (u64, [f64; 2])| Stripe {
-        im: f64::from_bits(im),
-        n,
-        exceed,
-    };
+    let stripe = |(im, [n, exceed]): (u64, [f64; 2])| Stripe { im: f64::from_bits(im), n, exceed };
     counts.into_iter().map(stripe).collect()
 }
 
 /// The runs of one state, record by record, as a method takes them.
 enum Data {
-    Stripes {
-        ims: Vec<f64>,
-        records: Vec<Vec<(usize, bool)>>,
-    },
+    Stripes { ims: Vec<f64>, records: Vec<Vec<(usize, bool)>> },
     Cloud(Vec<Vec<Run>>),
     Capacities(Vec<Vec<Capacity>>),
 }
@@ -96,26 +89,17 @@ impl Data {
                 let ims: Vec<f64> = counted(runs).iter().map(|s| s.im).collect();
                 let place = |run: &Seen| ims.partition_point(|im| *im < run.im);
                 let of = |runs: &Vec<Seen>| runs.iter().map(|run| (place(run), run.reached)).collect();
-                Data::Stripes {
-                    records: records.iter().map(of).collect(),
-                    ims,
-                }
+                Data::Stripes { records: records.iter().map(of).collect(), ims }
             }
             Method::Cloud => {
                 let idle = |run: &Seen| run.ratio.is_some_and(|ratio| ratio <= 0.0);
                 let left = runs.iter().filter(|run| idle(run)).count();
                 if left > 0 {
-                    notes.push(format!(
-                        "{left} runs without a demand greater than 0 are left out of the regression"
-                    ));
+                    notes.push(format!("{left} runs without a demand greater than 0 are left out of the regression"));
                 }
                 let of = |runs: &Vec<Seen>| {
                     let kept = runs.iter().filter(|run| !idle(run));
-                    kept.map(|run| Run {
-                        im: run.im,
-                        demand: run.ratio,
-                    })
-                    .collect()
+                    kept.map(|run| Run { im: run.im, demand: run.ratio }).collect()
                 };
                 Data::Cloud(records.iter().map(of).collect())
             }
@@ -175,11 +159,7 @@ impl Data {
             Data::Cloud(records) => {
                 let runs: Vec<Run> = picked.iter().flat_map(|&i| &records[i]).copied().collect();
                 let regression = cloud::fit(&runs)?;
-                let fit = Fit {
-                    curve: regression.total(1.0)?,
-                    n: runs.len(),
-                    negative_log_likelihood: f64::NAN,
-                };
+                let fit = Fit { curve: regression.total(1.0)?, n: runs.len(), negative_log_likelihood: f64::NAN };
                 Ok((fit, Some(regression)))
             }
             Data::Capacities(records) => {
@@ -225,27 +205,13 @@ impl Asked {
             let mut notes = Vec::new();
             let left = left_again(runs);
             if left > 0 {
-                let records = if left == 1 {
-                    "1 record is"
-                } else {
-                    &format!("{left} records are")
-                };
-                let counts = if method == Method::Capacities {
-                    "; the first level counts"
-                } else {
-                    ""
-                };
-                notes.push(format!(
-                    "{records} in the state at one level and not at a higher one{counts}"
-                ));
+                let records = if left == 1 { "1 record is" } else { &format!("{left} records are") };
+                let counts = if method == Method::Capacities { "; the first level counts" } else { "" };
+                notes.push(format!("{records} in the state at one level and not at a higher one{counts}"));
             }
             let data = Data::of(method, runs, &mut notes);
             let curve = self.of_data(state, data.points(runs.len()), &data);
-            Curve {
-                points: counts.iter().copied().map(Point::whole).collect(),
-                notes,
-                ..curve
-            }
+            Curve { points: counts.iter().copied().map(Point::whole).collect(), notes, ..curve }
         };
         let mut curves: Vec<Curve> = states.iter().zip(&counts).map(of).collect();
         let data: Vec<&[Stripe]> = counts.iter().map(Vec::as_slice).collect();
@@ -317,11 +283,7 @@ impl Asked {
             Method::Stripes | Method::Capacities => method,
         };
         let with = |reached: bool| -> Result<Lognormal, NotIdentifiable> {
-            let all: Vec<Seen> = runs
-                .iter()
-                .copied()
-                .chain(missing.iter().map(|run| supposed(run, reached)))
-                .collect();
+            let all: Vec<Seen> = runs.iter().copied().chain(missing.iter().map(|run| supposed(run, reached))).collect();
             let data = Data::of(method, &all, &mut Vec::new());
             let every: Vec<usize> = (0..data.len()).collect();
             data.fit(&every).map(|(fit, _)| fit.curve)
@@ -337,11 +299,7 @@ impl Asked {
             curve.bounds = Some(bounds).filter(|b| b.iter().any(Option::is_some));
             *reason = format!("{reason}; {} of {} runs have no result", missing.len(), planned.len());
         }
-        curve.partial = Some(Partial {
-            missing: missing.len(),
-            if_safe: safe.ok(),
-            if_reached: reached.ok(),
-        });
+        curve.partial = Some(Partial { missing: missing.len(), if_safe: safe.ok(), if_reached: reached.ok() });
         let mut open: BTreeMap<u64, usize> = BTreeMap::new();
         for run in &missing {
             *open.entry(run.im.to_bits()).or_default() += 1;
@@ -350,11 +308,7 @@ impl Asked {
         let point = |bits: &u64| {
             let im = f64::from_bits(*bits);
             let stripe = curve.points.iter().find(|p| p.stripe.im == im).map(|p| p.stripe);
-            let stripe = stripe.unwrap_or(Stripe {
-                im,
-                n: 0.0,
-                exceed: 0.0,
-            });
+            let stripe = stripe.unwrap_or(Stripe { im, n: 0.0, exceed: 0.0 });
             let Some(&missing) = open.get(bits) else {
                 return Point::whole(stripe);
             };
@@ -374,12 +328,7 @@ mod tests {
     use super::*;
 
     fn asked() -> Asked {
-        Asked {
-            im: "PGA".into(),
-            resamples: 200,
-            seed: 0,
-            hazard: None,
-        }
+        Asked { im: "PGA".into(), resamples: 200, seed: 0, hazard: None }
     }
 
     /// A record of capacity c under levels: Y = im/c, so the ratio at a level is known.
@@ -424,12 +373,7 @@ mod tests {
         assert!(found.median.is_some());
         assert_eq!(found.notes.len(), 1, "{:?}", found.notes);
         assert!(found.notes[0].contains("between the same two levels"));
-        let last = Seen {
-            im: 0.8,
-            ratio: Some(0.9),
-            reached: false,
-            ..all[0]
-        };
+        let last = Seen { im: 0.8, ratio: Some(0.9), reached: false, ..all[0] };
         all.push(last);
         let found = curve(Method::Capacities, all);
         assert!(
@@ -548,12 +492,7 @@ mod tests {
         assert!(partial.if_safe.unwrap().median > partial.if_reached.unwrap().median);
         let whole = curve(Method::Stripes, runs(&CAPACITIES, &[0.4, 0.8]));
         let mut same = whole.clone();
-        asked().bound(
-            &mut same,
-            Method::Stripes,
-            &runs(&CAPACITIES, &[0.4, 0.8]),
-            &planned(&[0.4, 0.8]),
-        );
+        asked().bound(&mut same, Method::Stripes, &runs(&CAPACITIES, &[0.4, 0.8]), &planned(&[0.4, 0.8]));
         assert_eq!(same, whole);
     }
 

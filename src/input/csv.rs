@@ -53,11 +53,7 @@ pub(in crate::input) fn short_hash(source: &Source) -> String {
 ///
 /// Errors: a file that cannot be read, is larger than 1 MiB or is not UTF-8; the faults of [`parse`].
 pub fn read(path: &Path) -> Result<Table, Error> {
-    let fault = |what| Error::File {
-        code: Code::FileUnreadable,
-        path: path.into(),
-        what,
-    };
+    let fault = |what| Error::File { code: Code::FileUnreadable, path: path.into(), what };
     let source = match path == Path::new("-") {
         true => limited(stdin::take()?, path),
         false => bytes(path),
@@ -149,11 +145,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
         );
     }
     match faults.is_empty() {
-        true => Ok(Table {
-            source: source.clone(),
-            head,
-            rows,
-        }),
+        true => Ok(Table { source: source.clone(), head, rows }),
         false => Err(faults),
     }
 }
@@ -249,10 +241,7 @@ mod tests {
         assert!(message("name,name\na,b\n").contains("occurs twice"));
         assert!(message("name,\na,b\n").contains("without a name"));
         let short = message("name,tank.radius\na\n");
-        assert!(
-            short.contains("t.csv:2:1") && short.contains("found 1 cells"),
-            "{short}"
-        );
+        assert!(short.contains("t.csv:2:1") && short.contains("found 1 cells"), "{short}");
         assert!(message("name\n\"a\n").contains("not closed"));
     }
 }

@@ -129,20 +129,12 @@ impl Source {
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Source {
         let text = text.into();
         let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-        Source {
-            name: name.into(),
-            starts: starts.collect(),
-            text,
-        }
+        Source { name: name.into(), starts: starts.collect(), text }
     }
 
     /// A file at this path with this text; `-` is standard input.
     pub fn at(path: &Path, text: impl Into<String>) -> Source {
-        let name = if path == Path::new("-") {
-            "<stdin>".into()
-        } else {
-            path.display().to_string()
-        };
+        let name = if path == Path::new("-") { "<stdin>".into() } else { path.display().to_string() };
         Source::new(name, text)
     }
 
@@ -255,15 +247,15 @@ impl Faults {
         let name = text::line(&source.name);
         let count = match self.count {
             1 => format!("1 fault in {name}"),
-            n if n > SHOWN_FAULTS => format!(
-                "{n} faults in {name}, the first {SHOWN_FAULTS} shown, {} more",
-                n - SHOWN_FAULTS
-            ),
+            n if n > SHOWN_FAULTS => {
+                format!("{n} faults in {name}, the first {SHOWN_FAULTS} shown, {} more", n - SHOWN_FAULTS)
+            }
             n => format!("{n} faults in {name}"),
         };
-        out.push_str(&renderer.render(&[Group::with_title(
-            Level::ERROR.primary_title(format!("{count}; nothing was computed")),
-        )]));
+        out.push_str(
+            &renderer
+                .render(&[Group::with_title(Level::ERROR.primary_title(format!("{count}; nothing was computed")))]),
+        );
         out.push('\n');
         let codes: BTreeSet<Code> = ordered.iter().take(SHOWN_FAULTS).map(|fault| fault.code).collect();
         for code in codes.iter().take(EXPLAINED) {
@@ -301,14 +293,10 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
         if !label.is_empty() {
             annotation = annotation.label(label);
         }
-        let snippet = Snippet::source(window.text)
-            .line_start(window.line)
-            .annotation(annotation);
+        let snippet = Snippet::source(window.text).line_start(window.line).annotation(annotation);
         group = match window.column {
             None => group.element(snippet.path(name)),
-            Some(column) => group
-                .element(Origin::path(name).line(window.line).char_column(column))
-                .element(snippet),
+            Some(column) => group.element(Origin::path(name).line(window.line).char_column(column)).element(snippet),
         };
     } else {
         group = group.element(Origin::path(name));
@@ -331,9 +319,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
         return rendered;
     }
     // The renderer leaves a line for the name of a second file between the place and a piece of its line.
-    let lines = rendered
-        .lines()
-        .filter(|l| anstream::adapter::strip_str(l).to_string().trim() != NAMELESS);
+    let lines = rendered.lines().filter(|l| anstream::adapter::strip_str(l).to_string().trim() != NAMELESS);
     lines.collect::<Vec<_>>().join("\n")
 }
 
@@ -342,11 +328,8 @@ const NAMELESS: &str = ":::";
 
 /// User text on one line, without control characters, cut to [`SHOWN_TEXT`].
 fn one_line(text: &str) -> String {
-    let mut line: String = text
-        .chars()
-        .take(SHOWN_TEXT)
-        .map(|c| if matches!(c, ' ' | '\t' | '\n' | '\r') { ' ' } else { c })
-        .collect();
+    let mut line: String =
+        text.chars().take(SHOWN_TEXT).map(|c| if matches!(c, ' ' | '\t' | '\n' | '\r') { ' ' } else { c }).collect();
     if text.chars().nth(SHOWN_TEXT).is_some() {
         line.push('…');
     }
@@ -375,19 +358,13 @@ impl<'a> Window<'a> {
         let (line, column) = source.line_column(start);
         let whole = &text[line_start..line_end];
         if whole.len() <= LONGEST_LINE && !whole.chars().any(text::hostile) {
-            return Window {
-                text: whole.into(),
-                line,
-                span: start - line_start..end - line_start,
-                column: None,
-            };
+            return Window { text: whole.into(), line, span: start - line_start..end - line_start, column: None };
         }
         let (from, to) = match whole.len() <= LONGEST_LINE {
             true => (line_start, line_end),
-            false => (
-                floor(text, start.saturating_sub(PIECE.0)).max(line_start),
-                floor(text, start + PIECE.1).min(line_end),
-            ),
+            false => {
+                (floor(text, start.saturating_sub(PIECE.0)).max(line_start), floor(text, start + PIECE.1).min(line_end))
+            }
         };
         let end = end.min(to);
         let mut shown = String::new();
@@ -402,12 +379,7 @@ impl<'a> Window<'a> {
         if to < line_end {
             shown.push('…');
         }
-        Window {
-            text: shown.into(),
-            line,
-            span: first..last,
-            column: Some(column),
-        }
+        Window { text: shown.into(), line, span: first..last, column: Some(column) }
     }
 }
 

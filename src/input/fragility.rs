@@ -36,10 +36,7 @@ impl Reader {
                 Fault::new(Code::TableColumn, format!("unexpected column `{}`", cell.text)).at(cell.span.clone());
             faults.push(fault.allowed(known.join(", ")));
         }
-        for name in required
-            .iter()
-            .filter(|name| !table.head.iter().any(|cell| cell.text == **name))
-        {
+        for name in required.iter().filter(|name| !table.head.iter().any(|cell| cell.text == **name)) {
             let found: Vec<&str> = table.head.iter().map(|cell| cell.text.as_str()).collect();
             let fault =
                 Fault::new(Code::TableColumn, format!("the column `{name}` is missing")).found(found.join(", "));
@@ -68,11 +65,7 @@ impl Reader {
     }
 
     fn fault(&mut self, row: &[Cell], message: &str, allowed: &str) {
-        self.faults.push(
-            Fault::new(Code::TableValue, message)
-                .at(csv::span(row))
-                .allowed(allowed),
-        );
+        self.faults.push(Fault::new(Code::TableValue, message).at(csv::span(row)).allowed(allowed));
     }
 
     fn finish<T>(self, found: T) -> Result<T, Error> {
@@ -116,9 +109,7 @@ pub fn stripes(path: &Path) -> Result<ByState<Stripe>, Error> {
     let whole = |v: f64| v >= 0.0 && v.fract() == 0.0 && v < 1e9;
     reader.by_state(|r, row| {
         let im = r.number(&row[columns[0]], POSITIVE, |v| v > 0.0);
-        let n = r.number(&row[columns[1]], "a whole number of runs, at least 1", |v| {
-            whole(v) && v >= 1.0
-        });
+        let n = r.number(&row[columns[1]], "a whole number of runs, at least 1", |v| whole(v) && v >= 1.0);
         let exceed = r.number(&row[columns[2]], "a whole number from 0 to n", whole);
         if exceed > n {
             r.fault(row, "more runs reached the state than there are", "exceed at most n");
@@ -149,10 +140,7 @@ pub fn capacities(path: &Path, largest: Option<f64>) -> Result<ByState<f64>, Err
 /// Errors: a file that cannot be read; the faults of all rows.
 pub fn cloud(path: &Path) -> Result<Vec<Run>, Error> {
     let reader = Reader::open(path, &["im", "edp"], &["collapsed"])?;
-    let (im, edp) = (
-        reader.column("im").unwrap_or_default(),
-        reader.column("edp").unwrap_or_default(),
-    );
+    let (im, edp) = (reader.column("im").unwrap_or_default(), reader.column("edp").unwrap_or_default());
     let collapsed = reader.column("collapsed");
     let found = reader.by_state(|r, row| {
         let fell = collapsed.is_some_and(|i| match row[i].text.as_str() {
@@ -173,10 +161,7 @@ pub fn cloud(path: &Path) -> Result<Vec<Run>, Error> {
 /// Errors: a file that cannot be read; the faults of all rows; fewer than two points.
 pub fn hazard(path: &Path) -> Result<Vec<[f64; 2]>, Error> {
     let reader = Reader::open(path, &["im", "rate"], &[])?;
-    let (im, rate) = (
-        reader.column("im").unwrap_or_default(),
-        reader.column("rate").unwrap_or_default(),
-    );
+    let (im, rate) = (reader.column("im").unwrap_or_default(), reader.column("rate").unwrap_or_default());
     let mut last: Option<[f64; 2]> = None;
     let found = reader.by_state(|r, row| {
         let point = [
@@ -184,11 +169,7 @@ pub fn hazard(path: &Path) -> Result<Vec<[f64; 2]>, Error> {
             r.number(&row[rate], "a rate a year greater than 0", |v| v > 0.0),
         ];
         if last.is_some_and(|last| point[0] <= last[0] || point[1] >= last[1]) {
-            r.fault(
-                row,
-                "the hazard curve does not fall",
-                "ascending intensities with descending rates",
-            );
+            r.fault(row, "the hazard curve does not fall", "ascending intensities with descending rates");
         }
         last = Some(point);
         point

@@ -72,10 +72,7 @@ pub use unit::AccelerationUnit;
 /// A file that cannot be read or is too large, and every fault of its contents, up to a limit all at once.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
     let (file, channel) = located(path);
-    let options = ReadOptions {
-        channel: channel.or_else(|| options.channel.clone()),
-        ..options.clone()
-    };
+    let options = ReadOptions { channel: channel.or_else(|| options.channel.clone()), ..options.clone() };
     read_bytes(&load::load(&file)?, &file, &options)
 }
 
@@ -162,11 +159,7 @@ fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         (at2::sniff, at2::read),
     ];
     // Columns are those of a table.
-    let formats = if options.columns.is_some() {
-        &[][..]
-    } else {
-        &formats[..]
-    };
+    let formats = if options.columns.is_some() { &[][..] } else { &formats[..] };
     let text = without(text, options.skip_lines);
     match formats.iter().find(|(sniff, _)| sniff(&text)) {
         Some((_, read)) => read(&text, options),
@@ -194,11 +187,11 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             .found(format!("{} sample(s)", draft.values.len()))
             .into());
     }
-    let (place, peak) =
-        draft.places.iter().zip(&draft.values).fold(
-            (0, 0.0),
-            |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best },
-        );
+    let (place, peak) = draft
+        .places
+        .iter()
+        .zip(&draft.values)
+        .fold((0, 0.0), |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best });
     if !(plausible::SHORTEST_STEP..=plausible::LONGEST_STEP).contains(&draft.dt) {
         return Err(Fault::new(Code::TimeStep, "the time step is out of range")
             .found(format!("a step of {} s", draft.dt))
@@ -218,14 +211,12 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
     }
     let peak_si = peak * draft.unit.si();
     if !(MIN_PEAK..=MAX_PEAK).contains(&peak_si) {
-        return Err(
-            Fault::new(Code::PeakAcceleration, "the peak ground acceleration is out of range")
-                .at(token_at(text, place as usize))
-                .found(format!("{peak:e} {}, unit from {}", draft.unit, draft.unit_source))
-                .allowed("1e-9 m/s2 to 1000 g")
-                .help("correct the number, or the unit in the header or --units")
-                .into(),
-        );
+        return Err(Fault::new(Code::PeakAcceleration, "the peak ground acceleration is out of range")
+            .at(token_at(text, place as usize))
+            .found(format!("{peak:e} {}, unit from {}", draft.unit, draft.unit_source))
+            .allowed("1e-9 m/s2 to 1000 g")
+            .help("correct the number, or the unit in the header or --units")
+            .into());
     }
     if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
         let g = peak_si / tank::STANDARD_GRAVITY;
@@ -245,8 +236,7 @@ fn stem(path: &Path) -> String {
     if path == Path::new("-") {
         return "stdin".into();
     }
-    path.file_stem()
-        .map_or_else(|| "record".into(), |s| printable(&s.to_string_lossy()))
+    path.file_stem().map_or_else(|| "record".into(), |s| printable(&s.to_string_lossy()))
 }
 
 #[cfg(test)]

@@ -91,24 +91,14 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Optio
         r.echo_given(notes);
     }
     let name = file.name.given.as_ref().and_then(|field| r.text(field));
-    let code = file
-        .code
-        .given
-        .as_ref()
-        .and_then(|field| field.value)
-        .map(|code| match code {
-            SetCode::En1998 => Standard::En1998,
-            SetCode::Asce716 => Standard::Asce716,
-        });
-    let combine = file
-        .combine
-        .given
-        .as_ref()
-        .and_then(|field| field.value)
-        .map(|combine| match combine {
-            SetCombine::Mean => Combine::Mean,
-            SetCombine::Worst => Combine::Worst,
-        });
+    let code = file.code.given.as_ref().and_then(|field| field.value).map(|code| match code {
+        SetCode::En1998 => Standard::En1998,
+        SetCode::Asce716 => Standard::Asce716,
+    });
+    let combine = file.combine.given.as_ref().and_then(|field| field.value).map(|combine| match combine {
+        SetCombine::Mean => Combine::Mean,
+        SetCombine::Worst => Combine::Worst,
+    });
     let target = file.target.given.as_ref().and_then(|field| r.text(field));
     let target = target.unwrap_or_else(|| "site".into());
     let table = match target.as_str() {
@@ -144,11 +134,8 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Optio
 }
 
 fn entry(r: &mut Resolver<'_>, given: &SetRecord, folder: &Path) -> Option<SetEntry> {
-    let options = ReadOptions {
-        unit: record_unit(r, &given.units),
-        dt: r.optional(&given.dt),
-        ..ReadOptions::default()
-    };
+    let options =
+        ReadOptions { unit: record_unit(r, &given.units), dt: r.optional(&given.dt), ..ReadOptions::default() };
     let along = file(r, &given.along, folder);
     let mut other = |option: &Opt<String>| option.given.as_ref().and_then(|field| file(r, field, folder));
     let (across, up) = (other(&given.across), other(&given.up));

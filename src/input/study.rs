@@ -123,9 +123,7 @@ pub(crate) fn together(mut errors: Vec<Error>) -> Error {
         _ => {
             let text = |error: &Error| match error {
                 Error::Faults(text) => text.trim_end().to_owned(),
-                other => other
-                    .code()
-                    .map_or_else(|| other.to_string(), |code| format!("{}: {other}", code.head())),
+                other => other.code().map_or_else(|| other.to_string(), |code| format!("{}: {other}", code.head())),
             };
             Error::Faults(errors.iter().map(text).collect::<Vec<_>>().join("\n\n"))
         }
@@ -238,12 +236,7 @@ fn damage(r: &mut Resolver<'_>, given: &Field<Vec<Field<keys::Damage>>>) -> Vec<
         let limit = r.or_default(&item.limit);
         let source = item.source.value().cloned().unwrap_or_default();
         if let (Some(state), Some(demand)) = (r.text(&item.state), r.text(&item.demand)) {
-            all.push(DamageLimit {
-                state,
-                demand,
-                limit,
-                source,
-            });
+            all.push(DamageLimit { state, demand, limit, source });
         }
     }
     all
@@ -260,21 +253,15 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
     if !pattern::is_pattern(&text) {
         return match path.is_file() {
             true => vec![path],
-            false => fault(
-                Code::FileUnreadable,
-                "no such file",
-                "a file relative to the study file",
-            ),
+            false => fault(Code::FileUnreadable, "no such file", "a file relative to the study file"),
         };
     }
     match pattern::files(folder, &text) {
         Ok(files) if files.is_empty() => fault(Code::FileUnreadable, "no file matches", "a pattern that matches files"),
         Ok(files) => files,
-        Err(Refused::Faulty(error)) => fault(
-            Code::BadForm,
-            &format!("a faulty pattern: {error}"),
-            "a pattern with * and ?",
-        ),
+        Err(Refused::Faulty(error)) => {
+            fault(Code::BadForm, &format!("a faulty pattern: {error}"), "a pattern with * and ?")
+        }
         Err(Refused::Files) => fault(
             Code::TooLarge,
             "the pattern matches too many files",
@@ -294,9 +281,5 @@ fn name_of(path: &Path, folder: &Path) -> String {
     let plain = |path: &Path| -> PathBuf { path.components().filter(|part| *part != Component::CurDir).collect() };
     let (path, folder) = (plain(path), plain(folder));
     let relative = path.strip_prefix(folder).unwrap_or(&path).with_extension("");
-    relative
-        .components()
-        .map(|part| part.as_os_str().to_string_lossy().into_owned())
-        .collect::<Vec<_>>()
-        .join("/")
+    relative.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect::<Vec<_>>().join("/")
 }

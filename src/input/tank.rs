@@ -46,10 +46,7 @@ pub fn parse(source: &Source) -> Result<TankFile, Faults> {
     let mut faults = Faults::new();
     let file = syntax::parse(source, &mut faults).and_then(|root| resolved(root, source, &mut faults));
     match file {
-        Some(file) if faults.is_empty() => Ok(TankFile {
-            source: source.clone(),
-            ..file
-        }),
+        Some(file) if faults.is_empty() => Ok(TankFile { source: source.clone(), ..file }),
         _ => Err(faults),
     }
 }

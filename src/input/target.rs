@@ -19,11 +19,7 @@ const ALLOWED: &str = "period_s with acceleration_g or acceleration_m_s2";
 
 /// Words of a head, in lower case: `Sa [m/s2]` is `sa_m_s2`.
 fn plain(head: &str) -> String {
-    let spaced: String = head
-        .to_lowercase()
-        .chars()
-        .map(|c| if c.is_alphanumeric() { c } else { ' ' })
-        .collect();
+    let spaced: String = head.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { ' ' }).collect();
     let words: Vec<&str> = spaced.split_whitespace().collect();
     words.join("_").replace("m_s²", "m_s2").replace("ms2", "m_s2")
 }
@@ -61,9 +57,7 @@ pub fn read(path: &Path, unit: Option<AccelerationUnit>) -> Result<SpectrumTable
     }
     let (Some(period), Some((acceleration, factor))) = (period, acceleration) else {
         let found: Vec<&str> = table.head.iter().map(|cell| cell.text.as_str()).collect();
-        let fault = Fault::new(Code::TableShape, "the table is no spectrum")
-            .found(found.join(", "))
-            .allowed(ALLOWED);
+        let fault = Fault::new(Code::TableShape, "the table is no spectrum").found(found.join(", ")).allowed(ALLOWED);
         return Err(Faults::from(fault).into_error(&table.source));
     };
     let mut rows = Vec::new();
@@ -111,10 +105,7 @@ mod tests {
             ("T [s],Sa [g]\n0,0.2\n1,0.5\n", 0.35 * g),
             ("Period (s);Se (m/s2)\n0;2\n1;5\n", 3.5),
         ] {
-            assert!(
-                (table(text, None).unwrap().at(0.5).unwrap() - at).abs() < 1e-12,
-                "{text}"
-            );
+            assert!((table(text, None).unwrap().at(0.5).unwrap() - at).abs() < 1e-12, "{text}");
         }
         let bare = "period,sa\n0,0.2\n1,0.5\n";
         assert!(table(bare, None).unwrap_err().contains("does not say its unit"));

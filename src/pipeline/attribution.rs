@@ -61,11 +61,7 @@ pub(super) fn attribute(
                 |i: &&Ingredients| method.excitation == Excitation::Record || matches!(i.recipe, Recipe::Response(_));
             for ingredients in own.filter(once) {
                 let resolved = resolved(job, ingredients);
-                let made = Made {
-                    method: &method.id,
-                    excitation: method.excitation,
-                    ingredients: &resolved,
-                };
+                let made = Made { method: &method.id, excitation: method.excitation, ingredients: &resolved };
                 found.extend(engine.attribute(&made, value));
             }
         }
@@ -75,10 +71,7 @@ pub(super) fn attribute(
 
 /// The same run with its base held, of one whose base moves.
 fn held(run: &Run) -> Option<Held> {
-    let of = |factor, values: &BTreeMap<String, f64>| Held {
-        factor,
-        values: values.clone(),
-    };
+    let of = |factor, values: &BTreeMap<String, f64>| Held { factor, values: values.clone() };
     let lifts = run.base.as_ref().map(|base| of(Factor::Uplift, &base.held));
     let isolated = run.part("isolation").map(|part| of(Factor::Isolators, &part.held()));
     let on_soil = run.part("soil").map(|part| of(Factor::Soil, &part.held()));
@@ -88,24 +81,13 @@ fn held(run: &Run) -> Option<Held> {
 /// The uniform wall of a formula as a ladder; where a shell on the way has no mode, the formula alone.
 fn resolved(job: &Job, ingredients: &Ingredients) -> Ingredients {
     let recipe = match ingredients.recipe {
-        Recipe::UniformWall {
-            thickness,
-            modulus,
-            period,
-        } => Recipe::Ladder(
-            codes::wall_period::rungs(&job.case, thickness, modulus, period).unwrap_or_else(|_| {
-                vec![Rung {
-                    factor: Factor::Formula,
-                    value: period,
-                }]
-            }),
+        Recipe::UniformWall { thickness, modulus, period } => Recipe::Ladder(
+            codes::wall_period::rungs(&job.case, thickness, modulus, period)
+                .unwrap_or_else(|_| vec![Rung { factor: Factor::Formula, value: period }]),
         ),
         ref other => other.clone(),
     };
-    Ingredients {
-        quantity: ingredients.quantity,
-        recipe,
-    }
+    Ingredients { quantity: ingredients.quantity, recipe }
 }
 
 /// Separates liquid, wall and roof in the impulsive mass of an engine, that of all modes of its group, as the procedures do; an engine
@@ -116,11 +98,7 @@ pub(super) fn separate(job: &Job, simulation: &mut Simulation) {
     let separated = |members: Vec<&ModalPart>| -> Option<[f64; 3]> {
         members.into_iter().try_fold([0.0; 3], |[liquid, wall, roof], mode| {
             let [own_wall, own_roof] = mode.structure?;
-            Some([
-                liquid + mode.liquid()?.shear,
-                wall + own_wall.shear,
-                roof + own_roof.shear,
-            ])
+            Some([liquid + mode.liquid()?.shear, wall + own_wall.shear, roof + own_roof.shear])
         })
     };
     match group.and_then(separated) {

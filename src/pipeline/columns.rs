@@ -30,13 +30,7 @@ pub(super) struct Columns {
 impl Columns {
     /// Those of the procedures.
     pub(super) fn of(methods: Vec<Method>) -> Columns {
-        Columns {
-            methods,
-            runs: Vec::new(),
-            series: Series::default(),
-            outside: Vec::new(),
-            site_errors: Vec::new(),
-        }
+        Columns { methods, runs: Vec::new(), series: Series::default(), outside: Vec::new(), site_errors: Vec::new() }
     }
 
     /// Adds the columns of an engine: under the record, and under the spectrum of the site.
@@ -50,8 +44,7 @@ impl Columns {
         let number = self.runs.len();
         let column = simulation.result.engine.column(number);
         if let Some(findings) = findings {
-            self.outside
-                .extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
+            self.outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
             let mut method = runs::method(job, number, &simulation, findings);
             if let Some(design) = design {
                 design::engine(&mut method, design);
@@ -59,8 +52,7 @@ impl Columns {
             self.methods.push(method);
         }
         if let Some(site) = site {
-            self.outside
-                .extend(site.outside.map(|why| ((column, Excitation::Site), why)));
+            self.outside.extend(site.outside.map(|why| ((column, Excitation::Site), why)));
             self.site_errors.push((column, site.errors));
             self.methods.push(site.method);
         }

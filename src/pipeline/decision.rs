@@ -19,10 +19,7 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
         methods.any(|m| m.status == Status::Computed || !m.checks.is_empty())
     };
     let decides = |id: &str, excitation: Excitation| {
-        computed(id, excitation).then(|| Deciding {
-            method: id.to_owned(),
-            excitation,
-        })
+        computed(id, excitation).then(|| Deciding { method: id.to_owned(), excitation })
     };
     match job.decision.decide.as_slice() {
         [] => codes::ALL
@@ -37,10 +34,7 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
                 // An engine is checked under the record alone.
                 let code = codes::ALL.iter().any(|procedure| procedure.id() == id);
                 let under_site = code.then(|| decides(id, Excitation::Site)).flatten();
-                under_site.unwrap_or_else(|| Deciding {
-                    method: id.clone(),
-                    excitation: Excitation::Record,
-                })
+                under_site.unwrap_or_else(|| Deciding { method: id.clone(), excitation: Excitation::Record })
             })
             .collect(),
     }
@@ -55,10 +49,7 @@ pub(super) fn overruled(job: &Job, methods: &[Method]) -> Vec<Overruled> {
     let left_out = |m: &&Method| m.excitation == Excitation::Site && !decide.contains(&m.id);
     let in_force = |m: &&Method| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&job.case.site));
     let methods = methods.iter().filter(left_out).filter(in_force);
-    let asides = methods.map(|method| Overruled {
-        method: method.id.clone(),
-        checks: Aside::of(method),
-    });
+    let asides = methods.map(|method| Overruled { method: method.id.clone(), checks: Aside::of(method) });
     asides.filter(|o| o.checks.counts.fails > 0).collect()
 }
 
@@ -128,9 +119,7 @@ pub(super) fn not_covered(procedure: &dyn Procedure, job: &Job, excitation: Exci
         return Vec::new();
     }
     let states = procedure.limit_states(&job.case);
-    let required = states
-        .iter()
-        .filter(|s| !matches!(s.requirement, Requirement::NotApplicable(_)));
+    let required = states.iter().filter(|s| !matches!(s.requirement, Requirement::NotApplicable(_)));
     let open = |state: &LimitState| Check::without_comparison(state, CheckStatus::NotChecked, refusal, None);
     let checks = check::complete(&states, required.map(open).collect());
     accept(procedure.id(), job, checks)
@@ -145,10 +134,8 @@ pub(super) fn left_out(procedure: &dyn Procedure, job: &Job) -> Option<Method> {
     if runs || excluded || !procedure.decides(&job.case.site) {
         return None;
     }
-    let reason = format!(
-        "`procedures.run` leaves out `{}`, the edition in force of a code that `site` names",
-        procedure.id()
-    );
+    let reason =
+        format!("`procedures.run` leaves out `{}`, the edition in force of a code that `site` names", procedure.id());
     let state = LimitState {
         id: "not_run",
         name: "All limit states of the code",
@@ -160,10 +147,7 @@ pub(super) fn left_out(procedure: &dyn Procedure, job: &Job) -> Option<Method> {
     Some(Method {
         label: label.short.into(),
         figure_key: label.figure_key.into(),
-        status: Status::NotApplicable {
-            clause: "procedures.run".into(),
-            reason,
-        },
+        status: Status::NotApplicable { clause: "procedures.run".into(), reason },
         checks: accept(procedure.id(), job, vec![open]),
         ..Method::new(procedure.id(), label.title, Excitation::Site)
     })
@@ -206,25 +190,16 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<Warning> {
                 Outside::Uplift => "a run that clamps a wall that lifts",
                 Outside::Plates => "a run whose cantilevers stand for plates",
             };
-            return format!(
-                "accepted: `{}` cannot be accepted: {run} is outside its model",
-                gap.check
-            );
+            return format!("accepted: `{}` cannot be accepted: {run} is outside its model", gap.check);
         }
         let fails = |m: &Method| {
             let mut failing = m.checks.iter().filter(|c| c.status == CheckStatus::Fails);
             failing.any(|c| gap.means(&m.id, &c.limit_state))
         };
         if methods.iter().any(fails) {
-            return format!(
-                "accepted: `{}` fails; only what was not checked can be accepted",
-                gap.check
-            );
+            return format!("accepted: `{}` fails; only what was not checked can be accepted", gap.check);
         }
-        let open = methods
-            .iter()
-            .flat_map(|m| &m.checks)
-            .filter(|c| c.status == CheckStatus::NotChecked);
+        let open = methods.iter().flat_map(|m| &m.checks).filter(|c| c.status == CheckStatus::NotChecked);
         let own = gap.check.rsplit('/').next().unwrap_or_default();
         let near = open
             .map(|c| (strsim::damerau_levenshtein(own, &c.limit_state), &c.limit_state))
@@ -235,13 +210,8 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<Warning> {
                 "accepted: `{}` is not a limit state of this tank; did you mean `{near}`, which is open?",
                 gap.check
             ),
-            None => format!(
-                "accepted: `{}` is not an open limit state of this tank; remove the entry",
-                gap.check
-            ),
+            None => format!("accepted: `{}` is not an open limit state of this tank; remove the entry", gap.check),
         }
     };
-    unused
-        .map(|gap| Warning::new(Code::UnusedAcceptance, text(gap)))
-        .collect()
+    unused.map(|gap| Warning::new(Code::UnusedAcceptance, text(gap))).collect()
 }

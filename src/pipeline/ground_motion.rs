@@ -28,21 +28,11 @@ use engines::Simulation;
 pub fn ask(job: &Job, wanted: &[Wanted], records: &[Horizontal<'_>]) -> Option<Records> {
     let (_, code) = time_history::ground_motion(&job.case)?;
     let asked = |wanted: &[Wanted]| {
-        let question = Question {
-            code,
-            table: None,
-            target: "site",
-            site: &job.case.site,
-            wanted,
-        };
+        let question = Question { code, table: None, target: "site", site: &job.case.site, wanted };
 
         rule::answer(&question, records)
     };
-    let of = |factor: f64, unasked: Option<String>| Records {
-        count: records.len(),
-        factor,
-        unasked,
-    };
+    let of = |factor: f64, unasked: Option<String>| Records { count: records.len(), factor, unasked };
     if wanted.is_empty() {
         let none = "no procedure and no engine gives a period of this tank".to_owned();
         return Some(of(asked(&[]).map_or(0.0, |answer| answer.factor), Some(none)));
@@ -66,10 +56,7 @@ pub(super) fn of_one(job: &Job, simulation: &Simulation) -> Option<Records> {
         rule::both(&job.case, periods)
     };
     let wanted = rule::periods(&job.case, &job.decision).unwrap_or_else(|_| of_engine());
-    let record = Horizontal {
-        along: &motion.horizontal,
-        across: motion.transverse.as_ref(),
-    };
+    let record = Horizontal { along: &motion.horizontal, across: motion.transverse.as_ref() };
     ask(job, &wanted, &[record])
 }
 
@@ -114,13 +101,5 @@ pub(super) fn check(job: &Job, records: &Records) -> Option<Check> {
         true => (if weak { records.factor } else { records.factor.min(1.0) }, 1.0),
         false => (1.0, 0.0),
     };
-    Some(Check::new(
-        state.id,
-        state.name,
-        demand,
-        capacity,
-        Dimension::Dimensionless,
-        code.clause(),
-        &note,
-    ))
+    Some(Check::new(state.id, state.name, demand, capacity, Dimension::Dimensionless, code.clause(), &note))
 }

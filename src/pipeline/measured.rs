@@ -26,12 +26,7 @@ fn shaken(job: &Job) -> Option<Shaken> {
 /// Measured values of the ground motion of the job, as a column.
 pub(super) fn column(job: &Job) -> Option<Method> {
     let shaken = shaken(job);
-    let own: Vec<&Reported> = job
-        .case
-        .measured
-        .iter()
-        .filter(|m| apart(m, shaken.as_ref()).is_none())
-        .collect();
+    let own: Vec<&Reported> = job.case.measured.iter().filter(|m| apart(m, shaken.as_ref()).is_none()).collect();
     let first = own.first()?;
     let values = own.iter().map(|m| (m.quantity, m.value)).collect();
     let notes = own
@@ -56,10 +51,7 @@ pub(super) fn others(job: &Job) -> Vec<Apart> {
     let shaken = shaken(job);
     let why = |value: &Reported| {
         let reason = apart(value, shaken.as_ref())?;
-        Some(Apart {
-            value: value.clone(),
-            reason,
-        })
+        Some(Apart { value: value.clone(), reason })
     };
     job.case.measured.iter().filter_map(why).collect()
 }

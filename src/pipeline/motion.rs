@@ -14,9 +14,7 @@ fn periods(marks: &[f64]) -> Vec<f64> {
     const COUNT: usize = 160;
     let (first, last) = (0.02_f64, 20.0_f64);
     let grid = (0..COUNT).map(|i| first * (last / first).powf(i as f64 / (COUNT - 1) as f64));
-    let mut periods: Vec<f64> = grid
-        .chain(marks.iter().copied().filter(|t| *t > first && *t < last))
-        .collect();
+    let mut periods: Vec<f64> = grid.chain(marks.iter().copied().filter(|t| *t > first && *t < last)).collect();
     periods.sort_by(f64::total_cmp);
     periods.dedup();
     periods
@@ -58,9 +56,7 @@ fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCu
 fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     let curves = codes::ALL.iter().flat_map(|p| p.design_curves(site, dampings));
     let covered = |longest: f64| period.iter().copied().filter(|t| *t <= longest).collect::<Vec<_>>();
-    curves
-        .map(|c| curve(&c.id, &c.title, c.damping, &covered(c.longest), c.acceleration))
-        .collect()
+    curves.map(|c| curve(&c.id, &c.title, c.damping, &covered(c.longest), c.acceleration)).collect()
 }
 
 fn curve(id: &str, title: &str, damping: f64, period: &[f64], acceleration: impl Fn(f64) -> f64) -> SpectrumCurve {

@@ -24,11 +24,7 @@ pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
         let text = format!("procedures: found `{unknown}`, expected any of {}", known.join(", "));
         return Err(Error::input(Code::UnknownId, text));
     }
-    Ok(known
-        .iter()
-        .filter(|id| ids.is_empty() || ids.iter().any(|i| i == *id))
-        .map(|id| id.to_string())
-        .collect())
+    Ok(known.iter().filter(|id| ids.is_empty() || ids.iter().any(|i| i == *id)).map(|id| id.to_string()).collect())
 }
 
 /// The code procedures and their verdict, without engines, spectra and comparison.
@@ -49,9 +45,7 @@ pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
 ///
 /// Errors: a procedure that does not converge, a result that is not finite.
 pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
-    let chosen = codes::ALL
-        .iter()
-        .filter(|p| job.procedures.iter().any(|id| id == p.id()));
+    let chosen = codes::ALL.iter().filter(|p| job.procedures.iter().any(|id| id == p.id()));
     let methods: Vec<Method> = chosen
         .map(|procedure| method(*procedure, job, excitation).map(|(method, _)| method))
         .collect::<Result<_, _>>()?;
@@ -75,11 +69,7 @@ pub(super) fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
             methods.push(method(*procedure, job, excitation)?);
         }
     }
-    methods.extend(
-        codes::ALL
-            .iter()
-            .filter_map(|p| Some((decision::left_out(*p, job)?, Vec::new()))),
-    );
+    methods.extend(codes::ALL.iter().filter_map(|p| Some((decision::left_out(*p, job)?, Vec::new()))));
     Ok(methods)
 }
 
@@ -92,18 +82,12 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         Err(CodeError::NotApplicable(n)) => not_applicable(n.clause, n.reason),
         Err(CodeError::Data { clause, reason }) => not_applicable(clause, reason),
         Err(source) => {
-            return Err(Error::Code {
-                procedure: procedure.id().into(),
-                source,
-            });
+            return Err(Error::Code { procedure: procedure.id().into(), source });
         }
     };
     let (mut assumptions, ingredients) = (assessment.assumptions, assessment.ingredients);
     let across = job.case.ground_motion.as_ref().and_then(|m| m.transverse.as_ref());
-    if matches!(
-        (&status, excitation, across),
-        (Status::Computed, Excitation::Record, Some(_))
-    ) {
+    if matches!((&status, excitation, across), (Status::Computed, Excitation::Record, Some(_))) {
         assumptions.push("One horizontal component: the record along x alone, without that along y.".into());
     }
     if let (Status::Computed, Some(layered)) = (&status, runs::layers(job)) {

@@ -7,16 +7,5 @@ use tank::Quantity;
 
 /// Values by quantity id, with their dimensions.
 pub(super) fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
-    values
-        .iter()
-        .map(|(q, &value)| {
-            (
-                q.id().to_owned(),
-                Value {
-                    value,
-                    dimension: q.dimension(),
-                },
-            )
-        })
-        .collect()
+    values.iter().map(|(q, &value)| (q.id().to_owned(), Value { value, dimension: q.dimension() })).collect()
 }

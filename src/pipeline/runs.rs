@@ -22,10 +22,7 @@ use results::{LeftOut, Method, Omittable, Run};
 /// Errors: the first refusal.
 pub(super) fn admit(job: &Job) -> Result<(), Error> {
     let task = job.task();
-    let refused = job
-        .engines
-        .iter()
-        .find_map(|&id| engine(id).refuses(&task).into_iter().next());
+    let refused = job.engines.iter().find_map(|&id| engine(id).refuses(&task).into_iter().next());
     let Some(refusal) = refused else { return Ok(()) };
     let mut text = refusal.message.clone();
     for (word, what) in [("found", &refusal.found), ("expected", &refusal.allowed)] {
@@ -105,9 +102,7 @@ fn ended(run: &Run) -> Option<Incomplete> {
         End::Collapsed { time, .. } => Some(Incomplete::NoEquilibrium { time }),
         End::Left { time, .. } => Some(Incomplete::LeftModel { time }),
         End::Interrupted { time } => Some(Incomplete::Interrupted { time }),
-        End::Completed => departures
-            .first()
-            .map(|first| Incomplete::BeyondModel { time: first.time }),
+        End::Completed => departures.first().map(|first| Incomplete::BeyondModel { time: first.time }),
     }
 }
 
@@ -145,10 +140,7 @@ fn linear_damping(job: &Job) -> Option<Damping> {
             first: caughey.pairs().first().copied().unwrap_or_default().into(),
             last: caughey.pairs().last().copied().unwrap_or_default().into(),
         },
-        Damper::Rayleigh(c) => Damping::Rayleigh {
-            mass: c.mass,
-            stiffness: c.stiffness,
-        },
+        Damper::Rayleigh(c) => Damping::Rayleigh { mass: c.mass, stiffness: c.stiffness },
     })
 }
 
@@ -156,10 +148,9 @@ fn linear_damping(job: &Job) -> Option<Damping> {
 fn nonlinear_damping(damping: &nonlinear::Damping) -> Damping {
     match *damping {
         nonlinear::Damping::ByGroup { wall, sloshing } => Damping::ByGroup { wall, sloshing },
-        nonlinear::Damping::Rayleigh { first, second, .. } => Damping::InitialRayleigh {
-            first: first.into(),
-            second: second.into(),
-        },
+        nonlinear::Damping::Rayleigh { first, second, .. } => {
+            Damping::InitialRayleigh { first: first.into(), second: second.into() }
+        }
         nonlinear::Damping::MassProportional { ratio, .. } => Damping::MassProportional { ratio },
     }
 }
@@ -172,10 +163,7 @@ mod tests {
 
     #[test]
     fn a_missing_run_is_the_cause() {
-        let missing = Incomplete::Missing {
-            engine: EngineId::Nonlinear,
-            error: Some("the solver failed".into()),
-        };
+        let missing = Incomplete::Missing { engine: EngineId::Nonlinear, error: Some("the solver failed".into()) };
         assert_eq!(incomplete(Some(missing.clone()), &[]), Some(missing));
         let harmonic = Run::new(EngineId::Harmonic);
         assert_eq!(incomplete(None, std::slice::from_ref(&harmonic)), None);

@@ -49,11 +49,7 @@ mod tests {
     use super::*;
 
     fn series(time: &[f64], values: &[f64]) -> Series {
-        Series {
-            time: time.to_vec(),
-            ids: vec!["base_shear".into()],
-            columns: vec![values.to_vec()],
-        }
+        Series { time: time.to_vec(), ids: vec!["base_shear".into()], columns: vec![values.to_vec()] }
     }
 
     #[test]

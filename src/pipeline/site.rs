@@ -53,10 +53,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         (Some(found), _) => found,
         (None, None) => return None,
         (None, Some(code)) => {
-            let missing = CodeError::Data {
-                clause: "analysis.spectrum.code".into(),
-                reason: words::no_data(code),
-            };
+            let missing = CodeError::Data { clause: "analysis.spectrum.code".into(), reason: words::no_data(code) };
             (code, Err(missing))
         }
     };
@@ -78,11 +75,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
             Default::default()
         }
     };
-    Some(Column {
-        method,
-        errors,
-        outside,
-    })
+    Some(Column { method, errors, outside })
 }
 
 /// Gives the column the response of the modes to the action; returns mesh errors, and why the numbers are outside the model.
@@ -95,11 +88,7 @@ fn respond(
     let options = &job.linear.spectrum;
     let engine = simulation.result.engine;
     let round = matches!(job.case.tank.shape, Shape::Cylinder { .. });
-    let seen = Action {
-        structural: &action.structural,
-        sloshing: &action.sloshing,
-        wave: &action.wave,
-    };
+    let seen = Action { structural: &action.structural, sloshing: &action.sloshing, wave: &action.wave };
     let both = |units: &ModalUnits| -> (Spectral, Option<KeptMode>) {
         let along = units.respond(&seen, options, round);
         let upwards = action.upwards.as_ref();
@@ -120,10 +109,9 @@ fn respond(
     method.quantities = quantities(&values);
     method.steps = steps(units, &found);
     if let (Some(up), Some(mode)) = (upwards, breathing) {
-        for (symbol, (name, at), period) in [
-            ("S_v", words::breathing(mode.period()), mode.period()),
-            ("S_v0", words::upward_rest(), 0.0),
-        ] {
+        for (symbol, (name, at), period) in
+            [("S_v", words::breathing(mode.period()), mode.period()), ("S_v0", words::upward_rest(), 0.0)]
+        {
             let value = (up.spectrum)(period, mode.damping);
             method.steps.push(step(symbol.into(), name, at, value));
         }

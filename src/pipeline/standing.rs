@@ -51,32 +51,18 @@ fn ground(drawing: Drawing, wall: f64) -> StandingGround {
         plastic_rotation: stand.rim.plastic_rotation,
         toe_axial_stress: stand.turn.toe_force / wall,
     });
-    StandingGround {
-        modulus: drawing.modulus,
-        decides: drawing.decides,
-        curve: drawing.curve,
-        values,
-    }
+    StandingGround { modulus: drawing.modulus, decides: drawing.decides, curve: drawing.curve, values }
 }
 
 /// The deciding ground that holds the moment and on which the rim lifts most.
 fn plate(drawn: &[Drawing]) -> Option<StandingPlate> {
-    let held = drawn
-        .iter()
-        .filter(|d| d.decides)
-        .filter_map(|d| Some((d, d.stand.as_ref()?)));
+    let held = drawn.iter().filter(|d| d.decides).filter_map(|d| Some((d, d.stand.as_ref()?)));
     let (drawing, (stand, points)) = held.max_by(|a, b| a.1.0.turn.uplift.total_cmp(&b.1.0.turn.uplift))?;
     if stand.turn.uplift <= 0.0 {
         return None;
     }
-    let kept: Vec<_> = points
-        .iter()
-        .filter(|p| p.distance <= KEPT * stand.rim.lifted_width)
-        .collect();
-    let yielded = kept
-        .windows(2)
-        .filter(|pair| pair[0].yielded)
-        .map(|pair| [pair[0].distance, pair[1].distance]);
+    let kept: Vec<_> = points.iter().filter(|p| p.distance <= KEPT * stand.rim.lifted_width).collect();
+    let yielded = kept.windows(2).filter(|pair| pair[0].yielded).map(|pair| [pair[0].distance, pair[1].distance]);
     let mut stretches: Vec<[f64; 2]> = Vec::new();
     for [from, to] in yielded {
         match stretches.last_mut() {

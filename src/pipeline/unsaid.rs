@@ -76,11 +76,8 @@ pub(super) fn required(states: &[LimitState], checks: Vec<Check>) -> Vec<Check> 
 /// Leaves open what holds, or assumes bare ground, although it needs to know of a part of which nothing is said; such checks keep their numbers.
 pub(super) fn leave_open(job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
     let states = meaning::all();
-    let needs = |id: &str, part: TankPart| {
-        states
-            .iter()
-            .any(|(state, _)| state.id == id && state.needs.contains(&part))
-    };
+    let needs =
+        |id: &str, part: TankPart| states.iter().any(|(state, _)| state.id == id && state.needs.contains(&part));
     for part in [TankPart::Roof, TankPart::Foundation, TankPart::Bottom] {
         let needed = part != TankPart::Bottom || job.case.tank.support == Support::Unanchored;
         if !needed || !job.decision.unstated.contains(&part) {

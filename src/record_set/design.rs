@@ -121,9 +121,7 @@ fn of_record((record, under): (&Earthquake, &Under)) -> SetRun {
 /// Values of a column by quantity.
 fn of_method(method: &Method) -> BTreeMap<Quantity, f64> {
     let values = method.quantities.iter();
-    values
-        .filter_map(|(id, v)| Some((Quantity::from_id(id)?, v.value)))
-        .collect()
+    values.filter_map(|(id, v)| Some((Quantity::from_id(id)?, v.value))).collect()
 }
 
 /// Design values; periods and masses are the same under every record.
@@ -173,10 +171,7 @@ fn by_method(under: &Under) -> BTreeMap<String, BTreeMap<String, f64>> {
     };
     let methods = under.methods.iter().map(|m| (m.id.clone(), responses(of_method(m))));
     let engine = (FE.to_owned(), responses(under.values.clone()));
-    methods
-        .chain([engine])
-        .filter(|(_, values)| !values.is_empty())
-        .collect()
+    methods.chain([engine]).filter(|(_, values)| !values.is_empty()).collect()
 }
 
 /// Checks that fail without a capacity.

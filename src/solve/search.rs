@@ -77,10 +77,7 @@ pub fn search<T>(samples: &[f64], mut answer: impl FnMut(f64) -> Answer<T>) -> S
             Answer::Outside(reason) => Some(reason),
             _ => None,
         });
-        return Search {
-            found: Found::Unanswered(reason.unwrap_or_default()),
-            evaluations,
-        };
+        return Search { found: Found::Unanswered(reason.unwrap_or_default()), evaluations };
     };
     answers.drain(..first);
     let holds = |a: &Answer<T>| matches!(a, Answer::Holds(_));
@@ -126,11 +123,7 @@ fn bisect<T>(
             inner = (rounded, at);
         }
     }
-    Found::Edge {
-        value: inner.0,
-        at: inner.1,
-        beyond: outer.1,
-    }
+    Found::Edge { value: inner.0, at: inner.1, beyond: outer.1 }
 }
 
 /// A positive number rounded down, or up, to these significant digits. A number that has no more of them stays.
@@ -182,9 +175,7 @@ mod tests {
         assert_eq!(found.evaluations, calls);
         // Eleven samples 0.5 apart; bisection to 0.9e-4 · 1.414 takes log2(0.5 / 1.27e-4) = 11.9, one for the rounding.
         assert_eq!(calls, 11 + 12 + 1);
-        let Found::Edge { value, at, beyond } = found.found else {
-            panic!("{:?}", found.found)
-        };
+        let Found::Edge { value, at, beyond } = found.found else { panic!("{:?}", found.found) };
         assert!(value <= root && value >= root * (1.0 - TOLERANCE), "{value}");
         assert_eq!(at, value * value);
         assert!(matches!(beyond, Answer::Fails(square) if square > 2.0));
@@ -199,22 +190,14 @@ mod tests {
             true => Answer::Holds(()),
             false => Answer::Fails(()),
         });
-        let Found::Edge { value, .. } = found.found else {
-            panic!("{:?}", found.found)
-        };
+        let Found::Edge { value, .. } = found.found else { panic!("{:?}", found.found) };
         assert!(value >= root && value <= root * (1.0 + TOLERANCE), "{value}");
     }
 
     #[test]
     fn without_a_change_there_is_no_edge() {
         let found = search(&grid(1.0, 2.0), up_to(9.0));
-        assert_eq!(
-            found.found,
-            Found::Everywhere {
-                value: 2.0,
-                at: 2.0 / 9.0
-            }
-        );
+        assert_eq!(found.found, Found::Everywhere { value: 2.0, at: 2.0 / 9.0 });
         assert_eq!(found.evaluations, 11);
         let found = search(&grid(1.0, 2.0), up_to(0.5));
         assert_eq!(found.found, Found::Nowhere { value: 1.0, at: 2.0 });
@@ -227,9 +210,7 @@ mod tests {
             true => Answer::Fails(()),
             false => Answer::Holds(()),
         });
-        let Found::Several(samples) = found.found else {
-            panic!("{:?}", found.found)
-        };
+        let Found::Several(samples) = found.found else { panic!("{:?}", found.found) };
         assert_eq!(samples.len(), 11);
         assert_eq!((samples[0].1, samples[5].1, samples[10].1), (true, false, true));
         // A favourable end that fails is one too many as well.
@@ -247,9 +228,7 @@ mod tests {
             true => Answer::Holds(()),
             false => Answer::Outside("scope".into()),
         });
-        let Found::Edge { value, beyond, .. } = found.found else {
-            panic!("{:?}", found.found)
-        };
+        let Found::Edge { value, beyond, .. } = found.found else { panic!("{:?}", found.found) };
         assert!((1.65 * (1.0 - TOLERANCE)..=1.65).contains(&value), "{value}");
         assert_eq!(beyond, Answer::Outside("scope".into()));
         let found = search(&grid(1.0, 2.0), |_| Answer::<()>::Outside("scope".into()));

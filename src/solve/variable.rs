@@ -178,10 +178,7 @@ impl Variable {
                 };
                 let given = self.given(case).unwrap_or(0.0);
                 // The corrosion allowance stays as it is.
-                (
-                    thickest.max(TIMES_GIVEN * given),
-                    half / THINNEST + self.corrosion(case),
-                )
+                (thickest.max(TIMES_GIVEN * given), half / THINNEST + self.corrosion(case))
             }
         }
     }

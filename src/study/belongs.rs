@@ -66,16 +66,8 @@ fn planned<'a>(plan: &'a Plan, task: &'a Task) -> impl Iterator<Item = Place<'a>
 
 fn place(line: &Line) -> Place<'_> {
     match line {
-        Line::Tank(tank) => Place {
-            tank: &tank.tank,
-            sample: tank.sample,
-            row: None,
-        },
-        Line::Row(row) => Place {
-            tank: &row.tank,
-            sample: row.sample,
-            row: Some((&row.record, scale(row))),
-        },
+        Line::Tank(tank) => Place { tank: &tank.tank, sample: tank.sample, row: None },
+        Line::Row(row) => Place { tank: &row.tank, sample: row.sample, row: Some((&row.record, scale(row))) },
     }
 }
 

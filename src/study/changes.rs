@@ -32,35 +32,15 @@ pub(super) fn changed(
 /// Errors: as [`super::plan::make`].
 pub fn departure(study: &StudyInput, (plan, tasks): (&Plan, &[Task]), folder: &Path) -> Result<Option<String>, Error> {
     let (now, tasks_now) = make(study, &folder.join(&plan.study), folder)?;
-    if tasks
-        .iter()
-        .map(|task| &task.key)
-        .eq(tasks_now.iter().map(|task| &task.key))
-    {
+    if tasks.iter().map(|task| &task.key).eq(tasks_now.iter().map(|task| &task.key)) {
         return Ok(None);
     }
-    let tank = |before: &PlannedTank| {
-        now.tanks
-            .iter()
-            .any(|tank| tank.id == before.id && tank.keys != before.keys)
-    };
-    let record = |before: &PlannedRecord| {
-        now.records
-            .iter()
-            .any(|record| record.id == before.id && record.key != before.key)
-    };
+    let tank = |before: &PlannedTank| now.tanks.iter().any(|tank| tank.id == before.id && tank.keys != before.keys);
+    let record =
+        |before: &PlannedRecord| now.records.iter().any(|record| record.id == before.id && record.key != before.key);
     let tanks: Vec<&str> = plan.tanks.iter().filter(|t| tank(t)).map(|t| t.id.as_str()).collect();
-    let records: Vec<&str> = plan
-        .records
-        .iter()
-        .filter(|r| record(r))
-        .map(|r| r.id.as_str())
-        .collect();
-    let same_tanks = plan
-        .tanks
-        .iter()
-        .map(|tank| &tank.id)
-        .eq(now.tanks.iter().map(|tank| &tank.id));
+    let records: Vec<&str> = plan.records.iter().filter(|r| record(r)).map(|r| r.id.as_str()).collect();
+    let same_tanks = plan.tanks.iter().map(|tank| &tank.id).eq(now.tanks.iter().map(|tank| &tank.id));
     let same_records = (plan.records.iter().map(|record| &record.id)).eq(now.records.iter().map(|record| &record.id));
     let parts = [named("tank", &tanks), named("record", &records)];
     let parts: Vec<String> = parts.into_iter().flatten().collect();

@@ -56,20 +56,13 @@ pub fn check(home: &Path, (plan, tasks): (&Plan, &[Task]), progress: &dyn Progre
     };
     let parts: Vec<&[Task]> = tasks.chunks(TOGETHER).collect();
     let found = beside_each_other(&parts, |part: &&[Task]| part.iter().map(one).collect());
-    let mut checked = Checked {
-        tasks: tasks.len(),
-        ..Checked::default()
-    };
+    let mut checked = Checked { tasks: tasks.len(), ..Checked::default() };
     for (task, file, found) in found {
         match found {
             Found::Whole(_) => checked.sound += 1,
             Found::Missing => checked.missing += 1,
             Found::Failed => checked.failed += 1,
-            Found::Damaged(what) => checked.damaged.push(Damage {
-                file,
-                task: Some(task),
-                what,
-            }),
+            Found::Damaged(what) => checked.damaged.push(Damage { file, task: Some(task), what }),
         }
     }
     let mut others = store::survey(home).results;

@@ -77,12 +77,7 @@ pub(super) fn fragility(
     volumes: &BTreeMap<String, f64>,
     missing: usize,
 ) -> Fragility {
-    let asked = Asked {
-        im: plan.im.clone(),
-        resamples: RESAMPLES,
-        seed: SEED,
-        hazard: plan.hazard.clone(),
-    };
+    let asked = Asked { im: plan.im.clone(), resamples: RESAMPLES, seed: SEED, hazard: plan.hazard.clone() };
     let tanks: Vec<&str> = plan.tanks.iter().map(|tank| tank.id.as_str()).collect();
     let seen = |tank: &&str| gathered.curves.contains_key(&((*tank).to_owned(), 0));
     let (with, without): (Vec<&str>, Vec<&str>) = tanks.iter().copied().partition(seen);
@@ -137,11 +132,7 @@ fn planned(plan: &Plan, gathered: &Gathered) -> Vec<Planned> {
             next - 1
         });
         for sample in 0..plan.samples {
-            all.extend(plan.levels.iter().map(|level| Planned {
-                record,
-                sample,
-                im: kept(*level),
-            }));
+            all.extend(plan.levels.iter().map(|level| Planned { record, sample, im: kept(*level) }));
         }
     }
     all
@@ -150,12 +141,8 @@ fn planned(plan: &Plan, gathered: &Gathered) -> Vec<Planned> {
 fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<Curve> {
     let of = |state: usize| gathered.curves.get(&(tank.to_owned(), state));
     let data: Vec<&Data> = (0..plan.damage.len()).filter_map(of).collect();
-    let states: Vec<(String, Vec<Seen>)> = plan
-        .damage
-        .iter()
-        .zip(&data)
-        .map(|(state, data)| (state.state.clone(), data.runs.clone()))
-        .collect();
+    let states: Vec<(String, Vec<Seen>)> =
+        plan.damage.iter().zip(&data).map(|(state, data)| (state.state.clone(), data.runs.clone())).collect();
     let planned = planned(plan, gathered);
     let judged = gathered.judged.get(tank);
     let with = |(number, (curve, state)): (usize, (Curve, &&Data))| {
@@ -172,13 +159,7 @@ fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<C
         asked.bound(&mut curve, plan.method, &state.runs, &planned);
         curve
     };
-    asked
-        .of_runs(plan.method, &states)
-        .into_iter()
-        .zip(&data)
-        .enumerate()
-        .map(with)
-        .collect()
+    asked.of_runs(plan.method, &states).into_iter().zip(&data).enumerate().map(with).collect()
 }
 
 /// Curves of "at least one tank in the state", of the earthquakes that the judged tanks decide: one is in the state, or all are judged.
@@ -219,12 +200,8 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
     let planned = plan.records.len() * plan.samples as usize;
     let mut found = Vec::new();
     for level in levels {
-        let quakes: Vec<&Lost> = gathered
-            .losses
-            .iter()
-            .filter(|((_, _, im), _)| *im == level)
-            .map(|(_, lost)| lost)
-            .collect();
+        let quakes: Vec<&Lost> =
+            gathered.losses.iter().filter(|((_, _, im), _)| *im == level).map(|(_, lost)| lost).collect();
         let unseen = planned.saturating_sub(quakes.len());
         let mut fates: Vec<Vec<Fate>> = vec![vec![None; quakes.len() + unseen]; ids.len()];
         for (quake, lost) in quakes.iter().enumerate() {

@@ -37,17 +37,10 @@ pub struct DamageState {
 pub fn states(given: &[DamageLimit]) -> Vec<DamageState> {
     let mut all: Vec<DamageState> = Vec::new();
     for entry in given {
-        let limit = Limit {
-            demand: entry.demand.clone(),
-            limit: entry.limit,
-            source: entry.source.clone(),
-        };
+        let limit = Limit { demand: entry.demand.clone(), limit: entry.limit, source: entry.source.clone() };
         match all.iter_mut().find(|state| state.state == entry.state) {
             Some(state) => state.limits.push(limit),
-            None => all.push(DamageState {
-                state: entry.state.clone(),
-                limits: vec![limit],
-            }),
+            None => all.push(DamageState { state: entry.state.clone(), limits: vec![limit] }),
         }
     }
     all
@@ -68,12 +61,7 @@ pub fn default_set() -> Vec<DamageState> {
         limit("DS1", "anchorage", 1.0, code),
         limit("DS2", "freeboard", 1.4, recalled),
         limit("DS2", "sliding", 1.0, code),
-        limit(
-            "DS2",
-            "uplift_tension",
-            1.0,
-            "EN 1998-4:2006 A.9: plastic rotation 0.20 rad",
-        ),
+        limit("DS2", "uplift_tension", 1.0, "EN 1998-4:2006 A.9: plastic rotation 0.20 rad"),
         limit("DS2", "wall_strength", 1.0, code),
         limit("DS3", "buckling_elastic", 1.0, code),
         limit("DS3", "buckling_elastic_plastic", 1.0, code),
@@ -156,9 +144,7 @@ fn own(
             }
             Demand::NotChecked => {
                 *unchecked.entry(limit.demand.clone()).or_default() += 1;
-                *open |= known
-                    .get(&row.tank)
-                    .is_some_and(|demands| demands.contains(&limit.demand));
+                *open |= known.get(&row.tank).is_some_and(|demands| demands.contains(&limit.demand));
             }
             Demand::None => {}
         }
@@ -169,12 +155,7 @@ fn own(
 /// The ways of a run without equilibrium into a state: collapse, where the state has it.
 fn collapse(state: &DamageState) -> Vec<String> {
     let named = |limit: &&Limit| limit.demand == COLLAPSE;
-    state
-        .limits
-        .iter()
-        .filter(named)
-        .map(|limit| limit.demand.clone())
-        .collect()
+    state.limits.iter().filter(named).map(|limit| limit.demand.clone()).collect()
 }
 
 /// Tank → demands that at least one of its rows has checked.
@@ -274,11 +255,7 @@ impl Gathered {
             let data = self.curves.entry((row.tank.clone(), number)).or_default();
             if runs {
                 found[number] = match collapsed {
-                    true => Some(Standing {
-                        fell: true,
-                        ways: collapse(state),
-                        ..Standing::default()
-                    }),
+                    true => Some(Standing { fell: true, ways: collapse(state), ..Standing::default() }),
                     false => own(row, state, &mut data.unchecked, (&self.judged, &mut open[number])),
                 };
             }
@@ -298,33 +275,19 @@ impl Gathered {
             let fell = worse.clone().any(|s| s.fell);
             // Those of worse states below their limits count too: between two levels the tank may come into a worse state first.
             let largest = found[number..].iter().flatten().map(|s| s.ratio).fold(0.0, f64::max);
-            data.runs.push(Seen {
-                record,
-                sample: row.sample,
-                im: axis,
-                ratio: (!fell).then_some(largest),
-                reached,
-            });
+            data.runs.push(Seen { record, sample: row.sample, im: axis, ratio: (!fell).then_some(largest), reached });
             let own = found[number].as_ref().map_or(&[] as &[String], |s| &s.ways);
             data.by_worse += usize::from(reached && own.is_empty());
             for way in own {
                 *data.ways.entry(way.clone()).or_default() += 1;
             }
-            let counts = self
-                .counts
-                .entry(quake.clone())
-                .or_insert_with(|| vec![[0; 2]; states.len()]);
+            let counts = self.counts.entry(quake.clone()).or_insert_with(|| vec![[0; 2]; states.len()]);
             counts[number][0] += 1;
             counts[number][1] += usize::from(reached);
             if number + 1 == states.len() {
                 let ratio = if fell { f64::INFINITY } else { largest };
                 if self.worst.get(&row.tank).is_none_or(|known| ratio > known.ratio) {
-                    let worst = Worst {
-                        record: row.record.clone(),
-                        sample: row.sample,
-                        factor: row.factor,
-                        ratio,
-                    };
+                    let worst = Worst { record: row.record.clone(), sample: row.sample, factor: row.factor, ratio };
                     self.worst.insert(row.tank.clone(), worst);
                 }
                 let lost = self.losses.entry(quake.clone()).or_default();
@@ -374,34 +337,18 @@ mod tests {
         let states = default_set();
         let mut gathered = Gathered::default();
         let use_of = Ending::Utilisation;
-        gathered.add(
-            &row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(1.3))]),
-            &states,
-        );
-        gathered.add(
-            &row(1.0, &[("freeboard", use_of(1.2)), ("buckling_elastic", use_of(0.3))]),
-            &states,
-        );
-        let collapsed = Row {
-            status: RowStatus::Collapsed,
-            ..row(1.0, &[])
-        };
+        gathered.add(&row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(1.3))]), &states);
+        gathered.add(&row(1.0, &[("freeboard", use_of(1.2)), ("buckling_elastic", use_of(0.3))]), &states);
+        let collapsed = Row { status: RowStatus::Collapsed, ..row(1.0, &[]) };
         gathered.add(&collapsed, &states);
         assert_eq!(counts(&gathered, 0), (3, 3));
         assert_eq!(counts(&gathered, 1), (3, 2));
         assert_eq!(counts(&gathered, 2), (3, 2));
         // Y of the mildest state has the worse demands; a collapse has none.
-        let ratios: Vec<Option<f64>> = gathered.curves[&("a".to_owned(), 0)]
-            .runs
-            .iter()
-            .map(|r| r.ratio)
-            .collect();
+        let ratios: Vec<Option<f64>> = gathered.curves[&("a".to_owned(), 0)].runs.iter().map(|r| r.ratio).collect();
         assert_eq!(ratios, [Some(1.3), Some(1.2), None]);
         let of = |state: usize| &gathered.curves[&("a".to_owned(), state)];
-        assert_eq!(
-            of(2).ways,
-            [("buckling_elastic".into(), 1), (COLLAPSE.into(), 1)].into()
-        );
+        assert_eq!(of(2).ways, [("buckling_elastic".into(), 1), (COLLAPSE.into(), 1)].into());
         assert_eq!((of(0).ways["freeboard"], of(0).by_worse), (1, 2));
         assert_eq!((of(1).ways.len(), of(1).by_worse, of(2).by_worse), (0, 2, 0));
         assert_eq!(gathered.counts.values().next().unwrap(), &[[3, 3], [3, 2], [3, 2]]);
@@ -439,20 +386,8 @@ mod tests {
     fn a_demand_that_other_rows_have_checked_leaves_a_row_open() {
         let states = default_set();
         let use_of = Ending::Utilisation;
-        let open = row(
-            1.0,
-            &[
-                ("freeboard", use_of(0.2)),
-                ("buckling_elastic", Ending::Word("not_checked".into())),
-            ],
-        );
-        let reached = row(
-            2.0,
-            &[
-                ("freeboard", use_of(1.1)),
-                ("buckling_elastic", Ending::Word("not_checked".into())),
-            ],
-        );
+        let open = row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", Ending::Word("not_checked".into()))]);
+        let reached = row(2.0, &[("freeboard", use_of(1.1)), ("buckling_elastic", Ending::Word("not_checked".into()))]);
         let whole = row(3.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(0.4))]);
         let of = |rows: &[&Row]| {
             let mut gathered = Gathered::default();
@@ -469,10 +404,7 @@ mod tests {
         let states = default_set();
         let mut gathered = Gathered::default();
         let open = Ending::Word("not_checked".into());
-        gathered.add(
-            &row(1.0, &[("buckling_elastic", open.clone()), ("freeboard", open)]),
-            &states,
-        );
+        gathered.add(&row(1.0, &[("buckling_elastic", open.clone()), ("freeboard", open)]), &states);
         let data = &gathered.curves[&("a".to_owned(), 2)];
         assert!(data.runs.is_empty());
         assert_eq!(data.unjudged, 1);

@@ -25,11 +25,7 @@ pub const PLANNED: Kind = Kind {
 };
 
 /// The files of a merge.
-pub const MERGED: Kind = Kind {
-    names: merge::writes,
-    keeps: |name| !merge::writes(name),
-    ..PLANNED
-};
+pub const MERGED: Kind = Kind { names: merge::writes, keeps: |name| !merge::writes(name), ..PLANNED };
 
 /// The first file of a plan or a merge that was changed or removed since it was written. Scripts may be.
 pub fn differing(folder: &Path) -> Option<String> {
@@ -101,10 +97,7 @@ pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
     if head.format != FORMAT {
         return Err(fault(
             folder.join(PLAN),
-            format!(
-                "found the format `{}`, expected `{FORMAT}`; plan again in another folder",
-                head.format
-            ),
+            format!("found the format `{}`, expected `{FORMAT}`; plan again in another folder", head.format),
         ));
     }
     let plan: Plan = serde_json::from_slice(&text).map_err(|e| broken(PLAN, e))?;
@@ -119,10 +112,7 @@ pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
         .map_err(|e| broken(TASKS, e))?;
     match tasks.iter().all(|task| fits(&plan, task)) {
         true => Ok((plan, tasks)),
-        false => Err(fault(
-            folder.join(PLAN),
-            format!("does not have the tanks and records of {TASKS}; plan again"),
-        )),
+        false => Err(fault(folder.join(PLAN), format!("does not have the tanks and records of {TASKS}; plan again"))),
     }
 }
 

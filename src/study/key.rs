@@ -59,9 +59,7 @@ pub(super) fn of_tank(tank: &TankFile) -> String {
 
 /// What all rows of a study share.
 pub(super) fn of_study(study: &StudyInput) -> Value {
-    let Scales {
-        name, levels, factors, ..
-    } = &study.scales;
+    let Scales { name, levels, factors, .. } = &study.scales;
     json!({
         "method": METHOD,
         "engine": study.engine,

@@ -56,19 +56,13 @@ pub fn merge(
     progress.stage("reading results", tasks.len() as u64);
     let (mut columns, missing) = survey(folder, (plan, tasks), progress)?;
     if !partial && !missing.is_empty() {
-        return Err(Error::input(
-            Code::StudyIncomplete,
-            refusal(folder, tasks.len(), &missing),
-        ));
+        return Err(Error::input(Code::StudyIncomplete, refusal(folder, tasks.len(), &missing)));
     }
     progress.stage("writing rows", tasks.len() as u64);
     let mut all = Gathering {
         plan,
         tanks: tank_head(&columns.tanks),
-        gathered: Gathered {
-            judged: std::mem::take(&mut columns.judged),
-            ..Gathered::default()
-        },
+        gathered: Gathered { judged: std::mem::take(&mut columns.judged), ..Gathered::default() },
         columns,
         volumes: BTreeMap::new(),
         units: Tanks::default(),
@@ -176,10 +170,7 @@ impl Gathering<'_> {
         progress: &dyn Progress,
     ) -> Result<(), Error> {
         let unwritten = |e: std::io::Error| {
-            Error::Files(files::error::Error::Unwritten {
-                path: folder.join("rows.csv"),
-                what: describe(&e),
-            })
+            Error::Files(files::error::Error::Unwritten { path: folder.join("rows.csv"), what: describe(&e) })
         };
         let mut file = BufWriter::new(File::create(out.join("rows.csv")).map_err(unwritten)?);
         let mut hash = Rolling::new();
@@ -243,10 +234,7 @@ impl Gathering<'_> {
 
     /// Writes the tables beside `rows.csv`.
     fn write(mut self, out: &Path) -> Result<Merged, Error> {
-        write_whole(
-            &out.join("rows.sha256"),
-            format!("{}  rows.csv\n", self.merged.sha256).as_bytes(),
-        )?;
+        write_whole(&out.join("rows.sha256"), format!("{}  rows.csv\n", self.merged.sha256).as_bytes())?;
         write_whole(&out.join("tanks.csv"), self.tanks.as_bytes())?;
         write_whole(&out.join("farm.csv"), farm(&self.gathered, &self.volumes).as_bytes())?;
         let fragility = super::curves::fragility(self.plan, &self.gathered, &self.volumes, self.merged.missing);
@@ -288,10 +276,7 @@ fn refusal(folder: &Path, tasks: usize, missing: &[Missing<'_>]) -> String {
     for (task, what) in damaged.clone().take(NAMED) {
         let _ = write!(text, "\n  task {}: {} {what}", task.task, store::name(&task.key));
     }
-    let failed: Vec<_> = missing
-        .iter()
-        .filter_map(|(task, _)| store::failure(folder, &task.key))
-        .collect();
+    let failed: Vec<_> = missing.iter().filter_map(|(task, _)| store::failure(folder, &task.key)).collect();
     for failure in failed.iter().take(NAMED) {
         let _ = write!(text, "\n  task {}: {}", failure.task, failure.message);
     }
@@ -311,12 +296,7 @@ fn column(key: &str) -> String {
     let quantity = key.rsplit_once('.').and_then(|(_, id)| Quantity::from_id(id));
     match quantity {
         Some(quantity) => {
-            let unit: String = quantity
-                .dimension()
-                .si_symbol()
-                .chars()
-                .filter(char::is_ascii_alphanumeric)
-                .collect();
+            let unit: String = quantity.dimension().si_symbol().chars().filter(char::is_ascii_alphanumeric).collect();
             format!("{key}_{unit}")
         }
         None => key.to_owned(),
@@ -344,15 +324,7 @@ fn csv_row(text: &mut String, row: &Row, values: &BTreeSet<String>, checks: &BTr
     let peaks = row.peaks.map_or([None; 3], |p| p.map(Some));
     // The factor of a level is not known where there was no run.
     let factor = Some(row.factor).filter(|f| *f > 0.0);
-    for value in [
-        row.level,
-        factor,
-        row.im,
-        peaks[0],
-        peaks[1],
-        peaks[2],
-        row.usable_period,
-    ] {
+    for value in [row.level, factor, row.im, peaks[0], peaks[1], peaks[2], row.usable_period] {
         text.push(',');
         number(text, value);
     }
@@ -411,11 +383,7 @@ fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
         cell(&mut text, record);
         let _ = write!(text, ",{sample},");
         number(&mut text, Some(f64::from_bits(*im)));
-        let volume = lost
-            .tanks
-            .iter()
-            .filter_map(|tank| volumes.get(tank))
-            .fold(0.0, |sum, v| sum + v);
+        let volume = lost.tanks.iter().filter_map(|tank| volumes.get(tank)).fold(0.0, |sum, v| sum + v);
         let _ = write!(text, ",{},{},", lost.tanks.len() + lost.safe.len(), lost.tanks.len());
         number(&mut text, Some(super::rows::kept(volume)));
         text.push(',');

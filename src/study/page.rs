@@ -107,10 +107,7 @@ pub(super) fn page(
 ) -> Study {
     let end = end(plan, fragility);
     let gaps = gaps(plan, gathered, &tanks.gaps);
-    let by_status = merged
-        .by_status
-        .iter()
-        .map(|(word, count)| ((*word).to_owned(), *count));
+    let by_status = merged.by_status.iter().map(|(word, count)| ((*word).to_owned(), *count));
     let blank = |id: &str| StudyTank {
         id: id.into(),
         samples: [0, 0],
@@ -248,12 +245,7 @@ fn gaps(plan: &Plan, gathered: &Gathered, reasons: &BTreeMap<String, BTreeMap<St
                 }
                 None => all.push((
                     words,
-                    StudyGap {
-                        demand: demand.into(),
-                        tanks: vec![tank.id.clone()],
-                        rows,
-                        reason: reason.into(),
-                    },
+                    StudyGap { demand: demand.into(), tanks: vec![tank.id.clone()], rows, reason: reason.into() },
                 )),
             }
         }
@@ -280,19 +272,13 @@ fn curve(curve: &Curve, end: f64) -> StudyCurve {
         dispersion_band: scatter.map(|s| [s.dispersion.low, s.dispersion.high]),
         common: curve.common.map(|c| [c.median, c.dispersion]),
         rate: curve.risk.map(|r| [r.annual_rate, r.share_beyond_last]),
-        points: curve
-            .points
-            .iter()
-            .map(|p| (p.stripe.im, p.stripe.n, p.stripe.exceed, p.bounds))
-            .collect(),
+        points: curve.points.iter().map(|p| (p.stripe.im, p.stripe.n, p.stripe.exceed, p.bounds)).collect(),
         line: match fit {
             Some(fit) => (0..POINTS).map(|k| (at(k), fit.probability(at(k)))).collect(),
             None => Vec::new(),
         },
         band: (0..POINTS).filter_map(|k| band(at(k))).collect(),
-        partial: curve
-            .partial
-            .map(|p| [p.if_safe, p.if_reached].map(|c| c.map(|c| c.median))),
+        partial: curve.partial.map(|p| [p.if_safe, p.if_reached].map(|c| c.map(|c| c.median))),
         missing: curve.partial.map_or(0, |p| p.missing),
         unjudged: curve.unjudged.unwrap_or(0),
         never_checked: curve.never_checked.clone(),
@@ -302,9 +288,7 @@ fn curve(curve: &Curve, end: f64) -> StudyCurve {
 
 /// Runs of a tank in the worst state, with a demand greater than 0.
 fn demands(data: &Data) -> impl Iterator<Item = (&Seen, f64)> {
-    data.runs
-        .iter()
-        .filter_map(|run| Some((run, run.ratio.filter(|ratio| *ratio > 0.0)?)))
+    data.runs.iter().filter_map(|run| Some((run, run.ratio.filter(|ratio| *ratio > 0.0)?)))
 }
 
 /// Intensity → sum and number of ln Y.

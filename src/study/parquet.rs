@@ -174,10 +174,7 @@ pub(super) fn write(table: &Path, file: &Path) -> Result<(), Error> {
     written.map_err(|fault| {
         // The first error says more than one of removing what could not be written.
         let _ = std::fs::remove_file(&part);
-        Error::Files(files::error::Error::Unwritten {
-            path: file.into(),
-            what: fault.to_string(),
-        })
+        Error::Files(files::error::Error::Unwritten { path: file.into(), what: fault.to_string() })
     })
 }
 
@@ -246,10 +243,7 @@ mod tests {
             let row = row.unwrap();
             let found: Vec<(String, Field)> = row.get_column_iter().map(|(n, f)| (n.clone(), f.clone())).collect();
             assert_eq!(found.iter().map(|(_, field)| field.clone()).collect::<Vec<_>>(), wanted);
-            assert_eq!(
-                (found[6].0.as_str(), found[7].0.as_str()),
-                ("fe.hoop_utilisation", "fe.hoop_ending")
-            );
+            assert_eq!((found[6].0.as_str(), found[7].0.as_str()), ("fe.hoop_utilisation", "fe.hoop_ending"));
         }
         // The same rows, the same bytes; nothing is left beside.
         let bytes = std::fs::read(&file).unwrap();

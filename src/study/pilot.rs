@@ -40,12 +40,7 @@ pub fn run(folder: &Path, study: &StudyInput, plan: &Plan, tasks: &[Task]) -> Re
     let mut classes: BTreeMap<&'static str, Class> = BTreeMap::new();
     for task in tasks {
         let name = class(study, task);
-        let class = classes.entry(name).or_insert_with(|| Class {
-            name,
-            tasks: [0, 0],
-            rows_left: 0,
-            row: None,
-        });
+        let class = classes.entry(name).or_insert_with(|| Class { name, tasks: [0, 0], rows_left: 0, row: None });
         class.tasks[0] += 1;
         if store::find(folder, plan, task).whole() {
             class.tasks[1] += 1;
@@ -69,10 +64,7 @@ pub fn run(folder: &Path, study: &StudyInput, plan: &Plan, tasks: &[Task]) -> Re
 /// The class of a task, by its first tank without sampling.
 fn class(study: &StudyInput, task: &Task) -> &'static str {
     let first = task.tanks.first().map(|(tank, _)| &study.tanks[*tank]);
-    match first
-        .and_then(|entry| entry.tank(None, 0).ok())
-        .map(|tank| tank.case.tank.support)
-    {
+    match first.and_then(|entry| entry.tank(None, 0).ok()).map(|tank| tank.case.tank.support) {
         _ if study.engine.is_none() => "codes alone",
         Some(Support::Unanchored) => "unanchored",
         Some(Support::Anchored) => "anchored",

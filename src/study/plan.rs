@@ -284,10 +284,7 @@ impl Sampled {
 /// Whether another value in the same place may be right.
 fn of_the_value(code: Code) -> bool {
     use Code::{Contradiction, LiquidAboveWall, NotFinite, OutOfRange, Unsupported};
-    matches!(
-        code,
-        OutOfRange | NotFinite | Contradiction | LiquidAboveWall | Unsupported
-    )
+    matches!(code, OutOfRange | NotFinite | Contradiction | LiquidAboveWall | Unsupported)
 }
 
 /// The records of a plan and, where a rule asks for them, the records along x.
@@ -337,21 +334,14 @@ fn planned(id: &str, shaking: &Shaking) -> PlannedRecord {
 
 /// The tasks of a plan: tank by tank, sample by sample, block by block.
 fn tasks(study: &StudyInput, plan: &Plan, scales: usize) -> Vec<Task> {
-    let units: Vec<(usize, u32)> = (0..plan.tanks.len())
-        .flat_map(|tank| (0..plan.samples).map(move |sample| (tank, sample)))
-        .collect();
+    let units: Vec<(usize, u32)> =
+        (0..plan.tanks.len()).flat_map(|tank| (0..plan.samples).map(move |sample| (tank, sample))).collect();
     let records = plan.records.len();
     let mut tasks = Vec::new();
     let mut add = |tanks: &[(usize, u32)], range: Range<usize>| {
         let rows = tanks.len() * (range.len() * scales).max(1);
         let key = key_of(study, plan, tanks, range.clone());
-        tasks.push(Task {
-            task: tasks.len() + 1,
-            tanks: tanks.to_vec(),
-            records: [range.start, range.end],
-            rows,
-            key,
-        });
+        tasks.push(Task { task: tasks.len() + 1, tanks: tanks.to_vec(), records: [range.start, range.end], rows, key });
     };
     if study.engine.is_none() || records == 0 {
         let each = (records * scales).max(1);
@@ -426,13 +416,7 @@ pub(super) mod tests {
 
     /// The task of a tank by its number from 1.
     pub(crate) fn task(number: usize) -> Task {
-        Task {
-            task: number,
-            tanks: vec![(number - 1, 0)],
-            records: [0, 2],
-            rows: 2,
-            key: format!("{number}bcd"),
-        }
+        Task { task: number, tanks: vec![(number - 1, 0)], records: [0, 2], rows: 2, key: format!("{number}bcd") }
     }
 
     /// Its result.
@@ -451,10 +435,7 @@ pub(super) mod tests {
             values: Default::default(),
         };
         let row = |record: &PlannedRecord| {
-            Line::Row(Box::new(Row {
-                factor: 0.3,
-                ..Row::blank(tank, 0, &record.id, RowStatus::Ok)
-            }))
+            Line::Row(Box::new(Row { factor: 0.3, ..Row::blank(tank, 0, &record.id, RowStatus::Ok) }))
         };
         let rows = plan.records.iter().map(row);
         std::iter::once(Line::Tank(Box::new(head))).chain(rows).collect()

@@ -132,24 +132,8 @@ pub struct Answer {
 /// Errors: a tank file without the site of the code.
 pub fn elastic(site: &Site, code: Standard, damping: f64) -> Result<Curve, Error> {
     let (own, key, of) = match code {
-        Standard::En1998 => (
-            Site {
-                api650: None,
-                zone: None,
-                ..site.clone()
-            },
-            "site.ec8",
-            "elastic",
-        ),
-        Standard::Asce716 => (
-            Site {
-                ec8: None,
-                zone: None,
-                ..site.clone()
-            },
-            "site.api650",
-            "design",
-        ),
+        Standard::En1998 => (Site { api650: None, zone: None, ..site.clone() }, "site.ec8", "elastic"),
+        Standard::Asce716 => (Site { ec8: None, zone: None, ..site.clone() }, "site.api650", "design"),
     };
     let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&own, &[damping]));
     let Some(found) = curves.next() else {
@@ -181,10 +165,7 @@ pub fn longest(site: &Site) -> f64 {
 /// Errors: a tank without a procedure that gives one.
 pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
     let job = Job {
-        case: Case {
-            ground_motion: None,
-            ..case.clone()
-        },
+        case: Case { ground_motion: None, ..case.clone() },
         project: None,
         procedures: pipeline::procedures::select_procedures(&[])?,
         decision: decision.clone(),
@@ -201,12 +182,7 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
         usable_periods: Vec::new(),
     };
     let (methods, verdict) = pipeline::procedures::decide(&job)?;
-    let decides = |m: &&Column| {
-        verdict
-            .deciding
-            .iter()
-            .any(|d| d.method == m.id && d.excitation == m.excitation)
-    };
+    let decides = |m: &&Column| verdict.deciding.iter().any(|d| d.method == m.id && d.excitation == m.excitation);
     let in_force = |m: &&Column| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&case.site));
     let (first, rest): (Vec<&Column>, Vec<&Column>) = methods.iter().partition(decides);
     let (second, superseded): (Vec<&Column>, Vec<&Column>) = rest.into_iter().partition(in_force);
@@ -229,18 +205,10 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
 /// The periods of a tank at which a rule is asked: impulsive and sloshing [s], each with the short name of what gives it, and that of its isolators.
 pub fn both(case: &Case, periods: [Option<(f64, &'static str)>; 2]) -> Vec<Wanted> {
     let [impulsive, sloshing] = periods;
-    let found = [
-        ("impulsive", impulsive, FIVE),
-        ("sloshing", sloshing, case.damping.sloshing),
-    ];
+    let found = [("impulsive", impulsive, FIVE), ("sloshing", sloshing, case.damping.sloshing)];
     let wanted = found.into_iter().filter_map(|(which, period, damping)| {
         let (period, of) = period?;
-        Some(Wanted {
-            which,
-            period,
-            damping,
-            of,
-        })
+        Some(Wanted { which, period, damping, of })
     });
     wanted.chain(isolated(case)).collect()
 }
@@ -255,12 +223,7 @@ fn isolated(case: &Case) -> Option<Wanted> {
         Bearing::LeadRubber { yielded, .. } => (yielded / mass).sqrt(),
         Bearing::Elastomer { stiffness, .. } => (stiffness / mass).sqrt(),
     };
-    Some(Wanted {
-        which: "isolators",
-        period: TAU / omega,
-        damping: FIVE,
-        of: "isolators",
-    })
+    Some(Wanted { which: "isolators", period: TAU / omega, damping: FIVE, of: "isolators" })
 }
 
 /// Whether the target reaches twice every period.
@@ -329,11 +292,7 @@ pub fn answer(question: &Question<'_>, set: &[Horizontal<'_>]) -> Result<Answer,
     let mut periods = Vec::new();
     for wanted in question.wanted {
         let target = question.curve(wanted.damping)?;
-        let asked = Asked {
-            period: wanted.period,
-            damping: wanted.damping,
-            target: &*target,
-        };
+        let asked = Asked { period: wanted.period, damping: wanted.damping, target: &*target };
         periods.push((*wanted, record_set::ratios(code, set, &asked)));
     }
     let smallest = periods.iter().map(|(_, r)| r.smallest.0).fold(f64::INFINITY, f64::min);
@@ -363,22 +322,14 @@ fn wanted(rule: &Rule, tank: &TankFile) -> Result<Vec<Wanted>, Error> {
         _ => true,
     };
     match rule.periods {
-        RulePeriods::Given(period) => Ok(vec![Wanted {
-            which: "given",
-            period,
-            damping: FIVE,
-            of: "",
-        }]),
+        RulePeriods::Given(period) => Ok(vec![Wanted { which: "given", period, damping: FIVE, of: "" }]),
         _ => Ok(periods(&tank.case, &tank.decision)?.into_iter().filter(kept).collect()),
     }
 }
 
 /// An error with the name of its tank.
 fn of_tank(id: &str, error: &Error) -> Error {
-    Error::input(
-        error.code().unwrap_or(Code::MissingInput),
-        format!("{}\n  tank: {id}", error.to_string().trim_end()),
-    )
+    Error::input(error.code().unwrap_or(Code::MissingInput), format!("{}\n  tank: {id}", error.to_string().trim_end()))
 }
 
 /// Periods of the spectra in a decade, evenly spaced in ln T, as in [`record_set::ratios`].

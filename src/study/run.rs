@@ -165,9 +165,7 @@ fn admit(
     };
     let jobs = threads.clamp(1, todo.len().max(1));
     let mut all = times(jobs);
-    let fewer = (1..jobs)
-        .rev()
-        .map(|jobs| (format!("use --jobs {jobs}"), times(jobs).bytes(), one.seconds));
+    let fewer = (1..jobs).rev().map(|jobs| (format!("use --jobs {jobs}"), times(jobs).bytes(), one.seconds));
     all.lever.smaller = fewer.collect();
     Ok(all.hold(limit(given))?)
 }

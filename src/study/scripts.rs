@@ -76,9 +76,7 @@ fn directives(word: &str, arguments: &str) -> String {
 /// The number of the task that a task engine gives its process.
 pub fn of_environment() -> Option<usize> {
     let number = |name: &str| std::env::var(name).ok()?.trim().parse().ok();
-    ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID", "PBS_ARRAY_INDEX"]
-        .into_iter()
-        .find_map(number)
+    ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID", "PBS_ARRAY_INDEX"].into_iter().find_map(number)
 }
 
 #[cfg(test)]

@@ -74,10 +74,7 @@ fn path(folder: &Path, key: &str, end: &str) -> PathBuf {
 }
 
 fn unwritten(path: &Path, error: &std::io::Error) -> Error {
-    Error::Files(files::error::Error::Unwritten {
-        path: path.into(),
-        what: describe(error),
-    })
+    Error::Files(files::error::Error::Unwritten { path: path.into(), what: describe(error) })
 }
 
 /// End of the name of the mark of a task that is being computed: `<key>.<host>.<process>.<thread>.run`, empty.
@@ -198,11 +195,7 @@ fn publish(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 /// Name of this machine, for names of files and messages alone.
 fn host() -> String {
     let name = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
-    let plain: String = name
-        .trim()
-        .chars()
-        .filter(|c| c.is_ascii_alphanumeric() || *c == '-')
-        .collect();
+    let plain: String = name.trim().chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
     match plain.is_empty() {
         true => "host".into(),
         false => plain,
@@ -218,11 +211,7 @@ pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<usize, Error> {
         serde_json::to_writer(&mut text, line).map_err(|e| Error::report(e.to_string()))?;
         text.push(b'\n');
     }
-    let closing = Closing {
-        key: key.into(),
-        lines: lines.len(),
-        sha256: super::key::hex(&text),
-    };
+    let closing = Closing { key: key.into(), lines: lines.len(), sha256: super::key::hex(&text) };
     serde_json::to_writer(&mut text, &closing).map_err(|e| Error::report(e.to_string()))?;
     text.push(b'\n');
     publish(&path(folder, key, LINES), &text)?;
@@ -234,11 +223,7 @@ pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<usize, Error> {
 ///
 /// Errors: those of the file system.
 pub fn fail(folder: &Path, key: &str, task: usize, message: &str) -> Result<(), Error> {
-    let failure = Failure {
-        task,
-        message: message.into(),
-        host: host(),
-    };
+    let failure = Failure { task, message: message.into(), host: host() };
     let text = serde_json::to_vec_pretty(&failure).map_err(|e| Error::report(e.to_string()))?;
     publish(&path(folder, key, ".err.json"), &text)
 }
@@ -297,9 +282,7 @@ fn whole(bytes: &[u8], key: &str) -> Result<Vec<Line>, String> {
         return Err(format!("is the result of another task, {}", closing.key));
     }
     let all = serde_json::Deserializer::from_slice(lines).into_iter();
-    let all: Vec<Line> = all
-        .collect::<Result<_, _>>()
-        .map_err(|e| format!("is not a result of this program: {e}"))?;
+    let all: Vec<Line> = all.collect::<Result<_, _>>().map_err(|e| format!("is not a result of this program: {e}"))?;
     match all.len() == closing.lines {
         true => Ok(all),
         false => Err(torn()),

@@ -45,20 +45,11 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         .map(|number| Ok((number, study.records[number].read()?)))
         .collect::<Result<_, files::error::Error>>()?;
     let tank_keys = tanks.iter().map(|(&unit, tank)| (unit, of_sample(tank))).collect();
-    let record_keys = records
-        .iter()
-        .map(|(&number, shaking)| (number, key::of_shaking(shaking)))
-        .collect();
+    let record_keys = records.iter().map(|(&number, shaking)| (number, key::of_shaking(shaking))).collect();
     unchanged(plan, &tank_keys, &record_keys)?;
     let mut lines = Vec::new();
     for ((tank, sample), found) in tanks {
-        let unit = Unit {
-            study,
-            plan,
-            id: &plan.tanks[tank].id,
-            sample,
-            records: &records,
-        };
+        let unit = Unit { study, plan, id: &plan.tanks[tank].id, sample, records: &records };
         match found {
             Ok(found) => unit.rows(found, &mut lines)?,
             Err(faults) => unit.refused(&refusal(&faults), &mut lines),
@@ -78,13 +69,7 @@ pub(super) fn estimate(study: &StudyInput, plan: &Plan, unit: (usize, u32)) -> R
     let Ok(tank) = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1) else {
         return Ok(None);
     };
-    let of = Unit {
-        study,
-        plan,
-        id: &plan.tanks[unit.0].id,
-        sample: unit.1,
-        records: &BTreeMap::new(),
-    };
+    let of = Unit { study, plan, id: &plan.tanks[unit.0].id, sample: unit.1, records: &BTreeMap::new() };
     let mut job = of.job(&tank)?;
     job.case.ground_motion = Some(GroundMotion {
         horizontal: Record {
@@ -124,30 +109,17 @@ pub(super) fn single(
 ) -> Result<Job, Error> {
     let found = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1);
     let raw = study.records[record].read()?;
-    unchanged(
-        plan,
-        &[(unit, of_sample(&found))].into(),
-        &[(record, key::of_shaking(&raw))].into(),
-    )?;
+    unchanged(plan, &[(unit, of_sample(&found))].into(), &[(record, key::of_shaking(&raw))].into())?;
     let tank = found.map_err(|faults| Error::Files(faults.into_error(&study.source)))?;
     let shaking = raw.processed(&tank.record)?;
-    let of = Unit {
-        study,
-        plan,
-        id: &plan.tanks[unit.0].id,
-        sample: unit.1,
-        records: &BTreeMap::new(),
-    };
+    let of = Unit { study, plan, id: &plan.tanks[unit.0].id, sample: unit.1, records: &BTreeMap::new() };
     let mut job = of.job(&tank)?;
     job.case.ground_motion = Some(motion(&shaking, factor));
     job.linear = tank.fe.clone();
     job.project = study.project.clone().or_else(|| tank.project.clone());
     job.usable_periods = vec![shaking.usable; 1 + usize::from(shaking.across.is_some())];
-    job.raw_records = [Some(&shaking.along), shaking.across.as_ref(), shaking.up.as_ref()]
-        .into_iter()
-        .flatten()
-        .cloned()
-        .collect();
+    job.raw_records =
+        [Some(&shaking.along), shaking.across.as_ref(), shaking.up.as_ref()].into_iter().flatten().cloned().collect();
     job.echo = tank.echo;
     Ok(job)
 }
@@ -281,10 +253,7 @@ impl Unit<'_> {
             procedures,
             decision,
             engines: self.study.engine.into_iter().collect(),
-            linear: engines::Options {
-                mesh_error: false,
-                ..tank.fe.clone()
-            },
+            linear: engines::Options { mesh_error: false, ..tank.fe.clone() },
             solid: tank.solid.clone(),
             nonlinear: tank.nonlinear.clone(),
             checkpoint: None,

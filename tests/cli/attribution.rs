@@ -7,14 +7,8 @@ use crate::compare::{stderr, tankcheck};
 
 const QUAKE: &str = "examples/records/elcentro.csv";
 /// Quantities with the exchange of ingredients.
-const HEADLINES: [&str; 6] = [
-    "sloshing_height",
-    "base_shear",
-    "base_moment",
-    "overturning_moment",
-    "hoop_stress",
-    "axial_membrane_stress",
-];
+const HEADLINES: [&str; 6] =
+    ["sloshing_height", "base_shear", "base_moment", "overturning_moment", "hoop_stress", "axial_membrane_stress"];
 
 fn results(tank: &str) -> Value {
     let home = tempfile::tempdir().expect("a temporary folder");
@@ -32,17 +26,12 @@ fn list<'a>(value: &'a Value, key: &str) -> &'a [Value] {
 fn closes(tank: &str) {
     let results = results(tank);
     let methods = list(&results, "methods");
-    let fe = methods
-        .iter()
-        .find(|m| m["id"] == "fe")
-        .expect("the engine is a method");
+    let fe = methods.iter().find(|m| m["id"] == "fe").expect("the engine is a method");
     let found = list(&results["comparison"], "attribution");
     for a in found {
         let quantity = a["quantity"].as_str().expect("an id");
-        let method = methods
-            .iter()
-            .find(|m| m["id"] == a["method"] && m["excitation"] == a["excitation"])
-            .expect("its method");
+        let method =
+            methods.iter().find(|m| m["id"] == a["method"] && m["excitation"] == a["excitation"]).expect("its method");
         let value = |m: &Value| m["quantities"][quantity]["value"].as_f64().expect("its value");
         let ratio = value(method) / value(fe);
         let mut product = 1.0;
@@ -53,10 +42,7 @@ fn closes(tank: &str) {
         }
         let what = format!("{tank}: {quantity} of {} under {}", a["method"], a["excitation"]);
         assert!((product / ratio - 1.0).abs() < 1e-9, "{what}: {product} {ratio}");
-        assert!(
-            (a["ratio"].as_f64().expect("a ratio") / ratio - 1.0).abs() < 1e-12,
-            "{what}"
-        );
+        assert!((a["ratio"].as_f64().expect("a ratio") / ratio - 1.0).abs() < 1e-12, "{what}");
         // Ladders go through all their rungs; the exchange of ingredients follows the list.
         if HEADLINES.contains(&quantity) {
             assert!(order.windows(2).all(|pair| pair[0] < pair[1]), "{what}: {order:?}");
@@ -73,11 +59,7 @@ fn closes(tank: &str) {
             let made = found.iter().any(|a| {
                 a["method"] == method["id"] && a["excitation"] == method["excitation"] && a["quantity"] == quantity
             });
-            assert_eq!(
-                made, expected,
-                "{tank}: {quantity} of {id} under {}",
-                method["excitation"]
-            );
+            assert_eq!(made, expected, "{tank}: {quantity} of {id} under {}", method["excitation"]);
         }
     }
 }

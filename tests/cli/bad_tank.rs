@@ -63,11 +63,7 @@ pub(crate) fn message(content: impl AsRef<[u8]>) -> String {
 
 /// The message for the good file with one passage replaced.
 fn spoiled(from: &str, to: &str) -> String {
-    assert_eq!(
-        GOOD.matches(from).count(),
-        1,
-        "`{from}` must stand once in the good file"
-    );
+    assert_eq!(GOOD.matches(from).count(), 1, "`{from}` must stand once in the good file");
     message(GOOD.replace(from, to))
 }
 
@@ -80,39 +76,24 @@ pub(crate) fn has(message: &str, parts: &[&str]) {
 #[test]
 fn files_that_are_none() {
     let folder = tempfile::tempdir().unwrap();
-    has(
-        &refused(folder.path(), "none.json", None),
-        &["none.json", "no such file", "tankcheck init"],
-    );
+    has(&refused(folder.path(), "none.json", None), &["none.json", "no such file", "tankcheck init"]);
     has(&refused(folder.path(), ".", None), &["folder"]);
     has(&message(""), &["tank.json", "empty"]);
     has(&message(" \n"), &["tank.json", "empty"]);
     has(&message("// nothing\n"), &["tank.json", "only comments"]);
-    has(
-        &message(b"{ \"name\": \"M\xFCnchen\" }"),
-        &["tank.json", "line 1", "0xfc", "UTF-8"],
-    );
+    has(&message(b"{ \"name\": \"M\xFCnchen\" }"), &["tank.json", "line 1", "0xfc", "UTF-8"]);
     has(&message([0xFF, 0xFE, b'{', 0]), &["tank.json", "UTF-16"]);
     has(&message([0x1F, 0x8B, 0, 0xFF, 0, 0x80]), &["tank.json", "UTF-8"]);
     has(&message(vec![b' '; 2 << 20]), &["tank.json", "1 MiB"]);
-    has(
-        &message("[".repeat(100_000)),
-        &["tank.json", "nested too deeply", "at most 32"],
-    );
-    has(
-        &message("[1, 2]"),
-        &["tank.json:1:1", "a list is not allowed here", "an object"],
-    );
+    has(&message("[".repeat(100_000)), &["tank.json", "nested too deeply", "at most 32"]);
+    has(&message("[1, 2]"), &["tank.json:1:1", "a list is not allowed here", "an object"]);
 }
 
 #[test]
 fn standard_input() {
     let folder = tempfile::tempdir().unwrap();
     let text = GOOD.replace("1.83 m", "1.83 kg");
-    has(
-        &refused(folder.path(), "-", Some(&text)),
-        &["<stdin>:5:15", "tank.radius"],
-    );
+    has(&refused(folder.path(), "-", Some(&text)), &["<stdin>:5:15", "tank.radius"]);
     has(&refused(folder.path(), "-", None), &["<stdin>", "empty"]);
 }
 
@@ -133,47 +114,26 @@ fn truncated_anywhere() {
 
 #[test]
 fn syntax() {
-    has(
-        &spoiled("\"1.83 m\"", "1.83 m"),
-        &["tank.json:5:15", "must be in quotes", "write \"1.83 m\""],
-    );
-    has(
-        &spoiled("\"1.83 m\"", "1.83m"),
-        &["tank.json:5:15", "1.83m", "\"1.83 m\""],
-    );
+    has(&spoiled("\"1.83 m\"", "1.83 m"), &["tank.json:5:15", "must be in quotes", "write \"1.83 m\""]);
+    has(&spoiled("\"1.83 m\"", "1.83m"), &["tank.json:5:15", "1.83m", "\"1.83 m\""]);
     has(&spoiled("0.32", "NaN"), &["tank.json:14:", "NaN", "finite"]);
     has(&spoiled("0.32", "Infinity"), &["Infinity", "finite"]);
     has(&spoiled("0.32", "-inf"), &["inf", "finite"]);
-    has(
-        &spoiled("0.32", "1e999"),
-        &["1e999", "materials.aluminium.poisson_ratio", "finite"],
-    );
+    has(&spoiled("0.32", "1e999"), &["1e999", "materials.aluminium.poisson_ratio", "finite"]);
     has(&spoiled("0.32", "0,32"), &["tank.json:14:"]);
     has(&spoiled("0.32", "032"), &["032", "not a number"]);
     has(&spoiled("\"anchored\",", "\"anchored\""), &["tank.json:6:", "comma"]);
     has(&spoiled("\"radius\":", "\"radius\""), &["tank.json:5:", "colon"]);
-    has(
-        &spoiled("\"radius\":", "radius:"),
-        &["tank.json:5:5", "radius", "quotes"],
-    );
+    has(&spoiled("\"radius\":", "radius:"), &["tank.json:5:5", "radius", "quotes"]);
     has(&spoiled("\"anchored\"", "'anchored'"), &["tank.json:6:", "quotes"]);
-    has(
-        &message(format!("{GOOD}{{}}")),
-        &["tank.json:18:1", "after the end of the document"],
-    );
+    has(&message(format!("{GOOD}{{}}")), &["tank.json:18:1", "after the end of the document"]);
 }
 
 #[test]
 fn keys() {
     has(
         &spoiled("\"radius\"", "\"radios\""),
-        &[
-            "tank.json:5:5",
-            "unknown key `radios`",
-            "tank.radios",
-            "did you mean `radius`?",
-            "1 fault",
-        ],
+        &["tank.json:5:5", "unknown key `radios`", "tank.radios", "did you mean `radius`?", "1 fault"],
     );
     for (key, hint) in [
         ("diameter", "half of the diameter"),
@@ -211,55 +171,28 @@ fn keys() {
         &spoiled("\"density\": \"1000 kg/m3\"", "\"specific_gravity\": 0.87"),
         &["unknown key `specific_gravity`", "870 kg/m3", "1 fault in"],
     );
-    for (written, density) in [
-        ("0.99", "990 kg/m3"),
-        ("\"0.99\"", "990 kg/m3"),
-        ("1.025", "1025 kg/m3"),
-        ("13.6", "13600 kg/m3"),
-    ] {
-        has(
-            &spoiled("\"1000 kg/m3\"", written),
-            &["liquid.density", "a specific gravity", density, "1 fault in"],
-        );
+    for (written, density) in
+        [("0.99", "990 kg/m3"), ("\"0.99\"", "990 kg/m3"), ("1.025", "1025 kg/m3"), ("13.6", "13600 kg/m3")]
+    {
+        has(&spoiled("\"1000 kg/m3\"", written), &["liquid.density", "a specific gravity", density, "1 fault in"]);
     }
     let site = "\"site\": { \"api650\": { \"ss\": 1, \"s1\": 0.4, \"site_class\": \"D\", \"tl\": 4, \"importance\": 1.25 } }, \"record\"";
-    has(
-        &spoiled("\"record\"", site),
-        &["unknown key `importance`", "give `sug`", "1 fault in"],
-    );
+    has(&spoiled("\"record\"", site), &["unknown key `importance`", "give `sug`", "1 fault in"]);
     // Open is a tank without `roof`.
     has(
         &spoiled("\"courses\"", "\"roof\": { \"type\": \"open\" }, \"courses\""),
         &["the key `mass` is missing", "remove `roof`"],
     );
+    has(&spoiled("\"record\"", "\"colour\""), &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"]);
     has(
-        &spoiled("\"record\"", "\"colour\""),
-        &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"],
-    );
-    has(
-        &spoiled(
-            "\"poisson_ratio\": 0.32,",
-            "\"poisson_ratio\": 0.32, \"poisson_ratio\": 0.3,",
-        ),
-        &[
-            "tank.json:14:",
-            "duplicate key `poisson_ratio`",
-            "materials.aluminium.poisson_ratio",
-            "line 14",
-        ],
+        &spoiled("\"poisson_ratio\": 0.32,", "\"poisson_ratio\": 0.32, \"poisson_ratio\": 0.3,"),
+        &["tank.json:14:", "duplicate key `poisson_ratio`", "materials.aluminium.poisson_ratio", "line 14"],
     );
     has(
         &spoiled("\"fill_height\": \"1.525 m\"", "\"density \": 3"),
-        &[
-            "the key `fill_height` is missing",
-            "liquid.fill_height",
-            "\"fill_height\": \"1.83 m\"",
-        ],
+        &["the key `fill_height` is missing", "liquid.fill_height", "\"fill_height\": \"1.83 m\""],
     );
-    has(
-        &spoiled("\"radius\": \"1.83 m\",", ""),
-        &["the key `radius` is missing", "tank.radius", "tank.json:3:11"],
-    );
+    has(&spoiled("\"radius\": \"1.83 m\",", ""), &["the key `radius` is missing", "tank.radius", "tank.json:3:11"]);
     has(
         &spoiled("\"cylinder\"", "\"rectangle\""),
         &["radius does not apply to a rectangle", "`length`", "`breadth`", "strip"],
@@ -270,50 +203,20 @@ fn keys() {
 fn units() {
     has(
         &spoiled("\"1.83 m\"", "\"1.83 kg\""),
-        &[
-            "tank.json:5:15",
-            "tank.radius",
-            "a mass",
-            "a length such as \"1.83 m\"",
-            "found \"1.83 kg\"",
-        ],
+        &["tank.json:5:15", "tank.radius", "a mass", "a length such as \"1.83 m\"", "found \"1.83 kg\""],
     );
-    has(
-        &spoiled("\"1.83 m\"", "1.83"),
-        &["tank.radius", "unit is missing", "found 1.83", "for example \"1.83 m\""],
-    );
+    has(&spoiled("\"1.83 m\"", "1.83"), &["tank.radius", "unit is missing", "found 1.83", "for example \"1.83 m\""]);
     has(&spoiled("\"1.83 m\"", "\"1.83\""), &["tank.radius", "unit is missing"]);
     // The unit of the example of the key: plates are in mm.
-    has(
-        &spoiled("\"2.03 mm\"", "\"2.03\""),
-        &["unit is missing", "for example \"2.03 mm\" if it is mm"],
-    );
-    has(
-        &spoiled("\"2.03 mm\"", "\"5/16 in\""),
-        &["not a decimal number", "write \"0.3125 in\""],
-    );
-    has(
-        &spoiled("\"69 GPa\"", "\"69 Gpa\""),
-        &["youngs_modulus", "unknown unit `Gpa`", "did you mean `GPa`?"],
-    );
-    has(
-        &spoiled("\"1.83 m\"", "\"1,83 m\""),
-        &["tank.radius", "did you mean `1.83 m`?"],
-    );
+    has(&spoiled("\"2.03 mm\"", "\"2.03\""), &["unit is missing", "for example \"2.03 mm\" if it is mm"]);
+    has(&spoiled("\"2.03 mm\"", "\"5/16 in\""), &["not a decimal number", "write \"0.3125 in\""]);
+    has(&spoiled("\"69 GPa\"", "\"69 Gpa\""), &["youngs_modulus", "unknown unit `Gpa`", "did you mean `GPa`?"]);
+    has(&spoiled("\"1.83 m\"", "\"1,83 m\""), &["tank.radius", "did you mean `1.83 m`?"]);
     for text in ["NaN m", "inf m", "-inf m", "1e999 m"] {
-        has(
-            &spoiled("\"1.83 m\"", &format!("\"{text}\"")),
-            &["tank.radius", text, "not a finite number"],
-        );
+        has(&spoiled("\"1.83 m\"", &format!("\"{text}\"")), &["tank.radius", text, "not a finite number"]);
     }
-    has(
-        &spoiled("\"1.83 m\"", "null"),
-        &["tank.radius", "null is not allowed here"],
-    );
-    has(
-        &spoiled("\"1.83 m\"", "[\"1.83 m\"]"),
-        &["tank.radius", "a list is not allowed here"],
-    );
+    has(&spoiled("\"1.83 m\"", "null"), &["tank.radius", "null is not allowed here"]);
+    has(&spoiled("\"1.83 m\"", "[\"1.83 m\"]"), &["tank.radius", "a list is not allowed here"]);
 }
 
 #[test]
@@ -321,42 +224,19 @@ fn ranges() {
     for (text, say) in [("-2.03 mm", "positive"), ("0 mm", "positive"), ("11 m", "too large")] {
         has(
             &spoiled("\"2.03 mm\"", &format!("\"{text}\"")),
-            &[
-                "tank.json:8:43",
-                "tank.courses[0].thickness",
-                say,
-                text,
-                "at least 0.001 mm, at most 10 m",
-            ],
+            &["tank.json:8:43", "tank.courses[0].thickness", say, text, "at least 0.001 mm, at most 10 m"],
         );
     }
-    has(
-        &spoiled("\"1.83 m\"", "\"-1.83 m\""),
-        &["tank.radius", "positive", "-1.83 m"],
-    );
-    has(
-        &spoiled("\"1000 kg/m3\"", "\"0 kg/m3\""),
-        &["liquid.density", "too small"],
-    );
-    has(
-        &spoiled("\"1000 kg/m3\"", "\"870 t/m3\""),
-        &["liquid.density", "too large", "did you mean \"870 kg/m3\"?"],
-    );
+    has(&spoiled("\"1.83 m\"", "\"-1.83 m\""), &["tank.radius", "positive", "-1.83 m"]);
+    has(&spoiled("\"1000 kg/m3\"", "\"0 kg/m3\""), &["liquid.density", "too small"]);
+    has(&spoiled("\"1000 kg/m3\"", "\"870 t/m3\""), &["liquid.density", "too large", "did you mean \"870 kg/m3\"?"]);
     has(
         &spoiled("0.32", "0.5"),
-        &[
-            "tank.json:14:",
-            "materials.aluminium.poisson_ratio",
-            "found 0.5",
-            "at least 0, less than 0.5",
-        ],
+        &["tank.json:14:", "materials.aluminium.poisson_ratio", "found 0.5", "at least 0, less than 0.5"],
     );
     has(&spoiled("0.32", "-0.1"), &["poisson_ratio", "found -0.1"]);
     has(&spoiled("\"0.5 g\"", "\"0 g\""), &["record.scale_to", "positive"]);
-    has(
-        &spoiled("\"0.5 g\"", "\"0.5 g\", \"scale_by\": 2"),
-        &["record.scale_by", "exclude each other"],
-    );
+    has(&spoiled("\"0.5 g\"", "\"0.5 g\", \"scale_by\": 2"), &["record.scale_by", "exclude each other"]);
     has(
         &spoiled("\"record\": {", "\"damping\": { \"impulsive\": 1 }, \"record\": {"),
         &["damping.impulsive", "at most 0.28"],
@@ -367,13 +247,7 @@ fn ranges() {
 fn cross_checks() {
     has(
         &spoiled("\"1.525 m\"", "\"1.9 m\""),
-        &[
-            "tank.json:12:",
-            "liquid.fill_height",
-            "higher than the wall",
-            "found \"1.9 m\"",
-            "at most 1.830 m",
-        ],
+        &["tank.json:12:", "liquid.fill_height", "higher than the wall", "found \"1.9 m\"", "at most 1.830 m"],
     );
     // Courses that end below the liquid.
     let courses = spoiled(
@@ -382,58 +256,27 @@ fn cross_checks() {
     );
     has(&courses, &["the sum of the heights of tank.courses", "at most 1.515 m"]);
     has(
-        &spoiled(
-            "\"2.03 mm\", \"material\": \"aluminium\"",
-            "\"2.03 mm\", \"material\": \"aluminum\"",
-        ),
-        &[
-            "tank.courses[0].material",
-            "unknown material `aluminum`",
-            "did you mean \"aluminium\"?",
-        ],
+        &spoiled("\"2.03 mm\", \"material\": \"aluminium\"", "\"2.03 mm\", \"material\": \"aluminum\""),
+        &["tank.courses[0].material", "unknown material `aluminum`", "did you mean \"aluminium\"?"],
     );
     has(
         &spoiled("\"2.03 mm\"", "\"2.03 m\""),
-        &[
-            "tank.courses[0].thickness",
-            "thicker",
-            "a fifth of the radius",
-            "did you mean \"2.03 mm\"?",
-        ],
+        &["tank.courses[0].thickness", "thicker", "a fifth of the radius", "did you mean \"2.03 mm\"?"],
     );
-    has(
-        &spoiled("\"2.03 mm\"", "\"0.00203 mm\""),
-        &["tank.courses[0].thickness", "thinner"],
-    );
+    has(&spoiled("\"2.03 mm\"", "\"0.00203 mm\""), &["tank.courses[0].thickness", "thinner"]);
     // A radius that no plate fits is one fault, not one of each plate.
     let small = spoiled("\"1.83 m\"", "\"1.83 mm\"");
     has(
         &small,
-        &[
-            "tank.json:5:15",
-            "too small for the thickness of the wall",
-            "did you mean \"1.83 m\"?",
-            "1 fault in",
-        ],
+        &["tank.json:5:15", "too small for the thickness of the wall", "did you mean \"1.83 m\"?", "1 fault in"],
     );
 }
 
 #[test]
 fn all_faults_at_once() {
-    let text = GOOD
-        .replace("1.83 m", "1.83 kg")
-        .replace("0.32", "0.5")
-        .replace("\"record\"", "\"rekord\"");
+    let text = GOOD.replace("1.83 m", "1.83 kg").replace("0.32", "0.5").replace("\"record\"", "\"rekord\"");
     let text = message(text);
-    has(
-        &text,
-        &[
-            "tank.radius",
-            "poisson_ratio",
-            "did you mean `record`?",
-            "3 faults in tank.json",
-        ],
-    );
+    has(&text, &["tank.radius", "poisson_ratio", "did you mean `record`?", "3 faults in tank.json"]);
 }
 
 #[test]

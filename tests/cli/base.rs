@@ -42,21 +42,11 @@ fn strip_and_moment_are_printed() {
     ] {
         assert!(strip.iter().all(|p| p[key].is_f64()), "{key}");
     }
-    assert!(
-        strip
-            .windows(2)
-            .all(|p| number(&p[1]["hold_down_N_per_m"]) > number(&p[0]["hold_down_N_per_m"]))
-    );
+    assert!(strip.windows(2).all(|p| number(&p[1]["hold_down_N_per_m"]) > number(&p[0]["hold_down_N_per_m"])));
     let weight = number(&found["wall_weight_N_per_m"]);
     assert!((number(&found["rest"]["hold_down_N_per_m"]) / weight + 1.0).abs() < 1e-6);
     let turns = found["moment_rotation"].as_array().expect("a list");
-    for key in [
-        "rotation_rad",
-        "moment_Nm",
-        "uplift_m",
-        "toe_force_N_per_m",
-        "toe_stress_Pa",
-    ] {
+    for key in ["rotation_rad", "moment_Nm", "uplift_m", "toe_force_N_per_m", "toe_stress_Pa"] {
         assert!(turns.iter().all(|t| t[key].is_f64()), "{key}");
     }
     assert_eq!(found["band"].as_array().map(Vec::len), Some(3));
@@ -107,23 +97,11 @@ fn bad_input_has_one_message() {
     };
     said(&with("friction", json!(0)), &[], "tank.foundation.friction");
     said(&with("stiffness", json!("1 N/m3")), &[], "tank.foundation.stiffness");
-    said(
-        &with("shear_wave_velocity", json!("5 m/s")),
-        &[],
-        "tank.foundation.shear_wave_velocity",
-    );
+    said(&with("shear_wave_velocity", json!("5 m/s")), &[], "tank.foundation.shear_wave_velocity");
     // Rock of 3 km/s: more than the largest stiffness.
-    said(
-        &with("shear_wave_velocity", json!("3000 m/s")),
-        &[],
-        "these waves give the ground under the rim",
-    );
+    said(&with("shear_wave_velocity", json!("3000 m/s")), &[], "these waves give the ground under the rim");
     said(&with("thickness", json!("0.5 m")), &[], "tank.foundation.thickness");
-    said(
-        &|t| t["tank"]["bottom"]["annular_thickness"] = json!("9 mm"),
-        &[],
-        "tank.bottom.annular_thickness",
-    );
+    said(&|t| t["tank"]["bottom"]["annular_thickness"] = json!("9 mm"), &[], "tank.bottom.annular_thickness");
 }
 
 /// Heads are explained, anchors are named as left out, and a rotation without numbers has its reason. Soft ground, in which the rim sinks far,
@@ -140,10 +118,7 @@ fn what_is_left_out_or_missing_is_said() {
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     assert!(stderr(&run).contains("`tank.anchors` are left out"), "{}", stderr(&run));
     let text = String::from_utf8_lossy(&run.stdout);
-    for part in [
-        "hold-down: pull of the plate on the wall",
-        "toe stress: axial compression",
-    ] {
+    for part in ["hold-down: pull of the plate on the wall", "toe stress: axial compression"] {
         assert!(text.contains(part), "`{part}` is missing in {text}");
     }
     assert!(!text.contains("–"), "{text}");

@@ -11,10 +11,7 @@ use tankcheck::input::{csv, fragility, records, tank};
 fn clock() -> f64 {
     let ticks = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = ticks.split(' ').next().and_then(|n| n.parse::<f64>().ok());
-    nanoseconds.map_or_else(
-        || std::time::UNIX_EPOCH.elapsed().map_or(0.0, |t| t.as_secs_f64()),
-        |n| 1e-9 * n,
-    )
+    nanoseconds.map_or_else(|| std::time::UNIX_EPOCH.elapsed().map_or(0.0, |t| t.as_secs_f64()), |n| 1e-9 * n)
 }
 
 /// The least time of some runs [s].
@@ -60,48 +57,23 @@ fn time_grows_with_the_file() {
         (
             "bad units",
             (parse_tank, |n| {
-                tank_of(
-                    "{\"height\":\"8 q\",\"thickness\":\"1 mmm\"}",
-                    n,
-                    ["\"tank\":{\"courses\":[", "]}"],
-                )
+                tank_of("{\"height\":\"8 q\",\"thickness\":\"1 mmm\"}", n, ["\"tank\":{\"courses\":[", "]}"])
             }),
         ),
         (
             "bad lengths of imperfections",
             (parse_tank, |n| {
-                tank_of(
-                    "{\"n\":0,\"amplitude\":\"1 q\"}",
-                    n,
-                    ["\"analysis\":{\"imperfections\":[", "]}"],
-                )
+                tank_of("{\"n\":0,\"amplitude\":\"1 q\"}", n, ["\"analysis\":{\"imperfections\":[", "]}"])
             }),
         ),
-        (
-            "unknown keys",
-            (parse_tank, |n| tank_of("\"radiu#\":1", n, ["\"tank\":{", "}"])),
-        ),
+        ("unknown keys", (parse_tank, |n| tank_of("\"radiu#\":1", n, ["\"tank\":{", "}"]))),
         ("duplicate keys", (parse_tank, |n| tank_of("\n\"name\":1", n, ["", ""]))),
-        (
-            "materials",
-            (parse_tank, |n| {
-                tank_of("\"m#\":{\"density\":\"x\"}", n, ["\"materials\":{", "}"])
-            }),
-        ),
-        (
-            "acceptances",
-            (parse_tank, |n| {
-                tank_of("{\"check\":\"c#\",\"reason\":\"no\"}", n, ["\"accepted\":[", "]"])
-            }),
-        ),
+        ("materials", (parse_tank, |n| tank_of("\"m#\":{\"density\":\"x\"}", n, ["\"materials\":{", "}"]))),
+        ("acceptances", (parse_tank, |n| tank_of("{\"check\":\"c#\",\"reason\":\"no\"}", n, ["\"accepted\":[", "]"]))),
         (
             "quantities",
             (parse_tank, |n| {
-                tank_of(
-                    "{\"quantity\":\"sloshing_heigt\",\"value\":\"1 q\"}",
-                    n,
-                    ["\"published\":[", "]"],
-                )
+                tank_of("{\"quantity\":\"sloshing_heigt\",\"value\":\"1 q\"}", n, ["\"published\":[", "]"])
             }),
         ),
         (
@@ -113,24 +85,13 @@ fn time_grows_with_the_file() {
         ),
         ("equal columns", (parse_table, |n| format!("{}x\n1\n", "x,".repeat(n)))),
         ("rows", (parse_table, |n| format!("a,b\n{}", "1\n".repeat(n)))),
-        (
-            "titles",
-            (parse_record, |n| format!("{}0,1\n", "time of a title\n".repeat(n))),
-        ),
-        (
-            "lines",
-            (parse_record, |n| {
-                format!("time_s,acceleration_g\n0,1\n{}", "x,y\n".repeat(n))
-            }),
-        ),
+        ("titles", (parse_record, |n| format!("{}0,1\n", "time of a title\n".repeat(n)))),
+        ("lines", (parse_record, |n| format!("time_s,acceleration_g\n0,1\n{}", "x,y\n".repeat(n)))),
     ];
     for (what, (read, text)) in cases {
         let n = 20_000 * 10 / text(10).len();
         let [short, long] = [n, 4 * n].map(|n| time(read, &text(n)));
-        assert!(
-            long < 9.0 * short.max(2e-3),
-            "{what}: {short:.4} s, four times as much {long:.4} s"
-        );
+        assert!(long < 9.0 * short.max(2e-3), "{what}: {short:.4} s, four times as much {long:.4} s");
     }
 }
 
@@ -159,13 +120,8 @@ fn states_of_a_table_are_counted() {
 /// Runs in a folder; a run that does not end is an error.
 #[cfg(unix)]
 fn ends(folder: &Path, mut command: Command) -> (Option<i32>, String) {
-    let mut child = command
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child =
+        command.current_dir(folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     let start = Instant::now();
     while child.try_wait().unwrap().is_none() {
         if start.elapsed() > Duration::from_secs(60) {
@@ -186,13 +142,7 @@ fn regular_files_and_pipes_of_the_shell_alone_are_opened() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     std::fs::copy(root.join("examples/05_oil_tank/tank.json"), home.join("tank.json")).unwrap();
     std::fs::copy(root.join("examples/records/elcentro.csv"), home.join("r.csv")).unwrap();
-    assert!(
-        Command::new("mkfifo")
-            .arg(home.join("pipe"))
-            .status()
-            .unwrap()
-            .success()
-    );
+    assert!(Command::new("mkfifo").arg(home.join("pipe")).status().unwrap().success());
     let _socket = std::os::unix::net::UnixListener::bind(home.join("socket")).unwrap();
     std::fs::create_dir(home.join("results")).unwrap();
     std::os::unix::fs::symlink("../pipe", home.join("results/results.json")).unwrap();
@@ -202,12 +152,9 @@ fn regular_files_and_pipes_of_the_shell_alone_are_opened() {
         command.args(arguments);
         ends(home, command)
     };
-    for (place, what) in [
-        ("pipe", "a named pipe"),
-        ("socket", "a socket"),
-        ("/dev/zero", "a device"),
-        (".", "a folder"),
-    ] {
+    for (place, what) in
+        [("pipe", "a named pipe"), ("socket", "a socket"), ("/dev/zero", "a device"), (".", "a folder")]
+    {
         for arguments in [
             &["check", place][..],
             &["compare", "tank.json", "--quake", place],

@@ -72,20 +72,14 @@ fn trigger(code: Code) -> Trigger {
         Code::OutOfRange => Tank("0.3,", "0.7,"),
         Code::ItemCount => Tank("\"site\"", "\"procedures\": { \"run\": [] }, \"site\""),
         Code::BadForm => Tank("\"site\"", "\"project\": { \"date\": \"14.3.2026\" }, \"site\""),
-        Code::Repeated => Tank(
-            "\"site\"",
-            "\"procedures\": { \"run\": [\"ec8-2006\", \"ec8-2006\"] }, \"site\"",
-        ),
+        Code::Repeated => Tank("\"site\"", "\"procedures\": { \"run\": [\"ec8-2006\", \"ec8-2006\"] }, \"site\""),
         Code::Contradiction => Tank(
             "\"courses\"",
             "\"bottom\": { \"thickness\": \"8 mm\", \"material\": \"steel\", \"annular_thickness\": \"6 mm\", \"annular_width\": \"1 m\" }, \"courses\"",
         ),
         Code::LiquidAboveWall => Tank("\"6.5 m\"", "\"8.5 m\""),
         Code::DoesNotApply => Tank("\"anchored\"", "\"unanchored\", \"anchors\": { \"count\": 8 }"),
-        Code::Exclusive => Tank(
-            "\"site\"",
-            "\"record\": { \"scale_to\": \"0.3 g\", \"scale_by\": 2 }, \"site\"",
-        ),
+        Code::Exclusive => Tank("\"site\"", "\"record\": { \"scale_to\": \"0.3 g\", \"scale_by\": 2 }, \"site\""),
         Code::Incomplete => Tank(
             "\"courses\"",
             "\"bottom\": { \"thickness\": \"8 mm\", \"material\": \"steel\", \"annular_thickness\": \"9 mm\" }, \"courses\"",
@@ -100,10 +94,7 @@ fn trigger(code: Code) -> Trigger {
         Code::PeakAcceleration => File(INFO, "time_s,acceleration_m_s2\n0,0\n0.02,0\n0.04,0\n"),
         Code::TableShape => File(&["check", "tank.json", "--table", "r.csv"], "name,tank.radius\nT1\n"),
         Code::TableColumn => File(&["check", "tank.json", "--table", "r.csv"], "name,name\nT1,T2\n"),
-        Code::TableValue => File(
-            &["fragility", "--stripes", "r.csv"],
-            "im,n,exceed\n0.3,10,12\n0.4,10,13\n",
-        ),
+        Code::TableValue => File(&["fragility", "--stripes", "r.csv"], "im,n,exceed\n0.3,10,12\n0.4,10,13\n"),
         Code::StudyChanged => Sources("needs a planned study; tests/cli/study.rs has one"),
         Code::StudyIncomplete => Sources("needs a planned study; tests/cli/study.rs has one"),
         Code::FileUnreadable => Run(&["check", "absent.json"]),
@@ -145,11 +136,7 @@ fn trigger(code: Code) -> Trigger {
 }
 
 fn tankcheck(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_tankcheck")).current_dir(folder).args(args).output().unwrap()
 }
 
 #[test]
@@ -168,11 +155,7 @@ fn every_code_comes_up_where_it_says() {
                 continue;
             }
             Trigger::Tank(from, to) => {
-                assert_eq!(
-                    TANK.matches(from).count(),
-                    1,
-                    "{code}: `{from}` must stand once in the good file"
-                );
+                assert_eq!(TANK.matches(from).count(), 1, "{code}: `{from}` must stand once in the good file");
                 write("tank.json", &TANK.replace(from, to));
                 (&["check", "tank.json"], to.to_owned())
             }
@@ -224,10 +207,7 @@ fn the_page_is_fresh() {
         assert!(page.contains(&format!("### `{code}` ")), "{code}");
     }
     let kept = std::fs::read_to_string(root.join("docs/codes.md")).unwrap();
-    assert!(
-        kept == page,
-        "write it with `tankcheck explain --format markdown > docs/codes.md`"
-    );
+    assert!(kept == page, "write it with `tankcheck explain --format markdown > docs/codes.md`");
 }
 
 #[test]
@@ -242,19 +222,13 @@ fn explain_finds_lists_and_suggests() {
         assert!(list.contains(&format!("  {id} ")), "{id}");
     }
     let one: serde_json::Value = serde_json::from_str(&text(&["explain", "T0901", "--format", "json"])).unwrap();
-    assert_eq!(
-        (one["kind"].as_str(), one["id"].as_str()),
-        (Some("warning"), Some("T0901"))
-    );
+    assert_eq!((one["kind"].as_str(), one["id"].as_str()), (Some("warning"), Some("T0901")));
     let all: serde_json::Value = serde_json::from_str(&text(&["explain", "--format", "json"])).unwrap();
     assert!(all.as_array().is_some_and(|all| all.len() > Code::ALL.len()));
     let done = tankcheck(home.path(), &["explain", "bukling_elastic"]);
     let message = String::from_utf8(done.stderr).unwrap();
     assert_eq!(done.status.code(), Some(2));
-    assert!(
-        message.starts_with("error[T0105]: ID: found `bukling_elastic`"),
-        "{message}"
-    );
+    assert!(message.starts_with("error[T0105]: ID: found `bukling_elastic`"), "{message}");
     assert!(message.contains("did you mean `buckling_elastic`"), "{message}");
 }
 
@@ -269,22 +243,13 @@ fn warnings_carry_their_code_in_json_and_test_reports() {
         String::from_utf8(tankcheck(home.path(), &args).stdout).unwrap()
     };
     let json: serde_json::Value = serde_json::from_str(&text("json", &["--select", "warnings"])).unwrap();
-    assert!(
-        json["warnings"][0].as_str().is_some_and(|w| w.starts_with("T0901: ")),
-        "{json}"
-    );
+    assert!(json["warnings"][0].as_str().is_some_and(|w| w.starts_with("T0901: ")), "{json}");
     let sarif: serde_json::Value = serde_json::from_str(&text("sarif", &[])).unwrap();
     let run = &sarif["runs"][0];
     let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
     let rule = rules.iter().find(|rule| rule["id"] == "T0901").unwrap();
     assert_eq!(rule["shortDescription"]["text"], Code::UnusualTank.title());
-    assert!(
-        run["results"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .any(|r| r["ruleId"] == "T0901" && r["level"] == "note")
-    );
+    assert!(run["results"].as_array().unwrap().iter().any(|r| r["ruleId"] == "T0901" && r["level"] == "note"));
     assert!(text("junit", &[]).contains("classname=\"warnings\" name=\"T0901\""));
     assert!(text("github", &[]).contains("::notice file=tank.json,title=warnings T0901::"));
 }

@@ -49,10 +49,7 @@ fn the_main_command_writes_report_results_series_and_figures() {
     for word in ["Sloshing height", "housner", "ec8-2006", "api650-2020", "fe"] {
         assert!(table.contains(word), "`{word}` is missing in\n{table}");
     }
-    assert!(
-        stderr(&run).contains("report.html"),
-        "the last line gives the path of the report"
-    );
+    assert!(stderr(&run).contains("report.html"), "the last line gives the path of the report");
 }
 
 #[test]
@@ -63,15 +60,8 @@ fn results_are_the_same_in_every_run_but_for_the_volatile_fields() {
         compare(&out);
         let text = std::fs::read_to_string(out.join("results.json")).expect("results");
         let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        value
-            .as_object_mut()
-            .expect("an object")
-            .remove("volatile")
-            .expect("volatile fields");
-        (
-            value.to_string(),
-            std::fs::read(out.join("series.csv")).expect("series"),
-        )
+        value.as_object_mut().expect("an object").remove("volatile").expect("volatile fields");
+        (value.to_string(), std::fs::read(out.join("series.csv")).expect("series"))
     };
     assert_eq!(read("a"), read("b"));
 }
@@ -80,21 +70,10 @@ fn results_are_the_same_in_every_run_but_for_the_volatile_fields() {
 fn quantities_carry_the_promised_ids_and_si_units() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
-    let run = tankcheck(&[
-        "compare",
-        TANK,
-        "--quake",
-        QUAKE,
-        "--out",
-        path(&out),
-        "--format",
-        "json",
-    ]);
+    let run = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&out), "--format", "json"]);
     let results: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON on standard output");
-    let fe = results["methods"]
-        .as_array()
-        .and_then(|m| m.iter().find(|m| m["id"] == "fe"))
-        .expect("the engine is a method");
+    let fe =
+        results["methods"].as_array().and_then(|m| m.iter().find(|m| m["id"] == "fe")).expect("the engine is a method");
     for (id, unit) in [
         ("sloshing_period", "s"),
         ("sloshing_height", "m"),
@@ -120,16 +99,7 @@ fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
     let (a, b) = (home.path().join("a"), home.path().join("b"));
     compare(&a);
     assert_eq!(tankcheck(&["diff", path(&a), path(&a)]).status.code(), Some(0));
-    let refined = tankcheck(&[
-        "compare",
-        TANK,
-        "--quake",
-        QUAKE,
-        "--out",
-        path(&b),
-        "--integrator",
-        "newmark",
-    ]);
+    let refined = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&b), "--integrator", "newmark"]);
     assert!(matches!(refined.status.code(), Some(0 | 1 | 4)), "{}", stderr(&refined));
     let diff = tankcheck(&["diff", path(&a), path(&b)]);
     assert_eq!(diff.status.code(), Some(1), "{}", stderr(&diff));
@@ -137,22 +107,14 @@ fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
     let bless = tankcheck(&["diff", path(&a), path(&b), "--bless", "--reason", "another integrator"]);
     assert_eq!(bless.status.code(), Some(0), "{}", stderr(&bless));
     assert_eq!(tankcheck(&["diff", path(&a), path(&b)]).status.code(), Some(0));
-    assert!(
-        std::fs::read_to_string(a.join("accepted.json"))
-            .expect("kept")
-            .contains("another integrator")
-    );
+    assert!(std::fs::read_to_string(a.join("accepted.json")).expect("kept").contains("another integrator"));
     // Histories that are not kept are named; lost ones are a difference.
     let numbers = home.path().join("numbers");
     std::fs::create_dir(&numbers).expect("writable");
     std::fs::copy(a.join("results.json"), numbers.join("results.json")).expect("writable");
     let kept = tankcheck(&["diff", path(&numbers), path(&a)]);
     assert_eq!(kept.status.code(), Some(0), "{}", stderr(&kept));
-    assert!(
-        stdout(&kept).contains("does not have it: time histories"),
-        "{}",
-        stdout(&kept)
-    );
+    assert!(stdout(&kept).contains("does not have it: time histories"), "{}", stdout(&kept));
     let lost = tankcheck(&["diff", path(&a), path(&numbers), "--all"]);
     assert_eq!(lost.status.code(), Some(1));
     assert!(stdout(&lost).contains("series.csv: columns"), "{}", stdout(&lost));
@@ -219,10 +181,7 @@ fn check_runs_the_codes_on_the_design_spectrum_alone() {
     let run = tankcheck(&["check", "examples/05_oil_tank/tank.json"]);
     assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     let table = stdout(&run);
-    assert!(
-        table.contains("design spectrum of the site") && table.contains("ec8-2006"),
-        "{table}"
-    );
+    assert!(table.contains("design spectrum of the site") && table.contains("ec8-2006"), "{table}");
 }
 
 /// Runs a command that must be rejected: exit code 2, a message with all of `words`, empty standard output, no
@@ -274,10 +233,7 @@ fn files_of_others_are_never_touched() {
         assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
         assert!(stderr(&run).contains("`report.html` has changed"), "{}", stderr(&run));
     }
-    assert_eq!(
-        std::fs::read_to_string(home.path().join("report.html")).expect("left"),
-        "signed"
-    );
+    assert_eq!(std::fs::read_to_string(home.path().join("report.html")).expect("left"), "signed");
 }
 
 #[test]
@@ -285,11 +241,7 @@ fn a_file_in_place_of_the_output_folder_is_refused() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
     std::fs::write(&out, "mine").expect("writable");
-    refused(
-        &["compare", TANK, "--quake", QUAKE, "--out", path(&out)],
-        &out,
-        &["is a file"],
-    );
+    refused(&["compare", TANK, "--quake", QUAKE, "--out", path(&out)], &out, &["is a file"]);
 }
 
 #[cfg(unix)]
@@ -300,11 +252,7 @@ fn a_read_only_output_folder_is_refused() {
     let out = home.path().join("out");
     std::fs::create_dir(&out).expect("writable");
     std::fs::set_permissions(&out, std::fs::Permissions::from_mode(0o555)).expect("own folder");
-    refused(
-        &["compare", TANK, "--quake", QUAKE, "--out", path(&out)],
-        &out,
-        &["read-only"],
-    );
+    refused(&["compare", TANK, "--quake", QUAKE, "--out", path(&out)], &out, &["read-only"]);
 }
 
 /// No file may grow beyond 8 KiB, as on a full disk: no new files are left, the old results stay, and the exit code is that of
@@ -335,10 +283,7 @@ fn results_that_cannot_be_written_leave_the_old_ones() {
     assert_eq!(run.status.code(), Some(3), "{}", stderr(&run));
     assert_eq!(std::fs::read(out.join("results.json")).expect("results"), before);
     assert!(
-        std::fs::read_dir(&out)
-            .expect("readable")
-            .flatten()
-            .all(|e| !e.file_name().to_string_lossy().starts_with('.'))
+        std::fs::read_dir(&out).expect("readable").flatten().all(|e| !e.file_name().to_string_lossy().starts_with('.'))
     );
 }
 
@@ -346,16 +291,7 @@ fn results_that_cannot_be_written_leave_the_old_ones() {
 fn compare_without_a_record_says_how_to_give_one() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
-    refused(
-        &[
-            "compare",
-            "examples/02_perspex_model_tank/tank.json",
-            "--out",
-            path(&out),
-        ],
-        &out,
-        &["--quake"],
-    );
+    refused(&["compare", "examples/02_perspex_model_tank/tank.json", "--out", path(&out)], &out, &["--quake"]);
 }
 
 #[test]
@@ -363,16 +299,7 @@ fn an_unknown_procedure_is_refused_with_the_known_ones() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
     refused(
-        &[
-            "compare",
-            TANK,
-            "--quake",
-            QUAKE,
-            "--procedures",
-            "ec9",
-            "--out",
-            path(&out),
-        ],
+        &["compare", TANK, "--quake", QUAKE, "--procedures", "ec9", "--out", path(&out)],
         &out,
         &["ec9", "ec8-2006", "housner"],
     );
@@ -381,10 +308,6 @@ fn an_unknown_procedure_is_refused_with_the_known_ones() {
 #[test]
 fn diff_of_something_else_is_refused() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    refused(
-        &["diff", path(home.path()), path(home.path())],
-        home.path(),
-        &["results.json", "no such file"],
-    );
+    refused(&["diff", path(home.path()), path(home.path())], home.path(), &["results.json", "no such file"]);
     refused(&["diff", "no_folder", path(home.path())], home.path(), &["no_folder"]);
 }

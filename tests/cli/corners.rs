@@ -42,11 +42,7 @@ struct Plan {
 
 fn plan() -> impl Strategy<Value = Plan> {
     let course = (log(1e-4, 1.0), log(1e-4, 0.1));
-    let fill = prop_oneof![
-        log(1e-5, 1.0),
-        Just(1.0),
-        (-9.0..-2.0f64).prop_map(|p| 1.0 - 10f64.powf(p)),
-    ];
+    let fill = prop_oneof![log(1e-5, 1.0), Just(1.0), (-9.0..-2.0f64).prop_map(|p| 1.0 - 10f64.powf(p)),];
     (
         any::<bool>(),
         log(1e-3, 450.0),
@@ -88,10 +84,7 @@ impl Plan {
         }
         let shape = match self.round {
             true => format!("\"shape\": \"cylinder\", \"radius\": \"{:e} m\"", self.half),
-            false => format!(
-                "\"shape\": \"rectangle\", \"length\": \"{:e} m\", \"strip\": true",
-                2.0 * self.half
-            ),
+            false => format!("\"shape\": \"rectangle\", \"length\": \"{:e} m\", \"strip\": true", 2.0 * self.half),
         };
         format!(
             "{{ \"name\": \"corner\", \"tank\": {{ {shape}, \"support\": \"anchored\", \"courses\": [{courses}], \
@@ -124,16 +117,9 @@ fn job(text: &str) -> Option<Job> {
     let mut job = Job {
         engines: vec![EngineId::Harmonic],
         raw_records: vec![record.clone()],
-        ..Job::of(
-            tank,
-            tankcheck::pipeline::procedures::select_procedures(&[]).expect("all"),
-        )
+        ..Job::of(tank, tankcheck::pipeline::procedures::select_procedures(&[]).expect("all"))
     };
-    job.case.ground_motion = Some(GroundMotion {
-        horizontal: record,
-        transverse: None,
-        vertical: None,
-    });
+    job.case.ground_motion = Some(GroundMotion { horizontal: record, transverse: None, vertical: None });
     Some(job)
 }
 
@@ -163,12 +149,7 @@ fn each(cases: u32, body: impl Fn(Plan, Job) -> Result<(), TestCaseError>) {
         Some(_) => ProptestConfig::default().cases,
         None => cases,
     };
-    let config = ProptestConfig {
-        cases,
-        failure_persistence: None,
-        max_shrink_iters: 40,
-        ..ProptestConfig::default()
-    };
+    let config = ProptestConfig { cases, failure_persistence: None, max_shrink_iters: 40, ..ProptestConfig::default() };
     let accepted = Cell::new(0);
     let outcome = TestRunner::new(config).run(&plan(), |plan| {
         let Some(job) = job(&plan.json()) else { return Ok(()) };
@@ -179,11 +160,7 @@ fn each(cases: u32, body: impl Fn(Plan, Job) -> Result<(), TestCaseError>) {
         panic!("{failure}");
     }
     println!("{} of {cases} tanks accepted", accepted.get());
-    assert!(
-        3 * accepted.get() >= cases,
-        "only {} of {cases} were accepted",
-        accepted.get()
-    );
+    assert!(3 * accepted.get() >= cases, "only {} of {cases} were accepted", accepted.get());
 }
 
 #[test]
@@ -202,10 +179,7 @@ fn accepted_tanks_are_computed_or_refused_in_words() {
 fn nodes_ascend_and_belong_to_courses() {
     each(1000, |plan, job| {
         for refine in [0.25, plan.refine, 5.0, 16.0] {
-            let options = engines::Options {
-                refine,
-                ..engines::Options::default()
-            };
+            let options = engines::Options { refine, ..engines::Options::default() };
             let estimate = engines::harmonic::estimate(&job.case, &options);
             if estimate.and_then(|e| e.hold(MEMORY_LIMIT_MIB)).is_err() {
                 continue;

@@ -26,21 +26,14 @@ fn example(tank: &str, record: &str) -> TankFile {
     let mut file = read_tank(&home.join(tank)).expect("an example");
     let read = records::read(&home.join(record), &records::ReadOptions::default()).expect("a record");
     let horizontal = records::process(&read.record, &file.record).expect("its processing");
-    file.case.ground_motion = Some(tank::case::GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    });
+    file.case.ground_motion = Some(tank::case::GroundMotion { horizontal, transverse: None, vertical: None });
     file
 }
 
 /// Holds an estimate against a measured run: memory [MiB] and time [s], each where it was measured.
 fn within(what: &str, found: &Estimate, memory: Option<f64>, seconds: Option<f64>, faults: &mut Vec<String>) {
     let mib = found.bytes() / MIB;
-    println!(
-        "{what}: {mib:.0} MiB against {memory:?}, {:.3} s against {seconds:?}",
-        found.seconds
-    );
+    println!("{what}: {mib:.0} MiB against {memory:?}, {:.3} s against {seconds:?}", found.seconds);
     for (name, found, measured) in [("MiB", mib, memory), ("s", found.seconds, seconds)] {
         if let Some(measured) = measured
             && !(1.0 / FACTOR..=FACTOR).contains(&(found / measured))
@@ -58,25 +51,12 @@ fn estimates_are_within_a_factor_of_measured_runs() {
     let mut broad = example(BROAD[0], BROAD[1]);
     // Measured without the modes of the site's vertical motion.
     broad.case.site = tank::case::Site::default();
-    let one = Options {
-        mesh_error: false,
-        ..broad.fe.clone()
-    };
+    let one = Options { mesh_error: false, ..broad.fe.clone() };
     for (mesh, liquid, newmark, memory, seconds) in MEASURED_SOLID {
-        let options = Options {
-            integrator: if newmark {
-                Integrator::Newmark
-            } else {
-                Integrator::Modal
-            },
-            ..one.clone()
-        };
+        let options =
+            Options { integrator: if newmark { Integrator::Newmark } else { Integrator::Modal }, ..one.clone() };
         let solid = SolidOptions {
-            mesh: Some(MeshSize {
-                radial: mesh[0],
-                sectors: mesh[1],
-                vertical: mesh[2],
-            }),
+            mesh: Some(MeshSize { radial: mesh[0], sectors: mesh[1], vertical: mesh[2] }),
             liquid,
             ..SolidOptions::default()
         };
@@ -92,13 +72,7 @@ fn estimates_are_within_a_factor_of_measured_runs() {
         // Measured without free vibration after the record.
         strip.nonlinear.after_record = AfterRecord::NONE;
         let found = nonlinear::estimate_incremental(&strip.case, &strip.nonlinear, 1, 1).expect("an estimate");
-        within(
-            &format!("strip, step {step} s, {layers} layers"),
-            &found,
-            memory,
-            seconds,
-            &mut faults,
-        );
+        within(&format!("strip, step {step} s, {layers} layers"), &found, memory, seconds, &mut faults);
     }
 
     for (tank, record, first, elements, memory, seconds) in MEASURED_CYLINDER {
@@ -108,19 +82,13 @@ fn estimates_are_within_a_factor_of_measured_runs() {
             record.acceleration.truncate((first / record.dt).round() as usize + 1);
         }
         cylinder.nonlinear.after_record = AfterRecord::NONE;
-        cylinder.nonlinear.elements = Some(WallElements {
-            height: elements[0],
-            circumference: elements[1],
-        });
+        cylinder.nonlinear.elements = Some(WallElements { height: elements[0], circumference: elements[1] });
         let found = nonlinear::estimate(&cylinder.case, &cylinder.nonlinear).expect("an estimate");
         within(&format!("{tank} {elements:?}"), &found, memory, seconds, &mut faults);
     }
 
     let steel = example("07_steel_cylinder/tank.json", "records/elcentro.csv");
-    let push = PushOptions {
-        imperfection: Some(Amplitude::Quality(Quality::B)),
-        ..PushOptions::default()
-    };
+    let push = PushOptions { imperfection: Some(Amplitude::Quality(Quality::B)), ..PushOptions::default() };
     let found = nonlinear::push::estimate(&steel.case, &steel.nonlinear, &push).expect("an estimate");
     within("push, class B", &found, None, Some(284.0), &mut faults);
     assert!(faults.is_empty(), "{faults:#?}");
@@ -135,11 +103,7 @@ fn memory_of_the_harmonic_engine() {
         if !shaken {
             file.case.ground_motion = None;
         }
-        let options = Options {
-            refine,
-            mesh_error,
-            ..file.fe.clone()
-        };
+        let options = Options { refine, mesh_error, ..file.fe.clone() };
         let found = harmonic::estimate(&file.case, &options).expect("an estimate");
         let what = format!("{tank}, shaken {shaken}, refine {refine}, mesh error {mesh_error}");
         within(&what, &found, Some(memory), None, &mut faults);
@@ -180,11 +144,8 @@ const MEASURED_SOLID: [(Mesh, Liquid, bool, Figure, Figure); 5] = [
 ];
 
 /// Time step, layers of concrete, memory, time: `ida examples/06_sandwich_strip/tank.json … --scale 1 --jobs 1`; times on a busy machine.
-const MEASURED_STRIP: [(f64, u32, Figure, Figure); 3] = [
-    (0.006, 20, None, Some(3.7)),
-    (0.006, 60, None, Some(7.0)),
-    (0.0025, 20, Some(19.4), Some(7.8)),
-];
+const MEASURED_STRIP: [(f64, u32, Figure, Figure); 3] =
+    [(0.006, 20, None, Some(3.7)), (0.006, 60, None, Some(7.0)), (0.0025, 20, Some(19.4), Some(7.8))];
 
 /// A row of the next table.
 type Cylinder = (&'static str, &'static str, Figure, [u32; 2], Figure, Figure);
@@ -193,46 +154,11 @@ type Cylinder = (&'static str, &'static str, Figure, [u32; 2], Figure, Figure);
 /// --threads 1` without free vibration after the record; code procedures and linear engine are in the time, 0.2 s of it.
 const MEASURED_CYLINDER: [Cylinder; 5] = [
     // Memory under the first second of the record: histories are some MiB of the whole.
-    (
-        "08_concrete_cylinder/tank.json",
-        "08_concrete_cylinder/record.csv",
-        None,
-        [40, 100],
-        Some(129.1),
-        None,
-    ),
-    (
-        "08_concrete_cylinder/tank.json",
-        "08_concrete_cylinder/record.csv",
-        Some(0.5),
-        [40, 100],
-        Some(131.8),
-        Some(7.4),
-    ),
-    (
-        "07_steel_cylinder/tank.json",
-        "07_steel_cylinder/shaking.csv",
-        None,
-        [48, 96],
-        Some(73.4),
-        None,
-    ),
-    (
-        "07_steel_cylinder/tank.json",
-        "07_steel_cylinder/shaking.csv",
-        Some(0.4),
-        [48, 96],
-        Some(76.2),
-        Some(2.56),
-    ),
-    (
-        "07_steel_cylinder/tank.json",
-        "07_steel_cylinder/shaking.csv",
-        Some(0.4),
-        [24, 48],
-        Some(37.4),
-        Some(0.66),
-    ),
+    ("08_concrete_cylinder/tank.json", "08_concrete_cylinder/record.csv", None, [40, 100], Some(129.1), None),
+    ("08_concrete_cylinder/tank.json", "08_concrete_cylinder/record.csv", Some(0.5), [40, 100], Some(131.8), Some(7.4)),
+    ("07_steel_cylinder/tank.json", "07_steel_cylinder/shaking.csv", None, [48, 96], Some(73.4), None),
+    ("07_steel_cylinder/tank.json", "07_steel_cylinder/shaking.csv", Some(0.4), [48, 96], Some(76.2), Some(2.56)),
+    ("07_steel_cylinder/tank.json", "07_steel_cylinder/shaking.csv", Some(0.4), [24, 48], Some(37.4), Some(0.66)),
 ];
 
 /// A steel tank of R = 15 m (docs/performance.md).
@@ -257,9 +183,7 @@ const PRACTICAL: &str = r#"{
 fn measured_times_are_in_the_range() {
     let concrete = example("08_concrete_cylinder/tank.json", "08_concrete_cylinder/record.csv");
     let mut steel = parse(&Source::new("tank.json", PRACTICAL.to_owned())).expect("a tank");
-    steel.case.ground_motion = example("07_steel_cylinder/tank.json", "records/elcentro.csv")
-        .case
-        .ground_motion;
+    steel.case.ground_motion = example("07_steel_cylinder/tank.json", "records/elcentro.csv").case.ground_motion;
     for (mut file, first, after, measured) in [
         (steel.clone(), 20.0, AfterRecord::NONE, 252.0),
         (steel.clone(), 1.0, steel.nonlinear.after_record, 45.0),
@@ -271,10 +195,7 @@ fn measured_times_are_in_the_range() {
         let found = nonlinear::estimate(&file.case, &file.nonlinear).expect("an estimate");
         let (low, high) = (found.seconds, found.longest());
         println!("{}: {low:.0} to {high:.0} s, measured {measured} s", found.sentence());
-        assert!(
-            low / 1.25 < measured && measured < 1.25 * high,
-            "{low} {measured} {high}"
-        );
+        assert!(low / 1.25 < measured && measured < 1.25 * high, "{low} {measured} {high}");
         assert!(high / low < 3.5, "{low} {high}");
     }
 }

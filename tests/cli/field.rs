@@ -24,12 +24,7 @@ fn quake(command: &str, file: &Path, more: &[String]) -> Output {
 /// What is wrong with the facts of a record.
 fn misread(found: &Value, want: &Value) -> Option<String> {
     let tolerance = want["tol"].as_f64().unwrap_or(TOLERANCE);
-    for (key, name) in [
-        ("samples", "samples"),
-        ("dt", "dt"),
-        ("pga", "pga"),
-        ("low_cut", "low_cut_frequency_hz"),
-    ] {
+    for (key, name) in [("samples", "samples"), ("dt", "dt"), ("pga", "pga"), ("low_cut", "low_cut_frequency_hz")] {
         let Some(wanted) = want[key].as_f64() else { continue };
         let read = found[name].as_f64().unwrap_or(f64::NAN);
         let allowed = if key == "pga" { tolerance } else { 1e-9 };
@@ -63,11 +58,8 @@ fn fault(folder: &Path, case: &Value, home: &Path) -> Option<String> {
     if let Some(want) = want.get("roundtrip") {
         let out = home.join("out.csv");
         let _ = std::fs::remove_file(&out);
-        let written = quake(
-            "convert",
-            &file,
-            &[&args[..], &["--out".into(), out.to_str().expect("text").into()]].concat(),
-        );
+        let written =
+            quake("convert", &file, &[&args[..], &["--out".into(), out.to_str().expect("text").into()]].concat());
         if !written.status.success() {
             return Some(stderr(&written));
         }
@@ -76,21 +68,15 @@ fn fault(folder: &Path, case: &Value, home: &Path) -> Option<String> {
     let run = json(&file, &args);
     let refused = |words: &Value| {
         let message = stderr(&run).to_lowercase();
-        let named = words
-            .as_array()
-            .expect("words")
-            .iter()
-            .any(|word| message.contains(&text(word).to_lowercase()));
+        let named = words.as_array().expect("words").iter().any(|word| message.contains(&text(word).to_lowercase()));
         let right = run.status.code() == Some(2) && run.stdout.is_empty() && named;
         (!right).then(|| format!("exit {:?}: {message}", run.status.code()))
     };
-    let outcomes: Vec<Option<String>> = [
-        want.get("read").map(|want| read(&run, want)),
-        want.get("refuse").map(refused),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let outcomes: Vec<Option<String>> =
+        [want.get("read").map(|want| read(&run, want)), want.get("refuse").map(refused)]
+            .into_iter()
+            .flatten()
+            .collect();
     match outcomes.iter().any(Option::is_none) {
         true => None,
         false => Some(outcomes.into_iter().flatten().collect::<Vec<_>>().join("\n")),
@@ -99,13 +85,9 @@ fn fault(folder: &Path, case: &Value, home: &Path) -> Option<String> {
 
 fn lists() -> Vec<PathBuf> {
     let records = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/records"));
-    let folders = std::fs::read_dir(records)
-        .expect("tests/records")
-        .map(|entry| entry.expect("an entry").path());
-    let mut all: Vec<PathBuf> = folders
-        .map(|folder| folder.join("expected.json"))
-        .filter(|list| list.is_file())
-        .collect();
+    let folders = std::fs::read_dir(records).expect("tests/records").map(|entry| entry.expect("an entry").path());
+    let mut all: Vec<PathBuf> =
+        folders.map(|folder| folder.join("expected.json")).filter(|list| list.is_file()).collect();
     all.sort();
     all
 }
@@ -126,10 +108,5 @@ fn records_of_the_field_are_read_or_refused_with_the_reason() {
         }
     }
     assert!(cases >= 26, "{cases} cases");
-    assert!(
-        wrong.is_empty(),
-        "{} of {cases} cases:\n{}",
-        wrong.len(),
-        wrong.join("\n\n")
-    );
+    assert!(wrong.is_empty(), "{} of {cases} cases:\n{}", wrong.len(), wrong.join("\n\n"));
 }

@@ -5,12 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn fragility(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .arg("fragility")
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_tankcheck")).arg("fragility").args(arguments).current_dir(folder).output().unwrap()
 }
 
 fn json(output: &Output) -> serde_json::Value {
@@ -32,35 +27,15 @@ fn written(files: &[(&str, &str)]) -> tempfile::TempDir {
 /// Median and dispersion are those of two optimisers outside this program; the risk under λ = 1e-4 im^-2.5 is k₀ θ^-k exp(k²β²/2).
 #[test]
 fn the_contract() {
-    let folder = written(&[
-        ("s.csv", STRIPES),
-        ("h.csv", "im,rate\n0.1,3.1622776601683795e-2\n1,1e-4\n"),
-    ]);
-    let output = fragility(
-        folder.path(),
-        &[
-            "--stripes",
-            "s.csv",
-            "--hazard",
-            "h.csv",
-            "--im",
-            "PGA",
-            "--format",
-            "json",
-        ],
-    );
+    let folder = written(&[("s.csv", STRIPES), ("h.csv", "im,rate\n0.1,3.1622776601683795e-2\n1,1e-4\n")]);
+    let output =
+        fragility(folder.path(), &["--stripes", "s.csv", "--hazard", "h.csv", "--im", "PGA", "--format", "json"]);
     assert_eq!(output.status.code(), Some(0));
     let curve = &json(&output)["curves"][0];
     let number = |key: &str| curve[key].as_f64().unwrap();
     assert!((number("median") - 0.519_144).abs() < 1e-6 && (number("dispersion") - 0.454_259).abs() < 1e-6);
-    assert_eq!(
-        (curve["n"].as_u64(), curve["status"].as_str()),
-        (Some(320), Some("fitted"))
-    );
-    assert_eq!(
-        (curve["method"].as_str(), curve["im"].as_str()),
-        (Some("stripes"), Some("PGA"))
-    );
+    assert_eq!((curve["n"].as_u64(), curve["status"].as_str()), (Some(320), Some("fitted")));
+    assert_eq!((curve["method"].as_str(), curve["im"].as_str()), (Some("stripes"), Some("PGA")));
     let (theta, beta) = (number("median"), number("dispersion"));
     let exact = 1e-4 * theta.powf(-2.5) * (0.5 * (2.5 * beta).powi(2)).exp();
     assert!((curve["risk"]["annual_rate"].as_f64().unwrap() / exact - 1.0).abs() < 1e-6);
@@ -121,22 +96,13 @@ fn capacities_and_clouds() {
         }
     }
     let folder = written(&[("c.csv", capacities), ("d.csv", &cloud)]);
-    let found = json(&fragility(
-        folder.path(),
-        &["--capacities", "c.csv", "--format", "json"],
-    ));
+    let found = json(&fragility(folder.path(), &["--capacities", "c.csv", "--format", "json"]));
     assert!((found["curves"][0]["median"].as_f64().unwrap() - 0.569_468).abs() < 1e-6);
     assert!((found["curves"][0]["dispersion"].as_f64().unwrap() - 0.394_104).abs() < 1e-6);
-    let found = json(&fragility(
-        folder.path(),
-        &["--cloud", "d.csv", "--limit", "DS1=1", "--format", "json"],
-    ));
+    let found = json(&fragility(folder.path(), &["--cloud", "d.csv", "--limit", "DS1=1", "--format", "json"]));
     let curve = &found["curves"][0];
     assert!((curve["median"].as_f64().unwrap() - 1.0).abs() < 1e-9);
     assert!((curve["dispersion"].as_f64().unwrap() - 0.2 * (20.0_f64 / 18.0).sqrt()).abs() < 1e-9);
-    let output = fragility(
-        folder.path(),
-        &["--capacities", "c.csv", "--im-max", "0.8", "--censored", "3"],
-    );
+    let output = fragility(folder.path(), &["--capacities", "c.csv", "--im-max", "0.8", "--censored", "3"]);
     assert_eq!(output.status.code(), Some(2), "capacities beyond the end of scaling");
 }

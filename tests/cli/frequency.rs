@@ -38,16 +38,7 @@ fn harmonic_motion_is_a_record() {
     let file = home.path().join("harmonic.csv");
     let name = file.to_str().expect("a temporary path is text");
     let write = || {
-        let motion = [
-            "--amplitude",
-            "0.1g",
-            "--frequency",
-            "0.5",
-            "--duration",
-            "60",
-            "--ramp",
-            "4",
-        ];
+        let motion = ["--amplitude", "0.1g", "--frequency", "0.5", "--duration", "60", "--ramp", "4"];
         tankcheck(&[&["quake", "harmonic"], &motion[..], &["-o", name]].concat())
     };
     let run = write();

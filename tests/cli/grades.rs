@@ -51,23 +51,13 @@ fn the_thickest_plate_gives_the_strength() {
     let file = read(&with(r#""grade": "S355 J2""#));
     for course in &file.case.tank.courses {
         assert_eq!(course.material.yield_strength, Some(345e6));
-        let Behaviour::Steel(steel) = course.material.behaviour else {
-            panic!("{:?}", course.material.behaviour)
-        };
+        let Behaviour::Steel(steel) = course.material.behaviour else { panic!("{:?}", course.material.behaviour) };
         assert_eq!((steel.yield_strength, steel.ultimate_strength), (345e6, Some(470e6)));
         assert_eq!(course.material.allowable_stress, None);
     }
-    let line = file
-        .echo
-        .iter()
-        .find(|l| l.path == "materials.steel.yield_strength")
-        .unwrap();
+    let line = file.echo.iter().find(|l| l.path == "materials.steel.yield_strength").unwrap();
     assert_eq!(line.text, "345.0 MPa");
-    assert!(
-        line.default && line.source.starts_with("grade S355JR, t ≤ 40 mm: EN 10025-2:2004"),
-        "{}",
-        line.source
-    );
+    assert!(line.default && line.source.starts_with("grade S355JR, t ≤ 40 mm: EN 10025-2:2004"), "{}", line.source);
 }
 
 /// 355 MPa up to 16 mm, for a material of its own.
@@ -101,10 +91,7 @@ fn every_plate_counts() {
 fn a_grade_of_api_650_has_its_allowable_stress() {
     let stress = |text: &str| read(text).case.tank.courses[0].material.allowable_stress;
     assert_eq!(stress(&with(r#""grade": "ASTM A36""#)), Some(160e6));
-    assert_eq!(
-        stress(&with(r#""grade": "A36", "allowable_stress": "150 MPa""#)),
-        Some(150e6)
-    );
+    assert_eq!(stress(&with(r#""grade": "A36", "allowable_stress": "150 MPa""#)), Some(150e6));
     assert_eq!(stress(&with(r#""grade": "1.4404""#)), None);
     // The same tank as with the numbers themselves.
     let numbers = r#""youngs_modulus": "200 GPa", "poisson_ratio": 0.3, "density": "7850 kg/m3", "yield_strength": "250 MPa",
@@ -141,16 +128,10 @@ fn an_unknown_grade_has_the_nearest_ones() {
         assert!(found.contains(&format!("did you mean \"{nearest}\"?")), "{found}");
     }
     let found = fault(&with(r#""grade": "A517""#));
-    assert!(
-        found.contains("a grade such as A516 70") && !found.contains("did you mean"),
-        "{found}"
-    );
+    assert!(found.contains("a grade such as A516 70") && !found.contains("did you mean"), "{found}");
     let found = fault(&with(r#""grade": "unobtainium""#));
     assert!(!found.contains("did you mean"), "{found}");
-    assert!(
-        found.contains("a grade such as S355, S355JR, 1.4301, A36, C30/37 or BSt500"),
-        "{found}"
-    );
+    assert!(found.contains("a grade such as S355, S355JR, 1.4301, A36, C30/37 or BSt500"), "{found}");
 }
 
 /// The reference page names every grade.
@@ -158,20 +139,13 @@ fn an_unknown_grade_has_the_nearest_ones() {
 fn every_grade_is_in_the_reference() {
     let root = env!("CARGO_MANIFEST_DIR");
     let page = std::fs::read_to_string(format!("{root}/docs/input.md")).expect("docs/input.md");
-    let line = page
-        .lines()
-        .find(|l| l.starts_with("| `grade` |"))
-        .expect("a line for grade");
+    let line = page.lines().find(|l| l.starts_with("| `grade` |")).expect("a line for grade");
     let listed = |name: &str| {
         line.contains(&format!("{name},")) || line.contains(&format!("{name}.")) || line.contains(&format!("{name} ("))
     };
     let plates = materials::grades::steels().map(|g| g.name);
     let concretes = materials::grades::CONCRETES.iter().map(|g| g.name);
     let bars = materials::grades::BARS.iter().map(|g| g.name);
-    let absent: Vec<&str> = plates
-        .chain(concretes)
-        .chain(bars)
-        .filter(|name| !listed(name))
-        .collect();
+    let absent: Vec<&str> = plates.chain(concretes).chain(bars).filter(|name| !listed(name)).collect();
     assert!(absent.is_empty(), "{absent:?}\n{line}");
 }

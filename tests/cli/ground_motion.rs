@@ -37,23 +37,13 @@ fn tank(home: &Path) -> String {
 /// The check of a run with these arguments, and whether the gap was accepted.
 fn check(home: &Path, arguments: &[&str]) -> (Value, String, Option<i32>) {
     let (tank, out) = (tank(home), home.join("out"));
-    let base = [
-        "compare",
-        &tank,
-        "--no-report",
-        "--no-mesh-error",
-        "--out",
-        out.to_str().unwrap(),
-    ];
+    let base = ["compare", &tank, "--no-report", "--no-mesh-error", "--out", out.to_str().unwrap()];
     let run = tankcheck(&[&base[..], arguments].concat());
     assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     let text = fs::read_to_string(out.join("results.json")).unwrap();
     let found: Value = serde_json::from_str(&text).unwrap();
     let methods = found["methods"].as_array().unwrap();
-    let column = methods
-        .iter()
-        .find(|m| m["id"] == "fe" && m["excitation"] == "record")
-        .unwrap();
+    let column = methods.iter().find(|m| m["id"] == "fe" && m["excitation"] == "record").unwrap();
     let checks = column["checks"].as_array().unwrap();
     let check = checks.iter().find(|c| c["id"] == "ground_motion").unwrap().clone();
     (check, stderr(&run), run.status.code())
@@ -98,10 +88,7 @@ fn a_weak_set_fails() {
     assert_eq!((found["status"].as_str(), code), (Some("fails"), Some(1)));
     assert!(warnings.contains("`ground_motion` fails"), "{warnings}");
     let needed = factor(&found);
-    assert!(
-        needed > 1.0 && found["note"].as_str().unwrap().contains("too weak"),
-        "{found}"
-    );
+    assert!(needed > 1.0 && found["note"].as_str().unwrap().contains("too weak"), "{found}");
     let forty = set(home, 0.01 * needed / 40.0, None);
     let (found, ..) = check(home, &["--set", &forty]);
     assert!((factor(&found) / 40.0 - 1.0).abs() < 1e-8, "{found}");
@@ -136,8 +123,5 @@ fn a_weak_record_fails() {
     assert!((factor(&twice) * 2.0 / needed - 1.0).abs() < 1e-6, "{twice}");
     let (found, ..) = of(0.01 * needed * (1.0 + 1e-6));
     assert_eq!(found["status"], "accepted");
-    assert!(
-        found["note"].as_str().unwrap().contains("one record is not enough"),
-        "{found}"
-    );
+    assert!(found["note"].as_str().unwrap().contains("one record is not enough"), "{found}");
 }

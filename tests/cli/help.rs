@@ -32,30 +32,15 @@ const COMMANDS: [&str; 24] = [
 ];
 
 /// Spellings of before, and others that a writer of help may think of.
-const OTHERS: [&str; 12] = [
-    "DIR",
-    "DIRECTORY",
-    "PATH",
-    "CSV",
-    "JSON",
-    "S",
-    "SEC",
-    "HZ",
-    "QUAKE",
-    "MOTION",
-    "OUT",
-    "TANK or CSV",
-];
+const OTHERS: [&str; 12] =
+    ["DIR", "DIRECTORY", "PATH", "CSV", "JSON", "S", "SEC", "HZ", "QUAKE", "MOTION", "OUT", "TANK or CSV"];
 
 #[test]
 fn placeholders_have_one_spelling() {
     let mut found: BTreeSet<String> = BTreeSet::new();
     for command in COMMANDS {
         let args: Vec<&str> = command.split(' ').chain(["--help"]).collect();
-        let done = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-            .args(args)
-            .output()
-            .unwrap();
+        let done = Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(args).output().unwrap();
         assert!(done.status.success(), "{command}");
         let text = String::from_utf8(done.stdout).unwrap();
         for part in text.split('<').skip(1).filter_map(|rest| rest.split_once('>')) {

@@ -15,9 +15,7 @@ struct Home {
 
 impl Home {
     fn new() -> Home {
-        Home {
-            folder: tempfile::tempdir().expect("a temporary folder"),
-        }
+        Home { folder: tempfile::tempdir().expect("a temporary folder") }
     }
 
     fn path(&self) -> &Path {
@@ -56,14 +54,7 @@ impl Home {
 
 fn clean(what: &str, text: &str) {
     if let Some((at, c)) = text.char_indices().find(|(_, c)| hostile(*c)) {
-        let around: String = text[..at]
-            .chars()
-            .rev()
-            .take(60)
-            .collect::<Vec<_>>()
-            .into_iter()
-            .rev()
-            .collect();
+        let around: String = text[..at].chars().rev().take(60).collect::<Vec<_>>().into_iter().rev().collect();
         panic!("{what}: U+{:04X} after {around:?}", c as u32);
     }
 }
@@ -85,10 +76,7 @@ fn pages(folder: &Path) -> Vec<PathBuf> {
 fn clean_pages(folder: &Path) -> usize {
     let found = pages(folder);
     for page in &found {
-        clean(
-            &page.display().to_string(),
-            &std::fs::read_to_string(page).expect("UTF-8"),
-        );
+        clean(&page.display().to_string(), &std::fs::read_to_string(page).expect("UTF-8"));
     }
     found.len()
 }
@@ -134,14 +122,8 @@ fn samples(separator: &str) -> String {
 fn records(home: &Home) -> [String; 2] {
     // The reader rejects every C0 control character in a record.
     let poison: String = POISON.chars().filter(|c| !c.is_ascii_control()).collect();
-    let csv = home.write(
-        &format!("r{POISON}.csv"),
-        &format!("# {poison}\ntime_s,acceleration_m_s2\n{}", samples(",")),
-    );
-    let values: String = samples(" ")
-        .lines()
-        .map(|l| format!("{}\n", l.split(' ').nth(1).unwrap()))
-        .collect();
+    let csv = home.write(&format!("r{POISON}.csv"), &format!("# {poison}\ntime_s,acceleration_m_s2\n{}", samples(",")));
+    let values: String = samples(" ").lines().map(|l| format!("{}\n", l.split(' ').nth(1).unwrap())).collect();
     let at2 = home.write(
         &format!("p{POISON}.at2"),
         &format!("PEER NGA {poison}\n{poison}\nACCELERATION TIME SERIES IN UNITS OF G {poison}\nNPTS= 31, DT= .01 SEC\n{values}"),
@@ -167,25 +149,12 @@ fn results_and_reports_show_hostile_text_as_escapes() {
     for format in ["human", "json", "csv"] {
         let text = home.runs(
             &[0, 1, 4],
-            &[
-                "compare",
-                &tank,
-                "--quake",
-                &at2,
-                "--out",
-                "again",
-                "--no-mesh-error",
-                "--format",
-                format,
-            ],
+            &["compare", &tank, "--quake", &at2, "--out", "again", "--no-mesh-error", "--format", format],
         );
         if format == "json" {
             let end = text.rfind("\n}").unwrap() + 2;
             let value: serde_json::Value = serde_json::from_str(&text[..end]).expect("JSON");
-            assert!(
-                value["name"].as_str().unwrap().starts_with(POISON),
-                "the value is the exact text"
-            );
+            assert!(value["name"].as_str().unwrap().starts_with(POISON), "the value is the exact text");
         }
         home.runs(&[0, 1, 4], &["check", &tank, "--quake", &csv, "--format", format]);
         home.runs(&[0], &["modes", &tank, "--format", format]);
@@ -207,12 +176,7 @@ fn analyses_show_hostile_text_as_escapes() {
     let [csv, _] = records(&home);
     for format in ["human", "json", "csv"] {
         let out = format!("{format}{POISON}");
-        home.runs(
-            &[0],
-            &[
-                "ida", &tank, "--quake", &csv, "--scale", "0.1", "--out", &out, "--format", format,
-            ],
-        );
+        home.runs(&[0], &["ida", &tank, "--quake", &csv, "--scale", "0.1", "--out", &out, "--format", format]);
         assert!(clean_pages(&home.path().join(&out)) > 1);
     }
     // A place that does not exist ends a pushover after the tank was read.
@@ -253,10 +217,7 @@ fn messages_show_hostile_text_as_escapes() {
         ("cells", "time_s,acceleration_m_s2\n0,1\u{9b}\u{202e}\n0.1,2\n"),
         ("control", "0,1\n\u{1b}[2J,2\n"),
         ("heads", "time\u{202e}_s,velocity\u{9b}_m_s\n0,1\n0.1,2\n"),
-        (
-            "npts",
-            "PEER\n\u{9b}\nUNITS OF \u{202e}\nNPTS= \u{9b}x, DT= .01\n1 2 3\n",
-        ),
+        ("npts", "PEER\n\u{9b}\nUNITS OF \u{202e}\nNPTS= \u{9b}x, DT= .01\n1 2 3\n"),
     ] {
         let name = home.write(&format!("{name}{POISON}.csv"), text);
         home.runs(&[2], &["quake", "info", &name]);
@@ -270,16 +231,7 @@ fn messages_show_hostile_text_as_escapes() {
         &["check", &good, "--format", POISON],
         &["compare", &good, "--quake", &missing],
         &["compare", &good, "--quake", &csv, "--templates", &missing],
-        &[
-            "compare",
-            &good,
-            "--quake",
-            &csv,
-            "--fe",
-            "nonlinear",
-            "--checkpoint",
-            &format!("{missing}/x"),
-        ],
+        &["compare", &good, "--quake", &csv, "--fe", "nonlinear", "--checkpoint", &format!("{missing}/x")],
         &["compare", &good, "--quake", &csv, "--fe", "both", "--mesh", POISON],
         &["ida", &good, "--quake", &csv, "--scale", POISON],
         &["ida", &good, "--quake", &csv, "--scale", "0..1", "--steps", POISON],
@@ -299,20 +251,7 @@ fn messages_show_hostile_text_as_escapes() {
         home.runs(&[2], command);
     }
     // Without a checkpoint the run starts from the beginning and reports it.
-    home.runs(
-        &[0, 1, 2, 4],
-        &[
-            "compare",
-            &good,
-            "--quake",
-            &csv,
-            "--fe",
-            "nonlinear",
-            "--resume",
-            "--out",
-            &missing,
-        ],
-    );
+    home.runs(&[0, 1, 2, 4], &["compare", &good, "--quake", &csv, "--fe", "nonlinear", "--resume", "--out", &missing]);
 }
 
 /// With colours asked for, the only escape sequences are our own: select graphic rendition.
@@ -333,9 +272,7 @@ fn colours_are_ours_alone() {
     while let Some(at) = rest.find("\u{1b}[") {
         bare.push_str(&rest[..at]);
         let sequence = &rest[at + 2..];
-        let end = sequence
-            .find(|c: char| !c.is_ascii_digit() && c != ';')
-            .expect("an end");
+        let end = sequence.find(|c: char| !c.is_ascii_digit() && c != ';').expect("an end");
         assert_eq!(&sequence[end..=end], "m", "{sequence}");
         rest = &sequence[end + 1..];
     }

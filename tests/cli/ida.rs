@@ -45,10 +45,7 @@ fn runs_are_written_and_resumed() {
     let rest = &runs(&parts)[0];
     let moment = rest["base_moment"].as_f64().expect("a number");
     // 9.80665 instead of 9.81 m/s²: 3.4e-4; the mesh: 2e-3 as row C10.
-    assert!(
-        (moment / (1e4 * 2.57_f64.powi(3) / 6.0) - 1.0).abs() < 2.5e-3,
-        "{moment}"
-    );
+    assert!((moment / (1e4 * 2.57_f64.powi(3) / 6.0) - 1.0).abs() < 2.5e-3, "{moment}");
     assert!(rest["first_crack"].is_null() && rest["wave"].as_f64().expect("a number") < 1e-9);
     for name in ["ida.csv", "report.html", "figures/ida_wave.svg"] {
         assert!(parts.join(name).exists(), "{name}");
@@ -72,10 +69,7 @@ fn runs_are_written_and_resumed() {
     let refused = run(&record, "0,0.5,1", &parts, &["--resume"]);
     assert_eq!(refused.status.code(), Some(2), "{}", stderr(&refused));
     let message = stderr(&refused);
-    assert!(
-        message.contains("checkpoint-0.5") && message.contains("remove the file"),
-        "{message}"
-    );
+    assert!(message.contains("checkpoint-0.5") && message.contains("remove the file"), "{message}");
     assert_eq!(runs(&parts), runs(&whole));
     // The page is complete in itself, and no folder of a comparison.
     let report = tankcheck(&["report", parts.to_str().expect("a plain path")]);
@@ -101,11 +95,7 @@ fn another_analysis_is_not_resumed_and_nothing_is_lost() {
     std::fs::write(&pulse, text.replacen("0.01,", "0.01,-", 1)).expect("writable");
     let other = run(&pulse, "0", &out, &["--resume"]);
     assert_eq!(other.status.code(), Some(2), "{}", stderr(&other));
-    assert!(
-        stderr(&other).contains("another tank, record, option or version"),
-        "{}",
-        stderr(&other)
-    );
+    assert!(stderr(&other).contains("another tank, record, option or version"), "{}", stderr(&other));
     assert_eq!(std::fs::read_to_string(out.join("ida.json")).expect("ida.json"), before);
 }
 
@@ -117,9 +107,8 @@ fn an_interrupted_analysis_does_not_replace_a_complete_one() {
     let (pulse, out) = (record(home.path()), home.path().join("out"));
     let before = at_rest(&pulse, &out);
     let long = home.path().join("long.csv");
-    let lines: String = (0..4000)
-        .map(|i| format!("{:.2},{:.6}\n", 0.01 * f64::from(i), 3.0 * (0.5 * f64::from(i)).sin()))
-        .collect();
+    let lines: String =
+        (0..4000).map(|i| format!("{:.2},{:.6}\n", 0.01 * f64::from(i), 3.0 * (0.5 * f64::from(i)).sin())).collect();
     std::fs::write(&long, format!("time_s,acceleration_m_s2\n{lines}")).expect("writable");
     let [quake, folder] = [&long, &out].map(|p| p.to_str().expect("a plain path"));
     let child = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"))
@@ -133,23 +122,13 @@ fn an_interrupted_analysis_does_not_replace_a_complete_one() {
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
     std::thread::sleep(std::time::Duration::from_millis(300));
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
+    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(sent.expect("kill exists").success());
     let output = child.wait_with_output().expect("ends");
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
-    assert!(
-        stderr(&output).contains("keeps the complete results"),
-        "{}",
-        stderr(&output)
-    );
+    assert!(stderr(&output).contains("keeps the complete results"), "{}", stderr(&output));
     assert_eq!(std::fs::read_to_string(out.join("ida.json")).expect("ida.json"), before);
-    let names: Vec<_> = std::fs::read_dir(home.path())
-        .expect("readable")
-        .flatten()
-        .map(|e| e.file_name())
-        .collect();
+    let names: Vec<_> = std::fs::read_dir(home.path()).expect("readable").flatten().map(|e| e.file_name()).collect();
     assert_eq!(names.len(), 3, "{names:?}");
 }
 
@@ -165,11 +144,7 @@ fn a_rectangle_that_is_no_strip_is_refused() {
     let [quake, folder, tank] = [&record, &out, &tank].map(|p| p.to_str().expect("a plain path"));
     let found = tankcheck(&["ida", tank, "--quake", quake, "--scale", "1", "--out", folder]);
     assert_eq!(found.status.code(), Some(2), "{}", stderr(&found));
-    assert!(
-        stderr(&found).contains("strips of long rectangular tanks"),
-        "{}",
-        stderr(&found)
-    );
+    assert!(stderr(&found).contains("strips of long rectangular tanks"), "{}", stderr(&found));
     assert!(!out.exists());
 }
 
@@ -201,9 +176,8 @@ fn a_cylinder() {
     std::fs::write(&quake, text).expect("writable");
     let analysis = |scale: &str, out: &Path, more: &[&str]| {
         let [tank, quake, out] = [&tank, &quake, &out.to_path_buf()].map(|p| p.to_str().expect("plain").to_owned());
-        let mut command: Vec<&str> = vec![
-            "ida", &tank, "--quake", &quake, "--scale", scale, "--jobs", "2", "-o", &out, "--quiet",
-        ];
+        let mut command: Vec<&str> =
+            vec!["ida", &tank, "--quake", &quake, "--scale", scale, "--jobs", "2", "-o", &out, "--quiet"];
         command.extend(more);
         let run = tankcheck(&command);
         assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
@@ -255,12 +229,8 @@ fn a_run_that_leaves_its_model_is_marked() {
     let found = runs(&out);
     assert!(found[0]["departures"].is_null());
     let marked = &found[1];
-    let ids: Vec<&str> = marked["departures"]
-        .as_array()
-        .expect("marked")
-        .iter()
-        .map(|d| d["id"].as_str().expect("an id"))
-        .collect();
+    let ids: Vec<&str> =
+        marked["departures"].as_array().expect("marked").iter().map(|d| d["id"].as_str().expect("an id")).collect();
     assert!(ids.contains(&"stored_energy"), "{ids:?}");
     let number = |name: &str| marked[name].as_f64().expect("a number");
     assert!(marked["collapse"].is_null());

@@ -33,34 +33,14 @@ const SCENARIOS: &[Scenario] = &[
     },
     Scenario {
         name: "nonlinear compare",
-        command: &[
-            "compare",
-            "strip.json",
-            "--quake",
-            "record.csv",
-            "--fe",
-            "nonlinear",
-            "--out",
-            "nonlinear",
-        ],
+        command: &["compare", "strip.json", "--quake", "record.csv", "--fe", "nonlinear", "--out", "nonlinear"],
         out: "nonlinear",
         resume: Some("--resume"),
         share: 3,
     },
     Scenario {
         name: "ida",
-        command: &[
-            "ida",
-            "strip.json",
-            "--quake",
-            "record.csv",
-            "--scale",
-            "0.3,0.6,1",
-            "--jobs",
-            "2",
-            "--out",
-            "ida",
-        ],
+        command: &["ida", "strip.json", "--quake", "record.csv", "--scale", "0.3,0.6,1", "--jobs", "2", "--out", "ida"],
         out: "ida",
         resume: Some("--resume"),
         share: 3,
@@ -72,13 +52,7 @@ const SCENARIOS: &[Scenario] = &[
         resume: Some("--resume"),
         share: 3,
     },
-    Scenario {
-        name: "report",
-        command: &["report", "out"],
-        out: "out",
-        resume: None,
-        share: 2,
-    },
+    Scenario { name: "report", command: &["report", "out"], out: "out", resume: None, share: 2 },
 ];
 
 /// Options of a steel cylinder on a coarse mesh.
@@ -90,10 +64,7 @@ struct Dice(u64);
 
 impl Dice {
     fn throw(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }
@@ -115,11 +86,7 @@ fn works(run: Child, what: &str) {
     let output = run.wait_with_output().expect("ends");
     let message = String::from_utf8_lossy(&output.stderr);
     // A check may fail: that is not a failure of the program.
-    assert!(
-        matches!(output.status.code(), Some(0 | 1 | 4)),
-        "{what}: {:?} {message}",
-        output.status
-    );
+    assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{what}: {:?} {message}", output.status);
 }
 
 /// Everything below a folder: name and content, without the fields that differ between identical runs.
@@ -171,14 +138,8 @@ fn names(folder: &Path) -> Vec<String> {
 fn writes(home: &Path, out: &str) -> bool {
     [home.to_path_buf(), home.join(out)].iter().any(|folder| {
         let staging = |name: &String| name.starts_with('.') && name.ends_with(".partial");
-        let list = || {
-            Some(
-                std::fs::read_dir(folder)
-                    .ok()?
-                    .flatten()
-                    .map(|e| e.file_name().to_string_lossy().into_owned()),
-            )
-        };
+        let list =
+            || Some(std::fs::read_dir(folder).ok()?.flatten().map(|e| e.file_name().to_string_lossy().into_owned()));
         let filled =
             |name: String| std::fs::read_dir(folder.join(name).join("files")).is_ok_and(|mut f| f.next().is_some());
         list().is_some_and(|mut all| all.any(|name| staging(&name) && filled(name)))
@@ -254,13 +215,7 @@ fn kill_battery() {
             let links = if scenario.resume.is_some() { 3 } else { 1 };
             for link in 0..links {
                 let resume = scenario.resume.filter(|_| link > 0);
-                let alive = kill(
-                    start(&home, scenario.command, resume),
-                    &home,
-                    scenario.out,
-                    usual,
-                    &mut dice,
-                );
+                let alive = kill(start(&home, scenario.command, resume), &home, scenario.out, usual, &mut dice);
                 struck += u32::from(alive);
                 tries += 1;
                 if !alive || struck >= wanted {
@@ -278,9 +233,6 @@ fn kill_battery() {
                 assert!(a == b, "{what}: {name} differs: {differs:?}");
             }
         }
-        println!(
-            "{}: {struck} of {tries} runs were killed alive, usual time {usual:?}",
-            scenario.name
-        );
+        println!("{}: {struck} of {tries} runs were killed alive, usual time {usual:?}", scenario.name);
     }
 }

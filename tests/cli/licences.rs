@@ -54,29 +54,14 @@ fn one(tokens: &[String], at: &mut usize, allowed: &[String]) -> bool {
 fn dependencies_have_allowed_licences() {
     let root = env!("CARGO_MANIFEST_DIR");
     let deny = std::fs::read_to_string(format!("{root}/deny.toml")).expect("deny.toml is in the repository");
-    let list = deny
-        .split_once("allow = [")
-        .and_then(|(_, rest)| rest.split_once(']'))
-        .expect("deny.toml has a list")
-        .0;
+    let list = deny.split_once("allow = [").and_then(|(_, rest)| rest.split_once(']')).expect("deny.toml has a list").0;
     let allowed: Vec<String> = list.split('"').skip(1).step_by(2).map(str::to_owned).collect();
     let rustc = Command::new("rustc").arg("-vV").output().expect("rustc runs");
     let version = String::from_utf8_lossy(&rustc.stdout).into_owned();
-    let host = version
-        .lines()
-        .find_map(|l| l.strip_prefix("host: "))
-        .expect("rustc names its host");
+    let host = version.lines().find_map(|l| l.strip_prefix("host: ")).expect("rustc names its host");
     // Only this platform's packages have been downloaded; the others need not be.
     let output = Command::new(env!("CARGO"))
-        .args([
-            "metadata",
-            "--format-version",
-            "1",
-            "--locked",
-            "--offline",
-            "--filter-platform",
-            host,
-        ])
+        .args(["metadata", "--format-version", "1", "--locked", "--offline", "--filter-platform", host])
         .current_dir(root)
         .output()
         .expect("cargo runs");
@@ -101,10 +86,7 @@ fn ignored_advisories_are_still_needed() {
     let ignored: Vec<&str> = deny.lines().filter(|l| l.contains("RUSTSEC-")).collect();
     assert_eq!(ignored.len(), 1, "{ignored:?}");
     assert!(ignored[0].contains("RUSTSEC-2024-0436") && ignored[0].contains("reason"));
-    assert!(
-        lock.contains("name = \"paste\"\n"),
-        "paste is gone: remove the advisory from deny.toml"
-    );
+    assert!(lock.contains("name = \"paste\"\n"), "paste is gone: remove the advisory from deny.toml");
 }
 
 #[test]

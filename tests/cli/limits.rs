@@ -26,9 +26,8 @@ fn changed(home: &Path, example: &str, changes: &[(&str, &str)]) -> PathBuf {
 
 fn record(home: &Path, dt: f64) -> PathBuf {
     let path = home.join("record.csv");
-    let lines: Vec<String> = (0..4)
-        .map(|k| format!("{},{}", f64::from(k) * dt, [0.0, 1.0, -1.0, 0.0][k as usize]))
-        .collect();
+    let lines: Vec<String> =
+        (0..4).map(|k| format!("{},{}", f64::from(k) * dt, [0.0, 1.0, -1.0, 0.0][k as usize])).collect();
     std::fs::write(&path, format!("time_s,acceleration_m_s2\n{}\n", lines.join("\n"))).expect("writable");
     path
 }
@@ -59,20 +58,12 @@ fn a_film_on_the_bottom_has_no_mesh() {
     let tank = film(TANK, "\"fill_height\": \"1.525 m\"");
     for engine in ["harmonic", "solid", "both"] {
         let command = ["compare", text(&tank), "--quake", QUAKE, "--fe", engine];
-        refused(
-            &command,
-            home.path(),
-            &["liquid.fill_height", "found \"1e-6 m\"", "at least 1 mm"],
-        );
+        refused(&command, home.path(), &["liquid.fill_height", "found \"1e-6 m\"", "at least 1 mm"]);
     }
     let run = tankcheck(&["modes", text(&tank)]);
     assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
     let tank = film("examples/07_steel_cylinder/tank.json", "\"fill_height\": \"11 m\"");
-    refused(
-        &["compare", text(&tank), "--quake", QUAKE, "--fe", "nonlinear"],
-        home.path(),
-        &["liquid.fill_height"],
-    );
+    refused(&["compare", text(&tank), "--quake", QUAKE, "--fe", "nonlinear"], home.path(), &["liquid.fill_height"]);
     refused(&["push", text(&tank)], home.path(), &["liquid.fill_height"]);
 }
 
@@ -82,18 +73,10 @@ fn a_record_of_picoseconds_is_refused() {
     let home = tempfile::tempdir().expect("a temporary folder");
     for dt in [1e-12, 1e-9, 1e-7] {
         let record = record(home.path(), dt);
-        refused(
-            &["compare", TANK, "--quake", text(&record)],
-            home.path(),
-            &["found a step of", "at least 0.00001 s"],
-        );
+        refused(&["compare", TANK, "--quake", text(&record)], home.path(), &["found a step of", "at least 0.00001 s"]);
     }
     // The same by the time axis.
-    let tank = changed(
-        home.path(),
-        TANK,
-        &[("\"time_factor\": 0.57735", "\"time_factor\": 0.001")],
-    );
+    let tank = changed(home.path(), TANK, &[("\"time_factor\": 0.57735", "\"time_factor\": 0.001")]);
     let short = record(home.path(), 1e-4);
     refused(
         &["compare", text(&tank), "--quake", text(&short)],
@@ -112,19 +95,8 @@ fn a_record_of_picoseconds_is_refused() {
 #[test]
 fn gravity_of_nothing_is_refused() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let tank = changed(
-        home.path(),
-        TANK,
-        &[("\"liquid\": {", "\"gravity\": \"1e-9 m/s2\", \"liquid\": {")],
-    );
-    let run = tankcheck(&[
-        "compare",
-        text(&tank),
-        "--quake",
-        QUAKE,
-        "--out",
-        text(&home.path().join("out")),
-    ]);
+    let tank = changed(home.path(), TANK, &[("\"liquid\": {", "\"gravity\": \"1e-9 m/s2\", \"liquid\": {")]);
+    let run = tankcheck(&["compare", text(&tank), "--quake", QUAKE, "--out", text(&home.path().join("out"))]);
     let message = stderr(&run);
     assert_eq!(run.status.code(), Some(2), "{message}");
     for word in ["gravity", "too small", "at least 0.1 m/s2"] {
@@ -138,10 +110,7 @@ fn every_engine_is_held_to_the_memory_and_says_what_fits() {
     let fine = changed(
         home.path(),
         "examples/08_concrete_cylinder/tank.json",
-        &[(
-            "\"height\": 40, \"circumference\": 100",
-            "\"height\": 160, \"circumference\": 400",
-        )],
+        &[("\"height\": 40, \"circumference\": 100", "\"height\": 160, \"circumference\": 400")],
     );
     let few = ["more than the allowed", "MiB", "help: ", "raise --memory-limit"];
     let refuse = |command: &[&str], words: &[&str]| {
@@ -150,35 +119,12 @@ fn every_engine_is_held_to_the_memory_and_says_what_fits() {
     };
     let limit = ["--memory-limit", "300"];
     let cylinder = ["compare", text(&fine), "--quake", QUAKE, "--fe", "nonlinear"];
-    refuse(
-        &[&cylinder[..], &limit].concat(),
-        &["nonlinear run", "give `analysis.nonlinear.elements`"],
-    );
+    refuse(&[&cylinder[..], &limit].concat(), &["nonlinear run", "give `analysis.nonlinear.elements`"]);
     let ida = ["ida", text(&fine), "--quake", QUAKE, "--scale", "0.5,1", "--jobs", "2"];
     refuse(&[&ida[..], &limit].concat(), &["nonlinear run", "2 runs, 2 at a time"]);
-    let harmonic = [
-        "compare",
-        TANK,
-        "--quake",
-        QUAKE,
-        "--refine",
-        "16",
-        "--memory-limit",
-        "300",
-    ];
+    let harmonic = ["compare", TANK, "--quake", QUAKE, "--refine", "16", "--memory-limit", "300"];
     refuse(&harmonic, &["harmonic run", "condensed liquid", "use --refine"]);
-    let solid = [
-        "compare",
-        TANK,
-        "--quake",
-        QUAKE,
-        "--fe",
-        "solid",
-        "--mesh",
-        "24x32x40",
-        "--memory-limit",
-        "60",
-    ];
+    let solid = ["compare", TANK, "--quake", QUAKE, "--fe", "solid", "--mesh", "24x32x40", "--memory-limit", "60"];
     refuse(&solid, &["three-dimensional run", "24x32x40 elements", "use --mesh"]);
     let steel = "examples/07_steel_cylinder/tank.json";
     refuse(
@@ -232,10 +178,7 @@ fn tasks_at_a_time_are_held_to_the_memory() {
     };
     let (code, text) = run(&["--jobs", "6", "--memory-limit", "60"]);
     assert_eq!(code, Some(2), "{text}");
-    assert!(
-        text.contains("more than the allowed 60 MiB") && text.contains("use --jobs "),
-        "{text}"
-    );
+    assert!(text.contains("more than the allowed 60 MiB") && text.contains("use --jobs "), "{text}");
     let (code, text) = run(&["--jobs", "2", "--memory-limit", "60"]);
     assert_eq!(code, Some(0), "{text}");
 }
@@ -248,16 +191,7 @@ fn nonlinear_runs_are_announced_with_their_estimate() {
     let pulse = "tests/golden/short/pulse.csv";
     let strip = "tests/golden/short/strip.json";
     let commands: [&[&str]; 3] = [
-        &[
-            "compare",
-            strip,
-            "--quake",
-            pulse,
-            "--fe",
-            "nonlinear",
-            "--procedures",
-            "housner",
-        ],
+        &["compare", strip, "--quake", pulse, "--fe", "nonlinear", "--procedures", "housner"],
         &["ida", strip, "--quake", pulse, "--scale", "0,0.1", "--jobs", "2"],
         &["push", "tests/golden/short/cylinder.json"],
     ];
@@ -269,9 +203,7 @@ fn nonlinear_runs_are_announced_with_their_estimate() {
             command.extend(["--out", text(&out)]);
             command.extend(quiet.then_some("--quiet"));
             let said = stderr(&tankcheck(&command));
-            let found = said
-                .lines()
-                .find(|line| line.starts_with(run) && line.contains(" MiB, about "));
+            let found = said.lines().find(|line| line.starts_with(run) && line.contains(" MiB, about "));
             assert_eq!(found.is_some(), !quiet, "{command:?}: {said}");
             assert!(k != 1 || quiet || said.contains("2 runs, 2 at a time"), "{said}");
         }
@@ -282,14 +214,8 @@ fn nonlinear_runs_are_announced_with_their_estimate() {
 #[test]
 fn the_limit_of_the_tank_file_holds() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let tank = changed(
-        home.path(),
-        TANK,
-        &[(
-            "\"analysis\": {",
-            "\"analysis\": { \"solid\": { \"memory_limit\": 20 },",
-        )],
-    );
+    let tank =
+        changed(home.path(), TANK, &[("\"analysis\": {", "\"analysis\": { \"solid\": { \"memory_limit\": 20 },")]);
     let command = ["compare", text(&tank), "--quake", QUAKE, "--refine", "8"];
     refused(&command, home.path(), &["allowed 20 MiB"]);
 }

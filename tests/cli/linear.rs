@@ -53,80 +53,34 @@ fn file(size: usize, before: &str, member: impl Fn(usize) -> String, after: &str
 type Make = fn(usize) -> String;
 
 const CASES: &[(&str, Make)] = &[
-    ("unknown keys in one line", |n| {
-        file(n, &format!("{{ {GOOD},"), |i| format!("\"k{i}\":1"), "}")
-    }),
-    ("unknown keys like known ones", |n| {
-        file(n, &format!("{{ {GOOD},"), |i| format!("\"gravit{i}\":1"), "}")
-    }),
-    ("unknown keys, a line each", |n| {
-        file(n, &format!("{{ {GOOD},"), |i| format!("\n\"key {i}\": [{i}]"), "}")
-    }),
-    ("duplicate keys, a line each", |n| {
-        file(n, &format!("{{ {GOOD},"), |_| "\n\"notes\":1".into(), "}")
-    }),
-    ("incomplete materials", |n| {
-        file(n, "{\"materials\":{", |i| format!("\"m{i}\":{{}}"), "}}")
-    }),
-    ("incomplete courses", |n| {
-        file(n, "{\"tank\":{\"courses\":[", |_| "{}".into(), "]}}")
-    }),
-    ("wrong kinds in a list", |n| {
-        file(n, "{\"published\":[", |_| "1".into(), "]}")
-    }),
+    ("unknown keys in one line", |n| file(n, &format!("{{ {GOOD},"), |i| format!("\"k{i}\":1"), "}")),
+    ("unknown keys like known ones", |n| file(n, &format!("{{ {GOOD},"), |i| format!("\"gravit{i}\":1"), "}")),
+    ("unknown keys, a line each", |n| file(n, &format!("{{ {GOOD},"), |i| format!("\n\"key {i}\": [{i}]"), "}")),
+    ("duplicate keys, a line each", |n| file(n, &format!("{{ {GOOD},"), |_| "\n\"notes\":1".into(), "}")),
+    ("incomplete materials", |n| file(n, "{\"materials\":{", |i| format!("\"m{i}\":{{}}"), "}}")),
+    ("incomplete courses", |n| file(n, "{\"tank\":{\"courses\":[", |_| "{}".into(), "]}}")),
+    ("wrong kinds in a list", |n| file(n, "{\"published\":[", |_| "1".into(), "]}")),
     ("unknown quantities", |n| {
-        file(
-            n,
-            "{\"measured\":{",
-            |i| format!("\"q{i}\":{{\"value\":\"1 m\",\"source\":\"s\"}}"),
-            "}}",
-        )
+        file(n, "{\"measured\":{", |i| format!("\"q{i}\":{{\"value\":\"1 m\",\"source\":\"s\"}}"), "}}")
     }),
     ("unknown procedures", |n| {
-        file(
-            n,
-            &format!("{{ {GOOD}, \"procedures\":{{\"run\":["),
-            |i| format!("\"p{i}\""),
-            "]}}",
-        )
+        file(n, &format!("{{ {GOOD}, \"procedures\":{{\"run\":["), |i| format!("\"p{i}\""), "]}}")
     }),
     ("procedures named again and again", |n| {
-        file(
-            n,
-            &format!("{{ {GOOD}, \"procedures\":{{\"run\":["),
-            |_| "\"housner\"".into(),
-            "]}}",
-        )
+        file(n, &format!("{{ {GOOD}, \"procedures\":{{\"run\":["), |_| "\"housner\"".into(), "]}}")
     }),
-    ("a long key above many values", |n| {
-        file(n, &format!("{{\"{}\":[", "k".repeat(n / 2)), |_| "1".into(), "]}")
-    }),
+    ("a long key above many values", |n| file(n, &format!("{{\"{}\":[", "k".repeat(n / 2)), |_| "1".into(), "]}")),
     ("long keys above long keys", |n| {
         let key = "k".repeat(n / 40);
         let open: String = (0..20).map(|_| format!("{{\"{key}\":")).collect();
-        file(
-            n,
-            &format!("{open}["),
-            |_| "{\"a\":1}".into(),
-            &("]".to_owned() + &"}".repeat(20)),
-        )
+        file(n, &format!("{open}["), |_| "{\"a\":1}".into(), &("]".to_owned() + &"}".repeat(20)))
     }),
-    ("one long unknown key", |n| {
-        format!("{{ {GOOD}, \"{}\":1}}", "name".repeat(n / 4 - 200))
-    }),
-    ("one long unknown unit", |n| {
-        format!(
-            "{{ {}}}",
-            GOOD.replace("10 m\"", &format!("10 {}\"", "m".repeat(n - 600)))
-        )
-    }),
+    ("one long unknown key", |n| format!("{{ {GOOD}, \"{}\":1}}", "name".repeat(n / 4 - 200))),
+    ("one long unknown unit", |n| format!("{{ {}}}", GOOD.replace("10 m\"", &format!("10 {}\"", "m".repeat(n - 600))))),
     ("one long unknown grade", |n| {
         format!(
             "{{ {}}}",
-            GOOD.replace(
-                "\"youngs_modulus\"",
-                &format!("\"grade\": \"{}\", \"youngs_modulus\"", "S".repeat(n - 600))
-            )
+            GOOD.replace("\"youngs_modulus\"", &format!("\"grade\": \"{}\", \"youngs_modulus\"", "S".repeat(n - 600)))
         )
     }),
     ("a material of a long name in many courses", |n| {
@@ -136,14 +90,10 @@ const CASES: &[(&str, Make)] = &[
         let list = vec![course; (n / 2 / course.len()).min(200)].join(",");
         format!("{{ {head}\"courses\": [ {list}, {tail} }}")
     }),
-    ("comments", |n| {
-        format!("{{ {GOOD}, \"x\": 1 {} }}", "/* c */ // d\n".repeat(n / 14 - 60))
-    }),
+    ("comments", |n| format!("{{ {GOOD}, \"x\": 1 {} }}", "/* c */ // d\n".repeat(n / 14 - 60))),
     ("brackets", |n| "[".repeat(n)),
     ("commas", |n| format!("{{ {GOOD} {} }}", ",".repeat(n - 600))),
-    ("numbers that run on", |n| {
-        format!("{{ {GOOD}, \"x\": {} }}", "1.".repeat(n / 2 - 600))
-    }),
+    ("numbers that run on", |n| format!("{{ {GOOD}, \"x\": {} }}", "1.".repeat(n / 2 - 600))),
 ];
 
 #[test]
@@ -153,10 +103,7 @@ fn a_mebibyte_of_faults_is_answered_with_fifty_and_the_number_of_the_rest() {
         let text = make(SIZE);
         assert!((SIZE / 2..=SIZE).contains(&text.len()), "{name}: {} bytes", text.len());
         let (time, message) = answer(text);
-        println!(
-            "{name}: {time:?}, {}",
-            message.lines().rfind(|l| l.starts_with("error: ")).unwrap_or_default()
-        );
+        println!("{name}: {time:?}, {}", message.lines().rfind(|l| l.starts_with("error: ")).unwrap_or_default());
         // Seconds; a nanosecond for each pair of bytes would be 1,100.
         assert!(time < Duration::from_secs(300), "{name}: {time:?}");
         let shown = message.lines().filter(|l| l.starts_with("error")).count();
@@ -165,10 +112,7 @@ fn a_mebibyte_of_faults_is_answered_with_fifty_and_the_number_of_the_rest() {
         assert!(message.len() < 200_000, "{name}: {} bytes", message.len());
         if shown == 51 {
             let sum = message.lines().rfind(|l| l.starts_with("error: ")).unwrap_or_default();
-            let numbers: Vec<usize> = sum
-                .split(|c: char| !c.is_ascii_digit())
-                .filter_map(|w| w.parse().ok())
-                .collect();
+            let numbers: Vec<usize> = sum.split(|c: char| !c.is_ascii_digit()).filter_map(|w| w.parse().ok()).collect();
             assert_eq!((numbers.len(), numbers[1]), (3, 50), "{name}: {sum}");
             assert_eq!(numbers[0], numbers[1] + numbers[2], "{name}: {sum}");
         }

@@ -54,12 +54,7 @@ const SAMPLES: i32 = 750;
 fn start(folder: &Path, out: &str, more: &[&str]) -> Child {
     let [tank, record] = files(folder);
     Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args([
-            "compare".as_ref(),
-            tank.as_os_str(),
-            "--quake".as_ref(),
-            record.as_os_str(),
-        ])
+        .args(["compare".as_ref(), tank.as_os_str(), "--quake".as_ref(), record.as_os_str()])
         .args(["--fe", "nonlinear", "--no-mesh-error", "--out", out])
         .args(more)
         .current_dir(folder)
@@ -72,19 +67,13 @@ fn start(folder: &Path, out: &str, more: &[&str]) -> Child {
 /// Exit code and standard error.
 fn end(run: Child) -> (Option<i32>, String) {
     let output = run.wait_with_output().expect("ends");
-    (
-        output.status.code(),
-        String::from_utf8_lossy(&output.stderr).into_owned(),
-    )
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
 /// A linear peak after the end of the nonlinear run is marked.
 fn marked(whole: &Results, table: &str) {
     let fe = whole.reference().expect("the linear engine");
-    let late = fe
-        .histories
-        .iter()
-        .any(|s| s.id.starts_with("wave_height") && s.time > 15.0);
+    let late = fe.histories.iter().any(|s| s.id.starts_with("wave_height") && s.time > 15.0);
     let row = table.lines().find(|l| l.starts_with("Sloshing height")).expect("a row");
     assert_eq!(row.ends_with('*'), late, "{table}");
     assert_eq!(table.contains("fe-nonlinear ends at 15.00 s"), late, "{table}");
@@ -103,32 +92,19 @@ fn resumed_is_uninterrupted() {
     let output = start(home, "whole", &[]).wait_with_output().expect("ends");
     let (code, message) = (output.status.code(), String::from_utf8_lossy(&output.stderr));
     assert!(matches!(code, Some(0 | 1 | 4)), "{code:?} {message}");
-    has(
-        &message,
-        &["nonlinear run of 15 s: starts", "report: whole/report.html"],
-    );
+    has(&message, &["nonlinear run of 15 s: starts", "report: whole/report.html"]);
     assert!(!home.join("whole.checkpoint").exists());
     let (whole, series) = results(home, "whole");
     marked(&whole, &String::from_utf8_lossy(&output.stdout));
     let run = whole.beside(EngineId::Nonlinear).expect("a nonlinear run");
     assert_eq!(run.end, End::Completed);
-    assert!(
-        run.events
-            .iter()
-            .any(|e| e.kind == results::nonlinear::EventKind::FirstCrack),
-        "{:?}",
-        run.events
-    );
+    assert!(run.events.iter().any(|e| e.kind == results::nonlinear::EventKind::FirstCrack), "{:?}", run.events);
 
     // Interrupted as soon as there is a checkpoint.
     let mut part = start(home, "part", &[]);
     let checkpoint = home.join("part.checkpoint");
     while !checkpoint.exists() {
-        assert!(
-            part.try_wait().expect("known").is_none(),
-            "done before the first checkpoint: {:?}",
-            end(part)
-        );
+        assert!(part.try_wait().expect("known").is_none(), "done before the first checkpoint: {:?}", end(part));
         std::thread::sleep(Duration::from_millis(20));
     }
     let sent = Command::new("kill").args(["-INT", &part.id().to_string()]).status();
@@ -150,35 +126,21 @@ fn resumed_is_uninterrupted() {
     std::fs::write(&checkpoint, &sound[..sound.len() / 2]).expect("writable");
     let (code, message) = end(start(home, "part", &["--resume"]));
     assert_eq!(code, Some(2), "{message}");
-    has(
-        &message,
-        &["part.checkpoint", "truncated", "remove --resume to start over"],
-    );
+    has(&message, &["part.checkpoint", "truncated", "remove --resume to start over"]);
     assert!(!message.contains("resumes from"), "{message}");
     std::fs::write(&checkpoint, &sound).expect("writable");
     // So is that of another input.
     let other = TANK.replace("5 ms", "4 ms");
     std::fs::write(home.join("other.json"), other).expect("writable");
     let refused = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args([
-            "compare",
-            "other.json",
-            "--quake",
-            "record.csv",
-            "--fe",
-            "nonlinear",
-            "--no-mesh-error",
-        ])
+        .args(["compare", "other.json", "--quake", "record.csv", "--fe", "nonlinear", "--no-mesh-error"])
         .args(["--out", "part", "--resume"])
         .current_dir(home)
         .output()
         .expect("tankcheck runs");
     let message = String::from_utf8_lossy(&refused.stderr);
     assert_eq!(refused.status.code(), Some(2), "{message}");
-    has(
-        &message,
-        &["part.checkpoint cannot be used: of another run", "help: omit --resume"],
-    );
+    has(&message, &["part.checkpoint cannot be used: of another run", "help: omit --resume"]);
     assert_eq!(std::fs::read(&checkpoint).expect("kept"), sound);
 
     let (code, message) = end(start(home, "part", &["--resume"]));

@@ -51,11 +51,7 @@ pub(crate) fn read(text: &str) -> TankFile {
 
 /// The good file with one passage replaced.
 pub(crate) fn changed(from: &str, to: &str) -> String {
-    assert_eq!(
-        GOOD.matches(from).count(),
-        1,
-        "`{from}` must stand once in the good file"
-    );
+    assert_eq!(GOOD.matches(from).count(), 1, "`{from}` must stand once in the good file");
     GOOD.replace(from, to)
 }
 
@@ -71,10 +67,7 @@ pub(crate) fn spoiled(from: &str, to: &str) -> String {
 }
 
 fn example(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("examples")
-        .join(name)
-        .join("tank.json")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name).join("tank.json")
 }
 
 #[test]
@@ -83,52 +76,29 @@ fn what_the_good_file_means() {
     let course = &file.case.tank.courses[0];
     let kinds: Vec<LayerKind> = course.layers.iter().map(|l| l.kind).collect();
     assert_eq!(kinds, [LayerKind::Shell, LayerKind::Interlayer, LayerKind::Shell]);
-    let Behaviour::Steel(steel) = course.layers[0].material.behaviour else {
-        panic!("not steel")
-    };
+    let Behaviour::Steel(steel) = course.layers[0].material.behaviour else { panic!("not steel") };
     // EN 1993-1-1, table 3.1.
     assert_eq!((steel.yield_strength, steel.ultimate_strength), (355e6, Some(490e6)));
     assert_eq!(steel.kinematic_share, 1.0);
     assert_eq!(course.layers[0].material.yield_strength, Some(355e6));
-    let Behaviour::Interlayer(foam) = course.layers[1].material.behaviour else {
-        panic!("not an interlayer")
-    };
+    let Behaviour::Interlayer(foam) = course.layers[1].material.behaviour else { panic!("not an interlayer") };
     assert_eq!((foam.e_normal, foam.shear_modulus, foam.tension), (10e6, 0.0, false));
-    let Behaviour::Concrete(concrete) = course.layers[2].material.behaviour else {
-        panic!("not concrete")
-    };
+    let Behaviour::Concrete(concrete) = course.layers[2].material.behaviour else { panic!("not concrete") };
     assert_eq!(concrete.law, ConcreteLaw::Cracked);
-    assert_eq!(
-        (concrete.compressive_strength, concrete.tensile_strength),
-        (38e6, 2.9e6)
-    );
+    assert_eq!((concrete.compressive_strength, concrete.tensile_strength), (38e6, 2.9e6));
     // 73 · 38^0.18, four digits by hand.
-    let Softening::FractureEnergy(energy) = concrete.softening else {
-        panic!("no fracture energy")
-    };
+    let Softening::FractureEnergy(energy) = concrete.softening else { panic!("no fracture energy") };
     assert!((energy - 140.5).abs() < 0.05, "{energy}");
     let bars = &course.layers[2].reinforcement[0];
     assert_eq!(bars.direction, BarDirection::Hoop);
     assert!((bars.area - 15e-4).abs() < 1e-18 && (bars.depth - 0.21).abs() < 1e-12);
     assert!(matches!(bars.material.behaviour, Behaviour::Reinforcement(b) if b.yield_strength == 500e6));
     let options = &file.nonlinear;
-    assert_eq!(
-        options.elements,
-        Some(WallElements {
-            height: 24,
-            circumference: 192
-        })
-    );
+    assert_eq!(options.elements, Some(WallElements { height: 24, circumference: 192 }));
     assert_eq!(options.contact, Contact::Opening);
     assert!(options.symmetry && options.self_weight && options.follower_pressure);
     // The equivalent wall is concrete by its modulus: 5 % of damping.
-    assert_eq!(
-        options.damping,
-        Damping::ByGroup {
-            wall: 0.05,
-            sloshing: 0.005
-        }
-    );
+    assert_eq!(options.damping, Damping::ByGroup { wall: 0.05, sloshing: 0.005 });
     // Values from grades are in the list of defaults.
     for (path, text) in [
         ("materials.liner.youngs_modulus", "210"),
@@ -155,10 +125,7 @@ fn fields_override_the_grade_and_elastic_switches_it_off() {
         matches!(material.behaviour, Behaviour::Steel(s) if s.yield_strength == 345e6 && s.kinematic_share == 0.0),
         "{material:?}"
     );
-    let file = read(&changed(
-        "{ \"grade\": \"S355\" }",
-        "{ \"grade\": \"S355\", \"behaviour\": \"elastic\" }",
-    ));
+    let file = read(&changed("{ \"grade\": \"S355\" }", "{ \"grade\": \"S355\", \"behaviour\": \"elastic\" }"));
     assert!(file.case.tank.courses[0].layers[0].material.behaviour.is_elastic());
 }
 
@@ -176,21 +143,9 @@ fn strip_of_the_dissertation() {
     assert!((depths[0] - 0.035).abs() < 1e-12 && (depths[1] - 0.265).abs() < 1e-12);
     let options = &file.nonlinear;
     assert_eq!(options.time_step, Some(0.0025));
-    assert_eq!(
-        options.damping,
-        Damping::MassProportional {
-            ratio: 0.022,
-            at: MassProportionalAt::Frequency(2.39)
-        }
-    );
+    assert_eq!(options.damping, Damping::MassProportional { ratio: 0.022, at: MassProportionalAt::Frequency(2.39) });
     assert_eq!(options.integration.concrete, ThicknessRule::MidPoint(20));
-    assert_eq!(
-        options.elements,
-        Some(WallElements {
-            height: 40,
-            circumference: 1
-        })
-    );
+    assert_eq!(options.elements, Some(WallElements { height: 40, circumference: 1 }));
     assert!(file.remarks.iter().any(|r| r.contains("almost undamped")));
 }
 
@@ -200,28 +155,16 @@ fn check_shows_the_layers() {
     let folder = tempfile::tempdir().unwrap();
     for (name, say) in [
         ("07_steel_cylinder", ""),
-        (
-            "08_concrete_cylinder",
-            "course 1: 200 mm concrete (concrete; hoop 15.0 cm²/m at 40.0 mm of bars",
-        ),
+        ("08_concrete_cylinder", "course 1: 200 mm concrete (concrete; hoop 15.0 cm²/m at 40.0 mm of bars"),
     ] {
         let out = folder.path().join(name);
         let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-            .args([
-                "check".as_ref(),
-                example(name).as_os_str(),
-                "--out".as_ref(),
-                out.as_os_str(),
-            ])
+            .args(["check".as_ref(), example(name).as_os_str(), "--out".as_ref(), out.as_os_str()])
             .output()
             .unwrap();
         let text = String::from_utf8_lossy(&output.stdout);
         let code = output.status.code();
-        assert!(
-            matches!(code, Some(0 | 1 | 4)),
-            "{name}: {code:?} {}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        assert!(matches!(code, Some(0 | 1 | 4)), "{name}: {code:?} {}", String::from_utf8_lossy(&output.stderr));
         has(&text, &[say]);
         let report = std::fs::read_to_string(out.join("report.html")).unwrap();
         let layered = !say.is_empty();
@@ -252,10 +195,7 @@ fn layers() {
         &["tank.courses[0].layers", "2 interlayers", "at most one"],
     );
     has(
-        &spoiled(
-            "{ \"height\": \"6 m\",",
-            "{ \"height\": \"6 m\", \"thickness\": \"30 cm\",",
-        ),
+        &spoiled("{ \"height\": \"6 m\",", "{ \"height\": \"6 m\", \"thickness\": \"30 cm\","),
         &[
             "tank.courses[0].thickness",
             "thickness does not apply to a course with layers",
@@ -279,16 +219,9 @@ fn layers() {
             "\"support\": \"anchored\",",
             "\"support\": \"anchored\", \"roof\": { \"mass\": \"1 t\", \"layers\": [] },",
         ),
-        &[
-            "tank.roof.layers",
-            "unknown key `layers`",
-            "type, mass, height, snow or rim",
-        ],
+        &["tank.roof.layers", "unknown key `layers`", "type, mass, height, snow or rim"],
     );
-    has(
-        &spoiled("\"25 cm\"", "\"25 kg\""),
-        &["tank.courses[0].layers[2].thickness", "a mass", "found \"25 kg\""],
-    );
+    has(&spoiled("\"25 cm\"", "\"25 kg\""), &["tank.courses[0].layers[2].thickness", "a mass", "found \"25 kg\""]);
 }
 
 #[test]
@@ -303,37 +236,24 @@ fn bars() {
         ],
     );
     has(
-        &spoiled(
-            "\"from_outer\": \"4 cm\"",
-            "\"from_outer\": \"4 cm\", \"from_inner\": \"4 cm\"",
-        ),
+        &spoiled("\"from_outer\": \"4 cm\"", "\"from_outer\": \"4 cm\", \"from_inner\": \"4 cm\""),
         &["reinforcement[0]", "either from_inner or from_outer"],
     );
-    has(
-        &spoiled("\"15 cm2/m\"", "\"15 cm2\""),
-        &["reinforcement[0].area", "an area per length such as \"7.0 cm2/m\""],
-    );
+    has(&spoiled("\"15 cm2/m\"", "\"15 cm2\""), &["reinforcement[0].area", "an area per length such as \"7.0 cm2/m\""]);
     has(
         &spoiled(
             "\"material\": \"liner\" },",
             "\"material\": \"liner\", \"reinforcement\": [\n{ \"direction\": \"vertical\", \"area\": \"1 cm2/m\", \
              \"from_inner\": \"3 mm\", \"material\": \"bars\" } ] },",
         ),
-        &[
-            "tank.courses[0].layers[0].reinforcement",
-            "bars in a layer of steel",
-            "bars in shells of concrete only",
-        ],
+        &["tank.courses[0].layers[0].reinforcement", "bars in a layer of steel", "bars in shells of concrete only"],
     );
     has(
         &spoiled(
             "\"from_outer\": \"4 cm\", \"material\": \"bars\"",
             "\"from_outer\": \"4 cm\", \"material\": \"concrete\"",
         ),
-        &[
-            "reinforcement[0].material",
-            "`concrete` is concrete, which cannot be used for bars",
-        ],
+        &["reinforcement[0].material", "`concrete` is concrete, which cannot be used for bars"],
     );
 }
 
@@ -348,63 +268,39 @@ fn impossible_materials() {
             "less than the compressive strength, 38.00 MPa",
         ],
     );
-    has(
-        &spoiled("\"38 MPa\"", "\"38 kPa\""),
-        &["compressive_strength", "too small", "greater than 1 MPa"],
-    );
+    has(&spoiled("\"38 MPa\"", "\"38 kPa\""), &["compressive_strength", "too small", "greater than 1 MPa"]);
     has(
         &spoiled("\"2.9 MPa\"", "\"2.9 MPa\", \"softening_strain\": 1e-5"),
         &["softening_strain", "snap-back", "found 1e-5", "8.97e-5"],
     );
     has(
-        &spoiled(
-            "\"2.9 MPa\"",
-            "\"2.9 MPa\", \"brittle\": true, \"fracture_energy\": \"100 N/m\"",
-        ),
-        &[
-            "one softening",
-            "one of fracture_energy, softening_strain and \"brittle\": true",
-        ],
+        &spoiled("\"2.9 MPa\"", "\"2.9 MPa\", \"brittle\": true, \"fracture_energy\": \"100 N/m\""),
+        &["one softening", "one of fracture_energy, softening_strain and \"brittle\": true"],
     );
     let steel =
         |parameters: &str| format!("{{ \"grade\": \"S355\", \"behaviour\": {{ \"steel\": {{ {parameters} }} }} }}");
     let liner = "{ \"grade\": \"S355\" }";
     has(
         &spoiled(liner, &steel("\"tangent_modulus\": \"-1 GPa\"")),
-        &[
-            "materials.liner.behaviour.steel.tangent_modulus",
-            "must not be negative",
-        ],
+        &["materials.liner.behaviour.steel.tangent_modulus", "must not be negative"],
     );
     has(
         &spoiled(liner, &steel("\"tangent_modulus\": \"210 GPa\"")),
         &["slope after yielding", "less than Young's modulus, 210.0 GPa"],
     );
     has(
-        &spoiled(
-            liner,
-            &steel("\"tangent_modulus\": \"1 GPa\", \"hardening_modulus\": \"1 GPa\""),
-        ),
+        &spoiled(liner, &steel("\"tangent_modulus\": \"1 GPa\", \"hardening_modulus\": \"1 GPa\"")),
         &["two slopes", "either tangent_modulus or hardening_modulus"],
     );
-    has(
-        &spoiled(liner, &steel("\"ultimate_strength\": \"300 MPa\"")),
-        &["not above the yield strength", "355.0 MPa"],
-    );
-    has(
-        &spoiled(liner, &steel("\"kinematic_share\": 1.5")),
-        &["kinematic_share", "at least 0, at most 1"],
-    );
+    has(&spoiled(liner, &steel("\"ultimate_strength\": \"300 MPa\"")), &["not above the yield strength", "355.0 MPa"]);
+    has(&spoiled(liner, &steel("\"kinematic_share\": 1.5")), &["kinematic_share", "at least 0, at most 1"]);
     has(
         &spoiled(
             liner,
             "{ \"youngs_modulus\": \"210 GPa\", \"poisson_ratio\": 0.3, \"density\": \"7850 kg/m3\", \"behaviour\": { \
              \"steel\": {} } }",
         ),
-        &[
-            "the key `yield_strength` is missing",
-            "materials.liner.behaviour.steel.yield_strength",
-        ],
+        &["the key `yield_strength` is missing", "materials.liner.behaviour.steel.yield_strength"],
     );
     has(
         &spoiled(
@@ -419,29 +315,14 @@ fn impossible_materials() {
 fn grades_and_behaviours() {
     has(
         &spoiled("\"S355\"", "\"S356\""),
-        &[
-            "materials.liner.grade",
-            "unknown grade `S356`",
-            "did you mean \"S355\"?",
-            "S235",
-        ],
+        &["materials.liner.grade", "unknown grade `S356`", "did you mean \"S355\"?", "S235"],
     );
     has(
-        &spoiled(
-            "{ \"grade\": \"S355\" }",
-            "{ \"grade\": \"S355\", \"behaviour\": { \"concrete\": {} } }",
-        ),
-        &[
-            "materials.liner.behaviour",
-            "the grade S355 is steel",
-            "\"elastic\" or steel",
-        ],
+        &spoiled("{ \"grade\": \"S355\" }", "{ \"grade\": \"S355\", \"behaviour\": { \"concrete\": {} } }"),
+        &["materials.liner.behaviour", "the grade S355 is steel", "\"elastic\" or steel"],
     );
     has(
-        &spoiled(
-            "{ \"grade\": \"S355\" }",
-            "{ \"grade\": \"S355\", \"behaviour\": \"steel\" }",
-        ),
+        &spoiled("{ \"grade\": \"S355\" }", "{ \"grade\": \"S355\", \"behaviour\": \"steel\" }"),
         &["unknown behaviour `steel`", "write { \"steel\": { … } }"],
     );
     has(
@@ -450,24 +331,15 @@ fn grades_and_behaviours() {
     );
     has(
         &spoiled("\"youngs_modulus\": \"33 GPa\",", ""),
-        &[
-            "the key `youngs_modulus` is missing",
-            "materials.concrete.youngs_modulus",
-        ],
+        &["the key `youngs_modulus` is missing", "materials.concrete.youngs_modulus"],
     );
     has(
         &spoiled("\"e_normal\": \"10 MPa\"", "\"e_normal\": \"10 Mpa\""),
         &["e_normal", "unknown unit `Mpa`", "did you mean `MPa`?"],
     );
     has(
-        &spoiled(
-            "\"density\": \"40 kg/m3\"",
-            "\"density\": \"40 kg/m3\", \"poisson_ratio\": 0.3",
-        ),
-        &[
-            "materials.foam.poisson_ratio",
-            "poisson_ratio does not apply to an interlayer",
-        ],
+        &spoiled("\"density\": \"40 kg/m3\"", "\"density\": \"40 kg/m3\", \"poisson_ratio\": 0.3"),
+        &["materials.foam.poisson_ratio", "poisson_ratio does not apply to an interlayer"],
     );
 }
 
@@ -475,16 +347,7 @@ fn grades_and_behaviours() {
 #[test]
 fn stiff_interlayer_is_a_slip_of_the_unit() {
     let file = read(&changed("\"10 MPa\"", "\"3.0e9 kN/m2\""));
-    let [remark] = file.remarks.as_slice() else {
-        panic!("{:?}", file.remarks)
-    };
-    has(
-        remark,
-        &[
-            "materials.foam.behaviour.interlayer.e_normal",
-            "3.0e9 kN/m2",
-            "1e8 kN/m2",
-        ],
-    );
+    let [remark] = file.remarks.as_slice() else { panic!("{:?}", file.remarks) };
+    has(remark, &["materials.foam.behaviour.interlayer.e_normal", "3.0e9 kN/m2", "1e8 kN/m2"]);
     assert!(read(&changed("\"10 MPa\"", "\"3.0e9 N/m2\"")).remarks.is_empty());
 }

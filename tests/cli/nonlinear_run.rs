@@ -42,11 +42,7 @@ fn options_of_another_engine_are_refused() {
         both.extend(option);
         refused_for(CYLINDER, &both, &out, &[option[0], "--fe nonlinear"]);
     }
-    for option in [
-        &["--mesh", "4x8x4"][..],
-        &["--liquid", "potential"],
-        &["--vtu", "no_such_folder"],
-    ] {
+    for option in [&["--mesh", "4x8x4"][..], &["--liquid", "potential"], &["--vtu", "no_such_folder"]] {
         let mut command = vec!["--fe", "nonlinear"];
         command.extend(option);
         refused(&command, &out, &[option[0], "--fe solid"]);
@@ -73,15 +69,7 @@ fn a_place_for_the_checkpoint_is_looked_at_before_the_run() {
         assert_eq!(std::fs::read_to_string(&mine).expect("untouched"), "mine");
         std::fs::remove_file(&mine).expect("writable");
     }
-    refused(
-        &["--fe", "nonlinear", "--checkpoint", text(home.path())],
-        &out,
-        &["is a folder"],
-    );
+    refused(&["--fe", "nonlinear", "--checkpoint", text(home.path())], &out, &["is a folder"]);
     let nowhere = home.path().join("no_folder/x");
-    refused(
-        &["--fe", "nonlinear", "--checkpoint", text(&nowhere)],
-        &out,
-        &["does not exist", "no_folder"],
-    );
+    refused(&["--fe", "nonlinear", "--checkpoint", text(&nowhere)], &out, &["does not exist", "no_folder"]);
 }

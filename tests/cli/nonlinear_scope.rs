@@ -14,10 +14,7 @@ fn refused(text: &str, refuses: fn(&Task<'_>) -> Vec<Refusal>) -> String {
     let file = read(text);
     let faults = job::refused(&file, refuses);
     let text = faults.render(&file.source, false);
-    assert!(
-        text.contains("error: 1 fault in tank.json; nothing was computed"),
-        "{text}"
-    );
+    assert!(text.contains("error: 1 fault in tank.json; nothing was computed"), "{text}");
     assert!(text.contains("tank.json:"), "{text}");
     text
 }
@@ -112,11 +109,7 @@ fn laws_of_the_other_engine() {
     );
     has(
         &refused(&strip().replace("\"2.9 MPa\"", &law("plastic-fracturing")), history),
-        &[
-            "materials.concrete.behaviour.concrete.law",
-            "found \"plastic-fracturing\"",
-            "\"cracked\" or \"uniaxial\"",
-        ],
+        &["materials.concrete.behaviour.concrete.law", "found \"plastic-fracturing\"", "\"cracked\" or \"uniaxial\""],
     );
     // 2 · 250 · 73 · 38^0.18 · 33e9/38e6² = 1.60 m: it crushes over more than it may crack.
     let coarse = changed("\"circumference\": 192", "\"circumference\": 36");
@@ -134,10 +127,7 @@ fn laws_of_the_other_engine() {
 fn walls_that_are_not_modelled() {
     let foam = "\"e_normal\": \"10 MPa\", \"tension\": false";
     has(
-        &unfit(
-            foam,
-            "\"e_normal\": \"10 MPa\", \"shear_modulus\": \"1 MPa\", \"tension\": false",
-        ),
+        &unfit(foam, "\"e_normal\": \"10 MPa\", \"shear_modulus\": \"1 MPa\", \"tension\": false"),
         &[
             "materials.foam.behaviour.interlayer",
             "e_normal 10.0 MPa, e_parallel 0 Pa, shear_modulus 1.00 MPa, without tension",
@@ -150,44 +140,23 @@ fn walls_that_are_not_modelled() {
     assert!(text.contains(second) && text.contains(course));
     has(
         &refused(&text, history),
-        &[
-            "tank.courses[1]",
-            "equally far apart in all courses",
-            "found one shell",
-            "two shells, 178 mm apart",
-        ],
+        &["tank.courses[1]", "equally far apart in all courses", "found one shell", "two shells, 178 mm apart"],
     );
     // Two leaves that both bend.
-    let twin = strip().replace(
-        "\"6 mm\", \"material\": \"liner\"",
-        "\"25 cm\", \"material\": \"concrete\"",
-    );
+    let twin = strip().replace("\"6 mm\", \"material\": \"liner\"", "\"25 cm\", \"material\": \"concrete\"");
     let twin = twin.replace("    \"liner\": { \"grade\": \"S355\" },\n", "");
     has(
         &refused(&twin, history),
-        &[
-            "tank.courses[0].layers",
-            "one bending leaf",
-            "250 mm concrete, 50.0 mm foam, 250 mm concrete",
-        ],
+        &["tank.courses[0].layers", "one bending leaf", "250 mm concrete, 50.0 mm foam, 250 mm concrete"],
     );
     let roof = strip().replace("\"support\":", "\"roof\": { \"mass\": \"1 t\" }, \"support\":");
-    has(
-        &refused(&roof, history),
-        &["tank.roof.mass", "does not support a roof mass", "remove `roof`"],
-    );
+    has(&refused(&roof, history), &["tank.roof.mass", "does not support a roof mass", "remove `roof`"]);
 }
 
 #[test]
 fn tanks_of_another_kind() {
-    has(
-        &refused(&strip(), push::refuses),
-        &["tank.shape", "found \"rectangle\"", "\"cylinder\""],
-    );
-    has(
-        &refused(GOOD, push::refuses),
-        &["tank.courses[0].layers", "6.00 mm liner, 50.0 mm foam, 250 mm concrete"],
-    );
+    has(&refused(&strip(), push::refuses), &["tank.shape", "found \"rectangle\"", "\"cylinder\""]);
+    has(&refused(GOOD, push::refuses), &["tank.courses[0].layers", "6.00 mm liner, 50.0 mm foam, 250 mm concrete"]);
     let four = strip().replace("\"strip\": true", "\"breadth\": \"8 m\"");
     let four = four.replace("\"elements\": { \"height\": 24 }, ", "");
     has(&refused(&four, history), &["tank.shape", "four walls"]);

@@ -21,15 +21,7 @@ fn names(folder: &Path) -> Vec<String> {
 
 const RECORD: &str = "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.04,0.5\n0.06,-1\n0.08,0\n0.10,0.2\n0.12,0\n0.14,0.1\n0.16,0\n0.18,0.1\n0.2,0\n";
 
-const COMPARE: [&str; 7] = [
-    "compare",
-    "tank.json",
-    "--quake",
-    "r.csv",
-    "--no-mesh-error",
-    "--out",
-    "out",
-];
+const COMPARE: [&str; 7] = ["compare", "tank.json", "--quake", "r.csv", "--no-mesh-error", "--out", "out"];
 
 #[test]
 fn what_an_earlier_run_left_is_kept_or_named() {
@@ -47,12 +39,7 @@ fn what_an_earlier_run_left_is_kept_or_named() {
     let message = run(&COMPARE);
     assert!(!message.contains("T0913"), "{message}");
     let whole = names(&out);
-    assert!(
-        ["report.html", "series.csv", "figures"]
-            .iter()
-            .all(|name| whole.iter().any(|n| n == name)),
-        "{whole:?}"
-    );
+    assert!(["report.html", "series.csv", "figures"].iter().all(|name| whole.iter().any(|n| n == name)), "{whole:?}");
     // The codes alone do not replace a run of an engine, nor does another kind of run.
     for args in [
         &["check", "tank.json", "--out", "out"][..],
@@ -69,10 +56,7 @@ fn what_an_earlier_run_left_is_kept_or_named() {
     // A run without the record: what it replaces is said before it runs.
     std::fs::write(out.join("report.pdf"), "mine").unwrap();
     let message = run(&["compare", "tank.json", "--no-mesh-error", "--out", "out"]);
-    let first = message
-        .lines()
-        .find(|line| line.starts_with("warning[T0913]: "))
-        .expect("a warning");
+    let first = message.lines().find(|line| line.starts_with("warning[T0913]: ")).expect("a warning");
     assert!(
         first.contains("the run under the record") && first.contains("--out") && !first.contains("report.pdf"),
         "{first}"
@@ -82,18 +66,12 @@ fn what_an_earlier_run_left_is_kept_or_named() {
     run(&COMPARE);
     // Fewer files: they are named.
     let message = run(&[&COMPARE[..], &["--no-report"]].concat());
-    let line = message
-        .lines()
-        .find(|line| line.starts_with("warning[T0913]: "))
-        .expect("a warning");
+    let line = message.lines().find(|line| line.starts_with("warning[T0913]: ")).expect("a warning");
     assert!(line.contains("report.html") && line.contains("figures"), "{line}");
     assert!(!out.join("report.html").exists() && out.join("series.csv").exists());
     // Units in the heads of the histories.
     let series = std::fs::read_to_string(out.join("series.csv")).unwrap();
     let head = series.lines().next().unwrap();
-    assert!(
-        head.starts_with("time_s,") && head.contains(",base_shear [N],"),
-        "{head}"
-    );
+    assert!(head.starts_with("time_s,") && head.contains(",base_shear [N],"), "{head}");
     assert!(head.contains("ground_acceleration [m/s2]"), "{head}");
 }

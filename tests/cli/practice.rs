@@ -70,13 +70,7 @@ struct Shaking {
 }
 
 fn metal(kind: &str, size: Size, plates: Plates, roof: f64, foot: Foot, shaking: Shaking) -> Tank {
-    let Size {
-        diameter,
-        height,
-        fill,
-        density,
-        ..
-    } = size;
+    let Size { diameter, height, fill, density, .. } = size;
     let course = |number: usize| {
         let head = fill - height * number as f64 - 0.3;
         let needed = 4.9 * diameter * head.max(0.0) * density / 1000.0 / plates.stress;
@@ -193,66 +187,29 @@ fn concrete(kind: &str, plan: Value, [height, fill]: [f64; 2], thickness: u32, a
 }
 
 /// Plates of carbon steel; S_d of table 5-2 is 160 MPa.
-const STEEL: Plates = Plates {
-    grade: "A36",
-    stress: 125.0,
-    least: 6.0,
-};
+const STEEL: Plates = Plates { grade: "A36", stress: 125.0, least: 6.0 };
 /// Thick enough for a tank that lifts.
-const STIFF: Plates = Plates {
-    grade: "S355",
-    stress: 130.0,
-    least: 8.0,
-};
+const STIFF: Plates = Plates { grade: "S355", stress: 130.0, least: 8.0 };
 /// Stainless plates of both standards.
-const STAINLESS: [Plates; 2] = [
-    Plates {
-        grade: "1.4301",
-        stress: 120.0,
-        least: 5.0,
-    },
-    Plates {
-        grade: "A240 304L",
-        stress: 110.0,
-        least: 5.0,
-    },
-];
+const STAINLESS: [Plates; 2] =
+    [Plates { grade: "1.4301", stress: 120.0, least: 5.0 }, Plates { grade: "A240 304L", stress: 110.0, least: 5.0 }];
 /// Aluminium.
-const ALUMINIUM: Plates = Plates {
-    grade: "EN AW-5083",
-    stress: 75.0,
-    least: 6.0,
-};
+const ALUMINIUM: Plates = Plates { grade: "EN AW-5083", stress: 75.0, least: 6.0 };
 
 fn size(diameter: f64, courses: usize, height: f64, fill: f64, density: f64) -> Size {
-    Size {
-        diameter,
-        courses,
-        height,
-        fill,
-        density,
-    }
+    Size { diameter, courses, height, fill, density }
 }
 
 fn both(ag: f64) -> Shaking {
-    Shaking {
-        ec8: Some(ag),
-        api: Some((3.0 * ag, ag)),
-    }
+    Shaking { ec8: Some(ag), api: Some((3.0 * ag, ag)) }
 }
 
 fn ec8(ag: f64) -> Shaking {
-    Shaking {
-        ec8: Some(ag),
-        api: None,
-    }
+    Shaking { ec8: Some(ag), api: None }
 }
 
 fn api(s1: f64) -> Shaking {
-    Shaking {
-        ec8: None,
-        api: Some((3.0 * s1, s1)),
-    }
+    Shaking { ec8: None, api: Some((3.0 * s1, s1)) }
 }
 
 /// Water tanks on anchors.
@@ -267,70 +224,27 @@ fn on_anchors() -> Vec<Tank> {
         (14.0, 3.0, 5.2, 36, 150.0, 0.1),
     ] {
         let foot = Foot::Anchored(count, force);
-        all.push(metal(
-            "steel on anchors, both codes",
-            size(d, 2, h, fill, 1000.0),
-            STEEL,
-            50.0,
-            foot,
-            both(ag),
-        ));
+        all.push(metal("steel on anchors, both codes", size(d, 2, h, fill, 1000.0), STEEL, 50.0, foot, both(ag)));
     }
-    for (d, n, h, fill, ag) in [
-        (12.0, 3, 2.4, 6.0, 0.15),
-        (15.0, 4, 2.0, 7.0, 0.12),
-        (18.0, 4, 2.4, 8.6, 0.12),
-    ] {
+    for (d, n, h, fill, ag) in [(12.0, 3, 2.4, 6.0, 0.15), (15.0, 4, 2.0, 7.0, 0.12), (18.0, 4, 2.4, 8.6, 0.12)] {
         let foot = Foot::Anchored(3 * d as u32, 200.0);
         for shaking in [ec8(ag), api(ag)] {
             let plates = Plates { stress: 110.0, ..STEEL };
-            all.push(metal(
-                "steel on anchors",
-                size(d, n, h, fill, 1000.0),
-                plates,
-                50.0,
-                foot,
-                shaking,
-            ));
+            all.push(metal("steel on anchors", size(d, n, h, fill, 1000.0), plates, 50.0, foot, shaking));
         }
     }
     for (d, count) in [(4.0, 12), (6.0, 16)] {
         let foot = Foot::Anchored(count, 80.0);
         let size = size(d, 2, 2.5, 4.3, 1000.0);
-        all.push(metal(
-            "stainless on anchors, both codes",
-            size,
-            STAINLESS[1],
-            40.0,
-            foot,
-            both(0.12),
-        ));
+        all.push(metal("stainless on anchors, both codes", size, STAINLESS[1], 40.0, foot, both(0.12)));
     }
-    for (d, n, fill, count, force) in [
-        (6.0, 3, 5.4, 16, 80.0),
-        (8.0, 3, 5.4, 20, 80.0),
-        (10.0, 4, 7.2, 24, 120.0),
-    ] {
+    for (d, n, fill, count, force) in [(6.0, 3, 5.4, 16, 80.0), (8.0, 3, 5.4, 20, 80.0), (10.0, 4, 7.2, 24, 120.0)] {
         let foot = Foot::Anchored(count, force);
-        all.push(metal(
-            "stainless on anchors",
-            size(d, n, 2.0, fill, 1000.0),
-            STAINLESS[0],
-            40.0,
-            foot,
-            ec8(0.12),
-        ));
+        all.push(metal("stainless on anchors", size(d, n, 2.0, fill, 1000.0), STAINLESS[0], 40.0, foot, ec8(0.12)));
     }
     for (d, count, force) in [(4.0, 12, 80.0), (5.0, 16, 80.0), (7.0, 20, 80.0), (8.0, 24, 120.0)] {
         let foot = Foot::Anchored(count, force);
-        all.push(metal(
-            "aluminium on anchors",
-            size(d, 3, 2.0, 5.4, 900.0),
-            ALUMINIUM,
-            20.0,
-            foot,
-            ec8(0.1),
-        ));
+        all.push(metal("aluminium on anchors", size(d, 3, 2.0, 5.4, 900.0), ALUMINIUM, 20.0, foot, ec8(0.1)));
     }
     all
 }
@@ -343,26 +257,12 @@ fn standing() -> Vec<Tank> {
     let mut all = Vec::new();
     for d in [12.0, 16.0, 20.0] {
         let size = size(d, 2, 3.0, 5.2, 860.0);
-        all.push(metal(
-            "steel on its bottom, both codes",
-            size,
-            STEEL,
-            55.0,
-            Foot::Standing(1.0, 7.0),
-            both(0.08),
-        ));
+        all.push(metal("steel on its bottom, both codes", size, STEEL, 55.0, Foot::Standing(1.0, 7.0), both(0.08)));
     }
     for (d, n, fill, ag) in [(20.0, 4, 8.6, 0.1), (24.0, 4, 8.6, 0.1), (30.0, 5, 10.8, 0.08)] {
         let (size, foot) = (size(d, n, 2.4, fill, 860.0), Foot::Standing(1.0, 8.0));
         all.push(metal("steel on its bottom", size, STIFF, 55.0, foot, ec8(ag)));
-        all.push(metal(
-            "steel on its bottom",
-            size,
-            STEEL,
-            55.0,
-            Foot::Standing(1.0, 7.0),
-            api(ag),
-        ));
+        all.push(metal("steel on its bottom", size, STEEL, 55.0, Foot::Standing(1.0, 7.0), api(ag)));
     }
     for (d, ag) in [(12.0, 0.12), (14.0, 0.13), (16.0, 0.13), (20.0, 0.16)] {
         let size = size(d, 3, 2.4, 6.4, 860.0);
@@ -373,37 +273,21 @@ fn standing() -> Vec<Tank> {
 
 fn of_concrete() -> Vec<Tank> {
     let mut all = Vec::new();
-    for (d, height, fill, thickness) in [
-        (10.0, 4.0, 3.4, 300),
-        (14.0, 4.0, 3.4, 300),
-        (20.0, 5.0, 4.2, 350),
-        (25.0, 5.0, 4.2, 400),
-    ] {
+    for (d, height, fill, thickness) in
+        [(10.0, 4.0, 3.4, 300), (14.0, 4.0, 3.4, 300), (20.0, 5.0, 4.2, 350), (25.0, 5.0, 4.2, 400)]
+    {
         let plan = json!({ "shape": "cylinder", "radius": format!("{} m", d / 2.0) });
-        all.push(concrete(
-            "concrete cylinder",
-            plan,
-            [height, fill],
-            thickness,
-            0.15,
-            true,
-        ));
+        all.push(concrete("concrete cylinder", plan, [height, fill], thickness, 0.15, true));
     }
-    for (length, height, fill, thickness) in [
-        (8, 3.0, 2.4, 250),
-        (10, 4.0, 3.2, 300),
-        (12, 5.0, 4.0, 450),
-        (15, 4.0, 3.2, 350),
-    ] {
+    for (length, height, fill, thickness) in
+        [(8, 3.0, 2.4, 250), (10, 4.0, 3.2, 300), (12, 5.0, 4.0, 450), (15, 4.0, 3.2, 350)]
+    {
         let plan = json!({ "shape": "rectangle", "length": format!("{length} m"), "strip": true });
         all.push(concrete("long basin", plan, [height, fill], thickness, 0.2, false));
     }
-    for (length, breadth, height, fill, thickness) in [
-        (8, 6, 3.0, 2.4, 250),
-        (10, 8, 4.0, 3.2, 300),
-        (12, 10, 4.0, 3.2, 350),
-        (20, 10, 4.0, 3.2, 350),
-    ] {
+    for (length, breadth, height, fill, thickness) in
+        [(8, 6, 3.0, 2.4, 250), (10, 8, 4.0, 3.2, 300), (12, 10, 4.0, 3.2, 350), (20, 10, 4.0, 3.2, 350)]
+    {
         let plan = json!({ "shape": "rectangle", "length": format!("{length} m"), "breadth": format!("{breadth} m") });
         all.push(concrete("basin", plan, [height, fill], thickness, 0.15, true));
     }
@@ -412,9 +296,7 @@ fn of_concrete() -> Vec<Tank> {
 
 /// Whether the checks of EN 1998-4 found a rotation of the plate that lifts.
 fn lifts(check: &Value) -> bool {
-    let rows = check["checks"]["ec8-2006/site"]
-        .as_array()
-        .expect("checks of EN 1998-4");
+    let rows = check["checks"]["ec8-2006/site"].as_array().expect("checks of EN 1998-4");
     let rotation = rows.iter().find(|row| row["id"] == "uplift_rotation");
     rotation.is_some_and(|row| row["utilisation"].as_f64().is_some_and(|u| u > 1e-3))
 }
@@ -439,11 +321,7 @@ fn sound_tanks_of_ordinary_practice_hold() {
                 }
                 found["verdict"]["counts"]["accepted"].clone()
             }
-            _ => json!(format!(
-                "{}{}",
-                String::from_utf8_lossy(&output.stdout),
-                stderr(&output)
-            )),
+            _ => json!(format!("{}{}", String::from_utf8_lossy(&output.stdout), stderr(&output))),
         };
         if found != 0 || needed >= MOST {
             faults.push(format!("{name}, {needed} values: {found}"));

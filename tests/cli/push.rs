@@ -46,15 +46,7 @@ fn text(path: &Path) -> &str {
 fn a_pushover_is_written() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let (tank, out) = (tank(home.path(), "small", "small"), home.path().join("out"));
-    let run = tankcheck(&[
-        "push",
-        text(&tank),
-        "--imperfection",
-        "class-b",
-        "--quiet",
-        "-o",
-        text(&out),
-    ]);
+    let run = tankcheck(&["push", text(&tank), "--imperfection", "class-b", "--quiet", "-o", text(&out)]);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let table = String::from_utf8_lossy(&run.stdout).into_owned();
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
@@ -69,21 +61,11 @@ fn a_pushover_is_written() {
     // ρ_s H g and the roof's weight over the perimeter; the lowest element stands 1 % of the height above the base, and the
     // edge bending of the pressure shifts the axial force of the coarse mesh little.
     let weight = (7850.0 * 4.0 + 2000.0 / (2.0 * std::f64::consts::PI * 4.0 * 0.005)) * 9.80665;
-    assert!(
-        (rest.compression / weight - 1.0).abs() < 0.1,
-        "{} {weight}",
-        rest.compression
-    );
+    assert!((rest.compression / weight - 1.0).abs() < 0.1, "{} {weight}", rest.compression);
     // The yield strength was chosen for the hoop: at rest p R/t = 28 MPa.
     let best = &perfect.capacity;
     assert!(best.hoop > 0.5 * 60e6 && best.hoop < 1.2 * 60e6, "{}", best.hoop);
-    let fact = |kind: FactKind| {
-        push.model
-            .iter()
-            .find(|f| f.kind == kind)
-            .expect("a fact of the model")
-            .value
-    };
+    let fact = |kind: FactKind| push.model.iter().find(|f| f.kind == kind).expect("a fact of the model").value;
     let mass = fact(FactKind::ImpulsiveMass) + fact(FactKind::WallAndRoofMass);
     // Eight graded elements around the half take 2 % of the force of cos θ; at a tenth of g the liquid pulls only just below its
     // surface, where the wall fails it does on much of the other side.
@@ -91,16 +73,9 @@ fn a_pushover_is_written() {
     assert!((first.base_shear / first.acceleration / mass - 1.0).abs() < 0.03);
     // M/(π R² t) with the same 3 %, and weight; the lowest element stands 0.7 % of the height above the base.
     let beam = first.base_moment / (std::f64::consts::PI * 16.0 * 0.005) + weight;
-    assert!(
-        (first.compression / beam - 1.0).abs() < 0.1,
-        "{} {beam}",
-        first.compression
-    );
+    assert!((first.compression / beam - 1.0).abs() < 0.1, "{} {beam}", first.compression);
     assert!(best.state.base_shear < best.state.acceleration * mass);
-    let imperfection = push.shells[1]
-        .imperfection
-        .as_ref()
-        .expect("the second shell is imperfect");
+    let imperfection = push.shells[1].imperfection.as_ref().expect("the second shell is imperfect");
     assert!((imperfection.amplitude - (4.0_f64 * 0.005).sqrt() / 25.0).abs() < 1e-9);
     assert!(push.shells[1].capacity.state.acceleration < 1.1 * best.state.acceleration);
     assert_eq!(push.limits.len(), 4);
@@ -123,57 +98,27 @@ fn what_cannot_be_pushed_is_refused() {
         assert!(!out.exists(), "{arguments:?}");
     };
     refused(&[text(&small), "--imperfection", "0"], &["--imperfection", "found `0`"]);
-    refused(
-        &[text(&small), "--imperfection", "class-x"],
-        &["class-a, class-b or class-c"],
-    );
-    refused(
-        &[text(&small), "--imperfection", "0.5t", "--imperfection-at", "-1m"],
-        &["--imperfection-at"],
-    );
+    refused(&[text(&small), "--imperfection", "class-x"], &["class-a, class-b or class-c"]);
+    refused(&[text(&small), "--imperfection", "0.5t", "--imperfection-at", "-1m"], &["--imperfection-at"]);
     refused(
         &[text(&small), "--imperfection", "0.5t", "--imperfection-at", "9 m"],
         &["height of the imperfection", "0 to 4 m"],
     );
     refused(&[text(&small), "--imperfection-at", "1m"], &["--imperfection"]);
+    refused(&[text(&small), "--imperfection-shape", "mode"], &["--imperfection <AMPLITUDE>"]);
     refused(
-        &[text(&small), "--imperfection-shape", "mode"],
-        &["--imperfection <AMPLITUDE>"],
-    );
-    refused(
-        &[
-            text(&small),
-            "--imperfection",
-            "0.5t",
-            "--imperfection-shape",
-            "mode",
-            "--imperfection-at",
-            "1m",
-        ],
+        &[text(&small), "--imperfection", "0.5t", "--imperfection-shape", "mode", "--imperfection-at", "1m"],
         &["--imperfection-at", "does not apply to a buckling mode"],
     );
     refused(&["examples/06_sandwich_strip/tank.json"], &["cylinders"]);
     refused(
         &["examples/08_concrete_cylinder/tank.json"],
-        &[
-            "tank.json: materials.concrete.behaviour: found concrete",
-            "allowed steel",
-        ],
+        &["tank.json: materials.concrete.behaviour: found concrete", "allowed steel"],
     );
-    let elastic = tank(
-        home.path(),
-        r#"{ "steel": { "tangent_modulus": "0 GPa", "kinematic_share": 1 } }"#,
-        r#""elastic""#,
-    );
-    refused(
-        &[text(&elastic)],
-        &["tank.json: materials.steel.behaviour: found elastic", "yield_strength"],
-    );
-    let odd = tank(
-        home.path(),
-        r#""circumference": 16 }"#,
-        r#""circumference": 17 }, "symmetry": false"#,
-    );
+    let elastic =
+        tank(home.path(), r#"{ "steel": { "tangent_modulus": "0 GPa", "kinematic_share": 1 } }"#, r#""elastic""#);
+    refused(&[text(&elastic)], &["tank.json: materials.steel.behaviour: found elastic", "yield_strength"]);
+    let odd = tank(home.path(), r#""circumference": 16 }"#, r#""circumference": 17 }, "symmetry": false"#);
     refused(&[text(&odd)], &["elements.circumference", "found 17", "an even number"]);
     let unanchored = tank(home.path(), "anchored", "unanchored");
     refused(&[text(&unanchored)], &["needs its bottom plate", "tank.bottom"]);

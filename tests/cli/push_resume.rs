@@ -64,18 +64,14 @@ fn written(checkpoint: &Path) -> Option<SystemTime> {
 /// The fields that do not differ between identical runs.
 fn results(folder: &Path, out: &str) -> Push {
     let push = read_push(&folder.join(out).join("push.json")).expect("readable");
-    Push {
-        volatile: Default::default(),
-        ..push
-    }
+    Push { volatile: Default::default(), ..push }
 }
 
 /// Contents of a folder.
 fn entries(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).expect("readable");
-    let mut names: Vec<String> = names
-        .map(|e| e.expect("readable").file_name().to_string_lossy().into_owned())
-        .collect();
+    let mut names: Vec<String> =
+        names.map(|e| e.expect("readable").file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }
@@ -165,10 +161,7 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
         has(&message, words);
         assert_eq!(std::fs::read(&checkpoint).expect("kept"), bytes);
     };
-    refused(
-        &["--imperfection-at", "1 m"],
-        &["mine cannot be used: of another run", "help: omit --resume"],
-    );
+    refused(&["--imperfection-at", "1 m"], &["mine cannot be used: of another run", "help: omit --resume"]);
     std::fs::write(&checkpoint, &sound[..sound.len() / 2]).expect("writable");
     refused(&[], &["`mine` is truncated", "remove --resume"]);
     std::fs::write(&checkpoint, "mine").expect("writable");
@@ -182,8 +175,5 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
     interrupt(&run);
     let (code, message) = end(run);
     assert_eq!(code, Some(3), "{message}");
-    has(
-        &message,
-        &["starts over and overwrites `mine`; use --resume to continue"],
-    );
+    has(&message, &["starts over and overwrites `mine`; use --resume to continue"]);
 }

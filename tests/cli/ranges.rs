@@ -140,10 +140,7 @@ fn an_unusual_value_is_named() {
         ("procedures.housner.combination", json!("srss")),
     ] {
         let warnings = read(&[at(path, &value)]).unwrap_or_else(|fault| panic!("{path}: {fault}"));
-        assert!(
-            warnings.iter().all(|(code, _)| *code != Code::UnusualInput),
-            "{path}: {warnings:?}"
-        );
+        assert!(warnings.iter().all(|(code, _)| *code != Code::UnusualInput), "{path}: {warnings:?}");
     }
 }
 
@@ -158,61 +155,22 @@ fn values_that_contradict_each_other_are_named_together() {
     let steel = |more: Value| json!({ "materials": { "steel": more } });
     let tank = |more: Value| json!({ "tank": more });
     for (change, one, other) in [
+        (slab(json!({ "shear_wave_velocity": "80 m/s" })), "shear_wave_velocity", "site.ec8.ground"),
+        (slab(json!({ "shear_wave_velocity": "80 m/s" })), "shear_wave_velocity", "site.api650.site_class"),
+        (both(json!({ "ground": "A" }), json!({ "site_class": "E" })), "site.ec8.ground", "site_class"),
+        (both(json!({ "ag": "0.4 g" }), json!({})), "site.ec8.ag", "site.api650.ss"),
+        (both(json!({ "importance": 1.6 }), json!({})), "site.ec8.importance", "site.api650.sug"),
         (
-            slab(json!({ "shear_wave_velocity": "80 m/s" })),
-            "shear_wave_velocity",
-            "site.ec8.ground",
-        ),
-        (
-            slab(json!({ "shear_wave_velocity": "80 m/s" })),
-            "shear_wave_velocity",
-            "site.api650.site_class",
-        ),
-        (
-            both(json!({ "ground": "A" }), json!({ "site_class": "E" })),
-            "site.ec8.ground",
-            "site_class",
-        ),
-        (
-            both(json!({ "ag": "0.4 g" }), json!({})),
-            "site.ec8.ag",
-            "site.api650.ss",
-        ),
-        (
-            both(json!({ "importance": 1.6 }), json!({})),
-            "site.ec8.importance",
-            "site.api650.sug",
-        ),
-        (
-            both(
-                json!({ "bearing_capacity": "1 MPa" }),
-                json!({ "bearing_capacity": "200 kPa" }),
-            ),
+            both(json!({ "bearing_capacity": "1 MPa" }), json!({ "bearing_capacity": "200 kPa" })),
             "site.ec8.bearing_capacity",
             "site.api650.bearing_capacity",
         ),
-        (
-            both(json!({}), json!({ "s1": 0.5 })),
-            "site.api650.s1",
-            "site.api650.ss",
-        ),
-        (
-            both(json!({}), json!({ "s0": 0.5 })),
-            "site.api650.s0",
-            "site.api650.ss",
-        ),
+        (both(json!({}), json!({ "s1": 0.5 })), "site.api650.s1", "site.api650.ss"),
+        (both(json!({}), json!({ "s0": 0.5 })), "site.api650.s0", "site.api650.ss"),
         (steel(json!({ "yield_strength": "355 MPa" })), "yield_strength", "S235"),
         (steel(json!({ "density": "2700 kg/m3" })), "density", "S235"),
-        (
-            steel(json!({ "allowable_stress": "300 MPa" })),
-            "allowable_stress",
-            "yield_strength",
-        ),
-        (
-            tank(json!({ "roof": { "mass": "0 t", "snow": "included" } })),
-            "tank.roof.snow",
-            "tank.roof.mass",
-        ),
+        (steel(json!({ "allowable_stress": "300 MPa" })), "allowable_stress", "yield_strength"),
+        (tank(json!({ "roof": { "mass": "0 t", "snow": "included" } })), "tank.roof.snow", "tank.roof.mass"),
         (
             tank(json!({ "roof": { "mass": "3 t", "type": "open" }, "pressure": { "internal": "1 kPa" } })),
             "tank.pressure",
@@ -223,11 +181,7 @@ fn values_that_contradict_each_other_are_named_together() {
             "attachment_capacity",
             "tank.anchors.capacity",
         ),
-        (
-            both(json!({ "friction": 0.5 }), json!({})),
-            "site.ec8.friction",
-            "tank.foundation.friction",
-        ),
+        (both(json!({ "friction": 0.5 }), json!({})), "site.ec8.friction", "tank.foundation.friction"),
     ] {
         let mean = slab(json!({ "friction": 0.45 }));
         let warnings = read(&[mean, change.clone()]).unwrap_or_else(|fault| panic!("{change}: {fault}"));
@@ -237,11 +191,7 @@ fn values_that_contradict_each_other_are_named_together() {
     }
     // Waves at the strains of the earthquake are slower than at rest; both ends of a class belong to it.
     for velocity in ["180 m/s", "360 m/s", "760 m/s"] {
-        assert_eq!(
-            read(&[slab(json!({ "shear_wave_velocity": velocity }))]),
-            Ok(Vec::new()),
-            "{velocity}"
-        );
+        assert_eq!(read(&[slab(json!({ "shear_wave_velocity": velocity }))]), Ok(Vec::new()), "{velocity}");
     }
 }
 
@@ -289,9 +239,7 @@ fn a_foundation_that_cannot_be_is_named() {
     let ring = |width: &str| json!({ "tank": { "foundation": { "kind": "ring_wall", "width": width } } });
     let warned = |change: &Value, what: &str| {
         let warnings = read(std::slice::from_ref(change)).expect("a good tank");
-        warnings
-            .iter()
-            .any(|(code, text)| *code == Code::Inconsistent && text.contains(what))
+        warnings.iter().any(|(code, text)| *code == Code::Inconsistent && text.contains(what))
     };
     for (width, named) in [("13 mm", true), ("15 mm", false), ("1 m", false), ("8.1 m", true)] {
         let mut change = ring(width);
@@ -328,20 +276,13 @@ fn bars_that_concrete_cannot_hold_are_named() {
         // π 20²/4 / 25 mm = 12 566 mm²/m of 300 000.
         (bars("25 mm", "50 mm"), Code::UnusualTank, "4.2 % of the section"),
         (bars("39 mm", "50 mm"), Code::UnusualTank, "19.0 mm apart"),
-        (
-            json!({ "diameter": "32 mm", "spacing": "31 mm", "from_inner": "50 mm" }),
-            Code::Inconsistent,
-            "overlap",
-        ),
+        (json!({ "diameter": "32 mm", "spacing": "31 mm", "from_inner": "50 mm" }), Code::Inconsistent, "overlap"),
         (bars("150 mm", "9 mm"), Code::Inconsistent, "stand out"),
         (bars("150 mm", "295 mm"), Code::Inconsistent, "stand out"),
         (bars("150 mm", "15 mm"), Code::UnusualTank, "cover of 5.00 mm"),
     ] {
         let found = warnings(bars.clone());
-        assert!(
-            found.iter().any(|(found, text)| *found == code && text.contains(what)),
-            "{bars}: {found:?}"
-        );
+        assert!(found.iter().any(|(found, text)| *found == code && text.contains(what)), "{bars}: {found:?}");
     }
 }
 
@@ -351,9 +292,7 @@ fn an_unusual_spectrum_is_named() {
     let named = |spectrum: Value| {
         let change = json!({ "site": { "spectrum": spectrum, "ec8": { "ground": null, "spectrum": null, "ag": null }, "api650": null } });
         let warnings = read(&[change]).unwrap_or_else(|fault| panic!("{fault}"));
-        warnings
-            .iter()
-            .any(|(code, text)| *code == Code::UnusualInput && text.starts_with("site.spectrum"))
+        warnings.iter().any(|(code, text)| *code == Code::UnusualInput && text.starts_with("site.spectrum"))
     };
     let table =
         |plateau: f64| json!({ "unit": "g", "table": [[0.0, 0.4 * plateau], [0.2, plateau], [10.0, 0.01 * plateau]] });
@@ -372,9 +311,7 @@ fn a_damping_of_a_metal_wall_is_named_once() {
     let named = |changes: &[Value]| -> Vec<String> {
         let warnings = read(changes).unwrap_or_else(|fault| panic!("{fault}"));
         let damping = warnings.iter().filter(|(code, _)| *code == Code::UnusualInput);
-        damping
-            .map(|(_, text)| text.split(':').next().unwrap_or_default().to_owned())
-            .collect()
+        damping.map(|(_, text)| text.split(':').next().unwrap_or_default().to_owned()).collect()
     };
     let pair = |at: &str, ratio: f64| json!({ "at": at, "ratio": ratio });
     let rayleigh = |ratio: f64| {
@@ -386,11 +323,7 @@ fn a_damping_of_a_metal_wall_is_named_once() {
     assert_eq!(named(&[rayleigh(0.1)]), ["analysis.damping"]);
     assert_eq!(named(&[rayleigh(0.05)]), [""; 0]);
     for ratio in [0.06, 0.1, 0.15] {
-        assert_eq!(
-            named(&[at("damping.impulsive", &json!(ratio))]),
-            ["damping.impulsive"],
-            "{ratio}"
-        );
+        assert_eq!(named(&[at("damping.impulsive", &json!(ratio))]), ["damping.impulsive"], "{ratio}");
     }
     let course = json!({ "height": "10 m", "thickness": "300 mm", "material": "concrete" });
     let concrete = json!({ "tank": { "courses": [course] }, "materials": { "concrete": { "grade": "C30/37" } } });

@@ -5,12 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn quake(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .arg("quake")
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_tankcheck")).arg("quake").args(arguments).current_dir(folder).output().unwrap()
 }
 
 fn json(output: &Output) -> serde_json::Value {
@@ -40,26 +35,9 @@ fn a_set_made_for_a_spectrum_holds_with_its_factor() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
     fs::write(path.join("spectrum.csv"), spectrum()).unwrap();
-    let made = quake(
-        path,
-        &[
-            "synth",
-            "--target",
-            "spectrum.csv",
-            "--n",
-            "3",
-            "--seed",
-            "5",
-            "--out",
-            "set",
-        ],
-    );
+    let made = quake(path, &["synth", "--target", "spectrum.csv", "--n", "3", "--seed", "5", "--out", "set"]);
     assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
-    let set = [
-        "set/synthetic-001.csv",
-        "set/synthetic-002.csv",
-        "set/synthetic-003.csv",
-    ];
+    let set = ["set/synthetic-001.csv", "set/synthetic-002.csv", "set/synthetic-003.csv"];
     let ask = |files: &[&str]| {
         let rule = [
             "--rule",
@@ -99,22 +77,12 @@ fn a_set_made_for_a_spectrum_holds_with_its_factor() {
     let names: Vec<&str> = scaled.iter().map(String::as_str).collect();
     let output = ask(&names);
     let again = json(&output);
-    assert_eq!(
-        (again["holds"].as_bool(), output.status.code()),
-        (Some(true), Some(0)),
-        "{again}"
-    );
-    let (ratio, zero) = (
-        number(&again, "smallest_ratio"),
-        number(&again, "mean_zero_period_ratio"),
-    );
+    assert_eq!((again["holds"].as_bool(), output.status.code()), (Some(true), Some(0)), "{again}");
+    let (ratio, zero) = (number(&again, "smallest_ratio"), number(&again, "mean_zero_period_ratio"));
     assert!((ratio - 0.9).abs() < 1e-6 || (zero - 1.0).abs() < 1e-6, "{again}");
     // Two records are too few.
     let two = ask(&names[..2]);
-    assert_eq!(
-        (json(&two)["holds"].as_bool(), two.status.code()),
-        (Some(false), Some(1))
-    );
+    assert_eq!((json(&two)["holds"].as_bool(), two.status.code()), (Some(false), Some(1)));
 }
 
 /// What `quake set` rejects, `quake synth` says at once, with the duration that is long enough. The tank is 45 m wide: its sloshing period is about
@@ -135,25 +103,10 @@ fn a_set_that_is_too_short_for_its_tank() {
     let make = |seconds: &str, out: &str| {
         let made = quake(
             path,
-            &[
-                "synth",
-                "--target",
-                "tank.json",
-                "--n",
-                "3",
-                "--duration",
-                seconds,
-                "--strong",
-                "12",
-                "--out",
-                out,
-            ],
+            &["synth", "--target", "tank.json", "--n", "3", "--duration", seconds, "--strong", "12", "--out", out],
         );
         assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
-        (
-            String::from_utf8(made.stdout).unwrap(),
-            String::from_utf8(made.stderr).unwrap(),
-        )
+        (String::from_utf8(made.stdout).unwrap(), String::from_utf8(made.stderr).unwrap())
     };
     let set = |out: &str| {
         let files: Vec<String> = (1..=3).map(|k| format!("{out}/synthetic-{k:03}.csv")).collect();
@@ -167,16 +120,9 @@ fn a_set_that_is_too_short_for_its_tank() {
     assert_eq!(found["holds"], false);
     // The period is that of the procedure that decides.
     assert_eq!(found["periods"][0]["period_of"], "EN 1998-4:2006");
-    let duration = message
-        .split("--duration ")
-        .nth(1)
-        .and_then(|rest| rest.split(';').next())
-        .unwrap();
+    let duration = message.split("--duration ").nth(1).and_then(|rest| rest.split(';').next()).unwrap();
     let (said, message) = make(duration, "long");
-    assert!(
-        message.is_empty() && said.contains("holds for tank.json"),
-        "{said}{message}"
-    );
+    assert!(message.is_empty() && said.contains("holds for tank.json"), "{said}{message}");
     assert_eq!(set("long")["holds"], true);
 }
 
@@ -192,23 +138,11 @@ fn bad_input_of_a_set() {
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(output.stdout.is_empty() && said.contains(wanted), "{wanted} in {said}");
     };
-    refused(
-        &["set", "a.csv", "--target", "spectrum.csv", "--period", "1 s"],
-        "a.csv:4",
-    );
+    refused(&["set", "a.csv", "--target", "spectrum.csv", "--period", "1 s"], "a.csv:4");
     refused(&["set", "a.csv", "--target", "spectrum.csv"], "--period is missing");
-    refused(
-        &["set", "a.csv", "--target", "spectrum.csv", "--period", "3 s"],
-        "the table ends at 4 s",
-    );
-    refused(
-        &["set", "a.csv", "--target", "spectrum.csv", "--period", "3"],
-        "expected a time with its unit",
-    );
+    refused(&["set", "a.csv", "--target", "spectrum.csv", "--period", "3 s"], "the table ends at 4 s");
+    refused(&["set", "a.csv", "--target", "spectrum.csv", "--period", "3"], "expected a time with its unit");
     refused(&["synth", "--target", "none.csv", "--out", "set"], "none.csv");
-    refused(
-        &["synth", "--target", "spectrum.csv", "--strong", "40", "--out", "set"],
-        "--strong",
-    );
+    refused(&["synth", "--target", "spectrum.csv", "--strong", "40", "--out", "set"], "--strong");
     assert!(!path.join("set").exists());
 }

@@ -22,11 +22,7 @@ fn refused(record: &Path, words: &[&str]) {
         assert!(message.contains(word), "`{word}` is missing in: {message}");
     }
     assert!(run.stdout.is_empty());
-    assert_eq!(
-        std::fs::read_dir(home.path()).expect("readable").count(),
-        0,
-        "something was left behind"
-    );
+    assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 0, "something was left behind");
 }
 
 /// A record file with this content in a temporary folder.
@@ -47,15 +43,9 @@ fn bad_records_are_refused_with_file_and_place() {
     refused(&record("step.csv", "0,0\n0.01,0.1\n0.03,0.2\n0.04,0.1\n"), &["step"]);
     refused(&record("back.csv", "0,0\n0.01,0.1\n0.005,0.2\n"), &[":4"]);
     refused(&record("word.csv", "0,0\n0.01,abc\n0.02,0.1\n"), &[":3", "abc"]);
-    refused(
-        &record("huge_peak.csv", "0,0\n0.01,600\n0.02,0.1\n"),
-        &["--allow-implausible"],
-    );
+    refused(&record("huge_peak.csv", "0,0\n0.01,600\n0.02,0.1\n"), &["--allow-implausible"]);
     refused(&file(home.path(), "empty.csv", b""), &["empty"]);
-    refused(
-        &file(home.path(), "garbage.csv", &[0, 159, 146, 150, 7, 0, 255, 254, 1, 2]),
-        &["not text"],
-    );
+    refused(&file(home.path(), "garbage.csv", &[0, 159, 146, 150, 7, 0, 255, 254, 1, 2]), &["not text"]);
     refused(&file(home.path(), "unit.csv", b"0,0\n0.01,0.1\n0.02,0\n"), &["--units"]);
     refused(&home.path().join("missing.csv"), &["no such file"]);
     std::fs::create_dir(home.path().join("folder")).expect("writable");
@@ -91,24 +81,12 @@ fn quake_info_tells_what_is_in_a_record() {
 
 #[test]
 fn spectra_have_the_promised_form_in_one_call() {
-    let arguments = [
-        "spectrum",
-        QUAKE,
-        "--damping",
-        "0.5%,1%,2%,5%",
-        "--periods",
-        "0.02..20",
-        "--format",
-        "json",
-    ];
+    let arguments = ["spectrum", QUAKE, "--damping", "0.5%,1%,2%,5%", "--periods", "0.02..20", "--format", "json"];
     let run = tankcheck(&arguments);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let found: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
     let spectra = found["spectra"].as_array().expect("spectra");
-    assert_eq!(
-        spectra.iter().map(|s| s["damping"].as_f64()).collect::<Vec<_>>(),
-        [0.005, 0.01, 0.02, 0.05].map(Some)
-    );
+    assert_eq!(spectra.iter().map(|s| s["damping"].as_f64()).collect::<Vec<_>>(), [0.005, 0.01, 0.02, 0.05].map(Some));
     for spectrum in spectra {
         let points = spectrum["points"].as_array().expect("points");
         assert_eq!(points.len(), 200);
@@ -120,34 +98,16 @@ fn spectra_have_the_promised_form_in_one_call() {
             assert!(value("sv") > 0.0 && value("sa") > 0.0);
         }
     }
-    let list = tankcheck(&[
-        "spectrum",
-        QUAKE,
-        "--damping",
-        "5%",
-        "--periods",
-        "0.1,0.5,2",
-        "--format",
-        "json",
-    ]);
+    let list = tankcheck(&["spectrum", QUAKE, "--damping", "5%", "--periods", "0.1,0.5,2", "--format", "json"]);
     let found: serde_json::Value = serde_json::from_slice(&list.stdout).expect("JSON");
-    let periods: Vec<f64> = found["spectra"][0]["points"]
-        .as_array()
-        .expect("points")
-        .iter()
-        .filter_map(|p| p["period"].as_f64())
-        .collect();
+    let periods: Vec<f64> =
+        found["spectra"][0]["points"].as_array().expect("points").iter().filter_map(|p| p["period"].as_f64()).collect();
     assert_eq!(periods, [0.1, 0.5, 2.0]);
 }
 
 #[test]
 fn senseless_dampings_and_periods_are_refused() {
-    for (option, value) in [
-        ("--damping", "150%"),
-        ("--damping", "abc"),
-        ("--periods", "2..1"),
-        ("--periods", "-1"),
-    ] {
+    for (option, value) in [("--damping", "150%"), ("--damping", "abc"), ("--periods", "2..1"), ("--periods", "-1")] {
         let argument = format!("{option}={value}");
         let run = tankcheck(&["spectrum", QUAKE, &argument]);
         assert_eq!(run.status.code(), Some(2), "{argument}: {}", stderr(&run));
@@ -204,11 +164,7 @@ fn files_of_agencies_are_converted() {
         let source = format!("{}/tests/records/{name}", env!("CARGO_MANIFEST_DIR"));
         let out = folder.path().join(format!("{name}.csv"));
         let out = out.to_str().unwrap();
-        let several = if name.starts_with("csmip") {
-            &["--channel", "1"][..]
-        } else {
-            &[]
-        };
+        let several = if name.starts_with("csmip") { &["--channel", "1"][..] } else { &[] };
         let converted = quake(&[&["convert", source.as_str(), "--out", out], several].concat());
         assert!(converted.status.success(), "{name}: {converted:?}");
         let one = facts(&[&["info", source.as_str(), "--format", "json"], several].concat());
@@ -233,11 +189,7 @@ fn channels_of_a_file_are_its_components() {
             format!("{t:.2},{:.6},{:.6},{:.6}\n", 0.2 * a, 0.1 * a, 0.05 * a)
         })
         .collect();
-    let station = file(
-        home.path(),
-        "station.csv",
-        format!("time_s,N-S (g),E-W (g),U-D (g)\n{columns}").as_bytes(),
-    );
+    let station = file(home.path(), "station.csv", format!("time_s,N-S (g),E-W (g),U-D (g)\n{columns}").as_bytes());
     let of = |channel: &str| format!("{}#{channel}", text(&station));
     let info = |arguments: &[&str]| -> serde_json::Value {
         let run = tankcheck(&[&["quake", "info", "--format", "json"], arguments].concat());
@@ -246,10 +198,7 @@ fn channels_of_a_file_are_its_components() {
     };
     assert_eq!(info(&[&of("2")]), info(&[&text(&station), "--channel", "E-W"]));
     assert_eq!(info(&[&of("u-d"), "--channel", "1"])["channel"], "U-D (g)");
-    refused(
-        &station,
-        &["several channels", "1: N-S (g); 2: E-W (g); 3: U-D (g)", "FILE#CHANNEL"],
-    );
+    refused(&station, &["several channels", "1: N-S (g); 2: E-W (g); 3: U-D (g)", "FILE#CHANNEL"]);
     let out = home.path().join("out");
     let run = tankcheck(&[
         "compare",
@@ -267,10 +216,7 @@ fn channels_of_a_file_are_its_components() {
     let results: serde_json::Value =
         serde_json::from_slice(&std::fs::read(out.join("results.json")).expect("results")).expect("JSON");
     let names = results.to_string();
-    assert!(
-        names.contains("station.csv#1") && names.contains("station.csv#3"),
-        "the channels are not named"
-    );
+    assert!(names.contains("station.csv#1") && names.contains("station.csv#3"), "the channels are not named");
     // A set of components of one file is a set of different records, and twice the same channel is not.
     let set = |across: &str| {
         let entry =
@@ -290,20 +236,9 @@ fn channels_of_a_file_are_its_components() {
             std::fs::write(home.path().join(format!("s{k}.csv")), content).expect("writable");
         }
         let list: Vec<String> = (1..=3).map(entry).collect();
-        let path = file(
-            home.path(),
-            "set.json",
-            format!("{{ \"records\": [{}] }}", list.join(", ")).as_bytes(),
-        );
+        let path = file(home.path(), "set.json", format!("{{ \"records\": [{}] }}", list.join(", ")).as_bytes());
         let out = home.path().join(format!("set-{across}"));
-        tankcheck(&[
-            "compare",
-            "examples/05_oil_tank/tank.json",
-            "--set",
-            &text(&path),
-            "--out",
-            &text(&out),
-        ])
+        tankcheck(&["compare", "examples/05_oil_tank/tank.json", "--set", &text(&path), "--out", &text(&out)])
     };
     let twice = set("1");
     assert_eq!(twice.status.code(), Some(2));
@@ -311,9 +246,5 @@ fn channels_of_a_file_are_its_components() {
     let run = set("2");
     assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     let none = tankcheck(&["quake", "info", &of("4")]);
-    assert!(
-        none.status.code() == Some(2) && stderr(&none).contains("no such channel"),
-        "{}",
-        stderr(&none)
-    );
+    assert!(none.status.code() == Some(2) && stderr(&none).contains("no such channel"), "{}", stderr(&none));
 }

@@ -38,11 +38,7 @@ fn twice(arguments: &[&str]) -> BTreeMap<PathBuf, Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let [first, second] = [("out", "1"), ("a/b c", "2")].map(|(out, threads)| {
         let home = tempfile::tempdir().unwrap();
-        std::fs::copy(
-            root.join("examples/05_oil_tank/tank.json"),
-            home.path().join("tank.json"),
-        )
-        .unwrap();
+        std::fs::copy(root.join("examples/05_oil_tank/tank.json"), home.path().join("tank.json")).unwrap();
         std::fs::copy(root.join("examples/records/elcentro.csv"), home.path().join("r.csv")).unwrap();
         let place = [arguments, &["--out", out, "--threads", threads]].concat();
         let done = run(home.path(), "1000000000", &place);
@@ -64,13 +60,7 @@ fn twice(arguments: &[&str]) -> BTreeMap<PathBuf, Vec<u8>> {
 #[test]
 fn two_runs_write_the_same_bytes() {
     let found = twice(&["compare", "tank.json", "--quake", "r.csv"]);
-    for name in [
-        "results.json",
-        "report.html",
-        "series.csv",
-        "manifest.json",
-        "report.xlsx",
-    ] {
+    for name in ["results.json", "report.html", "series.csv", "manifest.json", "report.xlsx"] {
         assert!(found.contains_key(Path::new(name)), "{name}");
     }
     assert!(found.keys().any(|name| name.starts_with("figures")));
@@ -87,10 +77,7 @@ fn another_text_than_a_time_is_refused() {
         let done = run(home.path(), bad, &["check", "tank.json"]);
         let said = String::from_utf8_lossy(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{said}");
-        assert!(
-            said.contains("SOURCE_DATE_EPOCH: found") && said.contains("seconds since 1970"),
-            "{said}"
-        );
+        assert!(said.contains("SOURCE_DATE_EPOCH: found") && said.contains("seconds since 1970"), "{said}");
     }
     // An empty one counts as none.
     let done = run(home.path(), "", &["init"]);

@@ -17,10 +17,7 @@ const ANCHORED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/01_broad_t
 const QUAKE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/records/elcentro.csv");
 
 fn tankcheck(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args(arguments)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(arguments).output().unwrap()
 }
 
 fn compare(tank: &str, out: &str, more: &[&str]) -> Output {
@@ -45,12 +42,8 @@ fn the_short_form_is_short_and_true() {
         for (column, value) in quantity["values"].as_object().unwrap() {
             let (id, excitation) = column.split_once('/').unwrap();
             let method = whole["methods"].as_array().unwrap().iter();
-            let method = method
-                .filter(|m| m["id"] == id && m["excitation"] == excitation)
-                .collect::<Vec<_>>();
-            let full = method[0]["quantities"][quantity["id"].as_str().unwrap()]["value"]
-                .as_f64()
-                .unwrap();
+            let method = method.filter(|m| m["id"] == id && m["excitation"] == excitation).collect::<Vec<_>>();
+            let full = method[0]["quantities"][quantity["id"].as_str().unwrap()]["value"].as_f64().unwrap();
             assert!((value.as_f64().unwrap() / full - 1.0).abs() < 1e-5);
             compared += 1;
         }
@@ -58,38 +51,20 @@ fn the_short_form_is_short_and_true() {
     assert!(compared > 30);
     // Every required check of the deciding methods.
     let counts = &whole["verdict"]["counts"];
-    let required: u64 = ["holds", "fails", "not_checked", "accepted"]
-        .iter()
-        .map(|k| counts[k].as_u64().unwrap())
-        .sum();
-    let listed: usize = short["checks"]
-        .as_object()
-        .unwrap()
-        .values()
-        .map(|c| c.as_array().unwrap().len())
-        .sum();
+    let required: u64 = ["holds", "fails", "not_checked", "accepted"].iter().map(|k| counts[k].as_u64().unwrap()).sum();
+    let listed: usize = short["checks"].as_object().unwrap().values().map(|c| c.as_array().unwrap().len()).sum();
     assert_eq!(listed as u64, required);
 }
 
 #[test]
 fn parts_by_name() {
-    let found = json(&tankcheck(&[
-        "check",
-        TANK,
-        "--format",
-        "json",
-        "--select",
-        "verdict,tank",
-    ]));
+    let found = json(&tankcheck(&["check", TANK, "--format", "json", "--select", "verdict,tank"]));
     let keys: Vec<&String> = found.as_object().unwrap().keys().collect();
     assert_eq!(keys, ["format", "name", "verdict", "tank"]);
     let unknown = tankcheck(&["check", TANK, "--format", "json", "--select", "verdikt"]);
     assert_eq!(unknown.status.code(), Some(2));
     let said = String::from_utf8_lossy(&unknown.stderr).into_owned();
-    assert!(
-        said.contains("found `verdikt`") && said.contains("quantities"),
-        "{said}"
-    );
+    assert!(said.contains("found `verdikt`") && said.contains("quantities"), "{said}");
     let form = tankcheck(&["check", TANK, "--select", "verdict"]);
     assert_eq!(form.status.code(), Some(2));
 }
@@ -100,11 +75,7 @@ fn no_report_writes_the_same_numbers_alone() {
     let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
     let exists = |name: &str| folder.path().join(name).exists();
     compare(ANCHORED, &path("whole"), &["--no-mesh-error"]);
-    let bare = compare(
-        ANCHORED,
-        &path("bare"),
-        &["--no-mesh-error", "--no-report", "--format", "json"],
-    );
+    let bare = compare(ANCHORED, &path("bare"), &["--no-mesh-error", "--no-report", "--format", "json"]);
     assert_eq!(json(&bare).get("not_computed"), None);
     assert!(!exists("bare/report.html") && !exists("bare/figures"));
     assert!(exists("bare/results.json") && exists("bare/series.csv"));
@@ -125,19 +96,12 @@ fn a_folder_of_selected_parts_says_what_it_has_not() {
     // Whole results are not replaced without a word.
     std::fs::create_dir(folder.path().join("kept")).unwrap();
     for name in ["results.json", "series.csv"] {
-        std::fs::copy(
-            folder.path().join("whole").join(name),
-            folder.path().join("kept").join(name),
-        )
-        .unwrap();
+        std::fs::copy(folder.path().join("whole").join(name), folder.path().join("kept").join(name)).unwrap();
     }
     compare(ANCHORED, &path("bare"), &["--no-report"]);
     let output = compare(ANCHORED, &path("bare"), &select("quantities,checks"));
     let warnings = said(&output);
-    let first = warnings
-        .lines()
-        .find(|line| line.starts_with("warning[T0913]: "))
-        .expect("a warning");
+    let first = warnings.lines().find(|line| line.starts_with("warning[T0913]: ")).expect("a warning");
     for part in ["envelopes", "histories", "mesh error"] {
         assert!(first.contains(part), "{first}");
     }
@@ -160,11 +124,7 @@ fn a_folder_of_selected_parts_says_what_it_has_not() {
     // No report of it, and no golden folder; a comparison says what it leaves out.
     let report = tankcheck(&["report", &path("bare")]);
     assert_eq!(report.status.code(), Some(2));
-    assert!(
-        said(&report).contains("envelopes") && said(&report).contains("without --select"),
-        "{}",
-        said(&report)
-    );
+    assert!(said(&report).contains("envelopes") && said(&report).contains("without --select"), "{}", said(&report));
     let diff = tankcheck(&["diff", &path("kept"), &path("bare")]);
     let told = String::from_utf8_lossy(&diff.stdout).into_owned();
     assert!(told.contains("same") && told.contains("not compared"), "{told}");
@@ -179,12 +139,7 @@ fn a_folder_of_selected_parts_says_what_it_has_not() {
 /// integration, on isolators and on soil.
 #[test]
 fn selected_parts_have_the_bits_of_the_whole_run() {
-    let all = [
-        Omittable::Envelopes,
-        Omittable::Histories,
-        Omittable::Grounds,
-        Omittable::MeshError,
-    ];
+    let all = [Omittable::Envelopes, Omittable::Histories, Omittable::Grounds, Omittable::MeshError];
     let examples: [(&str, bool, bool); 6] = [
         ("01_broad_tank", false, false),
         ("01_broad_tank", true, false),
@@ -238,18 +193,12 @@ fn same(a: &serde_json::Value, b: &serde_json::Value, path: &str) {
 
 /// The job of an example under the record, with it upwards too.
 fn job(example: &str, vertical: bool) -> Job {
-    let name = if example.ends_with(".json") {
-        example.into()
-    } else {
-        format!("{example}/tank.json")
-    };
+    let name = if example.ends_with(".json") { example.into() } else { format!("{example}/tank.json") };
     let tank = read_tank(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap();
     let record = Record {
         name: "two tones".into(),
         dt: 0.02,
-        acceleration: (0..400)
-            .map(|k| 3.5 * (0.11 * f64::from(k)).sin() + 2.0 * (0.43 * f64::from(k)).cos())
-            .collect(),
+        acceleration: (0..400).map(|k| 3.5 * (0.11 * f64::from(k)).sin() + 2.0 * (0.43 * f64::from(k)).cos()).collect(),
         processing: Vec::new(),
     };
     let mut job = Job {
@@ -257,11 +206,8 @@ fn job(example: &str, vertical: bool) -> Job {
         raw_records: vec![record.clone(); 2],
         ..Job::of(tank, pipeline::procedures::select_procedures(&[]).unwrap())
     };
-    job.case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
-        transverse: None,
-        vertical: vertical.then_some(record),
-    });
+    job.case.ground_motion =
+        Some(GroundMotion { horizontal: record.clone(), transverse: None, vertical: vertical.then_some(record) });
     job
 }
 
@@ -271,23 +217,11 @@ fn the_first_screen_of_a_difference() {
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(TANK).unwrap();
     let changed = folder.path().join("tank.json");
-    std::fs::write(
-        &changed,
-        text.replacen("\"thickness\": \"8 mm\"", "\"thickness\": \"10 mm\"", 1),
-    )
-    .unwrap();
+    std::fs::write(&changed, text.replacen("\"thickness\": \"8 mm\"", "\"thickness\": \"10 mm\"", 1)).unwrap();
     let (old, new) = (folder.path().join("old"), folder.path().join("new"));
     let path = |p: &std::path::Path| p.to_string_lossy().into_owned();
     tankcheck(&["check", TANK, "--quiet", "--out", &path(&old)]);
-    tankcheck(&[
-        "check",
-        &path(&changed),
-        "--quiet",
-        "--procedures",
-        "ec8-2006,housner",
-        "--out",
-        &path(&new),
-    ]);
+    tankcheck(&["check", &path(&changed), "--quiet", "--procedures", "ec8-2006,housner", "--out", &path(&new)]);
     let output = tankcheck(&["diff", &path(&old), &path(&new)]);
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -297,10 +231,7 @@ fn the_first_screen_of_a_difference() {
     assert!(at("input ") < at("hoop_stress") && at("hoop_stress") < at("wall_mass"));
     assert!(said.lines().count() <= 52, "{said}");
     assert!(said.contains("only in the old results: api650-1993/site"));
-    assert!(
-        !said.contains("methods["),
-        "calculation lines stand on the first screen: {said}"
-    );
+    assert!(!said.contains("methods["), "calculation lines stand on the first screen: {said}");
     let all = tankcheck(&["diff", &path(&old), &path(&new), "--all"]);
     assert!(String::from_utf8_lossy(&all.stdout).contains("methods"));
 }
@@ -320,10 +251,7 @@ fn test_reports() {
     assert_eq!(number("skipped"), 0);
     let sarif: serde_json::Value = serde_json::from_str(&report(TANK, "sarif")).unwrap();
     assert_eq!(sarif["version"], "2.1.0");
-    let errors = report(TANK, "github")
-        .lines()
-        .filter(|l| l.starts_with("::error "))
-        .count();
+    let errors = report(TANK, "github").lines().filter(|l| l.starts_with("::error ")).count();
     assert_eq!(errors as u64, fails);
 }
 
@@ -336,12 +264,7 @@ fn nothing_decided_is_not_green() {
     std::fs::copy(example, &tank).unwrap();
     let output = tankcheck(&["check", tank.to_str().unwrap(), "--quake", QUAKE, "--format", "junit"]);
     let text = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(
-        output.status.code(),
-        Some(4),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert_eq!(output.status.code(), Some(4), "{}", String::from_utf8_lossy(&output.stderr));
     let document = roxmltree::Document::parse(&text).unwrap();
     let error = document.descendants().find(|n| n.has_tag_name("error")).unwrap();
     assert_eq!(error.parent().unwrap().attribute("name"), Some("verdict"));

@@ -52,22 +52,13 @@ fn runs(results: &Value) -> &Vec<Value> {
 fn seven_records_give_their_mean() {
     let home = tempfile::tempdir().unwrap();
     let records = set(7);
-    let found = results(
-        &with(&["compare", TANK, "--no-report", "--format", "json"], &records),
-        home.path(),
-    );
+    let found = results(&with(&["compare", TANK, "--no-report", "--format", "json"], &records), home.path());
     let block = &found["record_set"];
-    assert_eq!(
-        (block["combine"].as_str(), block["rule"].as_str()),
-        (Some("mean"), Some("en1998-1"))
-    );
+    assert_eq!((block["combine"].as_str(), block["rule"].as_str()), (Some("mean"), Some("en1998-1")));
     assert_eq!(runs(&found).len(), 7);
     let mut seen = 0;
     for (quantity, value) in engine(&found)["quantities"].as_object().unwrap() {
-        let each: Vec<f64> = runs(&found)
-            .iter()
-            .filter_map(|run| run["values"]["fe"][quantity].as_f64())
-            .collect();
+        let each: Vec<f64> = runs(&found).iter().filter_map(|run| run["values"]["fe"][quantity].as_f64()).collect();
         if each.is_empty() {
             continue;
         }
@@ -80,18 +71,13 @@ fn seven_records_give_their_mean() {
     let mut utilisations: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     for run in runs(&found) {
         for (check, value) in run["utilisations"].as_object().unwrap() {
-            utilisations
-                .entry(check.clone())
-                .or_default()
-                .push(value.as_f64().unwrap());
+            utilisations.entry(check.clone()).or_default().push(value.as_f64().unwrap());
         }
     }
     let mut compared = 0;
     for check in engine(&found)["checks"].as_array().unwrap() {
-        let (Some(each), Some(u)) = (
-            utilisations.get(check["id"].as_str().unwrap()),
-            check["utilisation"].as_f64(),
-        ) else {
+        let (Some(each), Some(u)) = (utilisations.get(check["id"].as_str().unwrap()), check["utilisation"].as_f64())
+        else {
             continue;
         };
         let mean = each.iter().sum::<f64>() / 7.0;
@@ -101,10 +87,7 @@ fn seven_records_give_their_mean() {
     assert!(compared >= 1, "no check compares");
     for number in [2, 5] {
         let name = record(number);
-        let alone = results(
-            &["compare", TANK, "--no-report", "--no-mesh-error", "--quake", &name],
-            home.path(),
-        );
+        let alone = results(&["compare", TANK, "--no-report", "--no-mesh-error", "--quake", &name], home.path());
         let own = &runs(&found)[number - 1]["values"]["fe"];
         for quantity in ["sloshing_height", "base_shear", "overturning_moment"] {
             let one = engine(&alone)["quantities"][quantity]["value"].as_f64().unwrap();
@@ -130,19 +113,11 @@ fn three_records_give_their_worst_and_one_factor() {
     let found = results(&with(&base, &records), home.path());
     assert_eq!(found["record_set"]["combine"], "worst");
     let methods = found["methods"].as_array().unwrap();
-    let column = methods
-        .iter()
-        .find(|m| m["id"] == "ec8-2006" && m["excitation"] == "record")
-        .unwrap();
+    let column = methods.iter().find(|m| m["id"] == "ec8-2006" && m["excitation"] == "record").unwrap();
     for (quantity, value) in column["quantities"].as_object().unwrap() {
-        let each = runs(&found)
-            .iter()
-            .filter_map(|run| run["values"]["ec8-2006"][quantity].as_f64());
+        let each = runs(&found).iter().filter_map(|run| run["values"]["ec8-2006"][quantity].as_f64());
         if let Some(largest) = each.reduce(f64::max) {
-            assert!(
-                (value["value"].as_f64().unwrap() / largest - 1.0).abs() < 1e-8,
-                "{quantity}"
-            );
+            assert!((value["value"].as_f64().unwrap() / largest - 1.0).abs() < 1e-8, "{quantity}");
         }
     }
     let compatibility = &found["record_set"]["compatibility"];
@@ -179,21 +154,13 @@ fn a_set_file_and_its_report() {
     let found = results(&arguments, folder);
     let ids: Vec<&str> = runs(&found).iter().map(|r| r["id"].as_str().unwrap()).collect();
     assert_eq!(ids, ["one", "r2", "r3"]);
-    let plain = results(
-        &with(&["compare", SITE, "--fe", "none", "--no-report"], &set(3)),
-        &folder.join("plain"),
-    );
+    let plain = results(&with(&["compare", SITE, "--fe", "none", "--no-report"], &set(3)), &folder.join("plain"));
     for (i, factor) in [2.0, 1.0, 2.0].into_iter().enumerate() {
         let peak = |found: &Value| runs(found)[i]["peaks"][0].as_f64().unwrap();
         assert!((peak(&found) / peak(&plain) / factor - 1.0).abs() < 1e-8);
     }
     let page = fs::read_to_string(folder.join("out/report.html")).unwrap();
-    for part in [
-        "id=\"record_set\"",
-        "fig-set_spectrum_impulsive",
-        "fig-set_spectrum_sloshing",
-        "fig-set_base_shear",
-    ] {
+    for part in ["id=\"record_set\"", "fig-set_spectrum_impulsive", "fig-set_spectrum_sloshing", "fig-set_base_shear"] {
         assert!(page.contains(part), "{part}");
     }
     let schema = tankcheck(&["schema", "--set"]);
@@ -206,11 +173,7 @@ fn a_set_file_and_its_report() {
 fn bad_sets() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path();
-    fs::write(
-        folder.join("nan.csv"),
-        "time_s,acceleration_m_s2\n0,0\n0.01,nan\n0.02,1\n",
-    )
-    .unwrap();
+    fs::write(folder.join("nan.csv"), "time_s,acceleration_m_s2\n0,0\n0.01,nan\n0.02,1\n").unwrap();
     let nan = folder.join("nan.csv").to_str().unwrap().to_owned();
     fs::copy(record(1), folder.join("copy.csv")).unwrap();
     let copy = folder.join("copy.csv").to_str().unwrap().to_owned();
@@ -218,11 +181,7 @@ fn bad_sets() {
     let refused = |arguments: &[&str], wanted: &[&str]| {
         let out = folder.join("none");
         let fixed = ["compare", SITE, "--out", out.to_str().unwrap()];
-        let engine: &[&str] = if arguments.contains(&"--fe") {
-            &[]
-        } else {
-            &["--fe", "none"]
-        };
+        let engine: &[&str] = if arguments.contains(&"--fe") { &[] } else { &["--fe", "none"] };
         let run = tankcheck(&[&fixed[..], engine, arguments].concat());
         let said = stderr(&run);
         assert_eq!(run.status.code(), Some(2), "{said}");
@@ -235,34 +194,19 @@ fn bad_sets() {
         assert!(!out.exists(), "nothing is written");
     };
     let quake = "--quake";
-    refused(
-        &[quake, &a, quake, &b, "--combine", "mean"],
-        &["found 2 records", "3 or more"],
-    );
+    refused(&[quake, &a, quake, &b, "--combine", "mean"], &["found 2 records", "3 or more"]);
     refused(&[quake, &a, quake, &b], &["found 2 records", "3 or more"]);
     let three = [quake, &a, quake, &b, quake, &c];
-    refused(
-        &[&three[..], &["--combine", "mean"]].concat(),
-        &["found 3 records", "7 or more", "4.3.3.4.3"],
-    );
-    refused(
-        &[&three[..], &["--quake-y", &d]].concat(),
-        &["--quake-y: found 1 files beside 3"],
-    );
-    refused(
-        &[quake, &a, quake, &b, quake, &copy],
-        &["twice", "copy.csv", "synthetic-001.csv"],
-    );
+    refused(&[&three[..], &["--combine", "mean"]].concat(), &["found 3 records", "7 or more", "4.3.3.4.3"]);
+    refused(&[&three[..], &["--quake-y", &d]].concat(), &["--quake-y: found 1 files beside 3"]);
+    refused(&[quake, &a, quake, &b, quake, &copy], &["twice", "copy.csv", "synthetic-001.csv"]);
     refused(&[quake, &a, quake, &b, quake, "missing.csv"], &["missing.csv"]);
     refused(&[quake, &a, quake, &b, quake, &nan], &["nan.csv:3"]);
     refused(&[quake, &a, "--combine", "worst"], &["--combine applies to a set"]);
     refused(&[&three[..], &["--fe", "nonlinear"]].concat(), &["one linear engine"]);
     let target = folder.join("short.csv");
     fs::write(&target, "period_s,acceleration_g\n0,0.2\n1,0.2\n").unwrap();
-    refused(
-        &[&three[..], &["--fit", "--target", target.to_str().unwrap()]].concat(),
-        &["short.csv", "ends at 1 s"],
-    );
+    refused(&[&three[..], &["--fit", "--target", target.to_str().unwrap()]].concat(), &["short.csv", "ends at 1 s"]);
     let file = folder.join("set.json");
     let asks = |text: &str, wanted: &[&str]| {
         fs::write(&file, text).unwrap();
@@ -309,17 +253,11 @@ fn a_record_that_does_not_reach_the_sloshing_period() {
     assert!(page.contains("usable up to periods"), "the report is silent");
     let long = filtered(2, 0.1);
     let (said, found, page) = ask(&["--quake", &long]);
-    assert!(
-        !said.contains("usable up to") && !page.contains("usable up to"),
-        "{said}"
-    );
+    assert!(!said.contains("usable up to") && !page.contains("usable up to"), "{said}");
     assert!(found["records"][0]["sloshing_beyond_usable"].is_null());
     let (said, found, _) = ask(&["--quake", &short, "--quake", &long, "--quake", &record(3)]);
     assert_eq!(said.matches("usable up to").count(), 1, "{said}");
-    let flags: Vec<bool> = runs(&found)
-        .iter()
-        .map(|r| r["sloshing_beyond_usable"] == true)
-        .collect();
+    let flags: Vec<bool> = runs(&found).iter().map(|r| r["sloshing_beyond_usable"] == true).collect();
     assert_eq!(flags, [true, false, false]);
     let usable: Vec<Option<f64>> = runs(&found).iter().map(|r| r["usable_period"].as_f64()).collect();
     assert_eq!(usable, [Some(5.0), Some(10.0), None]);
@@ -331,11 +269,9 @@ fn rows_of_a_study_say_whether_the_record_reaches_the_sloshing_period() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path();
     let text = fs::read_to_string(record(1)).unwrap();
-    for (name, corner) in [
-        ("short", "# low-cut filter: 0.2 Hz\n"),
-        ("long", "# low-cut filter: 0.1 Hz\n"),
-        ("unknown", ""),
-    ] {
+    for (name, corner) in
+        [("short", "# low-cut filter: 0.2 Hz\n"), ("long", "# low-cut filter: 0.1 Hz\n"), ("unknown", "")]
+    {
         fs::write(folder.join(format!("{name}.csv")), format!("{corner}{text}")).unwrap();
     }
     fs::copy(SITE, folder.join("tank.json")).unwrap();
@@ -345,22 +281,16 @@ fn rows_of_a_study_say_whether_the_record_reaches_the_sloshing_period() {
     fs::write(folder.join("study.json"), study).unwrap();
     let out = folder.join("out").to_str().unwrap().to_owned();
     let file = folder.join("study.json").to_str().unwrap().to_owned();
-    for arguments in [
-        vec!["study", "plan", &file, "--out", &out],
-        vec!["study", "run", &out],
-        vec!["study", "merge", &out],
-    ] {
+    for arguments in
+        [vec!["study", "plan", &file, "--out", &out], vec!["study", "run", &out], vec!["study", "merge", &out]]
+    {
         let run = tankcheck(&arguments);
         assert!(run.status.success(), "{}", stderr(&run));
     }
     let rows = fs::read_to_string(folder.join("out/rows.csv")).unwrap();
     let mut lines = rows.lines();
     let head: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let column = |name: &str| {
-        head.iter()
-            .position(|h| *h == name)
-            .unwrap_or_else(|| panic!("{name} in {head:?}"))
-    };
+    let column = |name: &str| head.iter().position(|h| *h == name).unwrap_or_else(|| panic!("{name} in {head:?}"));
     let [record, usable, beyond] = ["record", "usable_period_s", "sloshing_beyond_usable"].map(column);
     let found: Vec<[&str; 3]> = lines
         .map(|line| {
@@ -379,12 +309,7 @@ fn rows_of_a_study_say_whether_the_record_reaches_the_sloshing_period() {
 #[test]
 fn sets_of_three_components() {
     let home = tempfile::tempdir().unwrap();
-    let mut arguments = vec![
-        "compare".to_owned(),
-        TANK.into(),
-        "--no-report".into(),
-        "--no-mesh-error".into(),
-    ];
+    let mut arguments = vec!["compare".to_owned(), TANK.into(), "--no-report".into(), "--no-mesh-error".into()];
     for k in 1..=3 {
         let of = |option: &str, number: usize| [option.to_owned(), record(number)];
         arguments.extend(of("--quake", k));
@@ -399,11 +324,7 @@ fn sets_of_three_components() {
     let found = results(&all, home.path());
     let own = &runs(&found)[1];
     assert_eq!(own["files"].as_array().unwrap().len(), 3);
-    let one = [
-        &all[..4],
-        &["--quake", all[11], "--quake-y", all[13], "--vertical", all[15]][..],
-    ]
-    .concat();
+    let one = [&all[..4], &["--quake", all[11], "--quake-y", all[13], "--vertical", all[15]][..]].concat();
     let alone = results(&one, home.path());
     for quantity in ["sloshing_height", "base_shear", "hoop_stress"] {
         let single = engine(&alone)["quantities"][quantity]["value"].as_f64().unwrap();
@@ -450,9 +371,7 @@ fn a_record_that_overturns_the_tank() {
         ],
         home.path(),
     );
-    let [stands, overturns, rests] = &runs(&found)[..] else {
-        panic!("three records")
-    };
+    let [stands, overturns, rests] = &runs(&found)[..] else { panic!("three records") };
     assert_eq!(rests["values"]["fe"]["uplift"], 0.0);
     for quantity in ["base_shear", "uplift", "hoop_stress"] {
         assert!(stands["values"]["fe"][quantity].is_number(), "{quantity}");

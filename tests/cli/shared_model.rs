@@ -22,11 +22,7 @@ fn motion(number: usize) -> GroundMotion {
     let path = root().join(format!("examples/10_tank_farm/records/synthetic-{number:03}.csv"));
     let read = records::read(&path, &records::ReadOptions::default()).unwrap_or_else(|e| panic!("{e}"));
     let horizontal: Record = read.record;
-    GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    }
+    GroundMotion { horizontal, transverse: None, vertical: None }
 }
 
 /// Of the record whose content reaches highest the run is that of the engine by itself, on the same mesh: rounding. Of the others the mesh is finer
@@ -41,10 +37,7 @@ fn a_shared_model_gives_the_runs_of_each_record() {
         let quick = shared.run(motion, false, &Silent).unwrap_or_else(|e| panic!("{e}"));
         let mut thorough = shared.run(motion, true, &Silent).unwrap_or_else(|e| panic!("{e}"));
         shared.finish(&mut thorough, motion).unwrap_or_else(|e| panic!("{e}"));
-        let alone = Case {
-            ground_motion: Some(motion.clone()),
-            ..case.clone()
-        };
+        let alone = Case { ground_motion: Some(motion.clone()), ..case.clone() };
         let own = simulate(&alone, &options).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(quick.values, thorough.values);
         let mut largest = 0.0_f64;
@@ -58,10 +51,7 @@ fn a_shared_model_gives_the_runs_of_each_record() {
             assert!(largest < 1e-9, "{largest}");
             for (quantity, error) in &own.result.mesh_error {
                 let found = thorough.result.mesh_error[quantity];
-                assert!(
-                    (found - error).abs() < 1e-9 + 1e-6 * error,
-                    "{quantity}: {found} {error}"
-                );
+                assert!((found - error).abs() < 1e-9 + 1e-6 * error, "{quantity}: {found} {error}");
             }
         }
     }
@@ -85,10 +75,7 @@ fn eleven_records_cost_two_and_a_half_times_one() {
     for tank in ["examples/01_broad_tank/tank.json", "examples/05_oil_tank/tank.json"] {
         let (case, options) = case(tank);
         let first = motion(1);
-        let alone = Case {
-            ground_motion: Some(first.clone()),
-            ..case.clone()
-        };
+        let alone = Case { ground_motion: Some(first.clone()), ..case.clone() };
         let before = processor();
         let count = 3;
         for _ in 0..count {

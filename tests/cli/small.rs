@@ -30,53 +30,17 @@ fn values_of_no_tank_are_refused_with_the_range() {
         (
             "7 m",
             "9.9 mm",
-            [
-                "liquid.fill_height",
-                "shallower than any tank's",
-                "at least 10.00 mm, a thousandth of the radius",
-            ],
+            ["liquid.fill_height", "shallower than any tank's", "at least 10.00 mm, a thousandth of the radius"],
         ),
-        (
-            "\"8 m\"",
-            "\"1e-9 m\"",
-            ["tank.courses[0].height", "too small", "at least 1 mm"],
-        ),
-        (
-            "10 mm",
-            "1e-12 m",
-            ["tank.courses[0].thickness", "too small", "at least 0.001 mm"],
-        ),
+        ("\"8 m\"", "\"1e-9 m\"", ["tank.courses[0].height", "too small", "at least 1 mm"]),
+        ("10 mm", "1e-12 m", ["tank.courses[0].thickness", "too small", "at least 0.001 mm"]),
         ("\"10 m\"", "\"1e-9 m\"", ["tank.radius", "too small", "at least 1 mm"]),
-        (
-            "7850 kg/m3",
-            "1e-9 kg/m3",
-            ["materials.steel.density", "too small", "at least 1 kg/m3"],
-        ),
-        (
-            "1000 kg/m3",
-            "1e-9 kg/m3",
-            ["liquid.density", "too small", "greater than 50 kg/m3"],
-        ),
-        (
-            "235 MPa",
-            "235 Pa",
-            ["materials.steel.yield_strength", "too small", "at least 1 kPa"],
-        ),
-        (
-            "\"scale_by\": 1.5",
-            "\"scale_to\": \"1e-300 g\"",
-            ["record.scale_to", "too small", "1e-300 g"],
-        ),
-        (
-            "120 kN",
-            "1e-9 N",
-            ["tank.anchors.capacity", "too small", "at least 1 N"],
-        ),
-        (
-            "0.4",
-            "1e-9",
-            ["tank.foundation.friction", "too small", "at least 0.001"],
-        ),
+        ("7850 kg/m3", "1e-9 kg/m3", ["materials.steel.density", "too small", "at least 1 kg/m3"]),
+        ("1000 kg/m3", "1e-9 kg/m3", ["liquid.density", "too small", "greater than 50 kg/m3"]),
+        ("235 MPa", "235 Pa", ["materials.steel.yield_strength", "too small", "at least 1 kPa"]),
+        ("\"scale_by\": 1.5", "\"scale_to\": \"1e-300 g\"", ["record.scale_to", "too small", "1e-300 g"]),
+        ("120 kN", "1e-9 N", ["tank.anchors.capacity", "too small", "at least 1 N"]),
+        ("0.4", "1e-9", ["tank.foundation.friction", "too small", "at least 0.001"]),
         ("0.2 g", "1e-9 g", ["site.ec8.ag", "too small", "at least 0.001 m/s2"]),
     ] {
         let source = Source::new("tank.json", spoiled(from, to));
@@ -86,13 +50,9 @@ fn values_of_no_tank_are_refused_with_the_range() {
         }
     }
     // The least that is read: a film of water in a small tank, a foil, one centimetre in a large tank.
-    for (from, to) in [
-        ("7 m", "1 cm"),
-        ("\"8 m\"", "\"7 m\""),
-        ("7850 kg/m3", "1 kg/m3"),
-        ("235 MPa", "1 kPa"),
-        ("120 kN", "1 N"),
-    ] {
+    for (from, to) in
+        [("7 m", "1 cm"), ("\"8 m\"", "\"7 m\""), ("7850 kg/m3", "1 kg/m3"), ("235 MPa", "1 kPa"), ("120 kN", "1 N")]
+    {
         let source = Source::new("tank.json", spoiled(from, to));
         if let Err(faults) = parse(&source) {
             panic!("{from} -> {to}: {}", faults.render(&source, false));
@@ -130,30 +90,18 @@ fn records_without_a_plausible_step_or_peak_are_refused() {
     };
     for dt in [1e-12, 1e-300, 9e-6] {
         let file = steps(&of(dt));
-        refused(
-            &["quake", "info", &file],
-            &["T0404", "at least 0.00001 s, at most 10 s"],
-        );
+        refused(&["quake", "info", &file], &["T0404", "at least 0.00001 s, at most 10 s"]);
     }
     let peer =
         |dt: &str| format!("PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= {dt} SEC\n.1 .2 .1 -.1\n");
     let file = home.write("p.at2", &peer("1e-12"));
-    refused(
-        &["quake", "info", &file],
-        &["T0404", "at least 0.00001 s, at most 10 s"],
-    );
+    refused(&["quake", "info", &file], &["T0404", "at least 0.00001 s, at most 10 s"]);
     let file = home.write("one.csv", "acceleration_g\n0.1\n0.2\n-0.1\n");
-    refused(
-        &["quake", "info", &file, "--dt", "1e-12"],
-        &["--dt: found", "at least 0.00001, at most 10"],
-    );
+    refused(&["quake", "info", &file, "--dt", "1e-12"], &["--dt: found", "at least 0.00001, at most 10"]);
     let file = home.write("large.csv", "time_s,acceleration_g\n0,0\n0.01,1e300\n0.02,0\n");
     refused(&["quake", "info", &file], &["T0407", "out of range"]);
     // A sound step and a factor that leaves nothing of the motion.
     let quake = home.write("quake.csv", &of(0.02));
     let tank = home.write("tank.json", &spoiled("1.5", "1e-12"));
-    refused(
-        &["check", &tank, "--quake", &quake],
-        &["scale_by", "at least 1e-9 m/s2"],
-    );
+    refused(&["check", &tank, "--quake", &quake], &["scale_by", "at least 1e-9 m/s2"]);
 }

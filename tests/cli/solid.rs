@@ -34,11 +34,7 @@ fn a_mesh_beyond_the_memory_is_refused_at_once() {
 
 #[test]
 fn options_of_the_other_engine_are_refused() {
-    for option in [
-        &["--mesh", "4x8x4"][..],
-        &["--liquid", "displacement"],
-        &["--vtu", "no_such_folder"],
-    ] {
+    for option in [&["--mesh", "4x8x4"][..], &["--liquid", "displacement"], &["--vtu", "no_such_folder"]] {
         let mut command = vec!["compare", TANK, "--quake", QUAKE];
         command.extend(option);
         let run = tankcheck(&command);
@@ -48,16 +44,7 @@ fn options_of_the_other_engine_are_refused() {
     }
     let run = tankcheck(&["modes", TANK, "--mesh", "4x8x4"]);
     assert_eq!(run.status.code(), Some(2));
-    let run = tankcheck(&[
-        "compare",
-        TANK,
-        "--quake",
-        QUAKE,
-        "--fe",
-        "solid",
-        "--memory-limit",
-        "0",
-    ]);
+    let run = tankcheck(&["compare", TANK, "--quake", QUAKE, "--fe", "solid", "--memory-limit", "0"]);
     assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
 }
 
@@ -89,9 +76,8 @@ fn a_foreign_folder_is_no_place_for_paraview_files() {
 fn paraview_files_inside_the_output_folder_work_twice() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let (quake, out) = (home.path().join("short.csv"), home.path().join("out"));
-    let lines: String = (0..40)
-        .map(|i| format!("{:.2},{:.5}\n", 0.02 * f64::from(i), (0.6 * f64::from(i)).sin()))
-        .collect();
+    let lines: String =
+        (0..40).map(|i| format!("{:.2},{:.5}\n", 0.02 * f64::from(i), (0.6 * f64::from(i)).sin())).collect();
     std::fs::write(&quake, format!("time_s,acceleration_m_s2\n{lines}")).expect("writable");
     let vtu = out.join("paraview");
     let [quake, folder, vtu_folder] = [&quake, &out, &vtu].map(|p| p.to_str().expect("text"));
@@ -122,9 +108,7 @@ fn begin(out: &std::path::Path) -> (std::process::Child, impl std::io::BufRead) 
     use std::io::{BufRead, BufReader};
 
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args([
-            "compare", TANK, "--quake", QUAKE, "--fe", "both", "--mesh", "10x24x16", "--out",
-        ])
+        .args(["compare", TANK, "--quake", QUAKE, "--fe", "both", "--mesh", "10x24x16", "--out"])
         .arg(out)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .stdout(std::process::Stdio::null())
@@ -145,10 +129,7 @@ fn begin(out: &std::path::Path) -> (std::process::Child, impl std::io::BufRead) 
 /// Ctrl-C.
 #[cfg(unix)]
 fn interrupt(run: &std::process::Child) {
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
-        .status()
-        .expect("kill exists");
+    let sent = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("kill exists");
     assert!(sent.success());
 }
 

@@ -96,18 +96,12 @@ fn the_largest_fill_height_leaves_the_wave_its_freeboard() {
     let value = json["value"].as_f64().expect("a value");
     assert!(value <= expected * (1.0 + FACTORS), "{value} above {expected}");
     assert!(value >= expected * (1.0 - SEARCH - FACTORS), "{value} below {expected}");
-    assert_eq!(
-        (json["variable"].as_str(), json["unit"].as_str()),
-        (Some("fill_height"), Some("m"))
-    );
+    assert_eq!((json["variable"].as_str(), json["unit"].as_str()), (Some("fill_height"), Some("m")));
     assert_eq!(json["governing"]["method"], "ec8-2006");
     assert_eq!(json["governing"]["check"], "freeboard");
     let utilisation = json["governing"]["utilisation"].as_f64().expect("a utilisation");
     assert!((0.99..=1.0).contains(&utilisation), "{utilisation}");
-    assert!(
-        json["evaluations"].as_u64().is_some_and(|n| (27..60).contains(&n)),
-        "{json}"
-    );
+    assert!(json["evaluations"].as_u64().is_some_and(|n| (27..60).contains(&n)), "{json}");
     // The exit code is that of the verdict there.
     let expected = match json["status"].as_str() {
         Some("holds") => 0,
@@ -115,12 +109,7 @@ fn the_largest_fill_height_leaves_the_wave_its_freeboard() {
         other => panic!("{other:?}"),
     };
     assert_eq!(code, Some(expected));
-    let keys: Vec<&str> = json
-        .as_object()
-        .expect("an object")
-        .keys()
-        .map(String::as_str)
-        .collect();
+    let keys: Vec<&str> = json.as_object().expect("an object").keys().map(String::as_str).collect();
     for key in ["variable", "value", "unit", "governing", "evaluations", "status"] {
         assert!(keys.contains(&key), "{key}");
     }
@@ -137,24 +126,14 @@ fn the_value_holds_and_a_little_more_fails() {
         let site = EC8.replace("0.3 g", &format!("{} m/s2", value * factor));
         let at = basin().replace(EC8, &site);
         let run = tankcheck(&["check", text(&written(home.path(), "at.json", &at))]);
-        assert_eq!(
-            run.status.code() == Some(1),
-            fails,
-            "{factor}: {}{}",
-            stdout(&run),
-            stderr(&run)
-        );
+        assert_eq!(run.status.code() == Some(1), fails, "{factor}: {}{}", stdout(&run), stderr(&run));
     }
 }
 
 #[test]
 fn the_smallest_thickness_carries_the_hoop_tension() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let path = written(
-        home.path(),
-        "tank.json",
-        &tank("10 m", "12 m", "20 mm", "9 m", "80 MPa", API),
-    );
+    let path = written(home.path(), "tank.json", &tank("10 m", "12 m", "20 mm", "9 m", "80 MPa", API));
     let (json, _) = solved(&path, "thickness:1");
     // E.6.1.4 at the base, Y = H, D/H ≥ 1.333: N_h + √(N_i² + N_c²) [N/m] with its printed constants; S_DS = 2/3, R_wi = 4, R_wc = 2.
     let (d, h) = (20.0_f64, 9.0_f64);
@@ -182,12 +161,7 @@ fn the_smallest_thickness_carries_the_hoop_tension() {
     let double = format!("\"{} m\"", 2.0 * value);
     let at = tank("10 m", "12 m", "20 mm", "9 m", "80 MPa", API).replace("\"20 mm\"", &double);
     let out = home.path().join("out");
-    tankcheck(&[
-        "check",
-        text(&written(home.path(), "at.json", &at)),
-        "--out",
-        text(&out),
-    ]);
+    tankcheck(&["check", text(&written(home.path(), "at.json", &at)), "--out", text(&out)]);
     let results: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(out.join("results.json")).expect("results")).expect("JSON");
     let methods = results["methods"].as_array().expect("methods");
@@ -195,10 +169,7 @@ fn the_smallest_thickness_carries_the_hoop_tension() {
     let checks = api["checks"].as_array().expect("checks");
     let hoop = checks.iter().find(|c| c["id"] == "hoop_stress").expect("hoop");
     let half = hoop["utilisation"].as_f64().expect("a utilisation");
-    assert!(
-        (2.0 * half / utilisation - 1.0).abs() < 1e-9,
-        "{half} and {utilisation}"
-    );
+    assert!((2.0 * half / utilisation - 1.0).abs() < 1e-9, "{half} and {utilisation}");
 }
 
 #[test]
@@ -211,11 +182,7 @@ fn what_fails_everywhere_and_what_holds_everywhere() {
     assert!(json["value"].is_null(), "{json}");
     assert_eq!(json["governing"]["check"], "freeboard");
     let run = tankcheck(&["check", text(&brim), "--solve", "thickness:1"]);
-    assert!(
-        stdout(&run).contains("fails at every thickness of course 1"),
-        "{}",
-        stdout(&run)
-    );
+    assert!(stdout(&run).contains("fails at every thickness of course 1"), "{}", stdout(&run));
     // An acceleration of a code that does not run changes nothing.
     let both = basin().replace(EC8, &format!("{EC8}, {API}"));
     let both = written(home.path(), "both.json", &both);
@@ -228,22 +195,14 @@ fn what_fails_everywhere_and_what_holds_everywhere() {
 fn the_forms_of_the_answer() {
     let run = tankcheck(&["check", OIL_TANK, "--solve", "fill_height"]);
     let paragraph = stdout(&run);
-    for words in [
-        "Largest fill height",
-        " m (given: 15.000 m)",
-        "Governing there",
-        "Verdict there",
-        "(ec8-2006, site)",
-    ] {
+    for words in ["Largest fill height", " m (given: 15.000 m)", "Governing there", "Verdict there", "(ec8-2006, site)"]
+    {
         assert!(paragraph.contains(words), "`{words}` is missing in {paragraph}");
     }
     assert_eq!(paragraph.lines().count(), 1);
     let run = tankcheck(&["check", OIL_TANK, "--solve", "fill_height", "--format", "csv"]);
     let lines: Vec<String> = stdout(&run).lines().map(str::to_owned).collect();
-    assert_eq!(
-        lines[0],
-        "variable,value,unit,method,check,utilisation,status,evaluations"
-    );
+    assert_eq!(lines[0], "variable,value,unit,method,check,utilisation,status,evaluations");
     assert!(lines[1].starts_with("fill_height,1") && lines.len() == 2, "{lines:?}");
 }
 
@@ -262,10 +221,7 @@ fn rejected(arguments: &[&str], words: &[&str]) {
 fn bad_variables() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let solve = |variable: &str, words: &[&str]| rejected(&["check", OIL_TANK, "--solve", variable], words);
-    solve(
-        "depth",
-        &["--solve", "found `depth`", "fill_height, thickness:N, ag or ss"],
-    );
+    solve("depth", &["--solve", "found `depth`", "fill_height, thickness:N, ag or ss"]);
     solve("thickness", &["found `thickness`"]);
     solve("thickness:x", &["found `thickness:x`"]);
     for course in ["thickness:0", "thickness:8"] {
@@ -275,21 +231,12 @@ fn bad_variables() {
     rejected(&["check", text(&path), "--solve", "ss"], &["does not have site.api650"]);
     let layered = "examples/08_concrete_cylinder/tank.json";
     let quake = "examples/records/elcentro.csv";
-    rejected(
-        &["check", layered, "--quake", quake, "--solve", "thickness:1"],
-        &["has layers"],
-    );
+    rejected(&["check", layered, "--quake", quake, "--solve", "thickness:1"], &["has layers"]);
     // Without a site and a record there is nothing to solve, nor to check in a table.
     let still = written(home.path(), "still.json", &basin().replace(EC8, ""));
-    rejected(
-        &["check", text(&still), "--solve", "fill_height"],
-        &["the ground motion is missing"],
-    );
+    rejected(&["check", text(&still), "--solve", "fill_height"], &["the ground motion is missing"]);
     let table = written(home.path(), "tanks.csv", "name\na\n");
-    rejected(
-        &["check", text(&still), "--table", text(&table)],
-        &["the ground motion is missing", "tanks.csv:2"],
-    );
+    rejected(&["check", text(&still), "--table", text(&table)], &["the ground motion is missing", "tanks.csv:2"]);
 }
 
 #[test]
@@ -309,11 +256,7 @@ fn a_table_of_tanks() {
          solved_fill_height_m,solved_check,solved_status"
     );
     assert!(lines[1].starts_with("\"low, thick\",8 m,,1.0,"), "{}", lines[1]);
-    assert!(
-        lines[2].starts_with("to the brim,9.9 m,40 mm,,fails,ec8-2006,freeboard,"),
-        "{}",
-        lines[2]
-    );
+    assert!(lines[2].starts_with("to the brim,9.9 m,40 mm,,fails,ec8-2006,freeboard,"), "{}", lines[2]);
     // Both rows are the same tank but for its contents.
     let value = |line: &str| line.split(',').rev().nth(2).map(str::to_owned);
     assert_eq!(value(&lines[1]), value(&lines[2]));
@@ -329,44 +272,20 @@ fn bad_tables_name_line_and_column() {
         let table = written(home.path(), "tanks.csv", rows);
         rejected(&["check", text(&base), "--table", text(&table)], words);
     };
-    check(
-        "name,tank.radios\na,5 m\nb,6 m\n",
-        &["tanks.csv:1:6", "unknown key `radios`", "1 fault"],
-    );
-    check(
-        "name,tank.courses[3].thickness\na,5 mm\n",
-        &["tanks.csv:1:6", "found index 3, expected 0 to 0"],
-    );
+    check("name,tank.radios\na,5 m\nb,6 m\n", &["tanks.csv:1:6", "unknown key `radios`", "1 fault"]);
+    check("name,tank.courses[3].thickness\na,5 mm\n", &["tanks.csv:1:6", "found index 3, expected 0 to 0"]);
     check("name,tank..radius\na,5 m\n", &["tanks.csv:1:6", "not a path"]);
-    check(
-        "name,tank.courses\na,5 m\n",
-        &["tanks.csv:1:6", "a list, expected one value"],
-    );
-    check(
-        "name,tank.radius\na,5 t\nb,5 kg\n",
-        &["tanks.csv:3:3", "5 kg", "tank.radius", "tanks.csv:2:3", "5 t"],
-    );
+    check("name,tank.courses\na,5 m\n", &["tanks.csv:1:6", "a list, expected one value"]);
+    check("name,tank.radius\na,5 t\nb,5 kg\n", &["tanks.csv:3:3", "5 kg", "tank.radius", "tanks.csv:2:3", "5 t"]);
     check("name,tank.radius\na,5\n", &["tanks.csv:2:3", "unit"]);
-    check(
-        "name,liquid.fill_height\na,11 m\n",
-        &["tanks.csv:2:3", "higher than the wall"],
-    );
+    check("name,liquid.fill_height\na,11 m\n", &["tanks.csv:2:3", "higher than the wall"]);
     // The fill height of the tank file, above the wall of the row.
-    check(
-        "name,tank.courses[0].height\na,7 m\n",
-        &["tanks.csv:2:1", "liquid.fill_height"],
-    );
+    check("name,tank.courses[0].height\na,7 m\n", &["tanks.csv:2:1", "liquid.fill_height"]);
     check("name,tank.radius\na\n", &["tanks.csv:2:1", "found 1 cells"]);
     let none = home.path().join("none.csv");
-    rejected(
-        &["check", text(&base), "--table", text(&none)],
-        &["none.csv", "cannot read the table"],
-    );
+    rejected(&["check", text(&base), "--table", text(&none)], &["none.csv", "cannot read the table"]);
     let out = home.path().join("out");
-    rejected(
-        &["check", text(&base), "--solve", "ag", "--out", text(&out)],
-        &["cannot be used with"],
-    );
+    rejected(&["check", text(&base), "--solve", "ag", "--out", text(&out)], &["cannot be used with"]);
 }
 
 /// A bad row is refused with its fault, the others are computed as without it; the exit code is that of bad input, whatever the others are.
@@ -387,10 +306,7 @@ fn a_bad_row_does_not_refuse_the_table() {
         assert_eq!(found[2], format!("b,{bad},refused,,,"));
         assert_eq!([&found[0], &found[1], &found[3]], [&good[0], &good[1], &good[2]]);
         let said = stderr(&run);
-        assert!(
-            said.contains("tanks.csv:3") && said.contains("1 of 3 rows is refused"),
-            "{said}"
-        );
+        assert!(said.contains("tanks.csv:3") && said.contains("1 of 3 rows is refused"), "{said}");
     }
     let solved = check("a,8 m\nb,8 kg\n", &["--solve", "fill_height"]);
     assert_eq!(lines(&solved)[2], "b,8 kg,refused,,,,,,");
@@ -429,21 +345,11 @@ fn the_terminal_is_in_the_units_that_are_asked_for() {
             String::from_utf8(tankcheck(&all).stdout).expect("text")
         };
         let solved = run(&["--solve", "fill_height"]);
-        assert!(
-            solved.contains("(given: 26.246 ft)") && !solved.contains(" m "),
-            "{solved}"
-        );
+        assert!(solved.contains("(given: 26.246 ft)") && !solved.contains(" m "), "{solved}");
         let checked = run(&[]);
-        assert!(
-            checked.contains("[ksi]") && !checked.contains("[MPa]") && !checked.contains("[m]"),
-            "{checked}"
-        );
+        assert!(checked.contains("[ksi]") && !checked.contains("[MPa]") && !checked.contains("[m]"), "{checked}");
         let json = run(&["--solve", "fill_height", "--format", "json"]);
         let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-        assert_eq!(
-            (json["unit"].as_str(), json["value"].as_f64() < Some(10.0)),
-            (Some("m"), true),
-            "{json}"
-        );
+        assert_eq!((json["unit"].as_str(), json["value"].as_f64() < Some(10.0)), (Some("m"), true), "{json}");
     }
 }

@@ -32,10 +32,7 @@ fn run(arguments: &[&str], stdout: Stdio, stderr: Stdio) -> Output {
 fn coarse(home: &Path) -> String {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(STEEL);
     let text = std::fs::read_to_string(source).expect("an example");
-    let (fine, few) = (
-        "\"height\": 48, \"circumference\": 96",
-        "\"height\": 8, \"circumference\": 8",
-    );
+    let (fine, few) = ("\"height\": 48, \"circumference\": 96", "\"height\": 8, \"circumference\": 8");
     assert!(text.contains(fine));
     let path = home.join("coarse.json");
     std::fs::write(&path, text.replace(fine, few)).expect("writable");
@@ -126,12 +123,9 @@ fn a_full_device_is_one_message_and_never_a_panic() {
 /// Bad usage and bad input keep their exit code where nobody reads the message.
 #[test]
 fn messages_that_cannot_be_written_change_no_exit_code() {
-    for command in [
-        &["check", "no_such_file.json"][..],
-        &["chek"],
-        &["compare", TANK, "--fe", "nonlinear"],
-        &["--nonsense"],
-    ] {
+    for command in
+        [&["check", "no_such_file.json"][..], &["chek"], &["compare", TANK, "--fe", "nonlinear"], &["--nonsense"]]
+    {
         let run = run(command, Stdio::piped(), full());
         assert_eq!(run.status.code(), Some(2), "{command:?}");
     }

@@ -8,11 +8,7 @@ use std::time::Duration;
 const TANK: &str = include_str!("../../examples/01_broad_tank/tank.json");
 
 pub(crate) fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(arguments).current_dir(folder).output().unwrap()
 }
 
 pub(crate) fn said(output: &Output) -> String {
@@ -24,10 +20,7 @@ fn record(tone: f64) -> String {
     let mut text = String::from("time_s,acceleration_m_s2\n");
     for k in 0..600 {
         let t = 0.01 * f64::from(k);
-        text.push_str(&format!(
-            "{t:.2},{:.6}\n",
-            (6.3 * t).sin() + 0.5 * (tone * t).cos() * (-0.3 * t).exp()
-        ));
+        text.push_str(&format!("{t:.2},{:.6}\n", (6.3 * t).sin() + 0.5 * (tone * t).cos() * (-0.3 * t).exp()));
     }
     text
 }
@@ -78,12 +71,7 @@ fn rows_of_every_tank_record_and_scale() {
     let lines: Vec<Vec<&str>> = rows.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(lines.len(), 41);
     assert!(lines.iter().all(|line| line.len() == lines[0].len()));
-    let column = |name: &str| {
-        lines[0]
-            .iter()
-            .position(|c| *c == name)
-            .unwrap_or_else(|| panic!("no {name} in {rows}"))
-    };
+    let column = |name: &str| lines[0].iter().position(|c| *c == name).unwrap_or_else(|| panic!("no {name} in {rows}"));
     assert_eq!(["tank", "sample", "record"].map(column), [0, 1, 2]);
     // PGA is the level; the wave of a linear engine is proportional to it.
     let (pga, wave) = (column("pga_m_s2"), column("fe.sloshing_height_m"));
@@ -117,24 +105,12 @@ fn a_row_is_what_compare_gives() {
     let rows = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     let head: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
     let row: Vec<&str> = rows.lines().nth(3).unwrap().split(',').collect();
-    let scaled = TANK
-        .replace("\"scale_to\": \"0.5 g\"", "\"scale_to\": \"0.4 g\"")
-        .replace("1.525 m", "1.5 m");
+    let scaled = TANK.replace("\"scale_to\": \"0.5 g\"", "\"scale_to\": \"0.4 g\"").replace("1.525 m", "1.5 m");
     assert!(scaled.contains("0.4 g") && scaled.contains("1.5 m"));
     fs::write(folder.path().join("scaled.json"), scaled).unwrap();
     let output = tankcheck(
         folder.path(),
-        &[
-            "compare",
-            "scaled.json",
-            "--quake",
-            "rec0.csv",
-            "--no-mesh-error",
-            "--format",
-            "csv",
-            "--out",
-            "one",
-        ],
+        &["compare", "scaled.json", "--quake", "rec0.csv", "--no-mesh-error", "--format", "csv", "--out", "one"],
     );
     let csv = String::from_utf8_lossy(&output.stdout).into_owned();
     let mut compared = 0;
@@ -168,11 +144,7 @@ fn shards_threads_and_torn_files_give_the_same_rows() {
     }
     let refused = tankcheck(path, &["study", "merge", "shards"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(
-        said(&refused).contains("6 of 6 tasks have no result"),
-        "{}",
-        said(&refused)
-    );
+    assert!(said(&refused).contains("6 of 6 tasks have no result"), "{}", said(&refused));
     for shard in ["3/3", "1/3", "2/3"] {
         tankcheck(path, &["study", "run", "shards", "--shard", shard, "--jobs", "2"]);
     }
@@ -265,13 +237,7 @@ fn faults_are_told_all_at_once() {
         assert!(text.contains(wanted), "{wanted} in {text}");
     }
     assert!(!path.join("out").exists());
-    write(
-        "study.json",
-        &STUDY
-            .replace("PGA", "PGX")
-            .replace("\"0.2 g\"", "\"0.2 m\"")
-            .replace("rec*", "none*"),
-    );
+    write("study.json", &STUDY.replace("PGA", "PGX").replace("\"0.2 g\"", "\"0.2 m\"").replace("rec*", "none*"));
     let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
     for wanted in ["unknown intensity measure", "no file matches"] {
         assert!(text.contains(wanted), "{wanted} in {text}");
@@ -308,12 +274,7 @@ fn a_cell_removes_an_object_of_the_template() {
     assert!(output.status.success(), "{}", said(&output));
     let output = tankcheck(path, &["check", "anchored.json", "--table", "farm.csv"]);
     let text = String::from_utf8(output.stdout).unwrap();
-    let line = |tag: &str| {
-        text.lines()
-            .find(|line| line.starts_with(tag))
-            .unwrap_or_default()
-            .to_owned()
-    };
+    let line = |tag: &str| text.lines().find(|line| line.starts_with(tag)).unwrap_or_default().to_owned();
     assert!(line("A,").contains("holds"), "{text}");
     assert!(line("B,").contains("unanchored,null"), "{text}");
     // An item of a list has no name to be removed by.
@@ -342,10 +303,7 @@ fn a_file_that_changed_since_the_plan_is_not_computed() {
         let output = tankcheck(path, &["study", command, "out"]);
         let text = said(&output);
         assert_eq!(output.status.code(), Some(code), "{command}: {text}");
-        assert!(
-            text.contains("the tank `A` changed since the plan"),
-            "{command}: {text}"
-        );
+        assert!(text.contains("the tank `A` changed since the plan"), "{command}: {text}");
     }
     // A file that is faulty now is refused with its place, with `--quiet` too.
     fs::write(path.join("farm.csv"), "tag,liquid.fill_height\nA,-1.6 m\nB,1.3 m\n").unwrap();
@@ -434,10 +392,7 @@ fn one_tank_of_the_farm_gives_its_accepted_curves() {
     let merge = tankcheck(path, &["study", "merge", "farm", "--partial"]);
     assert!(merge.status.success(), "{}", said(&merge));
     let read = |file: &Path| -> serde_json::Value { serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap() };
-    let (found, accepted) = (
-        read(&path.join("farm/fragility.json")),
-        read(&example.join("expected/fragility.json")),
-    );
+    let (found, accepted) = (read(&path.join("farm/fragility.json")), read(&example.join("expected/fragility.json")));
     let curves = found["curves"].as_array().unwrap();
     assert_eq!(curves.len(), 3, "one tank, three states");
     for curve in curves {
@@ -469,23 +424,14 @@ fn a_tank_without_any_capacity_is_merged() {
     fs::write(path.join("tank.json"), shaken).unwrap();
     let study = r#"{ "name": "none left", "tanks": [{ "files": "tank.json" }], "engine": "none" }"#;
     fs::write(path.join("study.json"), study).unwrap();
-    for command in [
-        &["study", "plan", "study.json", "--out", "out"][..],
-        &["study", "run", "out"],
-        &["study", "merge", "out"],
-    ] {
+    for command in
+        [&["study", "plan", "study.json", "--out", "out"][..], &["study", "run", "out"], &["study", "merge", "out"]]
+    {
         let output = tankcheck(path, command);
         assert!(output.status.success(), "{command:?}: {}", said(&output));
     }
     let tanks = fs::read_to_string(path.join("out/tanks.csv")).unwrap();
-    assert!(
-        tanks
-            .lines()
-            .nth(1)
-            .unwrap()
-            .starts_with("tank,0,fails,ec8-2006,sliding,,"),
-        "{tanks}"
-    );
+    assert!(tanks.lines().nth(1).unwrap().starts_with("tank,0,fails,ec8-2006,sliding,,"), "{tanks}");
     let page = fs::read_to_string(path.join("out/report.html")).unwrap();
     assert!(page.contains("no capacity is left"));
 }

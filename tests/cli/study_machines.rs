@@ -9,9 +9,8 @@ use crate::study::{folder, merged, planned, said, tankcheck};
 
 fn results(out: &Path) -> Vec<PathBuf> {
     let folders = fs::read_dir(out.join("results")).unwrap().map(|e| e.unwrap().path());
-    let mut all: Vec<PathBuf> = folders
-        .flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()))
-        .collect();
+    let mut all: Vec<PathBuf> =
+        folders.flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path())).collect();
     all.sort();
     all
 }
@@ -25,24 +24,12 @@ fn the_clock_does_not_matter() {
     let whole = merged(path, "out");
     let year = Duration::from_secs(365 * 86_400);
     for (at, task) in [(SystemTime::UNIX_EPOCH, "1"), (SystemTime::now() + 30 * year, "2")] {
-        for name in [
-            "study.json",
-            "tank.json",
-            "farm.csv",
-            "rec0.csv",
-            "out/plan.json",
-            "out/tasks.jsonl",
-        ] {
+        for name in ["study.json", "tank.json", "farm.csv", "rec0.csv", "out/plan.json", "out/tasks.jsonl"] {
             let file = fs::File::options().append(true).open(path.join(name)).unwrap();
             file.set_modified(at).unwrap();
         }
         for file in results(&path.join("out")) {
-            fs::File::options()
-                .append(true)
-                .open(file)
-                .unwrap()
-                .set_modified(at)
-                .unwrap();
+            fs::File::options().append(true).open(file).unwrap().set_modified(at).unwrap();
         }
         let again = tankcheck(path, &["study", "run", "out"]);
         assert!(said(&again).contains("0 tasks computed, 6 kept"), "{}", said(&again));
@@ -50,11 +37,7 @@ fn the_clock_does_not_matter() {
         // A result that is missing is computed beside files of another time.
         fs::remove_file(&results(&path.join("out"))[0]).unwrap();
         let again = tankcheck(path, &["study", "run", "out"]);
-        assert!(
-            said(&again).contains("1 tasks computed, 5 kept"),
-            "{task}: {}",
-            said(&again)
-        );
+        assert!(said(&again).contains("1 tasks computed, 5 kept"), "{task}: {}", said(&again));
         assert_eq!(merged(path, "out"), whole);
     }
 }
@@ -63,12 +46,7 @@ fn the_clock_does_not_matter() {
 #[cfg(unix)]
 fn shell(out: &Path, stubs: &Path, command: &str, environment: &[(&str, &str)]) -> std::process::Output {
     let program = Path::new(env!("CARGO_BIN_EXE_tankcheck")).parent().unwrap();
-    let path = format!(
-        "{}:{}:{}",
-        stubs.display(),
-        program.display(),
-        std::env::var("PATH").unwrap_or_default()
-    );
+    let path = format!("{}:{}:{}", stubs.display(), program.display(), std::env::var("PATH").unwrap_or_default());
     Command::new("sh")
         .args(["-c", command])
         .current_dir(out)
@@ -96,24 +74,12 @@ fn the_written_scripts_run() {
     fs::write(stubs.join("hq"), hq).unwrap();
     fs::set_permissions(stubs.join("hq"), fs::Permissions::from_mode(0o755)).unwrap();
     let given = "--name='north farm'";
-    for (engine, script, variable) in [
-        ("hq", "hq.sh", ""),
-        ("slurm", "slurm.sh", "SLURM_ARRAY_TASK_ID"),
-        ("pbs", "pbs.sh", "PBS_ARRAY_INDEX"),
-    ] {
+    for (engine, script, variable) in
+        [("hq", "hq.sh", ""), ("slurm", "slurm.sh", "SLURM_ARRAY_TASK_ID"), ("pbs", "pbs.sh", "PBS_ARRAY_INDEX")]
+    {
         let plan = tankcheck(
             path,
-            &[
-                "study",
-                "plan",
-                "study.json",
-                "--out",
-                engine,
-                "--for",
-                engine,
-                "--scheduler-args",
-                given,
-            ],
+            &["study", "plan", "study.json", "--out", engine, "--for", engine, "--scheduler-args", given],
         );
         assert!(plan.status.success(), "{}", said(&plan));
         let out = path.join(engine);
@@ -122,11 +88,7 @@ fn the_written_scripts_run() {
         let syntax = shell(&out, &stubs, &format!("sh -n {script}"), &[]);
         assert!(syntax.status.success(), "{script}: {}", said(&syntax));
         let home = out.to_str().unwrap().to_owned();
-        let elements: &[&str] = if variable.is_empty() {
-            &[""]
-        } else {
-            &["1", "2", "3", "4", "5", "6"]
-        };
+        let elements: &[&str] = if variable.is_empty() { &[""] } else { &["1", "2", "3", "4", "5", "6"] };
         for element in elements {
             let environment = [(variable, *element), ("PBS_O_WORKDIR", home.as_str())];
             let environment: Vec<_> = environment.into_iter().filter(|(name, _)| !name.is_empty()).collect();
@@ -150,10 +112,7 @@ fn a_nonlinear_study_is_killed_and_resumed() {
     for (of, to) in [
         ("\"height\": 40", "\"height\": 20"),
         ("\"midpoint 20\"", "\"midpoint 8\""),
-        (
-            "\"time_step\": \"2.5 ms\"",
-            "\"time_step\": \"5 ms\", \"after_record\": \"none\"",
-        ),
+        ("\"time_step\": \"2.5 ms\"", "\"time_step\": \"5 ms\", \"after_record\": \"none\""),
     ] {
         assert!(strip.contains(of), "{of}");
         strip = strip.replace(of, to);

@@ -14,10 +14,7 @@ fn json(path: &Path) -> Value {
 /// Plans, runs and merges a study file in a folder.
 fn done(path: &Path, study: &str, out: &str) -> Value {
     fs::write(path.join("study.json"), study).unwrap();
-    for arguments in [
-        &["study", "plan", "study.json", "--out", out][..],
-        &["study", "run", out],
-    ] {
+    for arguments in [&["study", "plan", "study.json", "--out", out][..], &["study", "run", out]] {
         let output = tankcheck(path, arguments);
         assert_eq!(output.status.code(), Some(0), "{}", said(&output));
     }
@@ -33,14 +30,7 @@ fn the_report_is_deterministic() {
     tankcheck(path, &["study", "run", "out"]);
     merged(path, "out");
     let page = fs::read_to_string(path.join("out/report.html")).unwrap();
-    for wanted in [
-        "two tanks",
-        "<td>A</td>",
-        "<td>B</td>",
-        "id=\"fragility\"",
-        "id=\"records\"",
-        "rec3",
-    ] {
+    for wanted in ["two tanks", "<td>A</td>", "<td>B</td>", "id=\"fragility\"", "id=\"records\"", "rec3"] {
         assert!(page.contains(wanted), "{wanted}");
     }
     assert!(!page.contains("<script") && page.contains("default-src 'none'"));
@@ -65,10 +55,7 @@ fn three_methods() {
     let damage = r#""damage": [ { "state": "DS1", "demand": "freeboard", "limit": 0.5 } ], "block": 5"#;
     let with = |method: &str| STUDY.replace("\"block\": 2", &format!("{damage}, \"method\": \"{method}\""));
     let levels = |study: String| {
-        study.replace(
-            "\"0.1 g\", \"0.2 g\", \"0.4 g\", \"0.8 g\"",
-            "\"0.01 g\", \"0.1 g\", \"1 g\", \"2.9 g\"",
-        )
+        study.replace("\"0.1 g\", \"0.2 g\", \"0.4 g\", \"0.8 g\"", "\"0.01 g\", \"0.1 g\", \"1 g\", \"2.9 g\"")
     };
     let found = done(path, &levels(with("capacities")), "out");
     let curve = |found: &Value| found["curves"].as_array().unwrap()[0].clone();
@@ -80,12 +67,8 @@ fn three_methods() {
     let (tank, level, used) = (column("tank"), column("level"), column("fe.freeboard_utilisation"));
     let number = |line: &Vec<&str>, i: usize| line[i].parse::<f64>().unwrap();
     // At the level 1 g: capacity = level · 0.5/utilisation.
-    let at_one = lines[1..]
-        .iter()
-        .filter(|l| l[tank] == "A" && (number(l, level) - 9.80665).abs() < 1e-9);
-    let logs: Vec<f64> = at_one
-        .map(|l| (number(l, level) * 0.5 / number(l, used)).ln())
-        .collect();
+    let at_one = lines[1..].iter().filter(|l| l[tank] == "A" && (number(l, level) - 9.80665).abs() < 1e-9);
+    let logs: Vec<f64> = at_one.map(|l| (number(l, level) * 0.5 / number(l, used)).ln()).collect();
     assert_eq!(logs.len(), 5);
     let mean = logs.iter().sum::<f64>() / 5.0;
     let deviation = (logs.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / 4.0).sqrt();
@@ -98,16 +81,10 @@ fn three_methods() {
     assert!((cloud["cloud"]["slope"].as_f64().unwrap() - 1.0).abs() < 1e-7);
     assert!((cloud["median"].as_f64().unwrap() / mean.exp() - 1.0).abs() < 1e-7);
     // Factors without a method are a cloud, and capacities of them are a fault.
-    let factors = STUDY.replace(
-        "\"im\": \"PGA\", \"levels\": [\"0.1 g\", \"0.2 g\", \"0.4 g\", \"0.8 g\"]",
-        "\"factors\": [0.5, 1]",
-    );
+    let factors = STUDY
+        .replace("\"im\": \"PGA\", \"levels\": [\"0.1 g\", \"0.2 g\", \"0.4 g\", \"0.8 g\"]", "\"factors\": [0.5, 1]");
     assert_eq!(curve(&done(path, &factors, "factors"))["method"], "cloud");
-    fs::write(
-        path.join("study.json"),
-        factors.replace("\"block\"", "\"method\": \"capacities\", \"block\""),
-    )
-    .unwrap();
+    fs::write(path.join("study.json"), factors.replace("\"block\"", "\"method\": \"capacities\", \"block\"")).unwrap();
     let output = tankcheck(path, &["study", "plan", "study.json", "--out", "factors"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(said(&output).contains("capacities without levels"), "{}", said(&output));
@@ -147,10 +124,7 @@ fn a_part_of_a_study_is_bounded() {
     }
     assert!(bounded >= 4, "{found}");
     let page = fs::read_to_string(path.join("out/report.html")).unwrap();
-    assert!(
-        page.contains("4 of 6 tasks have no result") && page.contains("no result"),
-        "{page}"
-    );
+    assert!(page.contains("4 of 6 tasks have no result") && page.contains("no result"), "{page}");
 }
 
 /// The rule of the study file is that of `quake set`, asked at plan time, and the report shows it.
@@ -158,15 +132,8 @@ fn a_part_of_a_study_is_bounded() {
 fn the_rule_is_asked_at_plan_time() {
     let folder = folder();
     let path = folder.path();
-    fs::write(
-        path.join("target.csv"),
-        "period_s,acceleration_g\n0,0.1\n1,0.1\n20,0.05\n",
-    )
-    .unwrap();
-    let study = STUDY.replace(
-        "\"block\": 2",
-        "\"rule\": { \"target\": \"target.csv\", \"periods\": \"0.3 s\" }",
-    );
+    fs::write(path.join("target.csv"), "period_s,acceleration_g\n0,0.1\n1,0.1\n20,0.05\n").unwrap();
+    let study = STUDY.replace("\"block\": 2", "\"rule\": { \"target\": \"target.csv\", \"periods\": \"0.3 s\" }");
     fs::write(path.join("study.json"), &study).unwrap();
     let output = tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
     assert!(output.status.success(), "{}", said(&output));
@@ -203,10 +170,7 @@ fn the_pilot_is_kept() {
     let output = tankcheck(path, &["study", "plan", "study.json", "--out", "out", "--pilot"]);
     assert!(output.status.success(), "{}", said(&output));
     let text = said(&output);
-    assert!(
-        text.contains("anchored") && text.contains("1 of 6 tasks") && text.contains("on disk"),
-        "{text}"
-    );
+    assert!(text.contains("anchored") && text.contains("1 of 6 tasks") && text.contains("on disk"), "{text}");
     let before = tankcheck(path, &["study", "status", "out", "--format", "json"]);
     let before: Value = serde_json::from_slice(&before.stdout).unwrap();
     assert_eq!((&before["done"], &before["running"]), (&1.into(), &0.into()));
@@ -216,10 +180,7 @@ fn the_pilot_is_kept() {
     // At most 3 KB a row.
     let after: Value =
         serde_json::from_slice(&tankcheck(path, &["study", "status", "out", "--format", "json"]).stdout).unwrap();
-    assert!(
-        after["bytes"].as_u64().unwrap() < 3 * 1024 * after["rows"].as_u64().unwrap(),
-        "{after}"
-    );
+    assert!(after["bytes"].as_u64().unwrap() < 3 * 1024 * after["rows"].as_u64().unwrap(), "{after}");
 }
 
 /// A Latin hypercube with a beta distribution is planned, and another number of samples keeps the results of the first ones.

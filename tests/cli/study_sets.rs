@@ -14,9 +14,8 @@ fn json(path: &Path) -> serde_json::Value {
 /// The results of a study, sorted.
 fn results(out: &Path) -> Vec<PathBuf> {
     let folders = fs::read_dir(out.join("results")).unwrap().map(|e| e.unwrap().path());
-    let mut all: Vec<PathBuf> = folders
-        .flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()))
-        .collect();
+    let mut all: Vec<PathBuf> =
+        folders.flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path())).collect();
     all.sort();
     all
 }
@@ -35,12 +34,7 @@ fn start(folder: &Path, arguments: &[&str]) -> Child {
 fn one_set(out: &Path) -> u64 {
     let rows = fs::read_to_string(out.join("rows.csv")).unwrap();
     let missing = json(&out.join("fragility.json"))["missing_tasks"].as_u64().unwrap();
-    let sums = Command::new("sha256sum")
-        .arg("-c")
-        .arg("rows.sha256")
-        .current_dir(out)
-        .output()
-        .unwrap();
+    let sums = Command::new("sha256sum").arg("-c").arg("rows.sha256").current_dir(out).output().unwrap();
     assert!(sums.status.success(), "{}", said(&sums));
     // The first task has two records at four levels.
     assert_eq!(rows.lines().count() as u64, 41 - 8 * missing);
@@ -67,12 +61,7 @@ fn merges_at_once_are_one_after_the_other() {
     let check = tankcheck(path, &["study", "check", "out"]);
     assert_eq!(check.status.code(), Some(0), "{}", said(&check));
     let hidden = fs::read_dir(path.join("out")).unwrap().flatten();
-    assert_eq!(
-        hidden
-            .filter(|e| e.file_name().to_string_lossy().starts_with('.'))
-            .count(),
-        0
-    );
+    assert_eq!(hidden.filter(|e| e.file_name().to_string_lossy().starts_with('.')).count(), 0);
 }
 
 /// A merge with one task more or less over the files of the other is killed at any moment: the files are those of one of both.
@@ -83,10 +72,7 @@ fn a_killed_merge_leaves_one_set() {
     let out = path.join("out");
     let merge = ["study", "merge", "out", "--partial", "--quiet"];
     tankcheck(path, &["study", "run", "out"]);
-    let first = json_lines(&out.join("tasks.jsonl"))[0]["key"]
-        .as_str()
-        .unwrap()
-        .to_owned();
+    let first = json_lines(&out.join("tasks.jsonl"))[0]["key"].as_str().unwrap().to_owned();
     let file = out.join("results").join(&first[..2]).join(format!("{first}.jsonl"));
     let kept = fs::read(&file).unwrap();
     let began = Instant::now();
@@ -180,32 +166,17 @@ fn a_result_of_another_task_is_damaged() {
     }
     let merge = tankcheck(path, &["study", "merge", "out"]);
     assert_eq!(merge.status.code(), Some(2));
-    assert!(
-        said(&merge).contains("2 of 6 tasks") && said(&merge).contains(&key),
-        "{}",
-        said(&merge)
-    );
+    assert!(said(&merge).contains("2 of 6 tasks") && said(&merge).contains(&key), "{}", said(&merge));
     let partial = tankcheck(path, &["study", "merge", "out", "--partial"]);
-    assert!(
-        said(&partial).contains("2 of them have a damaged one"),
-        "{}",
-        said(&partial)
-    );
+    assert!(said(&partial).contains("2 of them have a damaged one"), "{}", said(&partial));
     assert!(began.elapsed() < Duration::from_secs(60));
     let run = tankcheck(path, &["study", "run", "out"]);
     assert!(said(&run).contains("2 tasks computed, 4 kept"), "{}", said(&run));
-    assert!(
-        said(&run).contains("damaged results, computed again: 2"),
-        "{}",
-        said(&run)
-    );
+    assert!(said(&run).contains("damaged results, computed again: 2"), "{}", said(&run));
     assert_eq!(merged(path, "out"), whole);
     let check = tankcheck(path, &["study", "check", "out", "--format", "json"]);
     let check: serde_json::Value = serde_json::from_slice(&check.stdout).unwrap();
-    assert_eq!(
-        (&check["sound"], &check["damaged"]),
-        (&6.into(), &serde_json::json!([]))
-    );
+    assert_eq!((&check["sound"], &check["damaged"]), (&6.into(), &serde_json::json!([])));
 }
 
 /// A study of four samples of the tanks of the table.
@@ -229,12 +200,7 @@ fn plan_refuses_what_no_sample_mends() {
     };
     for (parameter, low, high, wanted) in [
         ("liquid.fil_height", "1 m", "1.4 m", "unknown key"),
-        (
-            "liquid.fill_height",
-            "1 kg",
-            "2 kg",
-            "a unit of a mass, not of a length",
-        ),
+        ("liquid.fill_height", "1 kg", "2 kg", "a unit of a mass, not of a length"),
         ("liquid.fill_height", "1", "2", "without"),
         ("liquid.fill_height", "1 parsec", "2 parsec", "unit"),
         ("tank.courses[7].thickness", "1 mm", "2 mm", "found index 7"),
@@ -242,26 +208,13 @@ fn plan_refuses_what_no_sample_mends() {
         ("tank.courses[0", "1 mm", "2 mm", "not a path"),
         ("tank.support", "1 m", "2 m", ""),
         ("tank.radius.inner", "1 m", "2 m", "does not have the key"),
-        (
-            "liquid.fill_height",
-            "40 m",
-            "50 m",
-            "no sample of the tank `A` is possible",
-        ),
-        (
-            "liquid.density",
-            "-2 kg/m3",
-            "-1 kg/m3",
-            "no sample of the tank `A` is possible",
-        ),
+        ("liquid.fill_height", "40 m", "50 m", "no sample of the tank `A` is possible"),
+        ("liquid.density", "-2 kg/m3", "-1 kg/m3", "no sample of the tank `A` is possible"),
     ] {
         let output = plan(&sampled(parameter, low, high));
         let text = said(&output);
         assert_eq!(output.status.code(), Some(2), "{parameter}: {text}");
-        assert!(
-            text.contains(wanted) && text.contains("tank `A`"),
-            "{parameter}: {text}"
-        );
+        assert!(text.contains(wanted) && text.contains("tank `A`"), "{parameter}: {text}");
         assert!(text.contains("study.json:7"), "{parameter}: {text}");
         assert!(!path.join("out").exists());
     }
@@ -273,10 +226,7 @@ fn plan_refuses_what_no_sample_mends() {
     merged(path, "out");
     let rows = fs::read_to_string(path.join("out/rows.csv")).unwrap();
     assert!(rows.contains(",refused,") && rows.contains(",ok,"), "{rows}");
-    assert!(
-        !rows.contains(path.to_str().unwrap()) && !rows.contains("farm.csv"),
-        "{rows}"
-    );
+    assert!(!rows.contains(path.to_str().unwrap()) && !rows.contains("farm.csv"), "{rows}");
 }
 
 /// Names, patterns, pipes and arguments of schedulers have their limits, told by `plan`.
@@ -287,10 +237,7 @@ fn plan_refuses_what_has_no_bound() {
     let path = folder.path();
     let plan = |arguments: &[&str]| {
         let began = Instant::now();
-        let output = tankcheck(
-            path,
-            &[&["study", "plan", "study.json", "--out", "out"], arguments].concat(),
-        );
+        let output = tankcheck(path, &[&["study", "plan", "study.json", "--out", "out"], arguments].concat());
         assert_eq!(output.status.code(), Some(2), "{}", said(&output));
         assert!(began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
         said(&output)
@@ -303,10 +250,7 @@ fn plan_refuses_what_has_no_bound() {
     ] {
         fs::write(path.join("study.json"), STUDY.replace("rec*.csv", pattern)).unwrap();
         let text = plan(&[]);
-        assert!(
-            text.contains(wanted) && text.contains("study.json:4"),
-            "{pattern}: {text}"
-        );
+        assert!(text.contains(wanted) && text.contains("study.json:4"), "{pattern}: {text}");
     }
     fs::write(path.join("study.json"), STUDY).unwrap();
     for arguments in ["--time=1\nrm -rf x", "a\rb", "\u{1b}[2J"] {
@@ -314,24 +258,11 @@ fn plan_refuses_what_has_no_bound() {
         assert!(text.contains("--scheduler-args") && text.contains("one line"), "{text}");
     }
     for (tag, wanted) in [("x".repeat(300), "has 300 characters"), (String::new(), "is empty")] {
-        fs::write(
-            path.join("farm.csv"),
-            format!("tag,liquid.fill_height\nA,1.5 m\n{tag},1.2 m\n"),
-        )
-        .unwrap();
+        fs::write(path.join("farm.csv"), format!("tag,liquid.fill_height\nA,1.5 m\n{tag},1.2 m\n")).unwrap();
         let text = plan(&[]);
-        assert!(
-            text.contains(wanted) && text.contains("farm.csv:3") && text.contains("1 to 200"),
-            "{text}"
-        );
+        assert!(text.contains(wanted) && text.contains("farm.csv:3") && text.contains("1 to 200"), "{text}");
     }
     fs::remove_file(path.join("farm.csv")).unwrap();
-    assert!(
-        Command::new("mkfifo")
-            .arg(path.join("farm.csv"))
-            .status()
-            .unwrap()
-            .success()
-    );
+    assert!(Command::new("mkfifo").arg(path.join("farm.csv")).status().unwrap().success());
     assert!(plan(&[]).contains("not a regular file"));
 }

@@ -4,21 +4,9 @@ use std::path::Path;
 use std::process::Command;
 
 fn stdout(args: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args(args)
-        .output()
-        .unwrap();
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{args:?}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    assert!(
-        output.stderr.is_empty(),
-        "{args:?}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(args).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
 
@@ -28,10 +16,9 @@ fn read(path: &Path) -> tankcheck::input::TankFile {
 
 #[test]
 fn committed_schema_and_page_are_fresh() {
-    for (file, args) in [
-        ("schema/tank.schema.json", &["schema"] as &[&str]),
-        ("docs/input.md", &["schema", "--markdown"]),
-    ] {
+    for (file, args) in
+        [("schema/tank.schema.json", &["schema"] as &[&str]), ("docs/input.md", &["schema", "--markdown"])]
+    {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
         let committed = std::fs::read_to_string(path).unwrap_or_default();
         assert!(
@@ -54,13 +41,7 @@ fn init_writes_what_we_read() {
         std::fs::write(&path, stdout(&args)).unwrap();
         let file = read(&path);
         assert!(file.remarks.is_empty(), "{:?}", file.remarks);
-        assert_eq!(
-            file.echo
-                .iter()
-                .find(|e| e.path == "tank.shape")
-                .map(|e| e.text.as_str()),
-            Some(shape)
-        );
+        assert_eq!(file.echo.iter().find(|e| e.path == "tank.shape").map(|e| e.text.as_str()), Some(shape));
     }
 }
 
@@ -68,10 +49,7 @@ fn init_writes_what_we_read() {
 fn examples_are_read_without_remarks() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let entries = |folder: &Path| -> Vec<std::path::PathBuf> {
-        std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().path())
-            .collect()
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect()
     };
     let mut seen = 0;
     for folder in entries(&root).into_iter().filter(|path| path.is_dir()) {
@@ -82,13 +60,7 @@ fn examples_are_read_without_remarks() {
                 let file = read(&path);
                 // Example 06 uses the damping of the dissertation; the program notes that it leaves the wall undamped.
                 let published = folder.ends_with("06_sandwich_strip");
-                assert_eq!(
-                    file.remarks.len(),
-                    usize::from(published),
-                    "{}: {:?}",
-                    path.display(),
-                    file.remarks
-                );
+                assert_eq!(file.remarks.len(), usize::from(published), "{}: {:?}", path.display(), file.remarks);
                 seen += 1;
             }
         }
@@ -105,17 +77,10 @@ fn remarks_go_to_standard_error_and_stop_nothing() {
         "\"materials\": { \"gold\": { \"youngs_modulus\": \"79 GPa\", \"poisson_ratio\": 0.4, \"density\": \"19300 kg/m3\" },",
     );
     std::fs::write(&path, text).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .arg("check")
-        .arg(&path)
-        .output()
-        .unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck")).arg("check").arg(&path).output().unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{message}");
-    assert!(
-        message.contains("note: materials.gold: material `gold` is unused"),
-        "{message}"
-    );
+    assert!(message.contains("note: materials.gold: material `gold` is unused"), "{message}");
     assert!(!output.stdout.is_empty());
 }
 
@@ -128,10 +93,8 @@ fn completions_and_manual_page() {
     let page = stdout(&["completions", "--man"]);
     assert!(page.contains(".TH tankcheck 1"), "{page}");
     assert!(stdout(&["completions", "--man", "compare"]).contains("\\-\\-quake"));
-    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args(["completions", "--man", "compute"])
-        .output()
-        .unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(["completions", "--man", "compute"]).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("compare"));
 }

@@ -12,11 +12,7 @@ fn done(folder: &Path, args: &[&str]) {
     let output = tankcheck(folder, args);
     // 4: something was not checked.
     let code = output.status.code();
-    assert!(
-        matches!(code, Some(0 | 1 | 4)),
-        "{args:?} {code:?}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(matches!(code, Some(0 | 1 | 4)), "{args:?} {code:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]
@@ -28,24 +24,14 @@ fn exported_templates_give_the_identical_report() {
     done(home.path(), &["report", "out", "--report", "full"]);
     let embedded = read("out/report.html");
     done(home.path(), &["templates", "export", "mine"]);
-    done(
-        home.path(),
-        &["report", "out", "--report", "full", "--templates", "mine"],
-    );
+    done(home.path(), &["report", "out", "--report", "full", "--templates", "mine"]);
     assert!(embedded == read("out/report.html"), "another report");
     // They are read: a change shows.
     let page = home.path().join("mine/report.html");
     let text = std::fs::read_to_string(&page).unwrap();
     std::fs::write(&page, text.replacen("</body>", "<p>office</p></body>", 1)).unwrap();
-    done(
-        home.path(),
-        &["report", "out", "--report", "full", "--templates", "mine"],
-    );
-    assert!(
-        String::from_utf8(read("out/report.html"))
-            .unwrap()
-            .contains("<p>office</p>")
-    );
+    done(home.path(), &["report", "out", "--report", "full", "--templates", "mine"]);
+    assert!(String::from_utf8(read("out/report.html")).unwrap().contains("<p>office</p>"));
 }
 
 #[test]
@@ -58,20 +44,12 @@ fn templates_are_overwritten_only_with_force() {
     let refused = tankcheck(home.path(), &["templates", "export", "mine"]);
     let message = String::from_utf8(refused.stderr).unwrap();
     assert_eq!(refused.status.code(), Some(2));
-    assert!(
-        message.contains("error[T0602]") && message.contains("--force"),
-        "{message}"
-    );
+    assert!(message.contains("error[T0602]") && message.contains("--force"), "{message}");
     assert_eq!(std::fs::read_to_string(&own).unwrap(), "own");
     done(home.path(), &["templates", "export", "mine", "--force"]);
     assert_ne!(std::fs::read_to_string(&own).unwrap(), "own");
     assert_eq!(std::fs::read_to_string(&note).unwrap(), "note");
     std::fs::write(home.path().join("file"), "").unwrap();
     let refused = tankcheck(home.path(), &["templates", "export", "file", "--force"]);
-    assert_eq!(
-        refused.status.code(),
-        Some(2),
-        "{}",
-        String::from_utf8_lossy(&refused.stderr)
-    );
+    assert_eq!(refused.status.code(), Some(2), "{}", String::from_utf8_lossy(&refused.stderr));
 }

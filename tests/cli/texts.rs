@@ -60,11 +60,7 @@ fn tank(text: &str) -> String {
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(arguments).current_dir(folder).output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{arguments:?}: {said}");
     output
@@ -87,20 +83,15 @@ fn no_commands(output: &Output, words: &[&str]) {
 
 /// Every cell of the tables on standard output, by another reader.
 fn cells(text: &str) -> Vec<String> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(text.as_bytes());
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
     let rows = reader.records().map(|row| row.unwrap());
-    rows.flat_map(|row| row.iter().map(str::to_owned).collect::<Vec<_>>())
-        .collect()
+    rows.flat_map(|row| row.iter().map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
 /// Names of the elements of a page.
 fn elements(page: &str) -> BTreeSet<&str> {
     let tags = page.split('<').skip(1);
-    tags.map(|tag| tag.split([' ', '>', '\n']).next().unwrap_or_default())
-        .collect()
+    tags.map(|tag| tag.split([' ', '>', '\n']).next().unwrap_or_default()).collect()
 }
 
 #[test]
@@ -108,9 +99,7 @@ fn test_reports_are_well_formed_and_command_nothing() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path();
     std::fs::write(folder.join("plain.json"), tank("plain")).unwrap();
-    let count = printed(&run(folder, &["check", "plain.json", "--format", "github"]))
-        .lines()
-        .count();
+    let count = printed(&run(folder, &["check", "plain.json", "--format", "github"])).lines().count();
     assert!(count > 3, "{count}");
     for (i, text) in TEXTS.iter().enumerate() {
         // A file name has no NUL and no slash.
@@ -121,17 +110,11 @@ fn test_reports_are_well_formed_and_command_nothing() {
         let github = check("github");
         no_commands(&github, &["::error file=", "::warning file=", "::notice file="]);
         assert_eq!(printed(&github).lines().count(), count, "{}", printed(&github));
-        assert!(
-            printed(&github).lines().all(|line| line.starts_with("::")),
-            "{}",
-            printed(&github)
-        );
+        assert!(printed(&github).lines().all(|line| line.starts_with("::")), "{}", printed(&github));
         let junit = check("junit");
         let document = roxmltree::Document::parse(printed(&junit)).unwrap_or_else(|e| panic!("{text:?}: {e}"));
         let suites = document.root_element().attribute("name").unwrap();
-        let shown = visible(text)
-            .replace("##[", "\\u{23}#[")
-            .replace("##vso", "\\u{23}#vso");
+        let shown = visible(text).replace("##[", "\\u{23}#[").replace("##vso", "\\u{23}#vso");
         assert_eq!(suites, shown, "{text:?}");
         let sarif: serde_json::Value = serde_json::from_slice(&check("sarif").stdout).unwrap();
         let place = &sarif["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"];
@@ -154,26 +137,16 @@ fn tables_have_texts_and_numbers() {
     let home = tempfile::tempdir().unwrap();
     std::fs::write(home.path().join("tank.json"), tank("plain")).unwrap();
     let names = ["=1+1", "+cmd", "-2+3", "@SUM(1)", "a,\"b\"", "'=1", "-7"];
-    let rows: String = names
-        .iter()
-        .map(|name| format!("{},6 m\n", files::text::cell(name)))
-        .collect();
+    let rows: String = names.iter().map(|name| format!("{},6 m\n", files::text::cell(name))).collect();
     std::fs::write(home.path().join("t.csv"), format!("name,liquid.fill_height\n{rows}")).unwrap();
     let output = run(home.path(), &["check", "tank.json", "--table", "t.csv"]);
     let found = cells(printed(&output));
-    for (name, written) in names
-        .iter()
-        .zip(["'=1+1", "'+cmd", "'-2+3", "'@SUM(1)", "a,\"b\"", "''=1", "-7"])
-    {
+    for (name, written) in names.iter().zip(["'=1+1", "'+cmd", "'-2+3", "'@SUM(1)", "a,\"b\"", "''=1", "-7"]) {
         assert!(found.iter().any(|cell| cell == written), "{name}: {found:?}");
         assert_eq!(files::text::uncelled(written), *name);
     }
     // What was written is read as what it was.
-    std::fs::write(
-        home.path().join("again.csv"),
-        format!("name,liquid.fill_height\n{rows}"),
-    )
-    .unwrap();
+    std::fs::write(home.path().join("again.csv"), format!("name,liquid.fill_height\n{rows}")).unwrap();
     let again = run(home.path(), &["check", "tank.json", "--table", "again.csv"]);
     assert_eq!(output.stdout, again.stdout);
 }
@@ -183,16 +156,12 @@ fn tables_have_texts_and_numbers() {
 fn pages_and_figures_are_well_formed() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path();
-    let record: String = (0..=200)
-        .map(|i| format!("{:.2},{:.4}\n", 0.02 * f64::from(i), (0.3 * f64::from(i)).sin()))
-        .collect();
+    let record: String =
+        (0..=200).map(|i| format!("{:.2},{:.4}\n", 0.02 * f64::from(i), (0.3 * f64::from(i)).sin())).collect();
     std::fs::write(folder.join("r.csv"), format!("time_s,acceleration_m_s2\n{record}")).unwrap();
     let page = |name: &str, text: &str| {
         std::fs::write(folder.join(format!("{name}.json")), tank(text)).unwrap();
-        run(
-            folder,
-            &["compare", &format!("{name}.json"), "--quake", "r.csv", "--out", name],
-        );
+        run(folder, &["compare", &format!("{name}.json"), "--quake", "r.csv", "--out", name]);
         for file in std::fs::read_dir(folder.join(name).join("figures")).unwrap() {
             let svg = std::fs::read_to_string(file.unwrap().path()).unwrap();
             roxmltree::Document::parse(&svg).unwrap_or_else(|e| panic!("{e}: {svg}"));
@@ -221,38 +190,16 @@ fn models_of_other_programs_are_well_formed() {
         }
     }
     std::fs::write(folder.join("s.csv"), stripes).unwrap();
-    let options = [
-        "--bootstrap",
-        "0",
-        "--im",
-        "PGA",
-        "--nrml",
-        "m.xml",
-        "--pelicun",
-        "p.csv",
-        "--format",
-        "csv",
-    ];
+    let options = ["--bootstrap", "0", "--im", "PGA", "--nrml", "m.xml", "--pelicun", "p.csv", "--format", "csv"];
     let output = run(folder, &[&["fragility", "--stripes", "s.csv"][..], &options].concat());
     no_commands(&output, &[]);
     let nrml = std::fs::read_to_string(folder.join("m.xml")).unwrap();
     let document = roxmltree::Document::parse(&nrml).unwrap();
-    let states = document
-        .descendants()
-        .find(|n| n.has_tag_name(("http://openquake.org/xmlns/nrml/0.5", "limitStates")));
+    let states =
+        document.descendants().find(|n| n.has_tag_name(("http://openquake.org/xmlns/nrml/0.5", "limitStates")));
     let count = states.and_then(|n| n.text()).map_or(0, |t| t.split(' ').count());
-    assert_eq!(
-        count,
-        document
-            .descendants()
-            .filter(|n| n.tag_name().name() == "params")
-            .count(),
-        "{nrml}"
-    );
-    for table in [
-        printed(&output),
-        &std::fs::read_to_string(folder.join("p.csv")).unwrap(),
-    ] {
+    assert_eq!(count, document.descendants().filter(|n| n.tag_name().name() == "params").count(), "{nrml}");
+    for table in [printed(&output), &std::fs::read_to_string(folder.join("p.csv")).unwrap()] {
         for cell in cells(table) {
             let begins = cell.trim_start().starts_with(['=', '+', '-', '@']);
             assert!(!begins || cell.parse::<f64>().is_ok(), "{cell}");

@@ -33,16 +33,11 @@ fn results(tank: &str) -> Value {
 /// 0.5 or above 2. What is larger has a name that is not a place: a rigid wall, the vertical motion, the factors of a code.
 fn hoop_of_one_place(name: &str, height: f64) {
     let results = results(&example(name, |_| {}));
-    let fe = list(&results, "methods")
-        .iter()
-        .find(|m| m["id"] == "fe" && m["excitation"] == "record");
+    let fe = list(&results, "methods").iter().find(|m| m["id"] == "fe" && m["excitation"] == "record");
     let value = |id: &str| fe.expect("a run")["quantities"][id]["value"].as_f64().expect(id);
     let base = &results["runs"][0]["base"];
     let place = |id: &str| {
-        let found = list(base, "quantities")
-            .iter()
-            .find(|q| q["id"] == id)
-            .expect("a quantity of the base");
+        let found = list(base, "quantities").iter().find(|q| q["id"] == id).expect("a quantity of the base");
         (found["value"].as_f64(), found["z"].as_f64().expect("a height"))
     };
     let (wall, rim) = (place("hoop_stress"), place("rim_hoop_stress"));
@@ -51,14 +46,7 @@ fn hoop_of_one_place(name: &str, height: f64) {
     let found = list(&results["comparison"], "attribution");
     let of_hoop: Vec<&Value> = found.iter().filter(|a| a["quantity"] == "hoop_stress").collect();
     assert!(of_hoop.len() >= 4, "{name}: {}", of_hoop.len());
-    let places = [
-        "uplift",
-        "time_history",
-        "modes",
-        "impulsive_stress",
-        "convective_stress",
-        "place",
-    ];
+    let places = ["uplift", "time_history", "modes", "impulsive_stress", "convective_stress", "place"];
     for a in of_hoop {
         for step in list(a, "steps") {
             let (id, factor) = (step["factor_id"].as_str().unwrap(), step["factor"].as_f64().unwrap());
@@ -94,16 +82,11 @@ fn one_uplift_in_table_and_sheet() {
         .filter(|s| s["symbol"] == "w" && s["name"] == "largest uplift")
         .filter_map(|s| s["value"].as_f64())
         .collect();
-    let in_table: Vec<f64> = { list(grounds, "rows").iter() }
-        .filter_map(|row| row[2].as_f64())
-        .map(|w| w.max(0.0))
-        .collect();
+    let in_table: Vec<f64> =
+        { list(grounds, "rows").iter() }.filter_map(|row| row[2].as_f64()).map(|w| w.max(0.0)).collect();
     assert!(in_table.len() >= 3 && in_table.iter().any(|w| *w > 0.0), "{in_table:?}");
     for w in &in_table {
-        assert!(
-            on_sheet.iter().any(|s| (s / w - 1.0).abs() < 1e-9),
-            "{in_table:?} {on_sheet:?}"
-        );
+        assert!(on_sheet.iter().any(|s| (s / w - 1.0).abs() < 1e-9), "{in_table:?} {on_sheet:?}");
     }
 }
 
@@ -146,11 +129,7 @@ fn no_bars_beyond_a_scope() {
     for method in list(&concrete, "methods") {
         let id = method["id"].as_str().expect("an id");
         let computed = method["status"]["kind"] == "computed";
-        assert_eq!(
-            method["beyond_scope"].is_string(),
-            computed && id.starts_with("api650"),
-            "{id}"
-        );
+        assert_eq!(method["beyond_scope"].is_string(), computed && id.starts_with("api650"), "{id}");
     }
 }
 
@@ -174,31 +153,21 @@ fn divided_values_are_marked() {
     }
     let tables: Vec<&str> = said.split("\n\n").collect();
     let row = |table: &str, title: &str| {
-        let mut lines = tables
-            .iter()
-            .filter(|t| t.lines().next().is_some_and(|head| head.contains(table)));
+        let mut lines = tables.iter().filter(|t| t.lines().next().is_some_and(|head| head.contains(table)));
         let lines = lines.next().expect("a table").lines();
-        lines
-            .filter(|line| line.starts_with(title))
-            .map(str::to_owned)
-            .collect::<String>()
+        lines.filter(|line| line.starts_with(title)).map(str::to_owned).collect::<String>()
     };
     // Columns under the site: housner, both of Eurocode, both of API, the engine with the spectrum of Eurocode.
     assert_eq!(row("site", "Base shear").matches('†').count(), 4, "{said}");
     assert_eq!(row("site", "Sloshing height").matches('†').count(), 0);
     assert_eq!(row("record", "Base shear").matches('†').count(), 0);
     // Elastic spectra are not divided.
-    let elastic = example("05_oil_tank", |tank| {
-        tank["site"]["ec8"]["behaviour_factor"] = json!(1.0)
-    });
+    let elastic = example("05_oil_tank", |tank| tank["site"]["ec8"]["behaviour_factor"] = json!(1.0));
     let file = home.path().join("elastic.json");
     std::fs::write(&file, elastic).expect("writable");
     let run = tankcheck(&["check", file.to_str().expect("text")]);
     let said = String::from_utf8_lossy(&run.stdout).into_owned();
-    assert!(
-        said.contains("divided by R_wi") && !said.contains("divided by q"),
-        "{said}"
-    );
+    assert!(said.contains("divided by R_wi") && !said.contains("divided by q"), "{said}");
 }
 
 /// A box and a cylinder of concrete whose wall is clamped to its floor: the summary says that the floor is not verified; no other tank.

@@ -95,11 +95,7 @@ impl Tank {
 
     /// The same tank in the harmonic engine under a ground motion of this amplitude [m/s²].
     fn run(self, amplitude: f64) -> Tank {
-        Tank {
-            amplitude,
-            engines: &[EngineId::Harmonic],
-            ..self.shaken()
-        }
+        Tank { amplitude, engines: &[EngineId::Harmonic], ..self.shaken() }
     }
 
     fn json(&self) -> String {
@@ -120,10 +116,7 @@ impl Tank {
         let tank = read_tank(&path).map_err(|error| error.to_string())?;
         let procedures =
             tankcheck::pipeline::procedures::select_procedures(&tank.procedures).map_err(|error| error.to_string())?;
-        let mut job = Job {
-            engines: self.engines.to_vec(),
-            ..Job::of(tank, procedures)
-        };
+        let mut job = Job { engines: self.engines.to_vec(), ..Job::of(tank, procedures) };
         if self.record {
             let (samples, shape) = self.motion;
             let horizontal = Record {
@@ -133,11 +126,7 @@ impl Tank {
                 processing: Vec::new(),
             };
             job.raw_records = vec![horizontal.clone()];
-            job.case.ground_motion = Some(GroundMotion {
-                horizontal,
-                transverse: None,
-                vertical: None,
-            });
+            job.case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
         }
         let outcome = tankcheck::pipeline::run(&job, &Silent).map_err(|error| error.to_string())?;
         Ok(outcome.results)
@@ -146,12 +135,7 @@ impl Tank {
     /// What is wrong with the verdict on it; none if all is as expected.
     fn fault(&self, home: &Path) -> Option<String> {
         let found = self.results(home);
-        let wrong = |what: String| {
-            Some(format!(
-                "{}: {what}; expected {:?}: {}",
-                self.name, self.expected, self.why
-            ))
-        };
+        let wrong = |what: String| Some(format!("{}: {what}; expected {:?}: {}", self.name, self.expected, self.why));
         match (self.expected, found) {
             (Expected::Input(path), Err(error)) => match error.contains(path) {
                 true => None,
@@ -390,13 +374,7 @@ fn sound_tanks_hold() {
 
 #[test]
 fn names_are_unique() {
-    let all = [
-        failing::tanks(),
-        engine::failing(),
-        sound::tanks(),
-        engine::sound(),
-        concrete::sound(),
-    ];
+    let all = [failing::tanks(), engine::failing(), sound::tanks(), engine::sound(), concrete::sound()];
     let names: Vec<&str> = all.iter().flatten().map(|tank| tank.name).collect();
     let unique: std::collections::BTreeSet<_> = names.iter().collect();
     assert_eq!(unique.len(), names.len());
@@ -406,13 +384,8 @@ fn names_are_unique() {
 #[test]
 fn an_unused_acceptance_is_named() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let tank = Tank::new(
-        "misspelt",
-        "",
-        Expected::NotAssessed,
-        vec![only_ec8(), accept(&["slidding"])],
-    )
-    .open(&["sliding"]);
+    let tank =
+        Tank::new("misspelt", "", Expected::NotAssessed, vec![only_ec8(), accept(&["slidding"])]).open(&["sliding"]);
     let results = tank.results(home.path()).expect("the input is good");
     assert_eq!(results.verdict.status, VerdictStatus::Incomplete);
     let named = results.warnings.iter().any(|warning| warning.contains("`slidding`"));
@@ -440,12 +413,7 @@ fn a_code_that_fails_and_does_not_decide_is_named() {
         let path = path.to_str().expect("a temporary path is text");
         let text = tankcheck(&["check", path]).stdout;
         let line = format!("Not deciding by `procedures.decide`: {other} (site)");
-        assert_eq!(
-            String::from_utf8_lossy(&text).contains(&line),
-            named,
-            "{} {id}",
-            tank.name
-        );
+        assert_eq!(String::from_utf8_lossy(&text).contains(&line), named, "{} {id}", tank.name);
         let json: Value =
             serde_json::from_slice(&tankcheck(&["check", path, "--format", "json"]).stdout).expect("JSON");
         let overruled = json["verdict"]["overruled"].as_array().expect("a list");

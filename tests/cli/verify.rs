@@ -28,26 +28,14 @@ fn every_code_and_engine_passes() {
         let (value, reference) = (number("computed"), number("reference"));
         let error = (value - reference) / reference.abs();
         assert!(row["holds"] == true && error.abs() <= number("tolerance"), "{row}");
-        assert!(
-            number("tolerance") <= 0.02 && (error - number("error")).abs() < 1e-12,
-            "{row}"
-        );
-        assert!(
-            row["reference_source"].as_str().is_some_and(|source| source.len() > 5),
-            "{row}"
-        );
+        assert!(number("tolerance") <= 0.02 && (error - number("error")).abs() < 1e-12, "{row}");
+        assert!(row["reference_source"].as_str().is_some_and(|source| source.len() > 5), "{row}");
     }
     let ids: BTreeSet<&str> = rows.iter().filter_map(|row| row["id"].as_str()).collect();
     let procedures = ::codes::ALL.iter().map(|procedure| procedure.id());
-    for id in procedures.chain([
-        "harmonic",
-        "solid",
-        "nonlinear strip",
-        "nonlinear cylinder",
-        "base",
-        "soil",
-        "isolators",
-    ]) {
+    for id in
+        procedures.chain(["harmonic", "solid", "nonlinear strip", "nonlinear cylinder", "base", "soil", "isolators"])
+    {
         assert!(ids.contains(id), "{id} has no row: {ids:?}");
     }
 }
@@ -62,37 +50,24 @@ fn the_list_has_every_row_with_its_source_in_every_form() {
     let human = text(&["--list"]);
     for row in listed {
         let [what, source] = ["what", "reference_source"].map(|key| row[key].as_str().expect("text"));
-        assert!(
-            human.contains(what) && human.contains(source) && csv.contains(what),
-            "{row}"
-        );
+        assert!(human.contains(what) && human.contains(source) && csv.contains(what), "{row}");
     }
     let run = text(&[]);
-    assert!(
-        run.contains(&format!("\n{} rows, 0 outside their tolerance", listed.len())),
-        "{run}"
-    );
+    assert!(run.contains(&format!("\n{} rows, 0 outside their tolerance", listed.len())), "{run}");
     assert_eq!(text(&["--format", "csv"]).lines().count(), listed.len() + 1);
 }
 
 /// Pattern, slow rows, records and the manual belong to another program, which the help names.
 #[test]
 fn the_whole_verification_is_another_program() {
-    for arguments in [
-        &["shell-cook"][..],
-        &["--slow"],
-        &["--records", "."],
-        &["--write", "manual"],
-        &["--format", "html"],
-    ] {
+    for arguments in
+        [&["shell-cook"][..], &["--slow"], &["--records", "."], &["--write", "manual"], &["--format", "html"]]
+    {
         let output = verify(arguments);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
         assert!(message.starts_with("error[T0101]: "), "{message}");
     }
     let help = text(&["--help"]);
-    assert!(
-        help.contains("cargo run --release -p verification") && help.contains("docs/verification"),
-        "{help}"
-    );
+    assert!(help.contains("cargo run --release -p verification") && help.contains("docs/verification"), "{help}");
 }

@@ -41,10 +41,7 @@ fn a_lifting_bottom_is_written() {
     let list = roxmltree::Document::parse(&list).expect("XML");
     let sets = list.descendants().filter(|n| n.has_tag_name("DataSet"));
     let files: Vec<&str> = sets.filter_map(|n| n.attribute("file")).collect();
-    assert!(
-        files.len() > 4 && files.iter().all(|f| f.starts_with("bottom_")),
-        "{files:?}"
-    );
+    assert!(files.len() > 4 && files.iter().all(|f| f.starts_with("bottom_")), "{files:?}");
     for file in files {
         let text = std::fs::read_to_string(paraview.join(file)).expect("text");
         let grid = roxmltree::Document::parse(&text).expect("XML");

@@ -42,12 +42,7 @@ fn attempt(target: &Target, bytes: &[u8]) {
 
 fn finds(target: &Target) -> Vec<PathBuf> {
     let folder = root().join("fuzz/finds").join(target.name);
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|e| e.path())
-        .collect();
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()).collect();
     paths.sort();
     paths
 }
@@ -61,12 +56,8 @@ fn fuzz(name: &str) {
         attempt(&target, &std::fs::read(&path).expect("readable"));
     }
     seeds.iter().for_each(|seed| attempt(&target, seed));
-    let seconds: Option<u64> = std::env::var("TANKCHECK_FUZZ_SECONDS")
-        .ok()
-        .and_then(|s| s.parse().ok());
-    let given = std::env::var("TANKCHECK_FUZZ_SEED")
-        .ok()
-        .map(|s| s.parse().expect("a number"));
+    let seconds: Option<u64> = std::env::var("TANKCHECK_FUZZ_SECONDS").ok().and_then(|s| s.parse().ok());
+    let given = std::env::var("TANKCHECK_FUZZ_SEED").ok().map(|s| s.parse().expect("a number"));
     let seed = match (given, seconds) {
         (Some(seed), _) => seed,
         (None, None) => 1982,
@@ -81,10 +72,7 @@ fn fuzz(name: &str) {
         attempt(&target, &data);
         inputs += 1;
     }
-    println!(
-        "{name}: {inputs} inputs in {:.1} s, seed {seed}",
-        start.elapsed().as_secs_f64()
-    );
+    println!("{name}: {inputs} inputs in {:.1} s, seed {seed}", start.elapsed().as_secs_f64());
 }
 
 #[test]

@@ -52,9 +52,8 @@ fn differences(golden: &str, out: &Path) -> Vec<String> {
     };
     assert!(report.compared > 100, "{golden}: {} values", report.compared);
     let moved = report.moved.iter().take(10);
-    let mut faults: Vec<String> = moved
-        .map(|m| format!("{}: {} -> {} ({:.1e})", m.path, m.old, m.new, m.change))
-        .collect();
+    let mut faults: Vec<String> =
+        moved.map(|m| format!("{}: {} -> {} ({:.1e})", m.path, m.old, m.new, m.change)).collect();
     match histories(golden) {
         Some(kept) => faults.extend(moved_rows(&kept, out).into_iter().take(10)),
         // Whole ones are compared above.
@@ -136,11 +135,7 @@ fn copy(name: &str, out: &Path, golden: &str) {
 
 /// Whether the pages differ in more than version, date and command.
 fn page_differs(golden: &str, out: &Path) -> bool {
-    let lasting = |folder: &Path| {
-        std::fs::read_to_string(folder.join(PAGE))
-            .ok()
-            .map(|html| lasting(&html))
-    };
+    let lasting = |folder: &Path| std::fs::read_to_string(folder.join(PAGE)).ok().map(|html| lasting(&html));
     lasting(&root().join(golden)) != lasting(out)
 }
 

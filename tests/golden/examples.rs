@@ -36,34 +36,19 @@ pub(crate) fn examples() -> Vec<Example> {
     folders.sort();
     let mut examples = Vec::new();
     for folder in folders {
-        let name = folder
-            .file_name()
-            .expect("a folder has a name")
-            .to_string_lossy()
-            .into_owned();
+        let name = folder.file_name().expect("a folder has a name").to_string_lossy().into_owned();
         let own = folder.join("record.csv");
-        let record = if own.exists() {
-            own
-        } else {
-            root.join("examples/records/elcentro.csv")
-        };
+        let record = if own.exists() { own } else { root.join("examples/records/elcentro.csv") };
         let mut tanks: Vec<PathBuf> = std::fs::read_dir(&folder)
             .expect("readable")
             .map(|entry| entry.expect("readable").path())
             .filter(|path| path.extension().is_some_and(|e| e == "json"))
             // A study and its template have an accepted result of their own.
-            .filter(|path| {
-                path.file_name()
-                    .is_some_and(|n| n.to_string_lossy().starts_with("tank"))
-            })
+            .filter(|path| path.file_name().is_some_and(|n| n.to_string_lossy().starts_with("tank")))
             .collect();
         tanks.sort();
         for tank in &tanks {
-            let stem = tank
-                .file_stem()
-                .expect("a file has a stem")
-                .to_string_lossy()
-                .into_owned();
+            let stem = tank.file_stem().expect("a file has a stem").to_string_lossy().into_owned();
             let golden = match stem.strip_prefix("tank_") {
                 Some(variant) => format!("reports/{name}/{variant}"),
                 None => format!("reports/{name}"),
@@ -102,11 +87,7 @@ fn examples_give_their_accepted_results() {
         let run = compare(example, &out);
         let code = run.status.code();
         if !matches!(code, Some(0 | 1 | 4)) {
-            faults.push(format!(
-                "{}: exit code {code:?}\n{}",
-                example.tank.display(),
-                text(&run.stderr)
-            ));
+            faults.push(format!("{}: exit code {code:?}\n{}", example.tank.display(), text(&run.stderr)));
             continue;
         }
         faults.extend(accepted::check(&example.golden, &out, example.page));

@@ -63,12 +63,7 @@ const SHORT: [Kept; 4] = [
             "housner",
         ],
         golden: "tests/golden/short/nonlinear",
-        shows: &[
-            "Nonlinear run",
-            "Moment at the base",
-            "First crack",
-            "Balance of energies",
-        ],
+        shows: &["Nonlinear run", "Moment at the base", "First crack", "Balance of energies"],
     },
     Kept {
         command: &[
@@ -110,36 +105,17 @@ const FULL: [Kept; 6] = [
         shows: &["Moment of the section"],
     },
     Kept {
-        command: &[
-            "compare",
-            "examples/06_sandwich_strip/tank.json",
-            "--quake",
-            ELCENTRO,
-            "--fe",
-            "nonlinear",
-        ],
+        command: &["compare", "examples/06_sandwich_strip/tank.json", "--quake", ELCENTRO, "--fe", "nonlinear"],
         golden: "reports/06_sandwich_strip/nonlinear",
         shows: &["Moment at the base"],
     },
     Kept {
-        command: &[
-            "compare",
-            "examples/06_sandwich_strip/opening/tank.json",
-            "--quake",
-            ELCENTRO,
-            "--fe",
-            "nonlinear",
-        ],
+        command: &["compare", "examples/06_sandwich_strip/opening/tank.json", "--quake", ELCENTRO, "--fe", "nonlinear"],
         golden: "reports/06_sandwich_strip/opening",
         shows: &["Moment at the base"],
     },
     Kept {
-        command: &[
-            "push",
-            "examples/07_steel_cylinder/tank.json",
-            "--imperfection",
-            "class-b",
-        ],
+        command: &["push", "examples/07_steel_cylinder/tank.json", "--imperfection", "class-b"],
         golden: "reports/07_steel_cylinder/push",
         shows: &["0.605"],
     },
@@ -190,11 +166,7 @@ fn check(kept: &Kept, faults: &mut Vec<String>) {
     let mut fault = |what: String| faults.push(format!("{}: {what}", kept.golden));
     // 1: a check of the tank fails; 3: the wall collapses.
     if !matches!(run.status.code(), Some(0 | 1 | 3 | 4)) {
-        return fault(format!(
-            "exit code {:?}\n{}",
-            run.status.code(),
-            String::from_utf8_lossy(&run.stderr)
-        ));
+        return fault(format!("exit code {:?}\n{}", run.status.code(), String::from_utf8_lossy(&run.stderr)));
     }
     let page = std::fs::read_to_string(out.join("report.html")).expect("a report");
     for words in kept.shows.iter().filter(|words| !page.contains(**words)) {
@@ -254,19 +226,13 @@ fn reports_hold_numbers_and_pages_alone() {
     let runs = examples.iter().map(|e| (e.golden.clone(), e.page));
     let runs: Vec<(String, bool)> = runs.chain(FULL.iter().map(|k| (k.golden.into(), k.page()))).collect();
     assert_eq!(found, runs.iter().map(|run| run.0.clone()).collect());
-    assert_eq!(
-        pages,
-        runs.into_iter().filter_map(|run| run.1.then_some(run.0)).collect()
-    );
+    assert_eq!(pages, runs.into_iter().filter_map(|run| run.1.then_some(run.0)).collect());
 }
 
 /// The numbers of `ida` and `push` are compared like those of `compare`: a changed number is found, volatile fields are ignored.
 #[test]
 fn a_moved_number_is_found() {
-    for (golden, file) in [
-        ("tests/golden/short/ida", "ida.json"),
-        ("tests/golden/short/push", "push.json"),
-    ] {
+    for (golden, file) in [("tests/golden/short/ida", "ida.json"), ("tests/golden/short/push", "push.json")] {
         let golden = root().join(golden);
         let home = tempfile::tempdir().expect("a temporary folder");
         let text = std::fs::read_to_string(golden.join(file)).expect("kept");

@@ -21,10 +21,7 @@ fn text(html: &str) -> String {
     }
     let mut out = String::new();
     for part in html.split('<') {
-        let shown = part
-            .split_once('>')
-            .map_or(part, |(_, text)| text)
-            .replace('\u{a0}', " ");
+        let shown = part.split_once('>').map_or(part, |(_, text)| text).replace('\u{a0}', " ");
         let shown = shown.split_whitespace().collect::<Vec<_>>().join(" ");
         if !shown.is_empty() {
             out.push_str(&shown);
@@ -71,10 +68,7 @@ fn german_report_of_the_oil_tank() {
     let tank = "examples/05_oil_tank/tank.json";
     let out = home.path().join("out");
     run(&["compare", tank, "--quake", "examples/records/elcentro.csv"], &out);
-    let _wish = style::wish(Wish {
-        language: Some(Language::German),
-        units: None,
-    });
+    let _wish = style::wish(Wish { language: Some(Language::German), units: None });
     let page = report::of_folder(&out, None, Level::Standard).expect("renders");
     accepted("german/05_oil_tank.txt", &text(&page.html));
 }

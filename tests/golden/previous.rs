@@ -21,11 +21,8 @@ fn run_before(mut run: Value) -> Value {
 
 #[test]
 fn results_of_the_previous_format_are_read() {
-    for (kind, second) in [
-        (Kind::Check, None),
-        (Kind::Both, Some("fe_solid")),
-        (Kind::Nonlinear, Some("fe_nonlinear")),
-    ] {
+    for (kind, second) in [(Kind::Check, None), (Kind::Both, Some("fe_solid")), (Kind::Nonlinear, Some("fe_nonlinear"))]
+    {
         let home = tempfile::tempdir().expect("a temporary folder");
         let (results, series) = sample(kind, "tank");
         write(home.path(), &results, &series).expect("writable");

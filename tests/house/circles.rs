@@ -32,13 +32,7 @@ fn locate(found: &Crate, from: &Module, path: &str) -> Option<(Module, Vec<Strin
             }
             module
         }
-        child
-            if found
-                .files
-                .contains_key(&[from.clone(), vec![child.to_owned()]].concat()) =>
-        {
-            from.clone()
-        }
+        child if found.files.contains_key(&[from.clone(), vec![child.to_owned()]].concat()) => from.clone(),
         _ => return None,
     };
     while let Some(&part) = parts.peek() {
@@ -49,10 +43,7 @@ fn locate(found: &Crate, from: &Module, path: &str) -> Option<(Module, Vec<Strin
         }
         parts.next();
     }
-    found
-        .files
-        .contains_key(&module)
-        .then(|| (module, parts.map(str::to_owned).collect()))
+    found.files.contains_key(&module).then(|| (module, parts.map(str::to_owned).collect()))
 }
 
 fn exports(found: &Crate) -> Exports {
@@ -129,10 +120,8 @@ fn no_circle_has_more_than_three_files() {
 fn a_circle_is_found() {
     let module = |name: &str| vec![name.to_owned()];
     let edges = [("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")];
-    let mut imports: BTreeMap<Module, BTreeSet<Module>> = ["a", "b", "c", "d"]
-        .iter()
-        .map(|m| (module(m), BTreeSet::new()))
-        .collect();
+    let mut imports: BTreeMap<Module, BTreeSet<Module>> =
+        ["a", "b", "c", "d"].iter().map(|m| (module(m), BTreeSet::new())).collect();
     for (from, to) in edges {
         imports.entry(module(from)).or_default().insert(module(to));
     }

@@ -5,10 +5,8 @@ use std::path::Path;
 use crate::sources::workspace;
 
 /// Files outside `codes` that name an id, and why.
-const EXCEPTIONS: &[(&str, &str)] = &[
-    ("src/cli/check.rs", "example of a command line in the help text"),
-    ("src/selftest.rs", "a row for each code"),
-];
+const EXCEPTIONS: &[(&str, &str)] =
+    &[("src/cli/check.rs", "example of a command line in the help text"), ("src/selftest.rs", "a row for each code")];
 
 /// Whether a line of code names an id: in quotes, or anywhere if the id is not an identifier.
 fn names(line: &str, id: &str) -> bool {

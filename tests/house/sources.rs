@@ -77,21 +77,14 @@ fn sources(root: &Path, src: &Path) -> BTreeMap<Module, Source> {
     let mut folders = vec![src.to_path_buf()];
     while let Some(folder) = folders.pop() {
         folders.extend(folders_in(&folder));
-        let files = std::fs::read_dir(&folder)
-            .expect("a folder")
-            .flatten()
-            .map(|e| e.path());
+        let files = std::fs::read_dir(&folder).expect("a folder").flatten().map(|e| e.path());
         for path in files.filter(|p| p.extension().is_some_and(|e| e == "rs")) {
             let relative = path.strip_prefix(src).expect("below src").with_extension("");
             let mut module: Module = relative.iter().map(|p| p.to_string_lossy().into_owned()).collect();
             if module.iter().any(|part| part.contains("test") && part != "selftest") {
                 continue;
             }
-            assert!(
-                !relative.ends_with("mod"),
-                "{}: a module stands in `x.rs` beside `x/`",
-                path.display()
-            );
+            assert!(!relative.ends_with("mod"), "{}: a module stands in `x.rs` beside `x/`", path.display());
             // A program beside a library is a module of its own.
             let root_of = |name: &str| module == [name] && (name == "lib" || !src.join("lib.rs").exists());
             if root_of("lib") || root_of("main") {
@@ -185,10 +178,7 @@ fn statements(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter(move |line| {
         let words = line.trim_start();
         let visible = words.strip_prefix("pub").map_or(words, |rest| {
-            let rest = rest
-                .strip_prefix('(')
-                .and_then(|r| r.split_once(')'))
-                .map_or(rest, |(_, r)| r);
+            let rest = rest.strip_prefix('(').and_then(|r| r.split_once(')')).map_or(rest, |(_, r)| r);
             rest.trim_start()
         });
         let begins = visible.starts_with("use ");

@@ -18,19 +18,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fem", &["fourier", "linalg", "materials", "oscillator"]),
     ("codes", &["base", "oscillator", "soil", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
-    (
-        "engines",
-        &[
-            "base",
-            "fem",
-            "linalg",
-            "materials",
-            "oscillator",
-            "results",
-            "soil",
-            "tank",
-        ],
-    ),
+    ("engines", &["base", "fem", "linalg", "materials", "oscillator", "results", "soil", "tank"]),
     ("report", &["files", "results", "tank"]),
     (
         "verification",
@@ -70,11 +58,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 
 /// A crate, a folder or file in it, and what it must not name.
 const MUST_NOT_NAME: &[(&str, &str, &[&str])] = &[
-    (
-        "tankcheck",
-        "input",
-        &["engines::", "report::", "crate::cli", "crate::pipeline"],
-    ),
+    ("tankcheck", "input", &["engines::", "report::", "crate::cli", "crate::pipeline"]),
     ("tankcheck", "pipeline", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "solve", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "record_set", &["crate::cli", "crate::input", "report::"]),
@@ -99,22 +83,14 @@ fn folders_keep_the_walls() {
     let workspace = workspace();
     let mut broken = Vec::new();
     for (name, folder, forbidden) in MUST_NOT_NAME {
-        let found = workspace
-            .iter()
-            .find(|c| c.name == *name)
-            .expect("a crate of the workspace");
-        let files = found
-            .files
-            .iter()
-            .filter(|(module, _)| module.first().is_some_and(|m| m == folder));
+        let found = workspace.iter().find(|c| c.name == *name).expect("a crate of the workspace");
+        let files = found.files.iter().filter(|(module, _)| module.first().is_some_and(|m| m == folder));
         let mut count = 0;
         for (_, source) in files {
             count += 1;
             let named = uses(&source.text, false).into_iter().chain(uses(&source.text, true));
             for path in named.chain(paths(&source.text)) {
-                if forbidden
-                    .iter()
-                    .any(|f| format!("{path}::").starts_with(&format!("{}::", f.trim_end_matches(':'))))
+                if forbidden.iter().any(|f| format!("{path}::").starts_with(&format!("{}::", f.trim_end_matches(':'))))
                 {
                     broken.push(format!("{} names {path}", source.path.display()));
                 }

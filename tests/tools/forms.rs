@@ -33,15 +33,8 @@ fn root(file: &str) -> String {
 /// Results of an example in `out` of a new folder.
 fn compared(example: &str, options: &[&str]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let (tank, quake) = (
-        root(&format!("examples/{example}/tank.json")),
-        root("examples/records/elcentro.csv"),
-    );
-    let arguments = [
-        &["compare", &tank, "--quake", &quake, "--no-report", "--out", "out"][..],
-        options,
-    ]
-    .concat();
+    let (tank, quake) = (root(&format!("examples/{example}/tank.json")), root("examples/records/elcentro.csv"));
+    let arguments = [&["compare", &tank, "--quake", &quake, "--no-report", "--out", "out"][..], options].concat();
     let run = tankcheck(folder.path(), &arguments, &[]);
     assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", said(&run));
     folder
@@ -65,21 +58,11 @@ pub(crate) fn pages_are_few(_chromium: &Path) {
         let folder = compared(example, options);
         for (level, most) in ["summary", "standard"].into_iter().zip(limits) {
             let file = format!("{level}.pdf");
-            let run = tankcheck(
-                folder.path(),
-                &["report", "out", "--report", level, &format!("--pdf={file}")],
-                &[],
-            );
+            let run = tankcheck(folder.path(), &["report", "out", "--report", level, &format!("--pdf={file}")], &[]);
             assert!(run.status.success(), "{}", said(&run));
             let found = pages(&folder.path().join(file));
-            assert!(
-                found <= most,
-                "{example} {options:?}: {found} pages of {level}, expected at most {most}"
-            );
-            assert!(
-                level == "standard" || found == most,
-                "{example}: {found} pages of summary"
-            );
+            assert!(found <= most, "{example} {options:?}: {found} pages of {level}, expected at most {most}");
+            assert!(level == "standard" || found == most, "{example}: {found} pages of summary");
         }
     }
 }
@@ -102,10 +85,7 @@ pub(crate) fn contents_have_the_pages_of_their_sections(pdftotext: &Path) {
     let (mut entries, mut entry) = (Vec::new(), String::new());
     for line in contents.lines() {
         entry = format!("{entry} {line}").trim().to_owned();
-        let Some((title, page)) = entry
-            .rsplit_once(' ')
-            .and_then(|(t, p)| Some((t, p.parse::<usize>().ok()?)))
-        else {
+        let Some((title, page)) = entry.rsplit_once(' ').and_then(|(t, p)| Some((t, p.parse::<usize>().ok()?))) else {
             continue;
         };
         if !title.starts_with(&format!("{} ", entries.len() + 1)) {
@@ -149,11 +129,7 @@ pub(crate) fn the_program_prints(_chromium: &Path) {
 
     let missing = tankcheck(home, &["report", "out", "--pdf"], &[("CHROME", "/nowhere/chrome")]);
     assert_eq!(missing.status.code(), Some(2));
-    assert!(
-        said(&missing).contains("CHROME") && said(&missing).contains("/nowhere/chrome"),
-        "{}",
-        said(&missing)
-    );
+    assert!(said(&missing).contains("CHROME") && said(&missing).contains("/nowhere/chrome"), "{}", said(&missing));
     let none = tankcheck(home, &["report", "out", "--pdf"], &[("PATH", place)]);
     assert_eq!(none.status.code(), Some(2));
     assert!(said(&none).contains("apt install chromium"), "{}", said(&none));
@@ -161,20 +137,14 @@ pub(crate) fn the_program_prints(_chromium: &Path) {
     {
         use std::os::unix::fs::PermissionsExt;
         let broken = home.join("broken");
-        fs::write(
-            &broken,
-            "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\necho 'no display today' >&2\nexit 7\n",
-        )
-        .expect("writable");
+        fs::write(&broken, "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\necho 'no display today' >&2\nexit 7\n")
+            .expect("writable");
         fs::set_permissions(&broken, fs::Permissions::from_mode(0o755)).expect("a script");
         let variables = [("CHROME", broken.to_str().expect("text")), ("TMPDIR", place)];
         let failed = tankcheck(home, &["report", "out", "--pdf"], &variables);
         assert_eq!(failed.status.code(), Some(3));
         assert!(said(&failed).contains("no display today"), "{}", said(&failed));
-        assert!(
-            fs::read_dir(&temporary).expect("readable").next().is_none(),
-            "a folder is left"
-        );
+        assert!(fs::read_dir(&temporary).expect("readable").next().is_none(), "a folder is left");
         assert!(!home.join("out/report.pdf").exists());
     }
 }
@@ -194,29 +164,17 @@ pub(crate) fn pandoc_makes_a_clean_document(pandoc: &Path) {
         .expect("pandoc starts");
     assert!(direct.status.success());
     for file in ["out/report.docx", "direct.docx"] {
-        let read = Command::new(pandoc)
-            .args([file, "--to", "json"])
-            .current_dir(home)
-            .output()
-            .expect("pandoc starts");
+        let read = Command::new(pandoc).args([file, "--to", "json"]).current_dir(home).output().expect("pandoc starts");
         let document: Value = serde_json::from_slice(&read.stdout).expect("JSON of pandoc");
         let mut counts = Counts::default();
         counts.add(&document["blocks"]);
         let headings = html.matches("<h2").count() - usize::from(file.starts_with("out"));
         assert!(counts.headings >= headings, "{file}: {} headings", counts.headings);
-        assert!(
-            counts.tables >= html.matches("<caption>").count(),
-            "{file}: {} tables",
-            counts.tables
-        );
+        assert!(counts.tables >= html.matches("<caption>").count(), "{file}: {} tables", counts.tables);
         assert!(counts.formulas > 20, "{file}: {} formulas", counts.formulas);
         // Drawings in a page have their looks from its style sheet, which pandoc does not read; those of the document have their own.
         let images = html.matches("<svg ").count();
-        assert!(
-            file == "direct.docx" || counts.images >= images,
-            "{file}: {} images of {images}",
-            counts.images
-        );
+        assert!(file == "direct.docx" || counts.images >= images, "{file}: {} images of {images}", counts.images);
         for raw in ["<svg", "<path", "@media", "font-family", "</", "base64", "var(--"] {
             assert!(!counts.text.contains(raw), "{file}: `{raw}` as text");
         }
@@ -245,8 +203,7 @@ impl Counts {
                     "Math" => self.formulas += 1,
                     "Image" => self.images += 1,
                     "Str" => {
-                        self.text
-                            .push_str(map.get("c").and_then(Value::as_str).unwrap_or_default());
+                        self.text.push_str(map.get("c").and_then(Value::as_str).unwrap_or_default());
                         self.text.push(' ');
                     }
                     _ => {}
@@ -297,11 +254,8 @@ pub(crate) fn the_workbook_has_the_values(python: &Path) {
         bytes.push(fs::read(home.join("out/report.xlsx")).expect("a workbook"));
     }
     assert!(bytes[0] == bytes[1], "the same results give the same bytes");
-    let read = Command::new(python)
-        .args(["-c", CELLS, "out/report.xlsx"])
-        .current_dir(home)
-        .output()
-        .expect("python starts");
+    let read =
+        Command::new(python).args(["-c", CELLS, "out/report.xlsx"]).current_dir(home).output().expect("python starts");
     assert!(read.status.success(), "{}", said(&read));
     let book: Value = serde_json::from_slice(&read.stdout).expect("JSON");
     let results: Value =
@@ -313,30 +267,18 @@ pub(crate) fn the_workbook_has_the_values(python: &Path) {
             continue;
         }
         sheets += 1;
-        let name = format!(
-            "{} {}",
-            method["id"].as_str().unwrap(),
-            method["excitation"].as_str().unwrap()
-        );
+        let name = format!("{} {}", method["id"].as_str().unwrap(), method["excitation"].as_str().unwrap());
         let rows = book[&name].as_array().unwrap_or_else(|| panic!("no sheet {name}"));
         assert_eq!(rows.len(), steps.len() + 1, "{name}");
         for (row, step) in rows[1..].iter().zip(steps) {
             assert_eq!(row[2], step["name"], "{name}");
-            close(
-                &row[6],
-                row[7].as_str().unwrap_or_default(),
-                step["value"].as_f64().unwrap(),
-            );
+            close(&row[6], row[7].as_str().unwrap_or_default(), step["value"].as_f64().unwrap());
             assert_eq!(row[8], step["clause"]);
         }
     }
     assert!(sheets > 8, "{sheets} sheets of methods");
-    let checks: Vec<&Value> = results["methods"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .flat_map(|m| m["checks"].as_array().unwrap())
-        .collect();
+    let checks: Vec<&Value> =
+        results["methods"].as_array().unwrap().iter().flat_map(|m| m["checks"].as_array().unwrap()).collect();
     let rows = book["Checks"].as_array().expect("checks");
     assert_eq!(rows.len(), checks.len() + 1);
     let mut compared = 0;
@@ -352,10 +294,8 @@ pub(crate) fn the_workbook_has_the_values(python: &Path) {
     assert!(compared > 50, "{compared} values of checks");
     let profile = &results["methods"][1]["profiles"][0];
     let rows = book["Profiles"].as_array().expect("profiles");
-    let of: Vec<&Value> = rows
-        .iter()
-        .filter(|r| r[0] == results["methods"][1]["title"] && r[2] == profile["title"])
-        .collect();
+    let of: Vec<&Value> =
+        rows.iter().filter(|r| r[0] == results["methods"][1]["title"] && r[2] == profile["title"]).collect();
     let values = profile["values"].as_array().expect("values");
     assert!(of.len() >= values.len() && !values.is_empty());
     for (row, value) in of.iter().zip(values) {
@@ -371,9 +311,7 @@ pub(crate) fn the_workbook_has_the_values(python: &Path) {
     let row = rows.len() / 2;
     for (column, text) in lines[row].split(',').enumerate() {
         let title = head[column].as_str().expect("text");
-        let unit = title
-            .rsplit_once('[')
-            .map_or("", |(_, unit)| unit.trim_end_matches(']'));
+        let unit = title.rsplit_once('[').map_or("", |(_, unit)| unit.trim_end_matches(']'));
         if let Ok(value) = text.parse::<f64>() {
             close(&rows[row][column], unit, value);
         }
@@ -412,10 +350,7 @@ pub(crate) fn the_workbook_takes_every_text(python: &Path) {
         given["name"] = text.into();
         given["project"]["client"] = text.into();
         fs::write(home.join("tank.json"), given.to_string()).expect("writable");
-        for arguments in [
-            &["check", "tank.json", "--out", "out"][..],
-            &["report", "out", "--format", "xlsx"],
-        ] {
+        for arguments in [&["check", "tank.json", "--out", "out"][..], &["report", "out", "--format", "xlsx"]] {
             let run = tankcheck(home, arguments, &[]);
             assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", said(&run));
         }
@@ -457,14 +392,11 @@ fn factor(unit: &str) -> f64 {
             other => panic!("unit {other}"),
         }
     };
-    let power = |symbol: &str| match symbol
-        .strip_suffix('²')
-        .map(|s| (s, 2))
-        .or(symbol.strip_suffix('³').map(|s| (s, 3)))
-    {
-        Some((symbol, exponent)) => of(symbol).powi(exponent),
-        None => of(symbol),
-    };
+    let power =
+        |symbol: &str| match symbol.strip_suffix('²').map(|s| (s, 2)).or(symbol.strip_suffix('³').map(|s| (s, 3))) {
+            Some((symbol, exponent)) => of(symbol).powi(exponent),
+            None => of(symbol),
+        };
     let product = |text: &str| text.split('·').map(power).product::<f64>();
     match unit.split_once('/') {
         Some((above, below)) => product(above) / product(below),
@@ -474,14 +406,8 @@ fn factor(unit: &str) -> f64 {
 
 /// A cell is a value in SI, to the digits that the files keep (ten) and one rounding of the conversion.
 fn close(cell: &Value, unit: &str, value: f64) {
-    let found = cell
-        .as_f64()
-        .unwrap_or_else(|| panic!("{cell} is no number, expected {value}"))
-        * factor(unit);
-    assert!(
-        (found - value).abs() <= 1e-9 * value.abs(),
-        "{cell} {unit}: {found}, expected {value}"
-    );
+    let found = cell.as_f64().unwrap_or_else(|| panic!("{cell} is no number, expected {value}")) * factor(unit);
+    assert!((found - value).abs() <= 1e-9 * value.abs(), "{cell} {unit}: {found}, expected {value}");
 }
 
 /// LibreOffice opens the workbook and finds all its sheets.
@@ -494,32 +420,18 @@ pub(crate) fn libreoffice_opens_the_workbook(office: &Path) {
     // Every sheet as a CSV of its own (token 12: -1).
     let filter = "csv:Text - txt - csv (StarCalc):44,34,76,1,,0,false,true,false,false,false,-1";
     let converted = Command::new(office)
-        .args([
-            &profile,
-            "--headless",
-            "--convert-to",
-            filter,
-            "--outdir",
-            "csv",
-            "out/report.xlsx",
-        ])
+        .args([&profile, "--headless", "--convert-to", filter, "--outdir", "csv", "out/report.xlsx"])
         .current_dir(home)
         .output()
         .expect("LibreOffice starts");
     assert!(converted.status.success(), "{}", said(&converted));
-    let csv: Vec<PathBuf> = fs::read_dir(home.join("csv"))
-        .expect("files")
-        .map(|e| e.expect("a file").path())
-        .collect();
+    let csv: Vec<PathBuf> = fs::read_dir(home.join("csv")).expect("files").map(|e| e.expect("a file").path()).collect();
     let named = |name: &str| csv.iter().find(|p| p.to_string_lossy().contains(name));
     for name in ["Overview", "Quantities", "Checks", "ec8-2006 site", "Profiles"] {
         assert!(named(name).is_some(), "no sheet {name} in {csv:?}");
     }
     let checks = fs::read_to_string(named("Checks").expect("a sheet")).expect("text");
-    assert!(
-        checks.starts_with("Method,Excitation,Decides,Check,Clause") && checks.lines().count() > 10,
-        "{checks}"
-    );
+    assert!(checks.starts_with("Method,Excitation,Decides,Check,Clause") && checks.lines().count() > 10, "{checks}");
 }
 
 /// The test report of a tank whose checks hold, fail and are not made.
@@ -538,11 +450,8 @@ pub(crate) fn junit_keeps_its_schema(xmllint: &Path) {
     let schema = root("tests/tools/schema/junit.xsd");
     let valid = |text: &str| {
         fs::write(&file, text).expect("writable");
-        let run = Command::new(xmllint)
-            .args(["--noout", "--schema", &schema])
-            .arg(&file)
-            .output()
-            .expect("xmllint starts");
+        let run =
+            Command::new(xmllint).args(["--noout", "--schema", &schema]).arg(&file).output().expect("xmllint starts");
         (run.status.success(), said(&run))
     };
     let text = findings("junit");
@@ -560,11 +469,7 @@ pub(crate) fn sarif_keeps_its_schema(python: &Path) {
     let schema = root("tests/tools/schema/sarif.json");
     let valid = |text: &str| {
         fs::write(&file, text).expect("writable");
-        let run = Command::new(python)
-            .args(["-c", script, &schema])
-            .arg(&file)
-            .output()
-            .expect("python starts");
+        let run = Command::new(python).args(["-c", script, &schema]).arg(&file).output().expect("python starts");
         (run.status.success(), said(&run))
     };
     let text = findings("sarif");

@@ -25,11 +25,7 @@ type Tool = fn() -> Result<PathBuf, &'static str>;
 
 fn main() -> ExitCode {
     let trials = vec![
-        trial(
-            "report_print::it_prints_to_clean_pages",
-            chromium,
-            report_print::it_prints_to_clean_pages,
-        ),
+        trial("report_print::it_prints_to_clean_pages", chromium, report_print::it_prints_to_clean_pages),
         trial(
             "report_print::nothing_is_cut_off_on_screen_phone_and_paper",
             chromium,
@@ -42,74 +38,22 @@ fn main() -> ExitCode {
             pdftotext,
             forms::contents_have_the_pages_of_their_sections,
         ),
-        trial(
-            "forms::pandoc_makes_a_clean_document",
-            pandoc,
-            forms::pandoc_makes_a_clean_document,
-        ),
-        trial(
-            "forms::the_workbook_has_the_values",
-            python,
-            forms::the_workbook_has_the_values,
-        ),
-        trial(
-            "forms::the_workbook_takes_every_text",
-            python,
-            forms::the_workbook_takes_every_text,
-        ),
-        trial(
-            "forms::libreoffice_opens_the_workbook",
-            libreoffice,
-            forms::libreoffice_opens_the_workbook,
-        ),
+        trial("forms::pandoc_makes_a_clean_document", pandoc, forms::pandoc_makes_a_clean_document),
+        trial("forms::the_workbook_has_the_values", python, forms::the_workbook_has_the_values),
+        trial("forms::the_workbook_takes_every_text", python, forms::the_workbook_takes_every_text),
+        trial("forms::libreoffice_opens_the_workbook", libreoffice, forms::libreoffice_opens_the_workbook),
         trial("forms::junit_keeps_its_schema", xmllint, forms::junit_keeps_its_schema),
-        trial(
-            "forms::sarif_keeps_its_schema",
-            jsonschema,
-            forms::sarif_keeps_its_schema,
-        ),
+        trial("forms::sarif_keeps_its_schema", jsonschema, forms::sarif_keeps_its_schema),
         trial("report_print::look", looked_at, report_print::look),
-        trial(
-            "study::a_read_only_folder_is_one_message",
-            unshare,
-            study::a_read_only_folder_is_one_message,
-        ),
-        trial(
-            "study::a_full_disk_loses_nothing",
-            unshare,
-            study::a_full_disk_loses_nothing,
-        ),
-        trial(
-            "study::hyperqueue_is_killed_and_resumed",
-            hyperqueue,
-            study::hyperqueue_is_killed_and_resumed,
-        ),
-        trial(
-            "study::a_slurm_array_is_killed_and_resumed",
-            slurm,
-            study::a_slurm_array_is_killed_and_resumed,
-        ),
+        trial("study::a_read_only_folder_is_one_message", unshare, study::a_read_only_folder_is_one_message),
+        trial("study::a_full_disk_loses_nothing", unshare, study::a_full_disk_loses_nothing),
+        trial("study::hyperqueue_is_killed_and_resumed", hyperqueue, study::hyperqueue_is_killed_and_resumed),
+        trial("study::a_slurm_array_is_killed_and_resumed", slurm, study::a_slurm_array_is_killed_and_resumed),
         trial("study::pandas_reads_the_rows", pandas, study::pandas_reads_the_rows),
-        trial(
-            "study::snakemake_runs_the_written_rule",
-            snakemake,
-            study::snakemake_runs_the_written_rule,
-        ),
-        trial(
-            "vtu::meshio_reads_what_is_written",
-            meshio,
-            vtu::meshio_reads_what_is_written,
-        ),
-        trial(
-            "wheel::the_python_package_runs_the_program",
-            python,
-            wheel::the_python_package_runs_the_program,
-        ),
-        trial(
-            "wheel::the_archive_is_complete",
-            archiver,
-            wheel::the_archive_is_complete,
-        ),
+        trial("study::snakemake_runs_the_written_rule", snakemake, study::snakemake_runs_the_written_rule),
+        trial("vtu::meshio_reads_what_is_written", meshio, vtu::meshio_reads_what_is_written),
+        trial("wheel::the_python_package_runs_the_program", python, wheel::the_python_package_runs_the_program),
+        trial("wheel::the_archive_is_complete", archiver, wheel::the_archive_is_complete),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
 }
@@ -136,10 +80,7 @@ fn succeeds(program: &Path, arguments: &[&str]) -> bool {
 fn chromium() -> Result<PathBuf, &'static str> {
     let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
     let usual = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"].map(PathBuf::from);
-    let found = named
-        .into_iter()
-        .chain(usual)
-        .find(|program| succeeds(program, &["--version"]));
+    let found = named.into_iter().chain(usual).find(|program| succeeds(program, &["--version"]));
     found.ok_or("skipped: Chromium is not installed (CHROMIUM names another binary)")
 }
 
@@ -220,11 +161,7 @@ fn installed(program: &str, arguments: &[&str], reason: &'static str) -> Result<
 
 fn pdftotext() -> Result<PathBuf, &'static str> {
     chromium()?;
-    installed(
-        "pdftotext",
-        &["-v"],
-        "skipped: pdftotext (poppler-utils) is not installed",
-    )
+    installed("pdftotext", &["-v"], "skipped: pdftotext (poppler-utils) is not installed")
 }
 
 fn pandoc() -> Result<PathBuf, &'static str> {
@@ -234,27 +171,15 @@ fn pandoc() -> Result<PathBuf, &'static str> {
 }
 
 fn libreoffice() -> Result<PathBuf, &'static str> {
-    installed(
-        "soffice",
-        &["--version"],
-        "skipped: LibreOffice (libreoffice-calc) is not installed",
-    )
+    installed("soffice", &["--version"], "skipped: LibreOffice (libreoffice-calc) is not installed")
 }
 
 fn xmllint() -> Result<PathBuf, &'static str> {
-    installed(
-        "xmllint",
-        &["--version"],
-        "skipped: xmllint (libxml2-utils) is not installed",
-    )
+    installed("xmllint", &["--version"], "skipped: xmllint (libxml2-utils) is not installed")
 }
 
 fn jsonschema() -> Result<PathBuf, &'static str> {
-    installed(
-        "python3",
-        &["-c", "import jsonschema"],
-        "skipped: python3 with jsonschema (PyPI) is not installed",
-    )
+    installed("python3", &["-c", "import jsonschema"], "skipped: python3 with jsonschema (PyPI) is not installed")
 }
 
 fn archiver() -> Result<PathBuf, &'static str> {
@@ -265,7 +190,5 @@ fn archiver() -> Result<PathBuf, &'static str> {
 }
 
 fn looked_at() -> Result<PathBuf, &'static str> {
-    std::env::var_os("TANKCHECK_LOOK")
-        .map(PathBuf::from)
-        .ok_or("run on demand: TANKCHECK_LOOK names the folder")
+    std::env::var_os("TANKCHECK_LOOK").map(PathBuf::from).ok_or("run on demand: TANKCHECK_LOOK names the folder")
 }

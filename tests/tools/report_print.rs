@@ -50,17 +50,11 @@ fn kinds(folder: &Path) -> Vec<(String, String)> {
         }
     }
     let kept = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for file in [
-        "tests/golden/short/ida/ida.json",
-        "reports/06_sandwich_strip/ida/ida.json",
-    ] {
+    for file in ["tests/golden/short/ida/ida.json", "reports/06_sandwich_strip/ida/ida.json"] {
         let ida = results::read_ida(&kept.join(file)).expect("kept results");
         pages.push((file.into(), report::ida::report(&ida).expect("a page").html));
     }
-    for file in [
-        "tests/golden/short/push/push.json",
-        "reports/07_steel_cylinder/push/push.json",
-    ] {
+    for file in ["tests/golden/short/push/push.json", "reports/07_steel_cylinder/push/push.json"] {
         let mut push = results::read_push(&kept.join(file)).expect("kept results");
         push.tank = Some(sample::sample(Kind::Compare, "Broad tank").0.tank);
         pages.push((file.into(), report::push::report(&push).expect("a page").html));
@@ -71,11 +65,7 @@ fn kinds(folder: &Path) -> Vec<(String, String)> {
 
 pub(crate) fn it_prints_to_clean_pages(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for (kind, pages) in [
-        (Kind::Compare, 15..=40),
-        (Kind::Check, 5..=20),
-        (Kind::Nonlinear, 15..=60),
-    ] {
+    for (kind, pages) in [(Kind::Compare, 15..=40), (Kind::Check, 5..=20), (Kind::Nonlinear, 15..=60)] {
         let report = rendered(folder.path(), kind, report::Level::Full);
         let pdf = folder.path().join("report.pdf");
         let to = format!("--print-to-pdf={}", pdf.display());
@@ -84,18 +74,11 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
         let bytes = std::fs::read(&pdf).expect("the PDF exists");
         let text = String::from_utf8_lossy(&bytes);
 
-        let boxes: Vec<&str> = text
-            .split("/MediaBox [")
-            .skip(1)
-            .filter_map(|r| r.split(']').next())
-            .collect();
+        let boxes: Vec<&str> = text.split("/MediaBox [").skip(1).filter_map(|r| r.split(']').next()).collect();
         assert!(pages.contains(&boxes.len()), "{kind:?}: {} pages", boxes.len());
         for media in boxes {
             let sides: Vec<f64> = media.split_whitespace().filter_map(|n| n.parse().ok()).collect();
-            assert!(
-                (sides[2] - 210.0 * MM).abs() < 1.0 && (sides[3] - 297.0 * MM).abs() < 1.0,
-                "{media}"
-            );
+            assert!((sides[2] - 210.0 * MM).abs() < 1.0 && (sides[3] - 297.0 * MM).abs() < 1.0, "{media}");
         }
         // The outline holds every heading with its page and height. Below each there is room for text: the margin of 18 mm
         // and at least 10 mm, 20 mm for the numbered headings of sections.
@@ -105,17 +88,11 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
             let Some(place) = item.split("/XYZ ").nth(1) else {
                 continue;
             };
-            let height: f64 = place
-                .split_whitespace()
-                .nth(1)
-                .and_then(|n| n.parse().ok())
-                .expect("a destination has a height");
+            let height: f64 =
+                place.split_whitespace().nth(1).and_then(|n| n.parse().ok()).expect("a destination has a height");
             headings += 1;
             let title = item.split("/Dest").next().unwrap_or("");
-            let numbered = title
-                .trim_start()
-                .trim_start_matches('(')
-                .starts_with(|c: char| c.is_ascii_digit());
+            let numbered = title.trim_start().trim_start_matches('(').starts_with(|c: char| c.is_ascii_digit());
             let least = if numbered { 38.0 } else { 28.0 };
             assert!(height > least * MM, "{kind:?}: heading {title} at {height} pt");
         }
@@ -176,18 +153,13 @@ pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (kind, html) in kinds(folder.path()) {
         // On paper: the print rules for every medium, and no screen rules; 210 mm less the margins is 665 px.
-        let paper = html
-            .replace("@media print", "@media all")
-            .replace("@media screen", "@media not all");
+        let paper = html.replace("@media print", "@media all").replace("@media screen", "@media not all");
         let attribute = |text: &str| text.replace('&', "&amp;").replace('"', "&quot;");
         let mut page = String::from("<!DOCTYPE html><meta charset=\"utf-8\"><body>");
         page.push_str(MEASURE);
-        for (id, width, text) in [
-            ("phone", 390, &html),
-            ("screen", 1280, &html),
-            ("tablet", 800, &html),
-            ("paper", 665, &paper),
-        ] {
+        for (id, width, text) in
+            [("phone", 390, &html), ("screen", 1280, &html), ("tablet", 800, &html), ("paper", 665, &paper)]
+        {
             page.push_str(&format!(
                 "<iframe id=\"{id}\" width=\"{width}\" height=\"900\" style=\"border:0\" srcdoc=\"{}\"></iframe>",
                 attribute(text)
@@ -195,21 +167,9 @@ pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
         }
         let path = folder.path().join("measure.html");
         std::fs::write(&path, page).expect("writable");
-        let dom = browse(
-            program,
-            &folder.path().join("profile"),
-            &path,
-            &["--dump-dom", "--window-size=1400,1000"],
-        );
-        assert!(
-            dom.contains("data-checked=\"yes\""),
-            "{kind}: the page was not measured"
-        );
-        let faults = dom
-            .split("data-faults=\"")
-            .nth(1)
-            .and_then(|r| r.split('"').next())
-            .unwrap_or("?");
+        let dom = browse(program, &folder.path().join("profile"), &path, &["--dump-dom", "--window-size=1400,1000"]);
+        assert!(dom.contains("data-checked=\"yes\""), "{kind}: the page was not measured");
+        let faults = dom.split("data-faults=\"").nth(1).and_then(|r| r.split('"').next()).unwrap_or("?");
         assert!(faults.is_empty(), "{kind}:\n{}", faults.replace(" | ", "\n"));
     }
 }

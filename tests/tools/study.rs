@@ -12,11 +12,7 @@ const TANK: &str = include_str!("../../examples/01_broad_tank/tank.json");
 
 fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(PROGRAM);
-    command
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the program starts")
+    command.args(arguments).current_dir(folder).output().expect("the program starts")
 }
 
 fn said(output: &Output) -> String {
@@ -28,18 +24,14 @@ fn planned(tanks: usize, records: usize, out: &[&str]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("writable");
     write("tank.json", TANK);
-    let rows: String = (0..tanks)
-        .map(|k| format!("T{k},{:.3} m\n", 1.0 + 0.05 * k as f64))
-        .collect();
+    let rows: String = (0..tanks).map(|k| format!("T{k},{:.3} m\n", 1.0 + 0.05 * k as f64)).collect();
     write("farm.csv", &format!("tag,liquid.fill_height\n{rows}"));
     for k in 0..records {
         let at = |i: i32| {
             let t = 0.01 * f64::from(i);
             (6.3 * t).sin() + 0.5 * ((11.0 + 3.0 * k as f64) * t).cos() * (-0.3 * t).exp()
         };
-        let lines: String = (0..400)
-            .map(|i| format!("{:.2},{:.6}\n", 0.01 * f64::from(i), at(i)))
-            .collect();
+        let lines: String = (0..400).map(|i| format!("{:.2},{:.6}\n", 0.01 * f64::from(i), at(i))).collect();
         write(&format!("rec{k}.csv"), &format!("time_s,acceleration_m_s2\n{lines}"));
     }
     write(
@@ -48,10 +40,7 @@ fn planned(tanks: usize, records: usize, out: &[&str]) -> tempfile::TempDir {
             "records": [ { "files": "rec*.csv" } ], "scales": { "im": "PGA", "levels": ["0.1 g", "0.4 g"] }, "block": 1 }"#,
     );
     for out in out {
-        let plan = tankcheck(
-            folder.path(),
-            &["study", "plan", "study.json", "--out", out, "--for", "snakemake"],
-        );
+        let plan = tankcheck(folder.path(), &["study", "plan", "study.json", "--out", out, "--for", "snakemake"]);
         assert!(plan.status.success(), "{}", said(&plan));
     }
     folder
@@ -93,10 +82,7 @@ pub(crate) fn a_read_only_folder_is_one_message(unshare: &Path) {
     let found = apart(unshare, path, &script);
     assert_eq!(found.status.code(), Some(3), "{}", said(&found));
     let text = said(&found);
-    assert!(
-        text.contains("cannot be written") && text.contains("ead-only"),
-        "{text}"
-    );
+    assert!(text.contains("cannot be written") && text.contains("ead-only"), "{text}");
     assert_eq!(text.matches("cannot be written").count(), 1, "{text}");
     let run = tankcheck(path, &["study", "run", "out"]);
     assert!(said(&run).contains("3 tasks computed, 1 kept"), "{}", said(&run));
@@ -116,16 +102,10 @@ pub(crate) fn a_full_disk_loses_nothing(unshare: &Path) {
     );
     let found = apart(unshare, path, &script);
     let text = said(&found);
-    assert!(
-        text.contains("exit 3") && text.contains("cannot be written") && text.contains("o space"),
-        "{text}"
-    );
+    assert!(text.contains("exit 3") && text.contains("cannot be written") && text.contains("o space"), "{text}");
     let status = text.find("{\n").map(|at| &text[at..]).expect("a status");
-    let status: serde_json::Value = serde_json::Deserializer::from_str(status)
-        .into_iter()
-        .next()
-        .expect("a status")
-        .expect("JSON");
+    let status: serde_json::Value =
+        serde_json::Deserializer::from_str(status).into_iter().next().expect("a status").expect("JSON");
     let done = status["done"].as_u64().expect("a number");
     assert!((1..16).contains(&done) && status["damaged"] == 0, "{status}");
     let run = tankcheck(path, &["study", "run", "kept"]);
@@ -156,10 +136,7 @@ with LocalCluster() as cluster:
     fs::write(path.join("cluster.py"), script).expect("writable");
     let start = || {
         use std::os::unix::process::CommandExt;
-        let command = format!(
-            "ip link set lo up 2>/dev/null; exec {} cluster.py {PROGRAM}",
-            python.display()
-        );
+        let command = format!("ip link set lo up 2>/dev/null; exec {} cluster.py {PROGRAM}", python.display());
         Command::new("unshare")
             .args(["--net", "--map-root-user", "sh", "-c", &command])
             .current_dir(path)
@@ -172,11 +149,7 @@ with LocalCluster() as cluster:
     let count = || -> u64 {
         let status = tankcheck(path, &["study", "status", "hq", "--format", "json"]);
         let status: serde_json::Value = serde_json::from_slice(&status.stdout).expect("JSON");
-        assert_eq!(
-            (&status["damaged"], &status["failed"]),
-            (&0.into(), &0.into()),
-            "{status}"
-        );
+        assert_eq!((&status["damaged"], &status["failed"]), (&0.into(), &0.into()), "{status}");
         status["done"].as_u64().expect("a number")
     };
     let mut cluster = start();
@@ -190,10 +163,7 @@ with LocalCluster() as cluster:
     }
     // Server and worker are threads of one process; its group has the tasks.
     let group = format!("-{}", cluster.id());
-    Command::new("kill")
-        .args(["-9", "--", &group])
-        .status()
-        .expect("kill starts");
+    Command::new("kill").args(["-9", "--", &group]).status().expect("kill starts");
     let ended = cluster.wait_with_output().expect("a process");
     assert!((5..100).contains(&done), "{done} done: {}", said(&ended));
     let again = start().wait_with_output().expect("a process");
@@ -209,10 +179,7 @@ pub(crate) fn a_slurm_array_is_killed_and_resumed(node: &Path) {
     let path = folder.path();
     tankcheck(path, &["study", "run", "out"]);
     let whole = merged(path, "out");
-    let plan = tankcheck(
-        path,
-        &["study", "plan", "study.json", "--out", "slurm", "--for", "slurm"],
-    );
+    let plan = tankcheck(path, &["study", "plan", "study.json", "--out", "slurm", "--for", "slurm"]);
     assert!(plan.status.success(), "{}", said(&plan));
     let script = r#"
 done_of() { tankcheck study status . --format json | sed -n 's/^ *"done": \([0-9]*\).*/\1/p'; }
@@ -231,17 +198,12 @@ echo "completed $sacct"
     let found = Command::new(node)
         .args(["sh", "-c", script])
         .current_dir(path.join("slurm"))
-        .env(
-            "PATH",
-            format!("{folder_of_program}:{}", std::env::var("PATH").unwrap_or_default()),
-        )
+        .env("PATH", format!("{folder_of_program}:{}", std::env::var("PATH").unwrap_or_default()))
         .output()
         .expect("the node starts");
     let text = said(&found);
     let done = text.split("done ").nth(1).and_then(|rest| rest.lines().next());
-    let done: u64 = done
-        .and_then(|number| number.parse().ok())
-        .unwrap_or_else(|| panic!("{text}"));
+    let done: u64 = done.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("{text}"));
     assert!((3..16).contains(&done) && text.contains("exit 0"), "{text}");
     assert_eq!(merged(path, "slurm"), whole, "{text}");
     // One log for the array, and nothing in it.
@@ -277,11 +239,7 @@ for name in table.columns:
         assert (columns[name].fillna("") == numbers.fillna("").astype(str)).all(), name
 print(len(table), "rows")
 "#;
-    let found = Command::new(python)
-        .args(["-c", script])
-        .current_dir(path)
-        .output()
-        .expect("python starts");
+    let found = Command::new(python).args(["-c", script]).current_dir(path).output().expect("python starts");
     assert!(said(&found).contains("8 rows"), "{}", said(&found));
 }
 
@@ -295,16 +253,10 @@ pub(crate) fn snakemake_runs_the_written_rule(snakemake: &Path) {
     let found = Command::new(snakemake)
         .args(["-j", "2", "--quiet", "all"])
         .current_dir(path.join("snake"))
-        .env(
-            "PATH",
-            format!("{folder_of_program}:{}", std::env::var("PATH").unwrap_or_default()),
-        )
+        .env("PATH", format!("{folder_of_program}:{}", std::env::var("PATH").unwrap_or_default()))
         .env("HOME", path)
         .output()
         .expect("snakemake starts");
     assert!(found.status.success(), "{}", said(&found));
-    assert_eq!(
-        fs::read_to_string(path.join("snake/rows.sha256")).expect("the hash"),
-        whole
-    );
+    assert_eq!(fs::read_to_string(path.join("snake/rows.sha256")).expect("the hash"), whole);
 }

@@ -42,11 +42,7 @@ print("read back")
 pub(crate) fn meshio_reads_what_is_written(python: &Path) {
     let home = tempfile::tempdir().expect("a temporary folder");
     vtu::write(home.path(), &sample::snapshots()).expect("writable");
-    let read = Command::new(python)
-        .args(["-c", SCRIPT])
-        .arg(home.path())
-        .output()
-        .expect("python3 runs");
+    let read = Command::new(python).args(["-c", SCRIPT]).arg(home.path()).output().expect("python3 runs");
     assert!(read.status.success(), "{}", String::from_utf8_lossy(&read.stderr));
     assert_eq!(String::from_utf8_lossy(&read.stdout).trim(), "read back");
 }

@@ -26,10 +26,7 @@ pub(crate) fn the_archive_is_complete(_: &Path) {
     );
     let mut listing = Command::new("sh");
     listing
-        .args([
-            "-c",
-            "sha256sum --quiet --check SHA256SUMS && tar -tzf tankcheck-*.tar.gz",
-        ])
+        .args(["-c", "sha256sum --quiet --check SHA256SUMS && tar -tzf tankcheck-*.tar.gz"])
         .current_dir(folder.path());
     let files = passes(&mut listing);
     for file in [
@@ -41,10 +38,7 @@ pub(crate) fn the_archive_is_complete(_: &Path) {
         "/man/tankcheck.1",
         "/man/tankcheck-compare.1",
     ] {
-        assert!(
-            files.lines().any(|line| line.ends_with(file)),
-            "{file} is missing:\n{files}"
-        );
+        assert!(files.lines().any(|line| line.ends_with(file)), "{file} is missing:\n{files}");
     }
 }
 
@@ -55,11 +49,6 @@ fn passes(command: &mut Command) -> String {
     }
     let done = command.output().expect("the command starts");
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    assert!(
-        done.status.success(),
-        "{command:?}\n{}{}",
-        text(&done.stdout),
-        text(&done.stderr)
-    );
+    assert!(done.status.success(), "{command:?}\n{}{}", text(&done.stdout), text(&done.stderr));
     text(&done.stdout)
 }

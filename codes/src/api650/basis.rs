@@ -69,9 +69,11 @@ impl<'a> Basis<'a> {
             w_s,
             x_s: tank.wall_centroid(),
             w_r,
-            w_f: case.tank.bottom.as_ref().map_or(0.0, |plate| {
-                case.gravity * plate.material.density * plate.thickness * tank.shape.plan_area()
-            }),
+            w_f: case
+                .tank
+                .bottom
+                .as_ref()
+                .map_or(0.0, |plate| case.gravity * plate.material.density * plate.thickness * tank.shape.plan_area()),
             w_p: case.gravity * case.liquid_mass(),
             t_s: tank.courses[0].net_thickness(),
         })
@@ -108,28 +110,10 @@ impl<'a> Basis<'a> {
         corrosion::lines(sheet, &self.case.tank, "t", "nomenclature: less corrosion allowance");
         sheet.section("Tank and product");
         for (symbol, name, value, dimension, source) in [
-            (
-                "D",
-                "nominal diameter (twice the inner radius)",
-                self.d,
-                Length,
-                "tank.radius",
-            ),
+            ("D", "nominal diameter (twice the inner radius)", self.d, Length, "tank.radius"),
             ("H", "design liquid level", self.h, Length, "liquid.fill_height"),
-            (
-                "G",
-                "specific gravity of the product, ρ/1000 kg/m³",
-                self.g,
-                Dimensionless,
-                "liquid.density",
-            ),
-            (
-                "t_s",
-                "thickness of the bottom course",
-                self.t_s,
-                Length,
-                "tank.courses",
-            ),
+            ("G", "specific gravity of the product, ρ/1000 kg/m³", self.g, Dimensionless, "liquid.density"),
+            ("t_s", "thickness of the bottom course", self.t_s, Length, "tank.courses"),
             ("W_s", "weight of the shell", self.w_s, Force, "tank.courses"),
             ("X_s", "height of its centre of mass", self.x_s, Length, "tank.courses"),
             ("W_r", "weight of the roof", self.w_r, Force, "tank.roof"),
@@ -147,11 +131,7 @@ impl<'a> Basis<'a> {
             "w_t",
             "weight of shell and roof per length of shell",
             "(W_s + W_r)/(π·D)",
-            &[
-                ("W_s", self.w_s, Force),
-                ("W_r", self.w_r, Force),
-                ("D", self.d, Length),
-            ],
+            &[("W_s", self.w_s, Force), ("W_r", self.w_r, Force), ("D", self.d, Length)],
             LineForce,
             clause,
         )
@@ -221,10 +201,7 @@ impl<'a> Basis<'a> {
             ("F_ty", f_ty.unwrap_or(0.0), Stress),
             ("E", material.youngs_modulus, Stress),
         ];
-        let (ratio, name) = (
-            "G·H·D²/t_s²",
-            "pressure parameter of the shell, D and H in m, t_s in mm",
-        );
+        let (ratio, name) = ("G·H·D²/t_s²", "pressure parameter of the shell, D and H in m, t_s in mm");
         let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
         let scaled = scales && softer(material);
         let Some(formula) = hold_down::allowable(ratio, f_ty.is_some(), scaled) else {
@@ -256,17 +233,11 @@ impl<'a> Basis<'a> {
             "P_AB",
             "tension of an anchor",
             &format!("{symbol}·π·D/n_A"),
-            &[
-                (symbol, w_ab, LineForce),
-                ("D", self.d, Length),
-                ("n_A", n, Dimensionless),
-            ],
+            &[(symbol, w_ab, LineForce), ("D", self.d, Length), ("n_A", n, Dimensionless)],
             Force,
             clause,
         );
-        let capacity = anchors
-            .capacity
-            .ok_or((CheckStatus::NotChecked, "tank.anchors.capacity".to_string()))?;
+        let capacity = anchors.capacity.ok_or((CheckStatus::NotChecked, "tank.anchors.capacity".to_string()))?;
         let name = "Tension of an anchor";
         Ok(Check::new(ANCHORS.id, name, tension, capacity, Force, clause, note))
     }

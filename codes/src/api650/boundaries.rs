@@ -22,21 +22,12 @@ fn site(c: &mut Case) -> &mut tank::case::Api650Site {
 }
 
 fn find<'a>(out: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
-    out.checks
-        .iter()
-        .find(|c| c.id == id)
-        .unwrap_or_else(|| panic!("no check {id}: {:?}", out.notes))
+    out.checks.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no check {id}: {:?}", out.notes))
 }
 
 /// `case_at(u)` is the example with the check utilised to u by hand.
 fn limit(procedure: &dyn Procedure, id: &str, case_at: impl Fn(f64) -> Case) {
-    for (u, holds) in [
-        (0.5, true),
-        (1.0 - EPSILON, true),
-        (1.0 + EPSILON, false),
-        (1.04, false),
-        (2.0, false),
-    ] {
+    for (u, holds) in [(0.5, true), (1.0 - EPSILON, true), (1.0 + EPSILON, false), (1.04, false), (2.0, false)] {
         let out = procedure.assess(&case_at(u), Excitation::Site).unwrap();
         let check = find(&out, id);
         let what = format!("{} {id} at {u}: {check:?}", procedure.id());
@@ -48,12 +39,8 @@ fn limit(procedure: &dyn Procedure, id: &str, case_at: impl Fn(f64) -> Case) {
 fn anchored(capacity: f64) -> Case {
     let mut c = case();
     c.tank.support = Support::Anchored;
-    c.tank.anchors = Some(Anchors {
-        count: 60,
-        capacity: Some(capacity),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    c.tank.anchors =
+        Some(Anchors { count: 60, capacity: Some(capacity), attachment_capacity: None, ..Anchors::default() });
     c
 }
 
@@ -74,13 +61,9 @@ fn freeboard_of_2020() {
 /// Table E.7: SUG II needs freeboard from S_DS = 0.33 g on, SUG III always, SUG I never.
 #[test]
 fn freeboard_of_2020_is_required_from_0_33_g_on() {
-    for (sug, s_ds, required) in [
-        (1, 0.9, false),
-        (2, 0.33 - 1e-9, false),
-        (2, 0.33, true),
-        (2, 0.33 + 1e-9, true),
-        (3, 0.05, true),
-    ] {
+    for (sug, s_ds, required) in
+        [(1, 0.9, false), (2, 0.33 - 1e-9, false), (2, 0.33, true), (2, 0.33 + 1e-9, true), (3, 0.05, true)]
+    {
         let mut c = case();
         let s = site(&mut c);
         (s.sug, s.q, s.fa, s.fv, s.ss) = (sug, 1.0, Some(1.0), Some(1.0), s_ds);
@@ -105,9 +88,7 @@ fn hoop_stress_of_2020() {
     };
     limit(&Api6502020, "hoop_stress", |u| with(141.10e6 / 1.33 / u, 1e9, 1.0));
     limit(&Api6502020, "hoop_stress", |u| with(1e9, 141.10e6 / 0.9 / u, 1.0));
-    limit(&Api6502020, "hoop_stress", |u| {
-        with(157e6, 1e9, 141.10 / (1.33 * 157.0) / u)
-    });
+    limit(&Api6502020, "hoop_stress", |u| with(157e6, 1e9, 141.10 / (1.33 * 157.0) / u));
 }
 
 /// 40 steps over 12 m and the lower sides of the four joints below the surface; the fifth joint is at the surface.
@@ -164,10 +145,7 @@ fn annulus_width_of_2020() {
         assert_eq!(find(&out, "annulus_width").holds(), holds, "{width}");
     }
     let gap = find(&gap, "annulus_width");
-    assert_eq!(
-        (gap.status, gap.input.as_deref()),
-        (CheckStatus::NotChecked, Some("tank.bottom.width"))
-    );
+    assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("tank.bottom.width")));
     assert!(gap.reason.contains("860.99 mm"), "{}", gap.reason);
 }
 
@@ -206,12 +184,9 @@ fn anchorage_ratio_of_2020_decides_the_state() {
         (s.fa, s.fv, s.av) = (Some(1.14 * k), Some(1.60 * k), Some(0.32148));
         Api6502020.assess(&c, Excitation::Site).unwrap()
     };
-    for (j, lifts, compressed) in [
-        (0.785 - 1e-4, false, true),
-        (0.785 + 1e-4, true, true),
-        (1.54 - 1e-4, true, true),
-        (1.54 + 1e-4, true, false),
-    ] {
+    for (j, lifts, compressed) in
+        [(0.785 - 1e-4, false, true), (0.785 + 1e-4, true, true), (1.54 - 1e-4, true, true), (1.54 + 1e-4, true, false)]
+    {
         let out = at(j);
         let has = |symbol: &str| out.steps.iter().any(|s| s.symbol == symbol);
         assert!((line(&out, "J") - j).abs() < 2e-5, "{j}");
@@ -270,9 +245,7 @@ fn foundation_of_2020() {
     let k = 15.0 * (weights + 5e6) / (2.0 * 103_962.1e3);
     limit(&Api6502020, "foundation", |u| with(Some(5e6), k * u));
     // Twice the moment needs so much more foundation.
-    limit(&Api6502020, "foundation", |u| {
-        with(Some((2.0 * k * 2.0 * 103_962.1e3 / 15.0) / u - weights), 2.0 * k)
-    });
+    limit(&Api6502020, "foundation", |u| with(Some((2.0 * k * 2.0 * 103_962.1e3 / 15.0) / u - weights), 2.0 * k));
     // As soon as the resisting moment is 2 M_s, it holds.
     let at = |weight: f64| {
         let out = Api6502020.assess(&with(Some(weight), k), Excitation::Site).unwrap();
@@ -286,10 +259,7 @@ fn foundation_of_2020() {
         weight = weight.next_up();
     }
     let limit = at(weight);
-    assert!(
-        limit.capacity >= limit.demand && (weight / needed - 1.0).abs() < 1e-12,
-        "{limit:?}"
-    );
+    assert!(limit.capacity >= limit.demand && (weight / needed - 1.0).abs() < 1e-12, "{limit:?}");
     // Anchored tanks alike; without the weight it is asked for.
     let mut c = with(None, 1.0);
     for support in [Support::Unanchored, Support::Anchored] {
@@ -319,17 +289,9 @@ fn upper_compression_of_2020() {
         ("G·H_z·D²/t²", 54.0, 1e-9),
         ("F_Cz", 33.2e6, 1.0),
     ] {
-        assert!(
-            (line(&out, symbol) - value).abs() <= tolerance,
-            "{symbol} {}",
-            line(&out, symbol)
-        );
+        assert!((line(&out, symbol) - value).abs() <= tolerance, "{symbol} {}", line(&out, symbol));
     }
-    assert!(
-        find(&out, "upper_compression")
-            .note
-            .starts_with("course 2 at z = 2.4 m")
-    );
+    assert!(find(&out, "upper_compression").note.starts_with("course 2 at z = 2.4 m"));
     limit(&Api6502020, "upper_compression", |u| {
         let mut c = case();
         for course in &mut c.tank.courses {
@@ -364,10 +326,7 @@ fn upper_compression_of_2020_governs_where_the_shell_is_weak() {
     assert!(out.checks.iter().all(|check| check.id != "upper_compression"));
     let states = Api6502020.limit_states(&c);
     let state = states.iter().find(|s| s.id == "upper_compression").unwrap();
-    assert!(matches!(
-        state.requirement,
-        tank::assessment::Requirement::NotApplicable(_)
-    ));
+    assert!(matches!(state.requirement, tank::assessment::Requirement::NotApplicable(_)));
 }
 
 /// V = √((8 569.71 + 0.244286 W_f)² + 2 578.44²) kN against μ (W_s + W_r + W_f + W_p)(1 − 0.4 A_v).
@@ -376,22 +335,13 @@ fn sliding_of_2020() {
     let w_f = 7850.0 * 9.81 * 0.010 * PI * 225.0;
     let v = (8_569.71e3 + 0.244286 * w_f).hypot(2_578.44e3);
     let weight = (1_045.1e3 + 343.35e3 + w_f + 74_890.2e3) * (1.0 - 0.4 * 0.32148);
-    for (u, holds) in [
-        (0.9, true),
-        (1.0 - EPSILON, true),
-        (1.0 + EPSILON, false),
-        (1.04, false),
-        (2.0, false),
-    ] {
+    for (u, holds) in [(0.9, true), (1.0 - EPSILON, true), (1.0 + EPSILON, false), (1.04, false), (2.0, false)] {
         let mut c = case();
         site(&mut c).friction = v / weight / u;
         let out = Api6502020.assess(&c, Excitation::Site).unwrap();
         let check = find(&out, "sliding");
         assert_eq!(check.holds(), holds, "{check:?}");
-        assert!(
-            (check.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON,
-            "{check:?}"
-        );
+        assert!((check.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON, "{check:?}");
     }
     // 0.4 is the most that counts: beyond it the resistance stays.
     let at = |friction: f64| {
@@ -430,9 +380,7 @@ fn anchor_attachment_of_2020() {
         c.tank.anchors.as_mut().unwrap().attachment_capacity = capacity;
         c
     };
-    limit(&Api6502020, "anchor_attachment", |u| {
-        with(Some(3.0 * 48_968.7 * PI * 30.0 / 60.0 / u))
-    });
+    limit(&Api6502020, "anchor_attachment", |u| with(Some(3.0 * 48_968.7 * PI * 30.0 / 60.0 / u)));
     let at = |capacity: Option<f64>| {
         let out = Api6502020.assess(&with(capacity), Excitation::Site).unwrap();
         find(&out, "anchor_attachment").clone()
@@ -441,10 +389,7 @@ fn anchor_attachment_of_2020() {
     let force = at(Some(1e6)).demand.unwrap();
     assert!(at(Some(force)).holds() && !at(Some(force.next_down())).holds());
     let gap = at(None);
-    assert_eq!(
-        (gap.status, gap.input.as_deref()),
-        (CheckStatus::NotChecked, Some("tank.anchors.attachment_capacity"))
-    );
+    assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("tank.anchors.attachment_capacity")));
     // A weak earthquake does not pull.
     let mut c = with(Some(1e6));
     let s = site(&mut c);
@@ -521,10 +466,7 @@ fn factors_of_1993_at_their_limits() {
     let fault = |edit: &dyn Fn(&mut tank::case::Api650Site)| {
         let mut c = case();
         edit(site(&mut c));
-        Api6501993
-            .assess(&c, Excitation::Site)
-            .map(|_| ())
-            .map_err(|e| e.to_string())
+        Api6501993.assess(&c, Excitation::Site).map(|_| ()).map_err(|e| e.to_string())
     };
     for z in [0.0, 1.0] {
         assert_eq!(fault(&|s| s.zone_factor = Some(z)), Ok(()));

@@ -108,10 +108,7 @@ impl Procedure for Api6501993 {
             }
             _ => return Ok(()),
         };
-        Err(NotApplicable {
-            clause: E3_3.into(),
-            reason: reason.into(),
-        })
+        Err(NotApplicable { clause: E3_3.into(), reason: reason.into() })
     }
 
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
@@ -127,11 +124,7 @@ impl Procedure for Api6501993 {
         let period = masses.period;
         let c = coefficients(&basis, excitation, period, &mut sheet, &mut out)?;
         let moment = moment(&basis, &masses, &c, shell_height, &mut sheet);
-        let terms = [
-            ("M", moment, Moment),
-            ("D", basis.d, Length),
-            ("t_s", basis.t_s, Length),
-        ];
+        let terms = [("M", moment, Moment), ("D", basis.d, Length), ("t_s", basis.t_s, Length)];
         let name = "axial membrane stress of the moment, linear over the section";
         let axial = sheet.calc("σ_M", name, "1.273·M/D²/t_s", &terms, Stress, E5_2);
         resistance(&basis, moment, &mut sheet, &mut out);
@@ -182,11 +175,7 @@ fn masses(basis: &Basis, sheet: &mut Sheet, out: &mut Assessment) -> Masses {
     let period = sheet.calc("T", name, PERIOD_1993, &terms, Time, E3_3);
     out.assumptions
         .push("The 9th edition has the masses as charts; the closed forms are those of the current annex.".into());
-    Masses {
-        impulsive: (w_1, x_1),
-        convective: (w_2, x_2),
-        period,
-    }
+    Masses { impulsive: (w_1, x_1), convective: (w_2, x_2), period }
 }
 
 /// Coefficients of the zone method or of the record's spectrum, with their lines.
@@ -235,11 +224,9 @@ fn coefficients(
         }
         (Excitation::Site, _, Some(site)) => {
             let (z, s, i) = (site.zone_factor, site.soil_factor, site.importance);
-            for (key, value, least, most) in [
-                ("zone_factor", z, 0.0, 1.0),
-                ("soil_factor", s, 1.0, 2.0),
-                ("importance_1993", i, 1.0, 1.5),
-            ] {
+            for (key, value, least, most) in
+                [("zone_factor", z, 0.0, 1.0), ("soil_factor", s, 1.0, 2.0), ("importance_1993", i, 1.0, 1.5)]
+            {
                 if !(least..=most).contains(&value) {
                     return Err(CodeError::Data {
                         clause: format!("{E3_3} (site.api650.{key})"),
@@ -259,20 +246,13 @@ fn coefficients(
             let name = "lateral force coefficient, convective";
             let c_2 = sheet.calc("C_2", name, convective_formula(period), &terms, Dimensionless, E3_3);
             if ![0.0, 0.075, 0.15, 0.20, 0.30, 0.40].contains(&z) {
-                out.notes.push(format!(
-                    "Z = {z} is not a zone factor of table E-2 (0, 0.075, 0.15, 0.20, 0.30, 0.40)."
-                ));
+                out.notes
+                    .push(format!("Z = {z} is not a zone factor of table E-2 (0, 0.075, 0.15, 0.20, 0.30, 0.40)."));
             }
-            Ok(Coefficients {
-                impulsive: z * i * C_1,
-                convective: z * i * c_2,
-            })
+            Ok(Coefficients { impulsive: z * i * C_1, convective: z * i * c_2 })
         }
         // `applies` has asked before.
-        _ => Err(CodeError::Data {
-            clause: E3_3.into(),
-            reason: "neither record nor site data".into(),
-        }),
+        _ => Err(CodeError::Data { clause: E3_3.into(), reason: "neither record nor site data".into() }),
     }
 }
 
@@ -287,19 +267,13 @@ fn ingredients(
     let g = basis.case.gravity;
     let (m_1, m_2) = (masses.impulsive.0 / g, masses.convective.0 / g);
     let (a_1, a_2) = (c.impulsive * g, c.convective * g);
-    let impulsive = Ordinate {
-        rule: Rule::Plateau,
-        ..Ordinate::at(0.0, DAMPING.0, a_1)
-    };
+    let impulsive = Ordinate { rule: Rule::Plateau, ..Ordinate::at(0.0, DAMPING.0, a_1) };
     let convective = Ordinate::at(masses.period, DAMPING.1, a_2);
     let (impulsive, convective) = match (excitation, &basis.case.ground_motion, basis.case.site.api650) {
         (Excitation::Site, _, Some(site)) => {
             let importance = (Factor::Importance, site.importance_1993);
             let long = (Factor::LongPeriod, (4.5 / masses.period).min(1.0));
-            let impulsive = Ordinate {
-                period: None,
-                ..impulsive.split(&[importance])
-            };
+            let impulsive = Ordinate { period: None, ..impulsive.split(&[importance]) };
             (impulsive, convective.split(&[long, importance]))
         }
         (_, Some(motion), _) => {
@@ -308,15 +282,9 @@ fn ingredients(
         }
         _ => return Vec::new(),
     };
-    let action = Action {
-        impulsive,
-        convective,
-        combination: Combination::Abs,
-    };
-    let liquid = Liquid {
-        impulsive: Share::new(m_1, masses.impulsive.1),
-        convective: Share::new(m_2, masses.convective.1),
-    };
+    let action = Action { impulsive, convective, combination: Combination::Abs };
+    let liquid =
+        Liquid { impulsive: Share::new(m_1, masses.impulsive.1), convective: Share::new(m_2, masses.convective.1) };
     let mut all = ladders(basis, masses.period, m_1, m_2);
     all.push(resultant(basis, &action, Quantity::BaseMoment, liquid, shell_height));
     all.extend(axial(basis, &all));
@@ -344,14 +312,7 @@ fn moment(basis: &Basis, masses: &Masses, c: &Coefficients, shell_height: f64, s
     let name = "moment of the convective liquid; a_2 = Z·I·C_2 or A_2";
     let convective = sheet.calc("M_2", name, CONVECTIVE_MOMENT, &terms, Moment, E3_1);
     let terms = [("M_1", impulsive, Moment), ("M_2", convective, Moment)];
-    sheet.calc(
-        "M",
-        "overturning moment at the bottom of the shell",
-        "M_1 + M_2",
-        &terms,
-        Moment,
-        E3_1,
-    )
+    sheet.calc("M", "overturning moment at the bottom of the shell", "M_1 + M_2", &terms, Moment, E3_1)
 }
 
 /// Hold-down, stability, shell compression, anchors.
@@ -367,9 +328,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         match basis.bottom() {
             Ok((thickness, f_by)) => self_anchored(basis, (moment, w_t), thickness, f_by, sheet, out),
             Err(missing) => {
-                out.notes.push(format!(
-                    "{E4}, stability and shell compression: not checked, `{missing}` is missing."
-                ));
+                out.notes.push(format!("{E4}, stability and shell compression: not checked, `{missing}` is missing."));
                 None
             }
         }
@@ -380,9 +339,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         let f = sheet.calc("f", name, "b/t_s", &terms, Stress, E5_3);
         match basis.allowable_compression(sheet, "F_a", E5_3, false) {
             Ok(allowable) => out.checks.push(COMPRESSION.check().of(f, allowable, E5_3, "")),
-            Err(missing) => out.notes.push(format!(
-                "{E5_3}, shell compression: not checked, `{missing}` is missing."
-            )),
+            Err(missing) => out.notes.push(format!("{E5_3}, shell compression: not checked, `{missing}` is missing.")),
         }
     }
     if basis.anchored() {
@@ -390,9 +347,9 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         let uplift = sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, LineForce, E6);
         match basis.anchors(sheet, uplift, "w_AB", E6, "Internal pressure is not added.") {
             Ok(check) => out.checks.push(check),
-            Err((CheckStatus::NotChecked, input)) => out
-                .notes
-                .push(format!("{E6}, anchor tension: not checked, `{input}` is missing.")),
+            Err((CheckStatus::NotChecked, input)) => {
+                out.notes.push(format!("{E6}, anchor tension: not checked, `{input}` is missing."))
+            }
             Err((_, reason)) => out.notes.push(format!("{E6}: {reason}.")),
         }
     }
@@ -412,28 +369,12 @@ fn self_anchored(
     let t_b = thickness.min(t_s.max(0.006));
     let name = "thickness of the bottom plate that counts (at most the larger of 6 mm and t_s)";
     sheet.input("t_b", name, t_b, Length, "API 650:1993 E.4.2");
-    sheet.input(
-        "F_by",
-        "yield strength of the bottom plate",
-        f_by,
-        Stress,
-        "tank.bottom",
-    );
-    let terms = [
-        ("t_b", t_b, Length),
-        ("F_by", f_by, Stress),
-        ("G", g, Dimensionless),
-        ("H", h, Length),
-        ("D", d, Length),
-    ];
+    sheet.input("F_by", "yield strength of the bottom plate", f_by, Stress, "tank.bottom");
+    let terms =
+        [("t_b", t_b, Length), ("F_by", f_by, Stress), ("G", g, Dimensionless), ("H", h, Length), ("D", d, Length)];
     let name = "hold-down force of the bottom strip per length";
     let w_l = sheet.calc("w_L", name, hd::HOLD_DOWN_1993, &terms, LineForce, E4);
-    let terms = [
-        ("M", moment, Moment),
-        ("D", d, Length),
-        ("w_t", w_t, LineForce),
-        ("w_L", w_l, LineForce),
-    ];
+    let terms = [("M", moment, Moment), ("D", d, Length), ("w_t", w_t, LineForce), ("w_L", w_l, LineForce)];
     let (name, formula) = ("ratio of moment and hold-down", "M/(D²·(w_t + w_L))");
     let x = sheet.calc("x", name, formula, &terms, Dimensionless, E5_1);
     let last = 1.0 / 0.637;
@@ -442,12 +383,8 @@ fn self_anchored(
     out.checks.push(stability.check().of(x, last, E5_1, note));
     let b = compression(sheet, x, &terms);
     match b {
-        None => out.notes.push(format!(
-            "{E5_1}: unstable at x = {x:.3}; anchor the tank or thicken the bottom plate."
-        )),
-        Some(_) if x > hd::NO_UPLIFT => out
-            .notes
-            .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
+        None => out.notes.push(format!("{E5_1}: unstable at x = {x:.3}; anchor the tank or thicken the bottom plate.")),
+        Some(_) if x > hd::NO_UPLIFT => out.notes.push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
         Some(_) => {}
     }
     out.hold_down = Some(w_t);
@@ -471,10 +408,7 @@ pub(super) fn compression(sheet: &mut Sheet, x: f64, terms: &[Term]) -> Option<f
         return Some(sheet.calc("b", name, LINEAR, terms, LineForce, E5_1));
     }
     let y = if x <= 1.5 {
-        let (what, source) = (
-            "(b + w_L)/(w_t + w_L)",
-            "figure E-5, from equilibrium of the bearing arc",
-        );
+        let (what, source) = ("(b + w_L)/(w_t + w_L)", "figure E-5, from equilibrium of the bearing arc");
         sheet.look_up("y", what, source, hd::figure_e5(x)?, Dimensionless, E5_1)
     } else if hd::has_tail(x) {
         let what = "(b + w_L)/(w_t + w_L) above x = 1.5";

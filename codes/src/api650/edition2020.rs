@@ -138,9 +138,7 @@ impl Run<'_> {
         note: &str,
     ) {
         if self.excitation == Excitation::Site {
-            self.out
-                .checks
-                .push(Check::new(id, name, demand, capacity, dimension, clause, note));
+            self.out.checks.push(Check::new(id, name, demand, capacity, dimension, clause, note));
         }
     }
 
@@ -148,9 +146,7 @@ impl Run<'_> {
     fn without_comparison(&mut self, id: &str, status: CheckStatus, reason: &str, input: Option<&str>) {
         let states = limit_states::all(self.basis.case);
         if let (Excitation::Site, Some(state)) = (self.excitation, states.iter().find(|state| state.id == id)) {
-            self.out
-                .checks
-                .push(Check::without_comparison(state, status, reason, input));
+            self.out.checks.push(Check::without_comparison(state, status, reason, input));
         }
     }
 
@@ -210,15 +206,13 @@ impl Procedure for Api6502020 {
             return Vec::new();
         };
         let (title, acceleration): (_, Box<dyn Fn(f64) -> f64>) = match SiteSpecific::new(site, annex) {
-            Ok(Some(own)) => (
-                "Own spectrum under API 650, ξ = 5 %",
-                Box::new(move |t| own.acceleration(t) * STANDARD_GRAVITY),
-            ),
+            Ok(Some(own)) => {
+                ("Own spectrum under API 650, ξ = 5 %", Box::new(move |t| own.acceleration(t) * STANDARD_GRAVITY))
+            }
             Ok(None) => match DesignSpectrum::new(annex) {
-                Ok(spectrum) => (
-                    "ASCE 7 design, ξ = 5 %",
-                    Box::new(move |t| spectrum.acceleration(t) * STANDARD_GRAVITY),
-                ),
+                Ok(spectrum) => {
+                    ("ASCE 7 design, ξ = 5 %", Box::new(move |t| spectrum.acceleration(t) * STANDARD_GRAVITY))
+                }
                 Err(_) => return Vec::new(),
             },
             Err(_) => return Vec::new(),
@@ -244,10 +238,7 @@ impl Procedure for Api6502020 {
             Excitation::Site if case.site.api650.is_none() => "`site.api650` is not given",
             _ => return Ok(()),
         };
-        Err(NotApplicable {
-            clause: "API 650:2020 E.4".into(),
-            reason: reason.into(),
-        })
+        Err(NotApplicable { clause: "API 650:2020 E.4".into(), reason: reason.into() })
     }
 
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {

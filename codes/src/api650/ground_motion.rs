@@ -82,11 +82,7 @@ fn interpolate(row: &Row, x: f64) -> Result<f64, Option<f64>> {
             return Ok(row.values[i - 1] + t * (row.values[i] - row.values[i - 1]));
         }
     }
-    if row.values.len() == row.at.len() {
-        Ok(last)
-    } else {
-        Err(Some(row.at[row.values.len() - 1]))
-    }
+    if row.values.len() == row.at.len() { Ok(last) } else { Err(Some(row.at[row.values.len() - 1])) }
 }
 
 /// Short-period site coefficient F_a.
@@ -128,10 +124,7 @@ fn coefficient(
             None => format!("site class {class:?} has no {symbol}"),
             Some(end) => format!("site class {class:?} has no {symbol} above {argument} = {end} g (found {x} g)"),
         };
-        CodeError::Data {
-            clause,
-            reason: format!("{limit}: give fa and fv of a site study in site.api650"),
-        }
+        CodeError::Data { clause, reason: format!("{limit}: give fa and fv of a site study in site.api650") }
     })
 }
 
@@ -172,12 +165,9 @@ impl DesignSpectrum {
     /// `fa`, `fv` given.
     pub fn new(site: &Api650Site) -> Result<DesignSpectrum, CodeError> {
         let clause = || "API 650 annex E, E.4 (site.api650)".to_string();
-        for (key, value, unit) in [
-            ("ss", site.ss, " g"),
-            ("s1", site.s1, " g"),
-            ("q", site.q, ""),
-            ("tl", site.tl, " s"),
-        ] {
+        for (key, value, unit) in
+            [("ss", site.ss, " g"), ("s1", site.s1, " g"), ("q", site.q, ""), ("tl", site.tl, " s")]
+        {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(CodeError::Data {
                     clause: clause(),
@@ -207,24 +197,14 @@ impl DesignSpectrum {
         let s_ds = site.q * f_a * site.ss;
         let s_d1 = site.q * f_v * site.s1;
         let t_s = s_d1 / s_ds;
-        Ok(DesignSpectrum {
-            f_a,
-            f_v,
-            s_ds,
-            s_d1,
-            t_0: 0.2 * t_s,
-            t_s,
-            t_l: site.tl,
-        })
+        Ok(DesignSpectrum { f_a, f_v, s_ds, s_d1, t_0: 0.2 * t_s, t_s, t_l: site.tl })
     }
 
     /// Spectral acceleration S_a [g] at the period T [s], 5 % damping (module description).
     ///
     /// Where T_L < T_S the branch S_D1/T is absent and the plateau ends where S_D1 T_L/T² falls below it.
     pub fn acceleration(&self, period: f64) -> f64 {
-        let DesignSpectrum {
-            s_ds, s_d1, t_0, t_l, ..
-        } = *self;
+        let DesignSpectrum { s_ds, s_d1, t_0, t_l, .. } = *self;
         if period < t_0 {
             s_ds * (0.4 + 0.6 * period / t_0)
         } else if period <= t_l {
@@ -325,18 +305,8 @@ pub(crate) mod tests {
             let message = result.unwrap_err().to_string();
             assert!(message.contains("give fa and fv"), "{message}");
         }
-        assert!(
-            short_period_coefficient(2022, SiteClass::D, 0.5)
-                .unwrap_err()
-                .to_string()
-                .contains("2010 and 2016")
-        );
-        let study = Api650Site {
-            site_class: SiteClass::F,
-            fa: Some(1.3),
-            fv: Some(2.0),
-            ..site()
-        };
+        assert!(short_period_coefficient(2022, SiteClass::D, 0.5).unwrap_err().to_string().contains("2010 and 2016"));
+        let study = Api650Site { site_class: SiteClass::F, fa: Some(1.3), fv: Some(2.0), ..site() };
         let spectrum = DesignSpectrum::new(&study).unwrap();
         assert!((spectrum.s_ds - 2.0 / 3.0 * 1.3 * 0.9).abs() < 1e-15);
         for bad in [
@@ -363,14 +333,7 @@ pub(crate) mod tests {
     #[test]
     fn site_without_asce_maps() {
         let (ss, s1) = mapped_from_peak(0.09);
-        let s = DesignSpectrum::new(&Api650Site {
-            ss,
-            s1,
-            q: 1.0,
-            tl: 4.0,
-            ..site()
-        })
-        .unwrap();
+        let s = DesignSpectrum::new(&Api650Site { ss, s1, q: 1.0, tl: 4.0, ..site() }).unwrap();
         for (value, printed, digits) in [
             (ss, 0.225, 5e-4),
             (s1, 0.113, 5.1e-4),

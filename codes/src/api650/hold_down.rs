@@ -77,13 +77,8 @@ pub(super) const LIFTING: &str = "((w_t·(1 + 0.4·A_v) + w_a)/(0.607 - 0.18667�
 /// * `specific_gravity`: G, or G_e of the current annex
 /// * `depth`: H [m]
 pub fn plate_force(thickness: f64, yield_strength: f64, specific_gravity: f64, depth: f64) -> f64 {
-    let terms = [
-        ("t_a", thickness),
-        ("F_y", yield_strength),
-        ("G_e", specific_gravity),
-        ("H", depth),
-        ("D", f64::INFINITY),
-    ];
+    let terms =
+        [("t_a", thickness), ("F_y", yield_strength), ("G_e", specific_gravity), ("H", depth), ("D", f64::INFINITY)];
     evaluate(HOLD_DOWN, &terms)
 }
 
@@ -198,13 +193,7 @@ mod tests {
     /// Width of an annulus in a tank so large that the upper limit is infinite, in units in which the lower limit is zero.
     fn annulus_width(t: f64, f_y: f64, g_e: f64, h: f64) -> f64 {
         let scale = 1e6;
-        let terms = [
-            ("t", scale * t),
-            ("F_y", f_y),
-            ("G_e", g_e),
-            ("H", h),
-            ("D", f64::INFINITY),
-        ];
+        let terms = [("t", scale * t), ("F_y", f_y), ("G_e", g_e), ("H", h), ("D", f64::INFINITY)];
         evaluate(ANNULUS, &terms) / scale
     }
 
@@ -217,14 +206,7 @@ mod tests {
     }
 
     fn anchorage_ratio(m: f64, d: f64, w: f64) -> f64 {
-        let terms = [
-            ("M_rw", m),
-            ("D", d),
-            ("w_t", w),
-            ("A_v", 0.0),
-            ("w_a", 0.0),
-            ("w_int", 0.0),
-        ];
+        let terms = [("M_rw", m), ("D", d), ("w_t", w), ("A_v", 0.0), ("w_a", 0.0), ("w_int", 0.0)];
         evaluate(anchorage(m, w).1, &terms)
     }
 
@@ -265,11 +247,7 @@ mod tests {
         close(0.01723 * 201.1 / 99.0, 0.035, 1e-5);
         // Compression: 10⁶ t/D psi (in, ft) and 83 t/D MPa (mm, m).
         let us = 1e6 * PSI * (1e-3 / INCH) / (1.0 / FT);
-        close(
-            us / allowable_compression(1e-3, 1.0, 44.0, 1.0, None).unwrap(),
-            1.0,
-            5e-3,
-        );
+        close(us / allowable_compression(1e-3, 1.0, 44.0, 1.0, None).unwrap(), 1.0, 5e-3);
         // 600 √(G H) psi (ft) and 7.5 √(G H) MPa (m).
         close(600.0 * PSI * (1.0 / FT).sqrt() / 7.5e6, 1.0, 5e-3);
         // 1/83 300 in (psi, ft, in) and 12.10 mm; derived to agree.
@@ -330,11 +308,7 @@ mod tests {
             for i in 0..n {
                 let phi = PI * (i as f64 + 0.5) / n as f64;
                 // Contact pressure above the hanging force: linear in the distance from the edge of the arc.
-                let up = if phi < beta {
-                    (b + w) * (phi.cos() - beta.cos()) / (1.0 - beta.cos())
-                } else {
-                    0.0
-                } - w;
+                let up = if phi < beta { (b + w) * (phi.cos() - beta.cos()) / (1.0 - beta.cos()) } else { 0.0 } - w;
                 let length = d * PI / n as f64;
                 force += up * length;
                 moment += up * length * d / 2.0 * phi.cos();
@@ -348,11 +322,7 @@ mod tests {
     fn allowable_compression_of_the_worked_example() {
         let (t, d, g, h) = (0.014, 30.0, 0.9, 12.0);
         close(slenderness(t, d, g, h), 49.59, 5e-3);
-        close(
-            allowable_compression(t, d, g, h, Some(235e6)).unwrap() / 1e6,
-            38.733,
-            5e-4,
-        );
+        close(allowable_compression(t, d, g, h, Some(235e6)).unwrap() / 1e6, 38.733, 5e-4);
         // Thicker: second branch, needs the yield strength; continuous at 44 up to the rounding of 83 and 7.5.
         assert_eq!(allowable_compression(0.02, d, g, h, None), None);
         let limit = d * (g * h / 44.0f64).sqrt() / 1e3;

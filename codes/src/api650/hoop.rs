@@ -136,11 +136,7 @@ mod tests {
             })
             .sum();
         let w_p = 9810.0 * std::f64::consts::PI * d * d / 4.0 * h;
-        close(
-            force / (w_p * super::super::masses::effective_masses(d / h).w_i),
-            1.0,
-            2.5e-3,
-        );
+        close(force / (w_p * super::super::masses::effective_masses(d / h).w_i), 1.0, 2.5e-3);
     }
 
     #[test]
@@ -154,13 +150,7 @@ mod tests {
         // At the surface the wave's weight alone, 1.85 A_c G D²; above it zero.
         let surface = hoop_forces(0.0, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1);
         close(surface.convective, 18.5e3, 1e-6);
-        assert_eq!(
-            HoopForces {
-                convective: 0.0,
-                ..surface
-            },
-            HoopForces::default()
-        );
+        assert_eq!(HoopForces { convective: 0.0, ..surface }, HoopForces::default());
         assert_eq!(hoop_forces(-0.1, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1), HoopForces::default());
     }
 

@@ -69,23 +69,12 @@ pub(super) fn ladders(basis: &Basis, period: f64, impulsive_mass: f64, convectiv
         |quantity, exact, value| Ingredients::ladder(quantity, &[(Factor::RigidTank, exact), (Factor::Formula, value)]);
     let mut all = vec![
         of(Quantity::SloshingPeriod, exact, period),
-        of(
-            Quantity::ImpulsiveMass,
-            mass * impulsive(Plan::Circle, gamma).mass,
-            impulsive_mass,
-        ),
-        of(
-            Quantity::ConvectiveMass,
-            mass * convective(Plan::Circle, gamma, 1).mass,
-            convective_mass,
-        ),
+        of(Quantity::ImpulsiveMass, mass * impulsive(Plan::Circle, gamma).mass, impulsive_mass),
+        of(Quantity::ConvectiveMass, mass * convective(Plan::Circle, gamma, 1).mass, convective_mass),
         Ingredients::ladder(Quantity::WallMass, &[(Factor::Modes, basis.w_s / g)]),
     ];
     if basis.w_r > 0.0 {
-        all.push(Ingredients::ladder(
-            Quantity::RoofMass,
-            &[(Factor::Modes, basis.w_r / g)],
-        ));
+        all.push(Ingredients::ladder(Quantity::RoofMass, &[(Factor::Modes, basis.w_r / g)]));
     }
     all
 }

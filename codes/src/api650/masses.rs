@@ -63,31 +63,17 @@ pub(super) const ARGUMENT: &str = "3.67·H/D";
 /// The formulas of a ratio D/H.
 pub(super) fn charts(d_over_h: f64) -> Charts {
     let (w_i, x_i, x_is) = if d_over_h >= SQUAT {
-        (
-            "W_p·tanh(0.866·D/H)/(0.866·D/H)",
-            "0.375·H",
-            "0.375·(1 + 1.333·(0.866·D/H/tanh(0.866·D/H) - 1))·H",
-        )
+        ("W_p·tanh(0.866·D/H)/(0.866·D/H)", "0.375·H", "0.375·(1 + 1.333·(0.866·D/H/tanh(0.866·D/H) - 1))·H")
     } else {
         ("W_p·(1 - 0.218·D/H)", "(0.5 - 0.094·D/H)·H", "(0.5 + 0.06·D/H)·H")
     };
     // From D/H = 1/80 on cosh and sinh are one to the last digit, before they overflow.
     let (x_c, x_cs) = if 3.67 / d_over_h < 300.0 {
-        (
-            "H·(1 - (cosh(u) - 1)/(u·sinh(u)))",
-            "H·(1 - (cosh(u) - 1.937)/(u·sinh(u)))",
-        )
+        ("H·(1 - (cosh(u) - 1)/(u·sinh(u)))", "H·(1 - (cosh(u) - 1.937)/(u·sinh(u)))")
     } else {
         ("H·(1 - 1/u)", "H·(1 - 1/u)")
     };
-    Charts {
-        w_i,
-        w_c: "W_p·0.23·D/H·tanh(3.67·H/D)",
-        x_i,
-        x_c,
-        x_is,
-        x_cs,
-    }
+    Charts { w_i, w_c: "W_p·0.23·D/H·tanh(3.67·H/D)", x_i, x_c, x_is, x_cs }
 }
 
 /// Effective weights and heights for the ratio D/H > 0.
@@ -196,11 +182,7 @@ mod tests {
         close(m.x_cs * 12.0, 10.61393, 5e-6);
         close(sloshing_period(30.0, 2.5), 6.0069, 5e-5);
         close(impulsive_coefficient(0.4).unwrap(), 6.767, 5e-4);
-        close(
-            impulsive_period(30.0, 12.0, 900.0, 0.011680, 210e9).unwrap(),
-            0.1905,
-            5e-5,
-        );
+        close(impulsive_period(30.0, 12.0, 900.0, 0.011680, 210e9).unwrap(), 0.1905, 5e-5);
         // 9th edition, same tank.
         close(m.w_i, 0.44989, 5e-6);
         close(m.w_c, 0.51704, 5e-6);
@@ -223,18 +205,11 @@ mod tests {
             (sloshing_coefficient_1993(d_over_h), 0.6058, 5e-5, 0.6),
         ] {
             close(value, closed, digits);
-            assert!(
-                (reading / value - 1.0).abs() < 0.08,
-                "reading {reading}, closed {value}"
-            );
+            assert!((reading / value - 1.0).abs() < 0.08, "reading {reading}, closed {value}");
         }
         // Its first sloshing frequency, 3.02 rad/s with k = 0.6 and the foot rounded to 0.305 m; 2.993 with the closed k.
         close(std::f64::consts::TAU / (0.6 * (3.66f64 / 0.305).sqrt()), 3.023, 5e-4);
-        close(
-            std::f64::consts::TAU / sloshing_period_1993(3.66, d_over_h),
-            2.993,
-            1.0e-3,
-        );
+        close(std::f64::consts::TAU / sloshing_period_1993(3.66, d_over_h), 2.993, 1.0e-3);
     }
 
     /// Both printings of the impulsive period: √2000 with SI units, 27.8 with ft, lb/ft³, in, psi.
@@ -285,10 +260,7 @@ mod tests {
                 ("X_i", m.x_i, i.lever, 0.09),
                 ("X_is", m.x_is, i.lever_with_base, 0.15),
             ] {
-                assert!(
-                    (value / exact - 1.0).abs() < tolerance,
-                    "{name} at D/H {d_over_h}: {value} {exact}"
-                );
+                assert!((value / exact - 1.0).abs() < tolerance, "{name} at D/H {d_over_h}: {value} {exact}");
             }
         }
     }

@@ -22,9 +22,7 @@ fn under(share: f64, annex: Api650Site, until: f64) -> Case {
     let mut periods: Vec<f64> = (0..=(until * 100.0) as u32).map(|i| f64::from(i) / 100.0).collect();
     periods.extend([design.t_0, design.t_s]);
     periods.sort_by(f64::total_cmp);
-    let rows = periods
-        .iter()
-        .map(|t| [*t, share * STANDARD_GRAVITY * design.acceleration(*t)]);
+    let rows = periods.iter().map(|t| [*t, share * STANDARD_GRAVITY * design.acceleration(*t)]);
     let mut case = case();
     case.site.api650 = Some(annex);
     case.site.spectrum = Some(SiteSpectrum {
@@ -39,19 +37,12 @@ fn under(share: f64, annex: Api650Site, until: f64) -> Case {
 }
 
 fn assess(case: &Case) -> Assessment {
-    Api6502020
-        .assess(case, Excitation::Site)
-        .expect("the example is admissible")
+    Api6502020.assess(case, Excitation::Site).expect("the example is admissible")
 }
 
 /// Without mapped values, for the use group.
 fn unmapped(sug: u8) -> Api650Site {
-    Api650Site {
-        ss: 0.0,
-        s1: 0.0,
-        sug,
-        ..site()
-    }
+    Api650Site { ss: 0.0, s1: 0.0, sug, ..site() }
 }
 
 /// Use group III, because I and II have another branch of A_f beyond 4 s.
@@ -82,11 +73,7 @@ fn a_peak_above_the_short_period() {
     let mut case = under(1.0, unmapped(2), 9.0);
     let rows = vec![[0.0, 0.3], [0.2, 0.5], [0.6, 1.0], [9.0, 0.05]];
     let rows = rows.into_iter().map(|[t, a]| [t, a * STANDARD_GRAVITY]);
-    if let Some(SiteSpectrum {
-        form: SpectrumForm::Table { horizontal, .. },
-        ..
-    }) = &mut case.site.spectrum
-    {
+    if let Some(SiteSpectrum { form: SpectrumForm::Table { horizontal, .. }, .. }) = &mut case.site.spectrum {
         *horizontal = SpectrumTable::new(rows.collect()).unwrap();
     }
     let found = assess(&case);
@@ -96,13 +83,8 @@ fn a_peak_above_the_short_period() {
 
 #[test]
 fn a_table_that_ends_below_the_sloshing_period_is_refused() {
-    let error = Api6502020
-        .assess(&under(1.0, site(), 4.0), Excitation::Site)
-        .unwrap_err();
-    assert!(
-        matches!(&error, CodeError::Data { reason, .. } if reason.contains("ends at 4 s")),
-        "{error}"
-    );
+    let error = Api6502020.assess(&under(1.0, site(), 4.0), Excitation::Site).unwrap_err();
+    assert!(matches!(&error, CodeError::Data { reason, .. } if reason.contains("ends at 4 s")), "{error}");
 }
 
 #[test]
@@ -110,11 +92,7 @@ fn the_zone_method_needs_no_mapped_accelerations() {
     let expected = Api6501993.assess(&case(), Excitation::Site).unwrap();
     let mut zone = case();
     zone.site.api650 = None;
-    zone.site.zone = Some(ZoneSite {
-        zone_factor: 0.30,
-        soil_factor: 1.5,
-        importance: 1.0,
-    });
+    zone.site.zone = Some(ZoneSite { zone_factor: 0.30, soil_factor: 1.5, importance: 1.0 });
     let found = Api6501993.assess(&zone, Excitation::Site).unwrap();
     assert_eq!(found.values, expected.values);
     assert!(Api6502020.applies(&zone, Excitation::Site).is_err());

@@ -36,13 +36,7 @@ const TABLE: &[Placed] = &[
     (50, DESIGN_PRESSURE),
     (80, ANCHORS.by("API 650:2020 E.6.2.1.2")),
     (81, UPLIFT.by("API 650:2020 E.6.2.1.1")),
-    (
-        82,
-        LimitStateDef {
-            parts: &[SLIDING_OF_RUN],
-            ..SLIDING.by("API 650:2020 E.7.6")
-        },
-    ),
+    (82, LimitStateDef { parts: &[SLIDING_OF_RUN], ..SLIDING.by("API 650:2020 E.7.6") }),
     (91, MCE),
     (92, TENSION.by("ASCE 7-16 17.2.4.6")),
     (100, FOUNDATION.when(|_| NotImplemented)),
@@ -234,14 +228,7 @@ fn compression(sheet: &mut Sheet, case: &Case, radius: f64, course: &Course, pre
         ("F_ty", course.material.yield_strength.unwrap_or_default(), Stress),
     ];
     let name = "pressure parameter of the shell, D and H in m, t_s in mm";
-    let ratio = sheet.calc(
-        "G·H·D²/t_s²",
-        name,
-        hold_down::SLENDERNESS,
-        &terms,
-        Dimensionless,
-        clause,
-    );
+    let ratio = sheet.calc("G·H·D²/t_s²", name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
     let formula = hold_down::allowable(ratio, true, false).unwrap_or_default();
     sheet.calc("F_C", "allowable shell compression", formula, &terms, Stress, clause)
 }

@@ -41,21 +41,12 @@ impl SiteSpecific {
         let Some(own) = &site.spectrum else {
             return Ok(None);
         };
-        let mapped = if annex.ss > 0.0 || annex.s1 > 0.0 {
-            Some(DesignSpectrum::new(annex)?)
-        } else {
-            None
-        };
+        let mapped = if annex.ss > 0.0 || annex.s1 > 0.0 { Some(DesignSpectrum::new(annex)?) } else { None };
         let kinks = match &own.form {
             SpectrumForm::Table { horizontal, .. } => horizontal.rows().iter().map(|row| row[0]).collect(),
             SpectrumForm::Parameters(given) => given.corners.to_vec(),
         };
-        Ok(Some(SiteSpecific {
-            own: hazard::elastic(own, 1.0, DAMPING),
-            mapped,
-            kinks,
-            longest: hazard::longest(own),
-        }))
+        Ok(Some(SiteSpecific { own: hazard::elastic(own, 1.0, DAMPING), mapped, kinks, longest: hazard::longest(own) }))
     }
 
     /// Ordinate of the user's spectrum [g] at a period [s].

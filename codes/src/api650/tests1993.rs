@@ -31,12 +31,7 @@ fn assess(case: &Case, excitation: Excitation) -> Assessment {
 
 /// b of an unanchored tank with D = 1 m.
 fn compression(w_t: f64, w_l: f64, x: f64) -> Option<f64> {
-    let terms = [
-        ("M", x * (w_t + w_l), Moment),
-        ("D", 1.0, Length),
-        ("w_t", w_t, LineForce),
-        ("w_L", w_l, LineForce),
-    ];
+    let terms = [("M", x * (w_t + w_l), Moment), ("D", 1.0, Length), ("w_t", w_t, LineForce), ("w_L", w_l, LineForce)];
     edition1993::compression(&mut Sheet::new(), x, &terms)
 }
 
@@ -88,13 +83,7 @@ fn worked_example_scaled() {
 /// Weights of table D.2 in tonnes, accelerations in m/s², moments in kNm.
 fn d2(w_1: (f64, f64), w_2: (f64, f64), s_a: f64) -> f64 {
     let roof = [("W_r", 0.0), ("H_t", 0.0)];
-    let shell = [
-        ("a_1", 0.5 * 9.81),
-        ("W_s", 0.3),
-        ("X_s", 0.9),
-        ("W_1", w_1.0),
-        ("X_1", w_1.1),
-    ];
+    let shell = [("a_1", 0.5 * 9.81), ("W_s", 0.3), ("X_s", 0.9), ("W_1", w_1.0), ("X_1", w_1.1)];
     let convective = [("a_2", s_a), ("W_2", w_2.0), ("X_2", w_2.1)];
     evaluate(IMPULSIVE_MOMENT, &[&shell[..], &roof].concat()) + evaluate(CONVECTIVE_MOMENT, &convective)
 }
@@ -166,31 +155,18 @@ fn missing_data_is_named() {
     let mut c = case();
     c.tank.bottom.as_mut().unwrap().material.yield_strength = None;
     let out = assess(&c, Excitation::Site);
-    assert!(
-        out.notes
-            .iter()
-            .any(|n| n.contains("`materials.steel.yield_strength` is missing"))
-    );
+    assert!(out.notes.iter().any(|n| n.contains("`materials.steel.yield_strength` is missing")));
 
     let mut c = case();
     c.tank.support = Support::Anchored;
     c.site.api650.as_mut().unwrap().zone_factor = Some(0.40);
     let out = assess(&c, Excitation::Site);
     assert!(out.notes.iter().any(|n| n.contains("`tank.anchors` is missing")));
-    c.tank.anchors = Some(Anchors {
-        count: 48,
-        capacity: Some(100e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    c.tank.anchors =
+        Some(Anchors { count: 48, capacity: Some(100e3), attachment_capacity: None, ..Anchors::default() });
     let out = assess(&c, Excitation::Site);
     let anchor = out.checks.iter().find(|c| c.id == "anchor_tension").unwrap();
-    close(
-        anchor.demand.unwrap(),
-        line(&out, "w_AB") * std::f64::consts::PI * 30.0 / 48.0,
-        1e-6,
-        "P_AB",
-    );
+    close(anchor.demand.unwrap(), line(&out, "w_AB") * std::f64::consts::PI * 30.0 / 48.0, 1e-6, "P_AB");
 }
 
 /// Above t_s (and 6 mm) a thicker bottom plate does not count (E.4.2).
@@ -207,26 +183,10 @@ fn bottom_plate_counts_up_to_the_shell() {
 #[test]
 fn scope() {
     let mut c = case();
-    c.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
-    assert!(
-        Api6501993
-            .applies(&c, Excitation::Site)
-            .unwrap_err()
-            .reason
-            .contains("rectangular")
-    );
+    c.tank.shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
+    assert!(Api6501993.applies(&c, Excitation::Site).unwrap_err().reason.contains("rectangular"));
     let mut c = case();
-    assert!(
-        Api6501993
-            .applies(&c, Excitation::Record)
-            .unwrap_err()
-            .reason
-            .contains("no record")
-    );
+    assert!(Api6501993.applies(&c, Excitation::Record).unwrap_err().reason.contains("no record"));
     c.site.api650.as_mut().unwrap().zone_factor = None;
     assert!(
         matches!(Api6501993.assess(&c, Excitation::Site), Err(CodeError::NotApplicable(n)) if n.reason.contains("zone_factor"))
@@ -235,10 +195,7 @@ fn scope() {
     assert!(Api6501993.applies(&c, Excitation::Site).is_err());
     let mut c = case();
     c.site.api650.as_mut().unwrap().soil_factor = 7.0;
-    assert!(matches!(
-        Api6501993.assess(&c, Excitation::Site),
-        Err(CodeError::Data { .. })
-    ));
+    assert!(matches!(Api6501993.assess(&c, Excitation::Site), Err(CodeError::Data { .. })));
 }
 
 /// Spectrum method: the moment is that of the ordinates, whatever the zone.

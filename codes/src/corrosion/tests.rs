@@ -53,10 +53,7 @@ fn same(name: &str, a: Option<f64>, b: Option<f64>) {
 }
 
 fn check<'a>(a: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
-    a.checks
-        .iter()
-        .find(|c| c.id == id)
-        .unwrap_or_else(|| panic!("no {id}"))
+    a.checks.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no {id}"))
 }
 
 #[test]
@@ -115,12 +112,7 @@ fn eurocode_compares_the_net_thickness() {
     same("elastic", check(&a, "buckling_elastic").capacity, Some(limit));
     // Hoop stress and collapse are governed by the same combination: the hoop stress gives the pressure.
     let (hoop, foot) = (check(&a, "hoop_yield"), check(&a, "buckling_elastic_plastic"));
-    assert!(
-        foot.note.contains("course 1") && hoop.note.contains(&foot.note),
-        "{} {}",
-        hoop.note,
-        foot.note
-    );
+    assert!(foot.note.contains("course 1") && hoop.note.contains(&foot.note), "{} {}", hoop.note, foot.note);
     let p_max = hoop.demand.unwrap() * net / radius;
     let limit = elastic_plastic(210e9, 235e6, net, radius, p_max);
     same("elastic-plastic", foot.capacity, Some(limit));

@@ -21,11 +21,7 @@ pub(super) fn assess(work: &mut Work) {
     let given = work.case.tank.anchors.filter(|anchors| anchors.count > 0);
     let Some(anchors) = given else {
         let (status, reason, input) = match pulls {
-            true => (
-                CheckStatus::NotChecked,
-                "`tank.anchors` is missing",
-                Some("tank.anchors"),
-            ),
+            true => (CheckStatus::NotChecked, "`tank.anchors` is missing", Some("tank.anchors")),
             false => (CheckStatus::NotApplicable, "the tank stands without anchors", None),
         };
         for id in [ANCHOR_COUNT.id, ANCHOR_SPACING.id] {
@@ -33,10 +29,7 @@ pub(super) fn assess(work: &mut Work) {
         }
         return;
     };
-    let words = Words {
-        clauses: [COUNT, SPACING],
-        good_practice: true,
-    };
+    let words = Words { clauses: [COUNT, SPACING], good_practice: true };
     let checks = layout(&mut work.sheet, &work.case.tank, &anchors, pulls, &words);
     work.out.checks.extend(checks);
 }
@@ -58,15 +51,9 @@ pub(crate) fn layout(sheet: &mut Sheet, tank: &Tank, anchors: &Anchors, pulls: b
     sheet.section("Number and spacing of the anchors");
     sheet.input("n_A", "number of anchors", count, Dimensionless, "tank.anchors.count");
     let (least, note) = match (pulls, words.good_practice) {
-        (true, true) => (
-            LEAST[1],
-            "good practice, not a clause of EN 1998-4: six where the earthquake pulls at them",
-        ),
+        (true, true) => (LEAST[1], "good practice, not a clause of EN 1998-4: six where the earthquake pulls at them"),
         (true, false) => (LEAST[1], "six where the earthquake pulls at them"),
-        (false, true) => (
-            LEAST[0],
-            "good practice, not a clause of EN 1998-4; the earthquake does not pull at them",
-        ),
+        (false, true) => (LEAST[0], "good practice, not a clause of EN 1998-4; the earthquake does not pull at them"),
         (false, false) => (LEAST[0], "the earthquake does not pull at them"),
     };
     let (name, source) = ("least number of anchors", "4, and 6 where the earthquake governs");

@@ -149,10 +149,8 @@ pub(crate) fn base_lines(
     let formula = match shape {
         Shape::Cylinder { .. } if ratio <= 0.25 => "N_b/(π·R²)·(1 + 4·e/R)",
         Shape::Cylinder { .. } => {
-            let (name, source) = (
-                "pressure σ R²/N of the segment in contact",
-                "plane pressure without tension, solved for e/R",
-            );
+            let (name, source) =
+                ("pressure σ R²/N of the segment in contact", "plane pressure without tension, solved for e/R");
             let value = circle(ratio);
             sheet.look_up("κ_b", name, source, value, Dimensionless, "statics");
             terms.push(("κ_b", value, Dimensionless));
@@ -187,10 +185,7 @@ pub(super) fn assess(work: &mut Work, at_toe: f64) {
         true => &[(1.0, 0.3), (1.0, -0.3), (0.3, 1.0), (0.3, -1.0)],
         false => &[(1.0, 0.0)],
     };
-    let worst = combinations
-        .iter()
-        .copied()
-        .max_by(|a, b| pressure(*a).total_cmp(&pressure(*b)));
+    let worst = combinations.iter().copied().max_by(|a, b| pressure(*a).total_cmp(&pressure(*b)));
     if let Some(factors) = worst {
         lines(work, factors, mass, (moment, resistance, at_toe));
     }
@@ -235,11 +230,7 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
             work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, None);
         }
         (Bears::Pressure(pressure), BaseState::Lifts(lift)) if pressure <= resistance => {
-            let toe = Toe {
-                force: lift.toe,
-                pressure: at_toe,
-                lifts: true,
-            };
+            let toe = Toe { force: lift.toe, pressure: at_toe, lifts: true };
             if toe::assess(work, toe, resistance) {
                 work.check(BEARING.named(name), pressure, resistance, CLAUSE, &note);
             }

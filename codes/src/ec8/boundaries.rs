@@ -13,13 +13,8 @@ use tank::case::{Ec8Site, GroundMotion};
 use tank::{Anchors, Roof, Support};
 
 const EPSILON: f64 = 3e-4;
-const UTILISATIONS: [(f64, bool); 5] = [
-    (0.5, true),
-    (1.0 - EPSILON, true),
-    (1.0 + EPSILON, false),
-    (1.04, false),
-    (2.0, false),
-];
+const UTILISATIONS: [(f64, bool); 5] =
+    [(0.5, true), (1.0 - EPSILON, true), (1.0 + EPSILON, false), (1.04, false), (2.0, false)];
 
 /// `case_at(u)` is the oil tank with the check utilised to u by hand.
 fn limit(id: &str, case_at: impl Fn(f64) -> Case) {
@@ -27,10 +22,7 @@ fn limit(id: &str, case_at: impl Fn(f64) -> Case) {
         let a = En2006.assess(&case_at(u), Excitation::Site).unwrap();
         let c = check(&a, id);
         assert_eq!(c.holds(), holds, "{id} at {u}: {c:?}");
-        assert!(
-            (c.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON,
-            "{id} at {u}: {c:?}"
-        );
+        assert!((c.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON, "{id} at {u}: {c:?}");
     }
 }
 
@@ -86,10 +78,7 @@ fn overturning() {
         let mut c = oil_tank();
         c.tank.support = Support::Unanchored;
         c.tank.bottom = Some(bottom_plate(steel()));
-        c.site.ec8 = Some(Ec8Site {
-            ag: 0.25 * 9.81 * capacity / 189_684.14e3 * u,
-            ..site()
-        });
+        c.site.ec8 = Some(Ec8Site { ag: 0.25 * 9.81 * capacity / 189_684.14e3 * u, ..site() });
         c
     });
 }
@@ -101,17 +90,8 @@ fn stability() {
     // One course of 10 mm, so that the base governs; water 1 m deep in R = 5 m keeps the pressures small.
     let build = |ag: f64| {
         let shape = Shape::Cylinder { radius: 5.0 };
-        let mut case = case(
-            shape,
-            vec![course(4.0, 0.010, steel())],
-            2.0,
-            Some(Ec8Site { ag, ..site() }),
-        );
-        case.tank.roof = Roof {
-            mass: 2.0e6,
-            height: Some(10.0),
-            ..Roof::default()
-        };
+        let mut case = case(shape, vec![course(4.0, 0.010, steel())], 2.0, Some(Ec8Site { ag, ..site() }));
+        case.tank.roof = Roof { mass: 2.0e6, height: Some(10.0), ..Roof::default() };
         case
     };
     // Moment and pressures are linear in a_g.
@@ -127,11 +107,7 @@ fn stability() {
         let knock_down = 1.0 - 1.24 * delta * ((1.0 + 2.0 / (1.24 * delta)).sqrt() - 1.0);
         let lambda = f_y / (knock_down * sigma_c1);
         let limit = if id == "buckling_elastic" {
-            let sigma_o = if lambda <= 2.0 {
-                f_y * (1.0 - lambda / 4.0)
-            } else {
-                knock_down * sigma_c1
-            };
+            let sigma_o = if lambda <= 2.0 { f_y * (1.0 - lambda / 4.0) } else { knock_down * sigma_c1 };
             let p_bar = (p_0 - p_h).max(0.0) * r / (s * sigma_c1);
             let loss = (1.0 - p_bar / 5.0) * (1.0 - sigma_o / sigma_c1);
             0.19 * sigma_c1 + 0.81 * sigma_c1 * (1.0 - loss * loss).sqrt()
@@ -166,19 +142,13 @@ fn stability() {
 #[test]
 fn rectangle_combines_vertical_motion_with_0_3() {
     let mut c = concrete_rectangle(4.0, false, site());
-    c.site.ec8 = Some(Ec8Site {
-        vertical: true,
-        ..site()
-    });
+    c.site.ec8 = Some(Ec8Site { vertical: true, ..site() });
     let a = En2006.assess(&c, Excitation::Site).unwrap();
     assert!((line(&a, "a_vg") - 0.9 * 2.943).abs() < 1e-12);
     assert!((line(&a, "p_v") - 1000.0 * 2.5 * 0.9 * 2.943).abs() < 1e-9);
     let expected = |a: &Assessment, a_v: f64| {
-        let (p_i, p_c, p) = (
-            profile(a, "pressure_impulsive"),
-            profile(a, "pressure_convective"),
-            profile(a, "pressure_dynamic"),
-        );
+        let (p_i, p_c, p) =
+            (profile(a, "pressure_impulsive"), profile(a, "pressure_convective"), profile(a, "pressure_dynamic"));
         let (mut horizontal_leads, mut vertical_leads) = (false, false);
         for k in 0..p.z.len() {
             let h = p_i.values[k] + p_c.values[k];
@@ -186,28 +156,17 @@ fn rectangle_combines_vertical_motion_with_0_3() {
             let (x, z) = (h + 0.3 * v, 0.3 * h + v);
             horizontal_leads |= x > z * 1.01;
             vertical_leads |= z > x * 1.01;
-            assert!(
-                (p.values[k] - x.max(z)).abs() < 1e-9 * (h + v),
-                "z = {}: {} {x} {z}",
-                p.z[k],
-                p.values[k]
-            );
+            assert!((p.values[k] - x.max(z)).abs() < 1e-9 * (h + v), "z = {}: {} {x} {z}", p.z[k], p.values[k]);
         }
         (horizontal_leads, vertical_leads)
     };
     assert!(expected(&a, 0.9 * 2.943).0, "E_x + 0.3 E_z governs somewhere");
     // A vertical record ten times the horizontal one: the other combination governs.
-    c.ground_motion = Some(GroundMotion {
-        horizontal: record(0.3),
-        transverse: None,
-        vertical: Some(record(6.0)),
-    });
+    c.ground_motion = Some(GroundMotion { horizontal: record(0.3), transverse: None, vertical: Some(record(6.0)) });
     let a = En2006.assess(&c, Excitation::Record).unwrap();
     assert!(expected(&a, record(6.0).pga()).1, "0.3 E_x + E_z governs somewhere");
     // Without vertical motion the vertical part is zero.
-    let a = En2006
-        .assess(&concrete_rectangle(4.0, false, site()), Excitation::Site)
-        .unwrap();
+    let a = En2006.assess(&concrete_rectangle(4.0, false, site()), Excitation::Site).unwrap();
     assert!(a.steps.iter().all(|s| s.symbol != "p_v"));
     expected(&a, 0.0);
 }
@@ -218,11 +177,8 @@ fn rectangle_combines_horizontal_parts_as_chosen() {
     let mut c = concrete_rectangle(4.0, false, site());
     c.procedures.ec8_combination = Combination::Srss;
     let a = En2006.assess(&c, Excitation::Site).unwrap();
-    let (p_i, p_c, p) = (
-        profile(&a, "pressure_impulsive"),
-        profile(&a, "pressure_convective"),
-        profile(&a, "pressure_dynamic"),
-    );
+    let (p_i, p_c, p) =
+        (profile(&a, "pressure_impulsive"), profile(&a, "pressure_convective"), profile(&a, "pressure_dynamic"));
     for k in 0..p.z.len() {
         let expected = p_i.values[k].hypot(p_c.values[k]);
         assert!((p.values[k] - expected).abs() < 1e-9 * expected.max(1.0));
@@ -234,46 +190,26 @@ fn rectangle_combines_horizontal_parts_as_chosen() {
 #[test]
 fn cylinder_combines_vertical_motion_with_0_3() {
     let mut c = oil_tank();
-    c.site.ec8 = Some(Ec8Site {
-        vertical: true,
-        ..site()
-    });
+    c.site.ec8 = Some(Ec8Site { vertical: true, ..site() });
     let a = En2006.assess(&c, Excitation::Site).unwrap();
-    let (p_i, p_c, p) = (
-        profile(&a, "pressure_impulsive"),
-        profile(&a, "pressure_convective"),
-        profile(&a, "pressure_dynamic"),
-    );
+    let (p_i, p_c, p) =
+        (profile(&a, "pressure_impulsive"), profile(&a, "pressure_convective"), profile(&a, "pressure_dynamic"));
     let (rigid, flexible) = (line(&a, "p_vr"), line(&a, "p_vf"));
     for k in 0..p.z.len() {
         let zeta = p.z[k] / 12.0;
         let h = p_i.values[k] + p_c.values[k];
         let v = (rigid * (1.0 - zeta)).hypot(flexible * (0.5 * PI * zeta).cos());
         let expected = (h + 0.3 * v).max(0.3 * h + v);
-        assert!(
-            (p.values[k] - expected).abs() < 1e-9 * (h + v).max(1.0),
-            "z = {}: {} {expected}",
-            p.z[k],
-            p.values[k]
-        );
+        assert!((p.values[k] - expected).abs() < 1e-9 * (h + v).max(1.0), "z = {}: {} {expected}", p.z[k], p.values[k]);
     }
 }
 
 /// q of the impulsive part is admissible from 1 to 1.5.
 #[test]
 fn behaviour_factor_at_its_limits() {
-    for (q, good) in [
-        (1.0, true),
-        (1.5, true),
-        (1.0 - 1e-9, false),
-        (1.5 + 1e-9, false),
-        (f64::NAN, false),
-    ] {
+    for (q, good) in [(1.0, true), (1.5, true), (1.0 - 1e-9, false), (1.5 + 1e-9, false), (f64::NAN, false)] {
         let mut c = oil_tank();
-        c.site.ec8 = Some(Ec8Site {
-            behaviour_factor: q,
-            ..site()
-        });
+        c.site.ec8 = Some(Ec8Site { behaviour_factor: q, ..site() });
         assert_eq!(En2006.assess(&c, Excitation::Site).is_ok(), good, "q = {q}");
     }
 }

@@ -56,19 +56,11 @@ pub(crate) fn elastic_lines(sheet: &mut Sheet, wall: &Wall, p_min: f64, clause: 
     let formula = "1 - 1.24·δ_s·(√(1 + 2/(1.24·δ_s)) - 1)";
     line("k_s", "knock-down s̄ without pressure", formula, Dimensionless);
     let slenderness = line("λ2", "slenderness λ²", "f_y/(k_s·σ_c1)", Dimensionless);
-    let formula = if slenderness <= 2.0 {
-        "f_y·(1 - λ2/4)"
-    } else {
-        "k_s·σ_c1"
-    };
+    let formula = if slenderness <= 2.0 { "f_y·(1 - λ2/4)" } else { "k_s·σ_c1" };
     line("σ_o", "buckling stress without pressure", formula, Stress);
     let name = "pressure parameter p̄, smallest interior pressure";
     let pressure = line("p_r", name, "p_min·R/(s·σ_c1)", Dimensionless);
-    let formula = if pressure < 5.0 {
-        "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)"
-    } else {
-        "σ_c1"
-    };
+    let formula = if pressure < 5.0 { "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)" } else { "σ_c1" };
     line("σ_p", "buckling stress with pressure", formula, Stress);
     line("σ_lim", "limit of elastic buckling", "0.19·σ_c1 + 0.81·σ_p", Stress)
 }
@@ -95,19 +87,12 @@ pub(crate) fn collapse_lines(sheet: &mut Sheet, wall: &Wall, p_max: f64, clause:
     let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, clause);
     terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
     let hoop = p_max * wall.radius / (wall.thickness * wall.yield_strength);
-    let formula = format!(
-        "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^{}))·(r + f_y/250 MPa)/(r + 1)",
-        exponent(r)
-    );
+    let formula = format!("σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^{}))·(r + f_y/250 MPa)/(r + 1)", exponent(r));
     let (name, formula) = match hoop < 1.0 {
-        true => (
-            "limit of elastic-plastic collapse, largest interior pressure",
-            formula.as_str(),
-        ),
-        false => (
-            "limit of elastic-plastic collapse: the hoop stress of the largest interior pressure reaches f_y",
-            "0 MPa",
-        ),
+        true => ("limit of elastic-plastic collapse, largest interior pressure", formula.as_str()),
+        false => {
+            ("limit of elastic-plastic collapse: the hoop stress of the largest interior pressure reaches f_y", "0 MPa")
+        }
     };
     sheet.calc("σ_lim", name, formula, &terms, Stress, clause)
 }
@@ -132,13 +117,7 @@ pub fn elastic(
     pressure: f64,
     quality: f64,
 ) -> f64 {
-    let wall = Wall {
-        youngs_modulus,
-        yield_strength,
-        thickness,
-        radius,
-        quality,
-    };
+    let wall = Wall { youngs_modulus, yield_strength, thickness, radius, quality };
     limit(elastic_lines, &wall, pressure)
 }
 
@@ -146,13 +125,7 @@ pub fn elastic(
 ///
 /// * `pressure`: largest interior pressure of the combination [Pa], suction counts as zero; the rest as in [`elastic`]
 pub fn elastic_plastic(youngs_modulus: f64, yield_strength: f64, thickness: f64, radius: f64, pressure: f64) -> f64 {
-    let wall = Wall {
-        youngs_modulus,
-        yield_strength,
-        thickness,
-        radius,
-        quality: 1.0,
-    };
+    let wall = Wall { youngs_modulus, yield_strength, thickness, radius, quality: 1.0 };
     limit(collapse_lines, &wall, pressure)
 }
 
@@ -172,13 +145,7 @@ mod tests {
         p: f64,
         quality: f64,
     ) -> BTreeMap<String, f64> {
-        let wall = Wall {
-            youngs_modulus,
-            yield_strength,
-            thickness,
-            radius,
-            quality,
-        };
+        let wall = Wall { youngs_modulus, yield_strength, thickness, radius, quality };
         let mut sheet = Sheet::new();
         elastic_lines(&mut sheet, &wall, p, "");
         let steps = sheet.into_steps().expect("good formulas");
@@ -208,18 +175,13 @@ mod tests {
     /// of 0.25, 0.5 and 0.75 f_y. The limit is at most 6 % above and 12 % below.
     #[test]
     fn collapse_beside_an_elastic_plastic_shell() {
-        for (slenderness, peaks) in [
-            (400.0, [154.1, 115.8, 66.5]),
-            (800.0, [110.0, 83.3, 49.5]),
-            (1200.0, [82.6, 63.2, 38.6]),
-        ] {
+        for (slenderness, peaks) in
+            [(400.0, [154.1, 115.8, 66.5]), (800.0, [110.0, 83.3, 49.5]), (1200.0, [82.6, 63.2, 38.6])]
+        {
             for (hoop, peak) in [0.25, 0.5, 0.75].into_iter().zip(peaks) {
                 let s = 10.0 / slenderness;
                 let limit = elastic_plastic(210e9, 235e6, s, 10.0, hoop * 235e6 * s / 10.0) / 1e6;
-                assert!(
-                    limit < 1.07 * peak && limit > 0.88 * peak,
-                    "{slenderness} {hoop}: {limit} {peak}"
-                );
+                assert!(limit < 1.07 * peak && limit > 0.88 * peak, "{slenderness} {hoop}: {limit} {peak}");
             }
         }
     }

@@ -52,11 +52,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let a_c = t_con.map_or(s_1, |t| work.convective("S_e(T_con)", t));
     let wave = work.wave("R", ["0.84", "0.07"], "2.1.4", s_1, s_2);
     if t_con.is_some() {
-        let terms = [
-            ("R", radius, Length),
-            ("S_e", a_c, Acceleration),
-            ("g", case.gravity, Acceleration),
-        ];
+        let terms = [("R", radius, Length), ("S_e", a_c, Acceleration), ("g", case.gravity, Acceleration)];
         let name = "wave height of the simplified procedure (all sloshing mass in one mode)";
         let clause = edition.clause("3.2.2");
         let simplified = work.sheet.calc("d", name, "R·S_e/g", &terms, Length, &clause);
@@ -85,11 +81,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     values.insert(Quantity::SloshingPeriod, t_c1);
     values.insert(Quantity::ImpulsivePeriod, t_i);
     ingredients::structure(work);
-    let motion = Motion {
-        impulsive: (t_i, a_i),
-        convective: (t_con.unwrap_or(t_c1), a_c),
-        sloshing: (t_c1, s_1),
-    };
+    let motion = Motion { impulsive: (t_i, a_i), convective: (t_con.unwrap_or(t_c1), a_c), sloshing: (t_c1, s_1) };
     ingredients::record(work, &masses, &rigid, &motion, &wall);
 
     let vertical = cylinder_vertical::assess(work, radius, gamma)?;
@@ -135,28 +127,18 @@ fn rigid_tank(work: &mut Work, gamma: f64) -> Masses {
     let height = ("H", work.case.liquid.fill_height, Length);
     let clause = work.edition.clause("2.1.3");
     let [m_c1, _] = [1, 2].map(|n| sloshing_mass(work, n, gamma, &clause));
-    let [h_c1, h_c1b] = [
-        ("h_c1", "lever of sloshing mode 1, wall only", 1),
-        ("h_c1′", "lever of sloshing mode 1, wall and base", 2),
-    ]
-    .map(|(symbol, name, constant)| {
-        let formula = if eigenvalue(Plan::Circle, 1) * gamma < LARGE {
-            format!("H·(1 + ({constant} - cosh(λ_1·γ))/(λ_1·γ·sinh(λ_1·γ)))")
-        } else {
-            "H·(1 - 1/(λ_1·γ))".into()
-        };
-        let terms = [
-            height,
-            ("γ", gamma, Dimensionless),
-            ("λ_1", eigenvalue(Plan::Circle, 1), Dimensionless),
-        ];
-        work.sheet.calc(symbol, name, &formula, &terms, Length, &clause)
-    });
-    let convective = Lumped {
-        mass: m_c1,
-        lever: h_c1,
-        lever_with_base: h_c1b,
-    };
+    let [h_c1, h_c1b] =
+        [("h_c1", "lever of sloshing mode 1, wall only", 1), ("h_c1′", "lever of sloshing mode 1, wall and base", 2)]
+            .map(|(symbol, name, constant)| {
+                let formula = if eigenvalue(Plan::Circle, 1) * gamma < LARGE {
+                    format!("H·(1 + ({constant} - cosh(λ_1·γ))/(λ_1·γ·sinh(λ_1·γ)))")
+                } else {
+                    "H·(1 - 1/(λ_1·γ))".into()
+                };
+                let terms = [height, ("γ", gamma, Dimensionless), ("λ_1", eigenvalue(Plan::Circle, 1), Dimensionless)];
+                work.sheet.calc(symbol, name, &formula, &terms, Length, &clause)
+            });
+    let convective = Lumped { mass: m_c1, lever: h_c1, lever_with_base: h_c1b };
     Masses { impulsive, convective }
 }
 
@@ -166,11 +148,7 @@ fn sloshing_mass(work: &mut Work, n: usize, gamma: f64, clause: &str) -> f64 {
     let zero = eigenvalue(Plan::Circle, n);
     work.sheet.input(&lambda, "zero of J₁′", zero, Dimensionless, clause);
     let formula = format!("m·2·tanh({lambda}·γ)/(γ·{lambda}·({lambda}² - 1))");
-    let terms = [
-        ("m", work.mass, Mass),
-        ("γ", gamma, Dimensionless),
-        (lambda.as_str(), zero, Dimensionless),
-    ];
+    let terms = [("m", work.mass, Mass), ("γ", gamma, Dimensionless), (lambda.as_str(), zero, Dimensionless)];
     let name = format!("mass of sloshing mode {n}");
     work.sheet.calc(&symbol, &name, &formula, &terms, Mass, clause)
 }
@@ -228,10 +206,7 @@ fn impulsive_period(
     if let (Edition::Env1998, FlexibleImpulsive::Simplified, Some(period)) =
         (work.edition, case.procedures.ec8_impulsive, formula)
     {
-        let uniform = Wall::Uniform {
-            thickness: third.thickness,
-            modulus: third.material.youngs_modulus,
-        };
+        let uniform = Wall::Uniform { thickness: third.thickness, modulus: third.material.youngs_modulus };
         return Ok((period, None, uniform));
     }
     let mode = coupled_mode(radius, &tank.courses, liquid, Base::Clamped)?;
@@ -241,16 +216,10 @@ fn impulsive_period(
             let source = "dry shell with ρ_eq = p_f/(2·g·s) + ρ_s";
             work.sheet.look_up("T_eq", name, source, period, Time, &clause);
         }
-        Err(error) => work
-            .out
-            .notes
-            .push(format!("Equivalent density as printed, for information only: {error}.")),
+        Err(error) => work.out.notes.push(format!("Equivalent density as printed, for information only: {error}.")),
     }
     let name = "period of the first coupled mode, iterated with the pressure as load";
-    let source = format!(
-        "first cos θ mode of the clamped shell with p_f, {} rounds of the iteration",
-        mode.rounds
-    );
+    let source = format!("first cos θ mode of the clamped shell with p_f, {} rounds of the iteration", mode.rounds);
     let period = work.sheet.look_up("T_f", name, &source, mode.period, Time, &clause);
     let (name, source) = ("participation factor", "integrals over the mode shape");
     let psi = mode.field.participation;
@@ -287,15 +256,9 @@ fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Wall) {
         ("E", young, Stress),
     ];
     let (name, source) = ("coefficient of the impulsive period", "table A.2 at H/R");
-    work.sheet
-        .look_up("C_i", name, source, row.impulsive_period, Dimensionless, &clause);
-    let period = work
-        .sheet
-        .calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause);
-    let uniform = Wall::Uniform {
-        thickness,
-        modulus: young,
-    };
+    work.sheet.look_up("C_i", name, source, row.impulsive_period, Dimensionless, &clause);
+    let period = work.sheet.calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause);
+    let uniform = Wall::Uniform { thickness, modulus: young };
     (period, uniform)
 }
 
@@ -306,24 +269,14 @@ fn table_masses(work: &mut Work, row: Row) -> Masses {
     let whole = ("m", work.mass, Mass);
     let height = ("H", work.case.liquid.fill_height, Length);
     let mut line = |symbol, name, whole, share, value| {
-        let ratio = Ratio {
-            symbol: share,
-            source: "table A.2 at H/R",
-            value,
-        };
+        let ratio = Ratio { symbol: share, source: "table A.2 at H/R", value };
         work.share((symbol, name), whole, ratio, &clause)
     };
     let m_i = line("m_i", "impulsive mass", whole, "μ_i", row.impulsive_mass);
     let name = "convective mass, all modes";
     let m_c = line("m_c", name, whole, "μ_c", row.convective_mass);
     let h_i = line("h_i", "impulsive lever, wall only", height, "χ_i", row.impulsive_lever);
-    let h_c = line(
-        "h_c",
-        "convective lever, wall only",
-        height,
-        "χ_c",
-        row.convective_lever,
-    );
+    let h_c = line("h_c", "convective lever, wall only", height, "χ_c", row.convective_lever);
     let (name, value) = ("impulsive lever, wall and base", row.impulsive_lever_with_base);
     let h_ib = line("h_i′", name, height, "χ_i′", value);
     let (name, value) = ("convective lever, wall and base", row.convective_lever_with_base);
@@ -334,16 +287,8 @@ fn table_masses(work: &mut Work, row: Row) -> Masses {
             .into(),
     );
     Masses {
-        impulsive: Lumped {
-            mass: m_i,
-            lever: h_i,
-            lever_with_base: h_ib,
-        },
-        convective: Lumped {
-            mass: m_c,
-            lever: h_c,
-            lever_with_base: h_cb,
-        },
+        impulsive: Lumped { mass: m_i, lever: h_i, lever_with_base: h_ib },
+        convective: Lumped { mass: m_c, lever: h_c, lever_with_base: h_cb },
     }
 }
 
@@ -363,21 +308,14 @@ fn alternatives(work: &mut Work, flexible: &Lumped, rigid: &Masses, a_i: f64, a_
     ];
     let clause = work.edition.clause("3.1");
     let method = work.case.procedures.ec8_combination;
-    work.sheet
-        .section("Other combinations of rigid and flexible parts (information)");
-    for (index, name) in [
-        ("a", "p_i with the ground acceleration and p_f with S_e(T_f)"),
-        ("c", "three masses (Haroun and Housner)"),
-    ] {
-        for (symbol, of_i, of_f, of_c, dimension) in [
-            ("Q", "m_i", "m_f", "m_c1", Force),
-            ("M", "m_i·h_i", "m_f·h_f", "m_c1·h_c1", Moment),
-        ] {
-            let rest = if index == "a" {
-                format!("({of_i}·A_g)²")
-            } else {
-                format!("(({of_i} - {of_f})·A_g)²")
-            };
+    work.sheet.section("Other combinations of rigid and flexible parts (information)");
+    for (index, name) in
+        [("a", "p_i with the ground acceleration and p_f with S_e(T_f)"), ("c", "three masses (Haroun and Housner)")]
+    {
+        for (symbol, of_i, of_f, of_c, dimension) in
+            [("Q", "m_i", "m_f", "m_c1", Force), ("M", "m_i·h_i", "m_f·h_f", "m_c1·h_c1", Moment)]
+        {
+            let rest = if index == "a" { format!("({of_i}·A_g)²") } else { format!("(({of_i} - {of_f})·A_g)²") };
             let formula = match method {
                 Combination::Abs => format!("√({rest} + ({of_f}·A_i)²) + {of_c}·A_c"),
                 Combination::Srss => format!("√({rest} + ({of_f}·A_i)² + ({of_c}·A_c)²)"),

@@ -39,10 +39,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
         formula += " + p_g·R/2";
     }
     let largest = work.sheet.calc("n_a", name, &formula, &terms, LineForce, &clause);
-    let anchors = state
-        .tank
-        .anchors
-        .and_then(|a| a.capacity.map(|capacity| (a.count, capacity)));
+    let anchors = state.tank.anchors.and_then(|a| a.capacity.map(|capacity| (a.count, capacity)));
     match anchors {
         Some((count, capacity)) => {
             let spacing = 2.0 * PI * state.radius / f64::from(count.max(1));
@@ -55,10 +52,8 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
                 Some(_) => "tank.anchors.capacity",
                 None => "tank.anchors",
             };
-            let reason = format!(
-                "the wall pulls at its base with {}; `{input}` is missing",
-                with_unit(largest, LineForce)
-            );
+            let reason =
+                format!("the wall pulls at its base with {}; `{input}` is missing", with_unit(largest, LineForce));
             work.without_comparison(ANCHORS.id, CheckStatus::NotChecked, &reason, Some(input));
         }
         None => {
@@ -136,14 +131,9 @@ fn amplification(
 ) -> f64 {
     let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
     let name = "the same if anchored";
-    let anchored = work
-        .sheet
-        .calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
-    let terms = [
-        ("N_u", compression, LineForce),
-        ("n_t", toe.unwrap_or_default(), LineForce),
-        ("N_a", anchored, LineForce),
-    ];
+    let anchored = work.sheet.calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
+    let terms =
+        [("N_u", compression, LineForce), ("n_t", toe.unwrap_or_default(), LineForce), ("N_a", anchored, LineForce)];
     let (name, formula) = match toe {
         Some(_) => ("amplification, the larger of both estimates", "max(N_u, n_t)/N_a"),
         None => ("amplification", "N_u/N_a"),
@@ -178,9 +168,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         ("w_L", hold_down, LineForce),
     ];
     let (name, formula) = ("overturning ratio", "M/(D²·(w_t + w_L))");
-    let x = work
-        .sheet
-        .calc("x", name, formula, &terms, Dimensionless, "equilibrium");
+    let x = work.sheet.calc("x", name, formula, &terms, Dimensionless, "equilibrium");
     let name = "moment that weight and bottom plate hold, all of the wall lifted but its toe";
     let formula = "π/2·D²·(w_t + w_L)";
     let limit = work.sheet.calc("M_Rd", name, formula, &terms, Moment, "equilibrium");
@@ -188,13 +176,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         true => "equilibrium of a ring without the code's diagrams; beyond it the ring overturns",
         false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it they overturn",
     };
-    work.check(
-        OVERTURNING.named("Overturning of the unanchored tank"),
-        state.base_moment,
-        limit,
-        &clause,
-        note,
-    );
+    work.check(OVERTURNING.named("Overturning of the unanchored tank"), state.base_moment, limit, &clause, note);
     let name = "largest compression with uplift";
     let Some(how) = uplift::compression(x) else {
         // Beyond the overturning limit the plate has no equilibrium either.
@@ -205,20 +187,11 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let compression = match how {
         Compression::Linear => {
             let formula = "w_t + 4·M/(π·D²)";
-            work.sheet.calc(
-                "N_u",
-                name,
-                formula,
-                &terms,
-                LineForce,
-                "equilibrium of a ring, all of which bears",
-            )
+            work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium of a ring, all of which bears")
         }
         Compression::Arc(y) => {
-            let (what, source) = (
-                "(N_u + w_L)/(w_t + w_L)",
-                "equilibrium of the bearing arc at x, solved for its angle",
-            );
+            let (what, source) =
+                ("(N_u + w_L)/(w_t + w_L)", "equilibrium of the bearing arc at x, solved for its angle");
             work.sheet.look_up("y", what, source, y, Dimensionless, "equilibrium");
             terms.push(("y", y, Dimensionless));
             let formula = "y·(w_t + w_L) - w_L";
@@ -248,28 +221,19 @@ fn standing(how: Compression, compression: f64, strips: Option<Result<Lift, Stri
         None => BaseState::Bears,
         Some(Err(reason)) => BaseState::Unknown(reason),
         Some(Ok(lift)) if lift.uplift <= 0.0 && how == Compression::Linear => BaseState::Bears,
-        Some(Ok(lift)) => BaseState::Lifts(Lift {
-            toe: lift.toe.max(compression),
-            ..lift
-        }),
+        Some(Ok(lift)) => BaseState::Lifts(Lift { toe: lift.toe.max(compression), ..lift }),
     }
 }
 
 /// Hold-down of the bottom plate per length [N/m]; zero under a wall of concrete whose bottom is not of metal.
 fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64 {
-    let bottom = state
-        .tank
-        .bottom
-        .as_ref()
-        .and_then(|b| b.material.yield_strength.map(|f_y| (b.net_thickness(), f_y)));
+    let bottom = state.tank.bottom.as_ref().and_then(|b| b.material.yield_strength.map(|f_y| (b.net_thickness(), f_y)));
     let name = "hold-down of the bottom plate";
     let Some((thickness, f_y)) = bottom else {
-        work.out.notes.push(format!(
-            "{clause}: no bottom plate of metal is given; only the weight of wall and roof holds down."
-        ));
-        return work
-            .sheet
-            .input("w_L", name, 0.0, LineForce, "no bottom plate of metal");
+        work.out
+            .notes
+            .push(format!("{clause}: no bottom plate of metal is given; only the weight of wall and roof holds down."));
+        return work.sheet.input("w_L", name, 0.0, LineForce, "no bottom plate of metal");
     };
     let terms = [
         ("t_b", thickness, Length),
@@ -277,12 +241,5 @@ fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64
         ("f_y", f_y, Stress),
         ("D", diameter, Length),
     ];
-    work.sheet.calc(
-        "w_L",
-        name,
-        uplift::HOLD_DOWN,
-        &terms,
-        LineForce,
-        "plastic bottom strip",
-    )
+    work.sheet.calc("w_L", name, uplift::HOLD_DOWN, &terms, LineForce, "plastic bottom strip")
 }

@@ -62,11 +62,7 @@ impl Place<'_> {
             place += ", vacuum";
         }
         if vertical {
-            format!(
-                "{place}, {} E_x + {} E_z",
-                number(self.factors.0),
-                number(self.factors.1)
-            )
+            format!("{place}, {} E_x + {} E_z", number(self.factors.0), number(self.factors.1))
         } else {
             place
         }
@@ -81,11 +77,7 @@ fn governing<'a>(
 ) -> Option<(Place<'a>, f64)> {
     let judged = places.iter().map(|place| {
         let limit = capacity(place);
-        let utilisation = if limit > 0.0 {
-            demand(place) / limit
-        } else {
-            f64::INFINITY
-        };
+        let utilisation = if limit > 0.0 { demand(place) / limit } else { f64::INFINITY };
         (place, limit, utilisation)
     });
     // Equal utilisation: the lower place.
@@ -174,11 +166,7 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
             let weight = state.weight(z) * state.weight_factor(factors.1);
             let axial = factors.0 * state.axial(z);
             // At its base an unanchored wall carries a multiple of the anchored wall's whole force.
-            let axial = if z == 0.0 {
-                amplification * (axial + weight) - weight
-            } else {
-                axial
-            };
+            let axial = if z == 0.0 { amplification * (axial + weight) - weight } else { axial };
             out.push(Place {
                 course,
                 number: index + 1,
@@ -206,11 +194,8 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let clause = work.edition.clause("10.3");
     work.sheet.section("Hoop stress with the static state");
     pressure_line(work, state, &place, "p_max");
-    let terms = [
-        ("p_max", place.p_max, Stress),
-        ("R", state.radius, Length),
-        ("s", place.course.net_thickness(), Length),
-    ];
+    let terms =
+        [("p_max", place.p_max, Stress), ("R", state.radius, Length), ("s", place.course.net_thickness(), Length)];
     let name = format!("largest hoop stress, {}", place.describe(vertical));
     let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
     let note = format!("p R/(s f_y) < 1 with γ_M = 1, {}", place.describe(vertical));
@@ -249,22 +234,12 @@ fn compression_lines(work: &mut Work, place: &Place, radius: f64, clause: &str) 
         ("R", radius, Length),
         ("s", place.course.net_thickness(), Length),
     ];
-    work.sheet
-        .input("n_z", "seismic axial compression", place.axial, LineForce, clause);
-    work.sheet.input(
-        "N_0",
-        "axial compression of the weight above",
-        place.weight,
-        LineForce,
-        clause,
-    );
+    work.sheet.input("n_z", "seismic axial compression", place.axial, LineForce, clause);
+    work.sheet.input("N_0", "axial compression of the weight above", place.weight, LineForce, clause);
     let (name, formula) = if place.gas == 0.0 {
         ("vertical membrane compression", "(n_z + N_0)/s")
     } else {
-        (
-            "vertical membrane compression with the pressure above the liquid",
-            "(n_z + N_0 - p_g·R/2)/s",
-        )
+        ("vertical membrane compression with the pressure above the liquid", "(n_z + N_0 - p_g·R/2)/s")
     };
     work.sheet.calc("σ_m", name, formula, &terms, Stress, clause)
 }
@@ -278,8 +253,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
         return;
     };
     let clause = work.edition.clause("10.2");
-    work.sheet
-        .section(&format!("Elastic buckling, {}", place.describe(vertical)));
+    work.sheet.section(&format!("Elastic buckling, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, radius, &clause);
     pressure_line(work, state, &place, "p_min");
     let wall = place.wall(radius, quality);
@@ -292,9 +266,9 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
         ));
     }
     if site.is_none() {
-        work.out.notes.push(format!(
-            "{clause}: normal quality of construction (a = 1) assumed, `site.ec8` is not given."
-        ));
+        work.out
+            .notes
+            .push(format!("{clause}: normal quality of construction (a = 1) assumed, `site.ec8` is not given."));
     }
     let note = place.describe(vertical);
     work.check(ELASTIC_BUCKLING, compression, limit, &clause, &note);
@@ -307,8 +281,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
         return;
     };
     let clause = work.edition.clause("10.3");
-    work.sheet
-        .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
+    work.sheet.section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, radius, &clause);
     pressure_line(work, state, &place, "p_max");
     let limit = collapse_lines(&mut work.sheet, &place.wall(radius, 1.0), place.p_max, &clause);

@@ -57,10 +57,7 @@ struct Shell {
 impl Shell {
     fn of(state: &State<'_>) -> Shell {
         let (tank, radius) = (state.tank, state.radius);
-        let plan = Standing::Cylinder {
-            radius,
-            base: tank.wall_base,
-        };
+        let plan = Standing::Cylinder { radius, base: tank.wall_base };
         let wall = Wall::new(&tank.courses, plan);
         let depth = state.liquid.fill_height;
         let wet = |z: f64, value: f64| if z <= depth { value } else { 0.0 };
@@ -71,10 +68,7 @@ impl Shell {
         ];
         let z = tank.profile_heights(depth);
         let forces = z.iter().map(|&z| states.each_ref().map(|s| s.hoop(z).max(0.0)));
-        Shell {
-            forces: forces.collect(),
-            z,
-        }
+        Shell { forces: forces.collect(), z }
     }
 
     fn at(&self, z: f64) -> [f64; 3] {
@@ -157,16 +151,11 @@ impl State<'_> {
     pub(super) fn largest_pressure(&self, vertical: bool) -> f64 {
         let combinations = self.combinations(vertical).into_iter();
         let all = combinations.flat_map(|factors| self.gas().into_iter().map(move |gas| (factors, gas)));
-        all.map(|(factors, gas)| self.pressure_range(0.0, factors, gas).1)
-            .fold(0.0, f64::max)
+        all.map(|(factors, gas)| self.pressure_range(0.0, factors, gas).1).fold(0.0, f64::max)
     }
 
     pub(super) fn pressure_horizontal(&self, z: f64) -> f64 {
-        combined(
-            self.combination,
-            self.pressure_impulsive(z),
-            self.pressure_convective(z),
-        )
+        combined(self.combination, self.pressure_impulsive(z), self.pressure_convective(z))
     }
 
     pub(super) fn pressure_vertical(&self, z: f64) -> f64 {
@@ -202,19 +191,13 @@ impl State<'_> {
     }
 
     pub(super) fn combinations(&self, vertical: bool) -> Vec<Factors> {
-        if vertical {
-            vec![(1.0, 0.3), (self.beside_vertical, 1.0)]
-        } else {
-            vec![(1.0, 0.0)]
-        }
+        if vertical { vec![(1.0, 0.3), (self.beside_vertical, 1.0)] } else { vec![(1.0, 0.0)] }
     }
 
     /// Largest seismic pressure over the combinations.
     fn pressure_seismic(&self, z: f64, vertical: bool) -> f64 {
         let combinations = self.combinations(vertical).into_iter();
-        combinations
-            .map(|factors| self.pressure_of(z, factors))
-            .fold(0.0, f64::max)
+        combinations.map(|factors| self.pressure_of(z, factors)).fold(0.0, f64::max)
     }
 
     fn pressure_of(&self, z: f64, (x, v): Factors) -> f64 {
@@ -247,10 +230,7 @@ impl State<'_> {
             true => next,
             false => best,
         };
-        self.combinations(vertical)
-            .into_iter()
-            .reduce(larger)
-            .unwrap_or_default()
+        self.combinations(vertical).into_iter().reduce(larger).unwrap_or_default()
     }
 
     /// Moment of the wall's cross-section at z [N·m].
@@ -269,11 +249,7 @@ impl State<'_> {
         let liquid = self.liquid.mass(self.tank.shape);
         let wall = self.tank.mass_above(z).0;
         let impulsive = (liquid * self.impulsive.shear_above(zeta) + wall) * self.a_i;
-        combined(
-            self.combination,
-            impulsive,
-            liquid * self.convective.shear_above(zeta) * self.a_c,
-        )
+        combined(self.combination, impulsive, liquid * self.convective.shear_above(zeta) * self.a_c)
     }
 
     /// Acceleration of the impulsive part [m/s²].
@@ -358,8 +334,7 @@ fn base_pressures(work: &mut Work, state: &State) {
         Combination::Srss => "√(p_i² + p_c²)",
     };
     let clause = work.edition.clause("2.1");
-    work.sheet
-        .calc("p", "horizontal motion", formula, &terms, Stress, &clause);
+    work.sheet.calc("p", "horizontal motion", formula, &terms, Stress, &clause);
 }
 
 /// Profiles and lines of the membrane stresses; returns the height of the largest hoop stress [m].
@@ -370,12 +345,8 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     let hoop = |&z: &f64| state.hoop_of(z, state.governing(z, vertical)) / state.tank.course_at(z).net_thickness();
     let hoop: Vec<f64> = z.iter().map(hoop).collect();
     let axial = |z: f64| state.axial(z) / state.tank.course_at(z).net_thickness();
-    work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| {
-        state.pressure_impulsive(z)
-    });
-    work.profile("pressure_convective", "Convective pressure", Stress, &z, |z| {
-        state.pressure_convective(z)
-    });
+    work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| state.pressure_impulsive(z));
+    work.profile("pressure_convective", "Convective pressure", Stress, &z, |z| state.pressure_convective(z));
     work.profile_of(("pressure_dynamic", "Seismic pressure", Stress), &z, pressure);
     work.profile_of(("hoop_stress", "Hoop stress (membrane)", Stress), &z, hoop.clone());
     work.profile("axial_membrane_stress", "Axial membrane stress", Stress, &z, axial);
@@ -396,18 +367,11 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     let largest = match &state.shell {
         Some(_) => {
             let source = "shell on its joint with the base, pressure of the meridian all around";
-            work.sheet
-                .look_up("σ_θ", &name, source, largest, Stress, "theory of shells")
+            work.sheet.look_up("σ_θ", &name, source, largest, Stress, "theory of shells")
         }
-        None => work
-            .sheet
-            .calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory"),
+        None => work.sheet.calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory"),
     };
-    let terms = [
-        ("M", state.base_moment, Moment),
-        ("R", state.radius, Length),
-        ("s", base.net_thickness(), Length),
-    ];
+    let terms = [("M", state.base_moment, Moment), ("R", state.radius, Length), ("s", base.net_thickness(), Length)];
     let (name, formula) = ("axial membrane stress at the base", "M/(π·R²·s)");
     let sigma = work.sheet.calc("σ_z", name, formula, &terms, Stress, "membrane theory");
     work.out.values.insert(Quantity::HoopStress, largest);

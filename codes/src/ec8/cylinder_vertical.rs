@@ -54,11 +54,8 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
     let frequency = work.sheet.calc("f_vd", name, formula, &terms, Frequency, &clause);
     let terms = [("f_vd", frequency, Frequency), ("γ", gamma, Dimensionless)];
     let period = work.sheet.calc("T_vd", "its period", "1/f_vd", &terms, Time, &clause);
-    let name = if gamma < 0.8 {
-        "factor of the breathing pressure, γ < 0.8"
-    } else {
-        "factor of the breathing pressure"
-    };
+    let name =
+        if gamma < 0.8 { "factor of the breathing pressure, γ < 0.8" } else { "factor of the breathing pressure" };
     let factor = work.sheet.calc("f", name, factor, &terms, Dimensionless, &clause);
     let breathing = work.demand.breathing(&mut work.sheet, period);
     let ground = work.demand.vertical_ground();
@@ -77,9 +74,5 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
     let terms = [("p_vr", rigid, Stress), ("p_vf", flexible, Stress)];
     let (name, formula) = ("vertical part at the base", "√(p_vr² + p_vf²)");
     work.sheet.calc("p_v", name, formula, &terms, Stress, &clause);
-    Ok(Some(VerticalMotion {
-        ground,
-        breathing,
-        factor,
-    }))
+    Ok(Some(VerticalMotion { ground, breathing, factor }))
 }

@@ -78,12 +78,7 @@ fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
     let mut z = 0.0;
     for (index, course) in state.tank.courses.iter().enumerate() {
         for factors in state.combinations(vertical) {
-            let place = Place {
-                course,
-                number: index + 1,
-                z,
-                factors,
-            };
+            let place = Place { course, number: index + 1, z, factors };
             let mut scratch = Sheet::new();
             let stress = lines(&mut scratch, state, &place, (reduction, q), "");
             let utilisation = stress / course.material.yield_strength.unwrap_or_default();

@@ -65,10 +65,7 @@ enum Source<'a> {
     En(ElasticSpectrum),
     Env(EnvSpectrum),
     Table(Tabulated<'a>),
-    Record {
-        horizontal: &'a Record,
-        vertical: Option<&'a Record>,
-    },
+    Record { horizontal: &'a Record, vertical: Option<&'a Record> },
 }
 
 impl<'a> Source<'a> {
@@ -80,11 +77,7 @@ impl<'a> Source<'a> {
             Edition::Env1998 => (damping_correction_env, ENV_CORRECTION, ENV_HORIZONTAL),
         };
         match &user.form {
-            SpectrumForm::Table {
-                damping,
-                horizontal,
-                vertical,
-            } => Source::Table(Tabulated {
+            SpectrumForm::Table { damping, horizontal, vertical } => Source::Table(Tabulated {
                 horizontal,
                 vertical: vertical.as_ref(),
                 damping: *damping,
@@ -127,15 +120,12 @@ impl<'a> Demand<'a> {
         let site = case.site.ec8;
         match excitation {
             Excitation::Record => {
-                let motion = case.ground_motion.as_ref().ok_or_else(|| NotApplicable {
-                    clause: edition.main("2.1"),
-                    reason: "no record given".into(),
-                })?;
+                let motion = case
+                    .ground_motion
+                    .as_ref()
+                    .ok_or_else(|| NotApplicable { clause: edition.main("2.1"), reason: "no record given".into() })?;
                 Ok(Demand {
-                    source: Source::Record {
-                        horizontal: &motion.horizontal,
-                        vertical: motion.vertical.as_ref(),
-                    },
+                    source: Source::Record { horizontal: &motion.horizontal, vertical: motion.vertical.as_ref() },
                     site,
                     behaviour_factor: 1.0,
                     vertical: motion.vertical.is_some(),
@@ -205,13 +195,7 @@ impl<'a> Demand<'a> {
         match &self.source {
             Source::Record { horizontal, vertical } => {
                 let source = format!("record {}", horizontal.name);
-                sheet.input(
-                    "PGA",
-                    "peak ground acceleration",
-                    horizontal.pga(),
-                    Dimension::Acceleration,
-                    &source,
-                );
+                sheet.input("PGA", "peak ground acceleration", horizontal.pga(), Dimension::Acceleration, &source);
                 if let Some(v) = vertical {
                     let source = format!("record {}", v.name);
                     sheet.input(
@@ -224,11 +208,7 @@ impl<'a> Demand<'a> {
                 }
             }
             Source::En(s) => {
-                let vertical = (
-                    "k_v·a_g",
-                    ("k_v", s.vertical_ratio, Dimension::Dimensionless),
-                    EN_VERTICAL,
-                );
+                let vertical = ("k_v·a_g", ("k_v", s.vertical_ratio, Dimension::Dimensionless), EN_VERTICAL);
                 self.describe_site(sheet, (s.ag, s.soil, s.corners), EN_HORIZONTAL, vertical);
             }
             Source::Env(s) => {
@@ -260,44 +240,16 @@ impl<'a> Demand<'a> {
             Some(SpectrumForm::Parameters(own)) => (own.ag, CLAUSE.to_string(), CLAUSE),
             _ => (site.ag, format!("site.ec8, ground {:?}", site.ground), clause),
         };
-        sheet.input(
-            "a_gR",
-            "reference ground acceleration",
-            ground,
-            Dimension::Acceleration,
-            &given,
-        );
-        sheet.input(
-            "γ_I",
-            "importance factor",
-            site.importance,
-            Dimension::Dimensionless,
-            &given,
-        );
-        let terms = [
-            ("γ_I", site.importance, Dimension::Dimensionless),
-            ("a_gR", ground, Dimension::Acceleration),
-        ];
-        sheet.calc(
-            "a_g",
-            "design ground acceleration",
-            "γ_I·a_gR",
-            &terms,
-            Dimension::Acceleration,
-            clause,
-        );
+        sheet.input("a_gR", "reference ground acceleration", ground, Dimension::Acceleration, &given);
+        sheet.input("γ_I", "importance factor", site.importance, Dimension::Dimensionless, &given);
+        let terms = [("γ_I", site.importance, Dimension::Dimensionless), ("a_gR", ground, Dimension::Acceleration)];
+        sheet.calc("a_g", "design ground acceleration", "γ_I·a_gR", &terms, Dimension::Acceleration, clause);
         sheet.input("S", "soil factor", soil, Dimension::Dimensionless, clause);
         for (symbol, value) in ["T_B", "T_C", "T_D"].into_iter().zip(corners) {
             sheet.input(symbol, "control period", value, Dimension::Time, clause);
         }
         let q = self.behaviour_factor;
-        sheet.input(
-            "q",
-            "behaviour factor of the impulsive part",
-            q,
-            Dimension::Dimensionless,
-            &given,
-        );
+        sheet.input("q", "behaviour factor of the impulsive part", q, Dimension::Dimensionless, &given);
         if self.vertical {
             let terms = [factor, ("a_g", ag, Dimension::Acceleration)];
             let name = "vertical ground acceleration";
@@ -402,11 +354,7 @@ impl<'a> Demand<'a> {
             Branch::ConstantDisplacement | Branch::Continued => "a_g·S·2.5·η·T_C·T_D/T²",
             Branch::AnnexA => "S_De·(2·π/T)²",
         };
-        let formula = if q == 1.0 {
-            formula.to_string()
-        } else {
-            format!("{formula}/q")
-        };
+        let formula = if q == 1.0 { formula.to_string() } else { format!("{formula}/q") };
         let mut terms = vec![
             ("a_g", ag, Dimension::Acceleration),
             ("S", soil, Dimension::Dimensionless),
@@ -458,10 +406,9 @@ impl<'a> Demand<'a> {
                 Some(value) => (value, CLAUSE),
                 None => (vertical_elastic(s.vertical_peak(), period, damping), EN_VERTICAL),
             },
-            Source::Record { vertical, .. } => (
-                vertical.map_or(0.0, |v| psa(v, period, damping)),
-                "spectrum of the vertical record",
-            ),
+            Source::Record { vertical, .. } => {
+                (vertical.map_or(0.0, |v| psa(v, period, damping)), "spectrum of the vertical record")
+            }
         }
     }
 }
@@ -474,10 +421,7 @@ fn long_displacement(sheet: &mut Sheet, s: &ElasticSpectrum, part: &str, terms: 
     let (formula, piece) = if period <= t_e {
         ("0.025·a_g·S·T_C·T_D·2.5·η", "T ≤ T_E")
     } else if period <= t_f {
-        (
-            "0.025·a_g·S·T_C·T_D·(2.5·η + (T - T_E)/(T_F - T_E)·(1 - 2.5·η))",
-            "T_E ≤ T ≤ T_F",
-        )
+        ("0.025·a_g·S·T_C·T_D·(2.5·η + (T - T_E)/(T_F - T_E)·(1 - 2.5·η))", "T_E ≤ T ≤ T_F")
     } else {
         ("0.025·a_g·S·T_C·T_D", "T ≥ T_F")
     };

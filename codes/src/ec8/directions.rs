@@ -56,10 +56,7 @@ pub(super) fn line(sheet: &mut Sheet, components: Components, part: &str, accele
     if components == Components::One {
         return acceleration;
     }
-    let terms = [
-        ("c_h", factor(components), Dimensionless),
-        ("A_x", acceleration, Acceleration),
-    ];
+    let terms = [("c_h", factor(components), Dimensionless), ("A_x", acceleration, Acceleration)];
     let name = format!("{part} acceleration of two horizontal components");
     sheet.calc("A_xy", &name, "c_h·A_x", &terms, Acceleration, CLAUSE)
 }
@@ -120,21 +117,14 @@ mod tests {
     fn the_vertical_component_joins() {
         let assess = |components, vertical| {
             let mut case = oil_tank();
-            case.site.ec8 = case.site.ec8.map(|site| Ec8Site {
-                components,
-                vertical,
-                ..site
-            });
+            case.site.ec8 = case.site.ec8.map(|site| Ec8Site { components, vertical, ..site });
             En2006.assess(&case, Excitation::Site).unwrap()
         };
         let at_base = |out: &Assessment| {
             let profile = out.profiles.iter().find(|p| p.id == "pressure_dynamic");
             profile.expect("a profile").values[0]
         };
-        let (x, both) = (
-            at_base(&assess(Components::One, false)),
-            assess(Components::HundredThirty, true),
-        );
+        let (x, both) = (at_base(&assess(Components::One, false)), assess(Components::HundredThirty, true));
         let z = line(&both, "p_v");
         let expected = (largest(1.0, 0.3) * x + 0.3 * z).max(largest(0.3, 0.3) * x + z);
         let found = at_base(&both);

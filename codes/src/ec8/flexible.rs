@@ -51,18 +51,11 @@ struct Wetted {
 
 impl Wetted {
     fn new(slenderness: f64, points: impl Iterator<Item = (f64, f64)>) -> Wetted {
-        let nu: Vec<(f64, f64)> = (0..TERMS)
-            .map(|n| ((n as f64 + 0.5) * PI, if n % 2 == 0 { 1.0 } else { -1.0 }))
-            .collect();
-        let (weights, cosines) = points
-            .map(|(zeta, weight)| (weight, nu.iter().map(|(nu, _)| (nu * zeta).cos()).collect()))
-            .unzip();
-        Wetted {
-            ratio: nu.iter().map(|(nu, _)| i1_over_i1_prime(nu / slenderness)).collect(),
-            nu,
-            weights,
-            cosines,
-        }
+        let nu: Vec<(f64, f64)> =
+            (0..TERMS).map(|n| ((n as f64 + 0.5) * PI, if n % 2 == 0 { 1.0 } else { -1.0 })).collect();
+        let (weights, cosines) =
+            points.map(|(zeta, weight)| (weight, nu.iter().map(|(nu, _)| (nu * zeta).cos()).collect())).unzip();
+        Wetted { ratio: nu.iter().map(|(nu, _)| i1_over_i1_prime(nu / slenderness)).collect(), nu, weights, cosines }
     }
 
     /// `∫ f cos(ν_n ζ) dζ` by term.
@@ -204,12 +197,7 @@ impl WetShell {
     }
 
     fn not_converged(what: &str, iterations: usize, change: f64) -> CodeError {
-        CodeError::NotConverged {
-            clause: "EN 1998-4:2006 A.3.1".into(),
-            what: what.into(),
-            iterations,
-            change,
-        }
+        CodeError::NotConverged { clause: "EN 1998-4:2006 A.3.1".into(), what: what.into(), iterations, change }
     }
 }
 
@@ -262,11 +250,7 @@ pub fn equivalent_density_period(radius: f64, courses: &[Course], liquid: Liquid
             .shell
             .first_mode(&inertia, |w| vec![0.0; w.len()], None)
             .map_err(|change| WetShell::not_converged(what, 200, change))?;
-        change = next
-            .shape
-            .iter()
-            .zip(&shape)
-            .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+        change = next.shape.iter().zip(&shape).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
         if change < 0.01 {
             return Ok(2.0 * PI / next.omega);
         }

@@ -40,10 +40,7 @@ pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &
     ladder(Quantity::SloshingPeriod, &[(Factor::RigidTank, period)]);
     ladder(
         Quantity::ImpulsiveMass,
-        &[
-            (Factor::RigidTank, exact.impulsive.mass),
-            (Factor::Formula, masses.impulsive.mass),
-        ],
+        &[(Factor::RigidTank, exact.impulsive.mass), (Factor::Formula, masses.impulsive.mass)],
     );
     let one_mode = (Factor::RigidTank, exact.convective.mass);
     let all_modes = (Factor::AllSloshingModes, liquid - exact.impulsive.mass);
@@ -57,11 +54,7 @@ pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &
     match wall {
         Wall::Uniform { thickness, modulus } => work.out.ingredients.push(Ingredients {
             quantity: Quantity::ImpulsivePeriod,
-            recipe: Recipe::UniformWall {
-                thickness: *thickness,
-                modulus: *modulus,
-                period,
-            },
+            recipe: Recipe::UniformWall { thickness: *thickness, modulus: *modulus, period },
         }),
         Wall::Shell => ladder(Quantity::ImpulsivePeriod, &[(Factor::ShellModel, period)]),
         Wall::Plate => ladder(Quantity::ImpulsivePeriod, &[(Factor::Formula, period)]),
@@ -152,10 +145,7 @@ pub(super) fn stresses(work: &mut Work, motion: &Motion, stresses: &Stresses) {
 /// Adds the wall and the roof that move with the impulsive part: all of them, whatever moves in one mode of an engine.
 pub(super) fn structure(work: &mut Work) {
     let tank = &work.case.tank;
-    for (quantity, mass) in [
-        (Quantity::WallMass, tank.wall_mass()),
-        (Quantity::RoofMass, tank.roof.mass),
-    ] {
+    for (quantity, mass) in [(Quantity::WallMass, tank.wall_mass()), (Quantity::RoofMass, tank.roof.mass)] {
         if mass > 0.0 {
             work.out.values.insert(quantity, mass);
             let all = Ingredients::ladder(quantity, &[(Factor::Modes, mass)]);

@@ -213,11 +213,8 @@ pub(crate) const UPLIFT_EQUILIBRIUM: Part = Part {
 
 pub(crate) const SLIDING: LimitStateDef = common::SLIDING.by("EN 1998-5:2004 5.4.1.1");
 
-pub(crate) const BEARING: LimitStateDef = LimitStateDef {
-    clause: "EN 1998-5:2004 5.4.1.1",
-    parts: &[BEARING_RING, BEARING_TOE],
-    ..common::BEARING
-};
+pub(crate) const BEARING: LimitStateDef =
+    LimitStateDef { clause: "EN 1998-5:2004 5.4.1.1", parts: &[BEARING_RING, BEARING_TOE], ..common::BEARING };
 
 pub(crate) const BEARING_RING: Part = Part {
     id: "bearing_ring",
@@ -418,10 +415,7 @@ fn other_direction(case: &Case) -> Requirement {
 
 /// Clause 6 asks for the interaction on ground with less than 100 m/s. Ground types A to C have more than 180 m/s.
 fn soft_ground(case: &Case) -> Requirement {
-    let velocity = case
-        .tank
-        .foundation
-        .and_then(|foundation| foundation.shear_wave_velocity);
+    let velocity = case.tank.foundation.and_then(|foundation| foundation.shear_wave_velocity);
     let stiff = |ground: GroundType| matches!(ground, GroundType::A | GroundType::B | GroundType::C);
     // Beside the user's spectrum the ground type is not an input.
     let ground = (case.site.ec8).filter(|_| case.site.spectrum.is_none());

@@ -14,23 +14,14 @@ const CLAUSE: &str = "EN 1998-1:2004 4.3.3.5.1";
 
 /// Writes the check of a box that is not square. Needs the other checks.
 pub(super) fn assess(work: &mut Work, excitation: Excitation) {
-    let Shape::Rectangle {
-        length,
-        breadth,
-        strip: false,
-    } = work.case.tank.shape
-    else {
+    let Shape::Rectangle { length, breadth, strip: false } = work.case.tank.shape else {
         return;
     };
     if excitation != Excitation::Site || length == breadth {
         return;
     }
     let mut turned = work.case.clone();
-    turned.tank.shape = Shape::Rectangle {
-        length: breadth,
-        breadth: length,
-        strip: false,
-    };
+    turned.tank.shape = Shape::Rectangle { length: breadth, breadth: length, strip: false };
     let found = without_lines(|| super::assess_one(&turned, excitation, work.edition));
     let checks = match found {
         Ok(out) => complete(&limit_states::all(&turned, work.edition), out.checks),
@@ -49,9 +40,7 @@ pub(super) fn assess(work: &mut Work, excitation: Excitation) {
         let of = |check: &Check| check.ratio().unwrap_or(0.0);
         of(a).total_cmp(&of(b))
     });
-    let open = checks
-        .iter()
-        .find(|check| check.status == CheckStatus::NotChecked && !known(check));
+    let open = checks.iter().find(|check| check.status == CheckStatus::NotChecked && !known(check));
     let fails = worst.filter(|check| check.status == CheckStatus::Fails);
     match (fails, open, worst) {
         (None, Some(check), _) => {

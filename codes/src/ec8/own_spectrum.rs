@@ -17,38 +17,21 @@ use tank::hazard::{SiteSpectrum, SpectrumParameters, SpectrumTable};
 /// The oil tank with vertical motion.
 fn tank() -> Case {
     let mut case = oil_tank();
-    case.site.ec8 = Some(Ec8Site {
-        vertical: true,
-        behaviour_factor: 1.5,
-        ..site()
-    });
+    case.site.ec8 = Some(Ec8Site { vertical: true, behaviour_factor: 1.5, ..site() });
     case
 }
 
 /// The same under a spectrum of the user; ground and a_gR of the site would give another.
 fn under(form: SpectrumForm) -> Case {
     let mut case = tank();
-    case.site.ec8 = case.site.ec8.map(|site| Ec8Site {
-        ground: GroundType::A,
-        spectrum: 2,
-        ag: 0.01,
-        ..site
-    });
-    case.site.spectrum = Some(SiteSpectrum {
-        form,
-        vertical_ratio: 0.9,
-    });
+    case.site.ec8 = case.site.ec8.map(|site| Ec8Site { ground: GroundType::A, spectrum: 2, ag: 0.01, ..site });
+    case.site.spectrum = Some(SiteSpectrum { form, vertical_ratio: 0.9 });
     case
 }
 
 /// Parameters of ground C, type 1 and its pre-standard counterpart.
 fn parameters(soil: f64, corners: [f64; 3]) -> SpectrumForm {
-    SpectrumForm::Parameters(SpectrumParameters {
-        ag: site().ag,
-        soil,
-        corners,
-        long_corners: Some([6.0, 10.0]),
-    })
+    SpectrumForm::Parameters(SpectrumParameters { ag: site().ag, soil, corners, long_corners: Some([6.0, 10.0]) })
 }
 
 /// Rows every 2 ms up to a period [s].
@@ -62,11 +45,7 @@ fn sampled(until: f64, spectrum: impl Fn(f64) -> f64) -> SpectrumTable {
 
 /// The recommended spectra as tables at 5 %, importance taken out.
 fn table(until: f64) -> SpectrumForm {
-    let spectrum = ElasticSpectrum::new(&Ec8Site {
-        importance: 1.0,
-        ..site()
-    })
-    .unwrap();
+    let spectrum = ElasticSpectrum::new(&Ec8Site { importance: 1.0, ..site() }).unwrap();
     SpectrumForm::Table {
         damping: 0.05,
         horizontal: sampled(until, |t| spectrum.horizontal(t, 0.05)),
@@ -76,39 +55,25 @@ fn table(until: f64) -> SpectrumForm {
 
 /// Demands of all comparisons and all values.
 fn numbers(assessment: &Assessment) -> Vec<(String, f64)> {
-    let values = assessment
-        .values
-        .iter()
-        .map(|(quantity, value)| (quantity.id().to_owned(), *value));
+    let values = assessment.values.iter().map(|(quantity, value)| (quantity.id().to_owned(), *value));
     let demands = assessment.checks.iter().filter_map(|c| Some((c.id.clone(), c.demand?)));
     values.chain(demands).collect()
 }
 
 #[test]
 fn own_parameters_of_a_ground_type_change_no_number() {
-    for (procedure, soil, corners) in [
-        (&En2006 as &dyn Procedure, 1.15, [0.2, 0.6, 2.0]),
-        (&Env1998, 0.9, [0.2, 0.8, 3.0]),
-    ] {
+    for (procedure, soil, corners) in
+        [(&En2006 as &dyn Procedure, 1.15, [0.2, 0.6, 2.0]), (&Env1998, 0.9, [0.2, 0.8, 3.0])]
+    {
         let expected = procedure.assess(&tank(), Excitation::Site).unwrap();
-        let found = procedure
-            .assess(&under(parameters(soil, corners)), Excitation::Site)
-            .unwrap();
+        let found = procedure.assess(&under(parameters(soil, corners)), Excitation::Site).unwrap();
         assert_eq!(numbers(&found), numbers(&expected));
         let clauses = found.steps.iter().filter(|s| s.clause.contains("ground A"));
         assert_eq!(clauses.count(), 0);
     }
-    let site = Ec8Site {
-        importance: 1.0,
-        ..site()
-    };
-    let SpectrumForm::Parameters(given) = parameters(0.9, [0.2, 0.8, 3.0]) else {
-        unreachable!()
-    };
-    assert_eq!(
-        EnvSpectrum::of_parameters(&given, 1.0),
-        EnvSpectrum::new(&site).unwrap()
-    );
+    let site = Ec8Site { importance: 1.0, ..site() };
+    let SpectrumForm::Parameters(given) = parameters(0.9, [0.2, 0.8, 3.0]) else { unreachable!() };
+    assert_eq!(EnvSpectrum::of_parameters(&given, 1.0), EnvSpectrum::new(&site).unwrap());
 }
 
 /// Sloshing at 5 %: between T_E and T_F annex A is not proportional to η, so a table at 5 % cannot give 0.5 % there.
@@ -132,21 +97,14 @@ fn a_table_that_ends_below_the_sloshing_period_is_refused() {
     let error = En2006.assess(&under(table(4.0)), Excitation::Site).unwrap_err();
     let text = error.to_string();
     assert!(matches!(error, CodeError::Data { .. }), "{text}");
-    assert!(
-        text.contains("ends at 4 s") && text.contains("sloshing period"),
-        "{text}"
-    );
+    assert!(text.contains("ends at 4 s") && text.contains("sloshing period"), "{text}");
 }
 
 /// Without a vertical table a_vg = 0.9 γ_I S_t(0): S = 1.15 of the ground is in S_t(0), so 1.15 times the recommended value.
 #[test]
 fn vertical_motion_without_a_vertical_table() {
     let mut case = under(table(12.0));
-    if let Some(SiteSpectrum {
-        form: SpectrumForm::Table { vertical, .. },
-        ..
-    }) = &mut case.site.spectrum
-    {
+    if let Some(SiteSpectrum { form: SpectrumForm::Table { vertical, .. }, .. }) = &mut case.site.spectrum {
         *vertical = None;
     }
     let expected = En2006.assess(&tank(), Excitation::Site).unwrap();
@@ -161,21 +119,9 @@ fn vertical_motion_without_a_vertical_table() {
 /// 2.4·2.5/1.5 = 4; T_D: 4·0.5/2 = 1; 5 s: 4·0.5·2/25 = 0.16 is below 0.2·2 = 0.4.
 #[test]
 fn design_spectrum_by_hand() {
-    let spectrum = ElasticSpectrum {
-        ag: 2.0,
-        soil: 1.2,
-        corners: [0.15, 0.5, 2.0],
-        long_corners: None,
-        vertical_ratio: 0.9,
-    };
-    for (period, value) in [
-        (0.0, 1.6),
-        (0.075, 2.8),
-        (0.15, 4.0),
-        (0.5, 4.0),
-        (2.0, 1.0),
-        (5.0, 0.4),
-    ] {
+    let spectrum =
+        ElasticSpectrum { ag: 2.0, soil: 1.2, corners: [0.15, 0.5, 2.0], long_corners: None, vertical_ratio: 0.9 };
+    for (period, value) in [(0.0, 1.6), (0.075, 2.8), (0.15, 4.0), (0.5, 4.0), (2.0, 1.0), (5.0, 0.4)] {
         let found = design_spectrum::line(&mut Sheet::new(), &spectrum, "S_d", period, 1.5);
         assert!((found - value).abs() < 1e-14, "{period}: {found}");
         assert!((spectrum.design(period, 1.5) - value).abs() < 1e-14);
@@ -193,19 +139,13 @@ fn the_larger_one_of_both_spectra_acts() {
     ] {
         let mut case = tank();
         case.damping.impulsive = damping;
-        case.site.ec8 = case.site.ec8.map(|site| Ec8Site {
-            ground: GroundType::A,
-            ..site
-        });
+        case.site.ec8 = case.site.ec8.map(|site| Ec8Site { ground: GroundType::A, ..site });
         let found = En2006.assess(&case, Excitation::Site).unwrap();
         let a_i = found.steps.iter().find(|s| s.symbol == "A_i").expect("a line");
         let design = line(&found, "S_d(T_i)");
         assert!((a_i.value / design - ratio).abs() < 1e-12, "{damping}: {}", a_i.value);
         assert!(a_i.name.contains(governs), "{}", a_i.name);
         let on_plateau = 2.5 * 1.2 * site().ag / 1.5;
-        assert!(
-            (design - on_plateau).abs() < 1e-12,
-            "T_i of the oil tank lies on the plateau"
-        );
+        assert!((design - on_plateau).abs() < 1e-12, "T_i of the oil tank lies on the plateau");
     }
 }

@@ -50,12 +50,7 @@ pub(super) fn assess(work: &mut Work) {
     };
     let main = work.edition.main("4.5.1.3");
     work.sheet.section("Displacement of pipes");
-    let terms = [
-        ("a_g", ag, Acceleration),
-        ("S", soil, Dimensionless),
-        ("T_C", t_c, Time),
-        ("T_D", t_d, Time),
-    ];
+    let terms = [("a_g", ag, Acceleration), ("S", soil, Dimensionless), ("T_C", t_c, Time), ("T_D", t_d, Time)];
     let formula = format!("{factor}·a_g·S·T_C·T_D");
     let name = "design displacement of the ground";
     let ground = work.sheet.calc("d_g", name, &formula, &terms, Length, clause);
@@ -66,9 +61,7 @@ pub(super) fn assess(work: &mut Work) {
     let relative = work.sheet.calc("Δ", name, "x_s·d_g/(500 m)", &terms, Length, &main);
     let terms = [("Δ", relative, Length), ("w", uplift, Length)];
     let name = "with the largest uplift of the wall";
-    let demand = work
-        .sheet
-        .calc("Δ_w", name, "Δ + w", &terms, Length, &work.edition.main("4.5.2.3"));
+    let demand = work.sheet.calc("Δ_w", name, "Δ + w", &terms, Length, &work.edition.main("4.5.2.3"));
     let clause = work.edition.main("4.5.2.3");
     let name = "Displacement of a pipe against its support";
     let note = "without sliding and deformation of the wall";

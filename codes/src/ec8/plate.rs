@@ -45,15 +45,11 @@ pub fn deflection(courses: &[Course], sides: Sides, load: f64, loaded: f64, at: 
     let mut stiffness = vec![vec![0.0; n]; n];
     let mut force = vec![0.0; n];
     let points = gauss();
-    let across: Vec<Vec<[f64; 3]>> = points
-        .iter()
-        .map(|(x, _)| (0..columns).map(|i| horizontal(sides, i, *x, half_width)).collect())
-        .collect();
+    let across: Vec<Vec<[f64; 3]>> =
+        points.iter().map(|(x, _)| (0..columns).map(|i| horizontal(sides, i, *x, half_width)).collect()).collect();
     for (e, element) in elements.iter().enumerate() {
         let q = if element.base < loaded { load } else { 0.0 };
-        let Element {
-            length, rigidity, nu, ..
-        } = *element;
+        let Element { length, rigidity, nu, .. } = *element;
         for (t, weight_z) in &points {
             let along = hermite(*t, length);
             for (functions, (_, weight_x)) in across.iter().zip(&points) {
@@ -118,11 +114,7 @@ pub(super) fn elements(courses: &[Course], breaks: &[f64], least: f64) -> Vec<El
         ends.sort_by(f64::total_cmp);
         // Two breaks at one height count once: an element of zero length is singular.
         ends.dedup_by(|above, below| *above - *below < 1e-9 * height);
-        let (e, nu, s) = (
-            course.material.youngs_modulus,
-            course.material.poisson_ratio,
-            course.thickness,
-        );
+        let (e, nu, s) = (course.material.youngs_modulus, course.material.poisson_ratio, course.thickness);
         for part in ends.windows(2) {
             let count = ((part[1] - part[0]) / height * least).ceil().max(1.0);
             let length = (part[1] - part[0]) / count;
@@ -167,21 +159,9 @@ pub(super) fn gauss() -> Vec<(f64, f64)> {
 pub(super) fn hermite(t: f64, length: f64) -> [[f64; 3]; 4] {
     let l = length;
     [
-        [
-            1.0 - 3.0 * t * t + 2.0 * t.powi(3),
-            6.0 * (t * t - t) / l,
-            (12.0 * t - 6.0) / (l * l),
-        ],
-        [
-            l * (t - 2.0 * t * t + t.powi(3)),
-            1.0 - 4.0 * t + 3.0 * t * t,
-            (6.0 * t - 4.0) / l,
-        ],
-        [
-            3.0 * t * t - 2.0 * t.powi(3),
-            6.0 * (t - t * t) / l,
-            (6.0 - 12.0 * t) / (l * l),
-        ],
+        [1.0 - 3.0 * t * t + 2.0 * t.powi(3), 6.0 * (t * t - t) / l, (12.0 * t - 6.0) / (l * l)],
+        [l * (t - 2.0 * t * t + t.powi(3)), 1.0 - 4.0 * t + 3.0 * t * t, (6.0 * t - 4.0) / l],
+        [3.0 * t * t - 2.0 * t.powi(3), 6.0 * (t - t * t) / l, (6.0 - 12.0 * t) / (l * l)],
         [l * (t.powi(3) - t * t), 3.0 * t * t - 2.0 * t, (6.0 * t - 2.0) / l],
     ]
 }
@@ -263,11 +243,7 @@ mod tests {
         let expected: f64 = (0..n)
             .map(|i| {
                 let z = 4.0 * (i as f64 + 0.5) / n as f64;
-                let d = if z < 2.0 {
-                    rigidity(0.4, 0.2)
-                } else {
-                    rigidity(0.3, 0.2)
-                };
+                let d = if z < 2.0 { rigidity(0.4, 0.2) } else { rigidity(0.3, 0.2) };
                 5e3 * (4.0 - z).powi(2) / 2.0 * (4.0 - z) / d * 4.0 / n as f64
             })
             .sum();
@@ -286,15 +262,9 @@ mod tests {
             assert!((w / expected - 1.0).abs() < 1e-9, "{z} {a}: {w} {expected}");
         }
         // Ends of elements: joints and breaks once each, none outside the course it belongs to.
-        let ends: Vec<f64> = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS)
-            .iter()
-            .map(|e| e.base)
-            .collect();
+        let ends: Vec<f64> = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS).iter().map(|e| e.base).collect();
         assert!(ends.windows(2).all(|z| z[0] < z[1]), "{ends:?}");
-        let total: f64 = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS)
-            .iter()
-            .map(|e| e.length)
-            .sum();
+        let total: f64 = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS).iter().map(|e| e.length).sum();
         assert!((total - 4.0).abs() < 1e-12, "{total}");
         for z in [0.7, 1.6, 2.0] {
             assert!(ends.iter().any(|e| (e - z).abs() < 1e-12), "{z}: {ends:?}");
@@ -305,30 +275,10 @@ mod tests {
     #[test]
     fn box_wall_limits() {
         let d = rigidity(0.3, 0.2);
-        let wide = deflection(
-            &[course(4.0, 0.3, 0.2)],
-            Sides::Clamped { half_width: 40.0 },
-            5e3,
-            4.0,
-            4.0,
-        );
-        assert!(
-            (wide / (5e3 * 256.0 / (8.0 * d)) - 1.0).abs() < 0.03,
-            "{}",
-            wide / (5e3 * 256.0 / (8.0 * d))
-        );
-        let tall = deflection(
-            &[course(12.0, 0.3, 0.2)],
-            Sides::Clamped { half_width: 1.0 },
-            5e3,
-            12.0,
-            6.0,
-        );
-        assert!(
-            (tall / (5e3 * 16.0 / (384.0 * d)) - 1.0).abs() < 0.01,
-            "{}",
-            tall / (5e3 * 16.0 / (384.0 * d))
-        );
+        let wide = deflection(&[course(4.0, 0.3, 0.2)], Sides::Clamped { half_width: 40.0 }, 5e3, 4.0, 4.0);
+        assert!((wide / (5e3 * 256.0 / (8.0 * d)) - 1.0).abs() < 0.03, "{}", wide / (5e3 * 256.0 / (8.0 * d)));
+        let tall = deflection(&[course(12.0, 0.3, 0.2)], Sides::Clamped { half_width: 1.0 }, 5e3, 12.0, 6.0);
+        assert!((tall / (5e3 * 16.0 / (384.0 * d)) - 1.0).abs() < 0.01, "{}", tall / (5e3 * 16.0 / (384.0 * d)));
     }
 
     /// Free edge of a wall with uniform load on its whole height, w D/(q (2B)⁴), ν = 1/6: an independent Ritz solution with
@@ -337,16 +287,8 @@ mod tests {
     fn box_wall_against_legendre_polynomials() {
         for (ratio, expected) in [(0.6, 0.002_224_0), (1.0, 0.002_766_6), (1.5, 0.002_763_5)] {
             let (width, nu) = (2.0, 1.0 / 6.0);
-            let sides = Sides::Clamped {
-                half_width: width / 2.0,
-            };
-            let w = deflection(
-                &[course(ratio * width, 0.3, nu)],
-                sides,
-                5e3,
-                ratio * width,
-                ratio * width,
-            );
+            let sides = Sides::Clamped { half_width: width / 2.0 };
+            let w = deflection(&[course(ratio * width, 0.3, nu)], sides, 5e3, ratio * width, ratio * width);
             let found = w * rigidity(0.3, nu) / (5e3 * width.powi(4));
             assert!((found / expected - 1.0).abs() < 5e-4, "{found} {expected}");
         }

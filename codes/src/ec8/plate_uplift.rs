@@ -43,8 +43,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
     let Some(f_y) = bottom.material.yield_strength else {
         return missing(work, &format!("materials.{}.yield_strength", bottom.material.name));
     };
-    work.sheet
-        .section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
+    work.sheet.section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
     let Some(grounds) = lifted::grounds(work.case) else {
         let reason = "the uplift is computed for bottom plates of metal";
         work.without_comparison(UPLIFT.id, CheckStatus::NotChecked, reason, Some("tank.bottom"));
@@ -67,10 +66,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
     }
     let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
     checks(work, state, bottom, f_y, &rims);
-    Ok(Lift {
-        uplift: largest(|r| r.uplift),
-        toe: largest(|r| r.compression),
-    })
+    Ok(Lift { uplift: largest(|r| r.uplift), toe: largest(|r| r.compression) })
 }
 
 /// What the rim does on one ground.
@@ -115,20 +111,13 @@ fn ground_lines(work: &mut Work, state: &State, ground: &Ground, stand: &Stand) 
     ];
     if lifts {
         let name = "plastic rotation of the joint, for information";
-        values.extend([
-            ("L", "lifted length", rim.length, Length),
-            ("θ_p", name, rim.plastic, Angle),
-        ]);
+        values.extend([("L", "lifted length", rim.length, Length), ("θ_p", name, rim.plastic, Angle)]);
     }
     for (symbol, name, value, dimension) in values {
         work.sheet.look_up(symbol, name, &source, value, dimension, own);
     }
     if lifts {
-        let terms = [
-            ("w", rim.uplift, Length),
-            ("L", rim.length, Length),
-            ("R", state.radius, Length),
-        ];
+        let terms = [("w", rim.uplift, Length), ("L", rim.length, Length), ("R", state.radius, Length)];
         let name = format!("rotation of the joint on {}{aside}", rim.modulus);
         rim.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
     }
@@ -147,11 +136,7 @@ fn no_equilibrium(work: &mut Work, state: &State, base: &Base, weight: f64) {
 /// The remark of the rotation: on which ground, why on that, and what stands beside it.
 fn remark(rims: &[Rim], decisive: &Rim) -> String {
     let rotation = |rim: &Rim| format!("{:.3} rad on {}", rim.rotation, rim.modulus);
-    let others: Vec<String> = rims
-        .iter()
-        .filter(|r| r.modulus != decisive.modulus)
-        .map(rotation)
-        .collect();
+    let others: Vec<String> = rims.iter().filter(|r| r.modulus != decisive.modulus).map(rotation).collect();
     let why = if rims.iter().filter(|r| r.decides).count() > 1 {
         "the least favourable ground, as `tank.foundation` gives no stiffness"
     } else {
@@ -201,13 +186,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
         terms.push((symbol, value, dimension));
         value
     };
-    line(
-        "μ",
-        "bearing part of the radius, with the largest L",
-        "(2·R - L)/(2·R)",
-        Dimensionless,
-        &clause,
-    );
+    line("μ", "bearing part of the radius, with the largest L", "(2·R - L)/(2·R)", Dimensionless, &clause);
     let name = "radial membrane stress of the plate, fixed at the rim; (1 - ν²) below, as plane strain asks";
     let formula = if state.tank.pressure.internal > 0.0 {
         "(2/3·E·s_b·(p + p_g)²·R²·(1 - μ)²/(1 - ν²))^(1/3)/s_b"

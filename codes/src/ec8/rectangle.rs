@@ -24,8 +24,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     let case = work.case;
     let half = 0.5 * length;
     let gamma = work.tank("L", "half length in the direction of shaking", half);
-    work.sheet
-        .input("b", "breadth across the shaking", breadth, Length, "input");
+    work.sheet.input("b", "breadth across the shaking", breadth, Length, "input");
     work.demand.describe(&mut work.sheet);
 
     let (masses, t_c1) = lines(work, gamma, half);
@@ -45,11 +44,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.out.values.insert(Quantity::SloshingPeriod, t_c1);
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
     ingredients::structure(work);
-    let motion = ingredients::Motion {
-        impulsive: (t_i, a_i),
-        convective: (t_c1, a_c),
-        sloshing: (t_c1, a_c),
-    };
+    let motion = ingredients::Motion { impulsive: (t_i, a_i), convective: (t_c1, a_c), sloshing: (t_c1, a_c) };
     ingredients::record(work, &masses, &masses, &motion, &ingredients::Wall::Plate);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
@@ -90,13 +85,7 @@ fn wall_checks(work: &mut Work, gamma: f64, plan: (f64, f64), strip: bool, (a_i,
         let q_c = mass * field_c.shear_above(zeta) * a_c;
         (combined(method, i, c), combined(method, q_i, q_c))
     };
-    let tank = walls::BoxTank {
-        plan,
-        strip,
-        impulsive: a_i,
-        pressures: &pressures,
-        section: &section,
-    };
+    let tank = walls::BoxTank { plan, strip, impulsive: a_i, pressures: &pressures, section: &section };
     walls::rectangle(work, &tank);
 }
 
@@ -125,36 +114,25 @@ fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
     terms.push(("λ", lambda, Dimensionless));
     let (name, formula) = ("mass of sloshing mode 1", "m·2·tanh(λ·γ)/(λ³·γ)");
     let m_c = sheet.calc("m_c1", name, formula, &terms, Mass, &clause);
-    let [h_c, h_cb] = [
-        ("h_c1", "its lever, wall only", 1),
-        ("h_c1′", "its lever, wall and base", 2),
-    ]
-    .map(|(symbol, name, constant)| {
-        let formula = if lambda * gamma < LARGE {
-            format!("H·(1 - (cosh(λ·γ) - {constant})/(λ·γ·sinh(λ·γ)))")
-        } else {
-            "H·(1 - 1/(λ·γ))".into()
-        };
-        sheet.calc(symbol, name, &formula, &terms, Length, &clause)
-    });
+    let [h_c, h_cb] = [("h_c1", "its lever, wall only", 1), ("h_c1′", "its lever, wall and base", 2)].map(
+        |(symbol, name, constant)| {
+            let formula = if lambda * gamma < LARGE {
+                format!("H·(1 - (cosh(λ·γ) - {constant})/(λ·γ·sinh(λ·γ)))")
+            } else {
+                "H·(1 - 1/(λ·γ))".into()
+            };
+            sheet.calc(symbol, name, &formula, &terms, Length, &clause)
+        },
+    );
     let formula = "2·π/√(g·λ·tanh(λ·γ)/L)";
     let period = sheet.calc("T_c1", "its period", formula, &terms, Time, &clause);
-    let convective = Lumped {
-        mass: m_c,
-        lever: h_c,
-        lever_with_base: h_cb,
-    };
+    let convective = Lumped { mass: m_c, lever: h_c, lever_with_base: h_cb };
     (Masses { impulsive, convective }, period)
 }
 
 /// Mass of one wall across the motion [kg].
 fn mass_of_one_wall(case: &Case, breadth: f64) -> f64 {
-    let area: f64 = case
-        .tank
-        .courses
-        .iter()
-        .map(|c| c.height * c.thickness * c.material.density)
-        .sum();
+    let area: f64 = case.tank.courses.iter().map(|c| c.height * c.thickness * c.material.density).sum();
     area * breadth
 }
 
@@ -163,13 +141,7 @@ fn wall_period(work: &mut Work, breadth: f64, strip: bool, masses: &Masses) -> f
     let case = work.case;
     let depth = case.liquid.fill_height;
     let clause = work.edition.clause("4.2");
-    let sides = if strip {
-        Sides::Strip
-    } else {
-        Sides::Clamped {
-            half_width: 0.5 * breadth,
-        }
-    };
+    let sides = if strip { Sides::Strip } else { Sides::Clamped { half_width: 0.5 * breadth } };
     work.sheet.section("Flexible wall");
     let terms = [
         ("m_i", masses.impulsive.mass, Mass),
@@ -181,18 +153,13 @@ fn wall_period(work: &mut Work, breadth: f64, strip: bool, masses: &Masses) -> f
     let name = "uniform load of half the impulsive mass and one wall across the motion";
     let formula = "(m_i/2 + m_wall)·g/(b·H)";
     let load = work.sheet.calc("q", name, formula, &terms, Stress, &clause);
-    let how = if strip {
-        "cantilever in plane strain"
-    } else {
-        "plate clamped at base and sides, free at the top"
-    };
+    let how = if strip { "cantilever in plane strain" } else { "plate clamped at base and sides, free at the top" };
     let d_f = deflection(&case.tank.courses, sides, load, depth, masses.impulsive.lever);
     let name = "deflection on the centre line at z = h_i under q";
     let source = format!("plate theory, {how}");
     let d_f = work.sheet.look_up("d_f", name, &source, d_f, Length, &clause);
     let terms = [("d_f", d_f, Length), ("g", case.gravity, Acceleration)];
-    work.sheet
-        .calc("T_f", "impulsive period", "2·π·√(d_f/g)", &terms, Time, &clause)
+    work.sheet.calc("T_f", "impulsive period", "2·π·√(d_f/g)", &terms, Time, &clause)
 }
 
 fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c: f64) {
@@ -259,10 +226,7 @@ fn bending(work: &mut Work, field_i: &ImpulsiveField, field_c: &ConvectiveField,
     let thickness = case.tank.courses[0].net_thickness();
     let terms = [("m_z", moment, LineMoment), ("s", thickness, Length)];
     work.sheet.section("Bending of the wall (seismic part)");
-    let (name, source) = (
-        "clamping moment of one wall, cantilever",
-        "moment of the pressures over the height",
-    );
+    let (name, source) = ("clamping moment of one wall, cantilever", "moment of the pressures over the height");
     work.sheet.look_up("m_z", name, source, moment, LineMoment, "statics");
     let name = "bending stress at the base";
     let stress = work.sheet.calc("σ_b", name, "6·m_z/s²", &terms, Stress, "statics");

@@ -121,12 +121,7 @@ impl Code for Eurocode8 {
             quality,
         };
         let missing = without_strength(case);
-        let limit = |state, stress, limit| WallLimit {
-            state,
-            stress,
-            missing: missing.clone(),
-            limit,
-        };
+        let limit = |state, stress, limit| WallLimit { state, stress, missing: missing.clone(), limit };
         let pressed = "interior pressure there and then, static and seismic";
         let run = "the run of the engine";
         let yielding: Limit<'a> = Box::new(move |sheet, course, _| {
@@ -149,12 +144,9 @@ impl Code for Eurocode8 {
 
     fn friction(&self, case: &Case) -> Result<Friction, Open> {
         match case.site.ec8.and_then(|site| site.friction) {
-            Some(coefficient) => Ok(Friction {
-                id: SLIDING.id,
-                name: SLIDING.name,
-                coefficient,
-                clause: "EN 1998-5:2004 5.4.1.1",
-            }),
+            Some(coefficient) => {
+                Ok(Friction { id: SLIDING.id, name: SLIDING.name, coefficient, clause: "EN 1998-5:2004 5.4.1.1" })
+            }
             None => Err(Open {
                 status: CheckStatus::NotChecked,
                 reason: format!("`{FRICTION}` is missing"),

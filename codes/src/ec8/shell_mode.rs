@@ -75,11 +75,7 @@ pub struct Inertia {
 impl Inertia {
     /// The same in all directions, as of a wall of density `ρ` and thickness `s`.
     pub fn isotropic(mass: f64) -> Inertia {
-        Inertia {
-            radial: mass,
-            circumferential: mass,
-            axial: mass,
-        }
+        Inertia { radial: mass, circumferential: mass, axial: mass }
     }
 }
 
@@ -120,11 +116,7 @@ impl DryShell {
         for course in courses {
             let top = base + course.height;
             let inside = break_at > base + 1e-9 * height && break_at < top - 1e-9 * height;
-            let ends = if inside {
-                vec![base, break_at, top]
-            } else {
-                vec![base, top]
-            };
+            let ends = if inside { vec![base, break_at, top] } else { vec![base, top] };
             for part in ends.windows(2) {
                 let count = ((part[1] - part[0]) / longest).ceil().max(1.0) as usize;
                 let length = (part[1] - part[0]) / count as f64;
@@ -156,13 +148,7 @@ impl DryShell {
             }
         }
         matrix.factor();
-        DryShell {
-            lengths,
-            points,
-            factor: matrix,
-            base: support,
-            unknowns,
-        }
+        DryShell { lengths, points, factor: matrix, base: support, unknowns }
     }
 
     /// Points at which inertia is asked for, from the base up.
@@ -208,12 +194,7 @@ impl DryShell {
                 let largest = shape.iter().fold(0.0f64, |m, w| if w.abs() > m.abs() { *w } else { m });
                 shape.iter_mut().for_each(|w| *w /= largest);
                 vector.iter_mut().for_each(|x| *x /= largest);
-                return Ok(Mode {
-                    omega: omega_squared.sqrt(),
-                    shape,
-                    rounds,
-                    vector,
-                });
+                return Ok(Mode { omega: omega_squared.sqrt(), shape, rounds, vector });
             }
         }
         Err(change)
@@ -304,21 +285,12 @@ fn quadratic(t: f64) -> [f64; 3] {
 /// Cubic shape functions of Hermite for values and slopes at both ends.
 fn hermite(t: f64, length: f64) -> [f64; 4] {
     let (t2, t3) = (t * t, t * t * t);
-    [
-        1.0 - 3.0 * t2 + 2.0 * t3,
-        length * (t - 2.0 * t2 + t3),
-        3.0 * t2 - 2.0 * t3,
-        length * (t3 - t2),
-    ]
+    [1.0 - 3.0 * t2 + 2.0 * t3, length * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, length * (t3 - t2)]
 }
 
 /// Stiffness of an element per `π R` of circumference.
 fn stiffness(radius: f64, length: f64, course: &Course) -> [[f64; SIZE]; SIZE] {
-    let (e, nu, s) = (
-        course.material.youngs_modulus,
-        course.material.poisson_ratio,
-        course.thickness,
-    );
+    let (e, nu, s) = (course.material.youngs_modulus, course.material.poisson_ratio, course.thickness);
     let membrane = e * s / (1.0 - nu * nu);
     let bending = membrane * s * s / 12.0;
     let (r, l) = (radius, length);
@@ -327,18 +299,8 @@ fn stiffness(radius: f64, length: f64, course: &Course) -> [[f64; SIZE]; SIZE] {
         let n = quadratic(t);
         let dn = [(4.0 * t - 3.0) / l, (4.0 - 8.0 * t) / l, (4.0 * t - 1.0) / l];
         let h = hermite(t, l);
-        let dh = [
-            6.0 * (t * t - t) / l,
-            1.0 - 4.0 * t + 3.0 * t * t,
-            6.0 * (t - t * t) / l,
-            3.0 * t * t - 2.0 * t,
-        ];
-        let ddh = [
-            (12.0 * t - 6.0) / (l * l),
-            (6.0 * t - 4.0) / l,
-            (6.0 - 12.0 * t) / (l * l),
-            (6.0 * t - 2.0) / l,
-        ];
+        let dh = [6.0 * (t * t - t) / l, 1.0 - 4.0 * t + 3.0 * t * t, 6.0 * (t - t * t) / l, 3.0 * t * t - 2.0 * t];
+        let ddh = [(12.0 * t - 6.0) / (l * l), (6.0 * t - 4.0) / l, (6.0 - 12.0 * t) / (l * l), (6.0 * t - 2.0) / l];
         // Rows ε_z, ε_θ, γ, κ_z, κ_θ, κ_zθ.
         let mut b = [[0.0; SIZE]; 6];
         for i in 0..3 {
@@ -384,10 +346,7 @@ struct Banded {
 
 impl Banded {
     fn zeros(size: usize) -> Banded {
-        Banded {
-            size,
-            rows: vec![[0.0; SIZE]; size],
-        }
+        Banded { size, rows: vec![[0.0; SIZE]; size] }
     }
 
     /// Adds to the entry at `row ≥ column`.

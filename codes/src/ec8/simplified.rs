@@ -52,9 +52,7 @@ const TABLE: [[f64; 9]; 8] = [
 
 /// Table A.2 at H/R, linear between its rows; none outside 0.3 … 3.0.
 pub fn table(slenderness: f64) -> Option<Row> {
-    let pair = TABLE
-        .windows(2)
-        .find(|pair| pair[0][0] <= slenderness && slenderness <= pair[1][0])?;
+    let pair = TABLE.windows(2).find(|pair| pair[0][0] <= slenderness && slenderness <= pair[1][0])?;
     let t = (slenderness - pair[0][0]) / (pair[1][0] - pair[0][0]);
     let v: [f64; 9] = std::array::from_fn(|i| (1.0 - t) * pair[0][i] + t * pair[1][i]);
     Some(Row {

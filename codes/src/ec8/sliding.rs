@@ -61,9 +61,7 @@ pub(super) fn assess(work: &mut Work) {
     };
     let normal = work.sheet.calc("N_Ed", name, formula, &terms, Force, CLAUSE);
     terms.push(("N_Ed", normal, Force));
-    let capacity = work
-        .sheet
-        .calc("V_Rd", "sliding resistance", "μ·N_Ed", &terms, Force, CLAUSE);
+    let capacity = work.sheet.calc("V_Rd", "sliding resistance", "μ·N_Ed", &terms, Force, CLAUSE);
     let note = "without the weight of bottom plate and foundation and without earth pressure";
     work.check(SLIDING, shear, capacity, CLAUSE, note);
 }

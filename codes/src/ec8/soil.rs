@@ -78,31 +78,19 @@ pub(super) fn assess(work: &mut Work, masses: &Masses, period: f64) {
     let formula = "T_i·√(1 + k_e/(α_x·K_x)·(1 + α_x·K_x·h_e²/(α_θ·K_θ)))";
     let period = line("T_e", "impulsive period on the soil", formula, Time);
     let formula = "m_e/2·(2·π/T_e)²·(β_x/(α_x²·K_x) + β_θ·h_e²/(α_θ²·K_θ))";
-    line(
-        "ξ_s",
-        "damping ratio by radiation into the soil",
-        formula,
-        Dimensionless,
-    );
+    line("ξ_s", "damping ratio by radiation into the soil", formula, Dimensionless);
     let formula = "ξ_s + ξ_i/(T_e/T_i)³";
     let damping = line("ξ_e", "damping ratio on the soil", formula, Dimensionless);
     if let Some(effective) = slab.effective() {
         let source = "complex stiffness of wall and soil with the same impedance, Re S(ω) = m_e·ω²";
         for (symbol, name, value, dimension) in [
-            (
-                "T_ec",
-                "the same period without leaving out squares of β",
-                effective.period,
-                Time,
-            ),
+            ("T_ec", "the same period without leaving out squares of β", effective.period, Time),
             ("ξ_ec", "the same damping ratio", effective.damping, Dimensionless),
         ] {
-            work.sheet
-                .look_up(symbol, name, source, value, dimension, "Veletsos & Meek 1974");
+            work.sheet.look_up(symbol, name, source, value, dimension, "Veletsos & Meek 1974");
         }
         let used = damping.min(effective.damping).min(MOST_DAMPING);
-        work.demand
-            .impulsive(&mut work.sheet, &mut work.out.notes, "S_e(T_e)", period, used);
+        work.demand.impulsive(&mut work.sheet, &mut work.out.notes, "S_e(T_e)", period, used);
     }
     work.out.notes.push(format!(
         "{clause}: period and damping of the impulsive mode on the soil are for information; forces and checks of this sheet are those of a \

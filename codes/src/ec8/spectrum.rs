@@ -158,13 +158,7 @@ impl ElasticSpectrum {
                 });
             }
         };
-        Ok(ElasticSpectrum {
-            ag,
-            soil,
-            corners,
-            long_corners,
-            vertical_ratio,
-        })
+        Ok(ElasticSpectrum { ag, soil, corners, long_corners, vertical_ratio })
     }
 
     /// The spectrum of the user's parameters. Without T_E and T_F the 1/T² branch is continued beyond 4 s.
@@ -295,11 +289,7 @@ impl EnvSpectrum {
     ///
     /// * `importance`: γ_I
     pub fn of_parameters(given: &SpectrumParameters, importance: f64) -> EnvSpectrum {
-        EnvSpectrum {
-            ag: importance * given.ag,
-            soil: given.soil,
-            corners: given.corners,
-        }
+        EnvSpectrum { ag: importance * given.ag, soil: given.soil, corners: given.corners }
     }
 
     /// Peak horizontal ground acceleration at the surface `a_g S` [m/s²].

@@ -26,10 +26,7 @@ fn site(ground: GroundType, spectrum: u8) -> Ec8Site {
 }
 
 fn close(value: f64, expected: f64, what: &str) {
-    assert!(
-        (value - expected).abs() <= 1e-12 * expected.abs(),
-        "{what}: {value} {expected}"
-    );
+    assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{what}: {value} {expected}");
 }
 
 /// The fields hold the cells, and the ordinates at 5 % are those of 3.2.2.2 at and between the control periods.
@@ -106,11 +103,7 @@ fn en_1998_1_table_3_4_vertical() {
                 (1.0, 0.45),
                 (2.0, 3.0 * 0.15 / 4.0),
             ] {
-                close(
-                    spectrum.vertical(t, 0.05),
-                    a_vg * ordinate,
-                    &format!("{what}, T_v = {t}"),
-                );
+                close(spectrum.vertical(t, 0.05), a_vg * ordinate, &format!("{what}, T_v = {t}"));
             }
         }
     }
@@ -119,13 +112,7 @@ fn en_1998_1_table_3_4_vertical() {
 /// Annex A of EN 1998-1, type 1, at 5 %: S_De/(0.025 a_g S T_C T_D) = 2.5 up to T_E, 1.75 midway to T_F = 10 s, 1 above.
 #[test]
 fn en_1998_1_annex_a_displacement() {
-    for (ground, t_c, t_e) in [
-        (A, 0.4, 4.5),
-        (B, 0.5, 5.0),
-        (C, 0.6, 6.0),
-        (D, 0.8, 6.0),
-        (E, 0.5, 6.0),
-    ] {
+    for (ground, t_c, t_e) in [(A, 0.4, 4.5), (B, 0.5, 5.0), (C, 0.6, 6.0), (D, 0.8, 6.0), (E, 0.5, 6.0)] {
         let spectrum = ElasticSpectrum::new(&site(ground, 1)).unwrap();
         let d_g = 0.025 * 2.8 * spectrum.soil * t_c * 2.0;
         for (t, factor) in [
@@ -172,21 +159,15 @@ fn en_1998_1_3_2_2_5_design_spectrum() {
     // The bound acts on the branch of constant velocity too: q = 1.5, T = 2.0 on ground A, type 2 is beyond T_D = 1.2; at
     // 1.2 s 2.5/1.5·0.25/1.2 = 0.347 stays, with q = 4 0.130 does not.
     let spectrum = ElasticSpectrum::new(&site(A, 2)).unwrap();
-    close(
-        spectrum.design(1.2, 1.5),
-        2.8 * 2.5 / 1.5 * 0.25 / 1.2,
-        "above the bound",
-    );
+    close(spectrum.design(1.2, 1.5), 2.8 * 2.5 / 1.5 * 0.25 / 1.2, "above the bound");
     close(spectrum.design(1.2, 4.0), 0.2 * 2.8, "at the bound");
 }
 
 #[test]
 fn env_1998_1_1_4_2_2_parameters() {
-    for (ground, soil, corners) in [
-        (A, 1.0, [0.10, 0.40, 3.0]),
-        (B, 1.0, [0.15, 0.60, 3.0]),
-        (C, 0.9, [0.20, 0.80, 3.0]),
-    ] {
+    for (ground, soil, corners) in
+        [(A, 1.0, [0.10, 0.40, 3.0]), (B, 1.0, [0.15, 0.60, 3.0]), (C, 0.9, [0.20, 0.80, 3.0])]
+    {
         let what = format!("subsoil class {ground:?}");
         let spectrum = EnvSpectrum::new(&site(ground, 1)).unwrap();
         assert_eq!((spectrum.soil, spectrum.corners), (soil, corners), "{what}");
@@ -202,22 +183,11 @@ fn env_1998_1_1_4_2_2_parameters() {
             (t_d, 2.5 * t_c / t_d),
             (2.0 * t_d, 2.5 * t_c / t_d / 4.0),
         ] {
-            close(
-                spectrum.horizontal(t, 0.05),
-                peak * ordinate,
-                &format!("{what}, T = {t}"),
-            );
+            close(spectrum.horizontal(t, 0.05), peak * ordinate, &format!("{what}, T = {t}"));
         }
         // Vertical: 0.7 up to 0.15 s, 0.5 from 0.5 s, linear between (0.6 at 0.325 s).
         close(spectrum.vertical_peak(), 0.7 * peak, &what);
-        for (t, factor) in [
-            (0.0, 0.7),
-            (0.05, 0.7),
-            (0.15, 0.7),
-            (0.325, 0.6),
-            (0.5, 0.5),
-            (3.0, 0.5),
-        ] {
+        for (t, factor) in [(0.0, 0.7), (0.05, 0.7), (0.15, 0.7), (0.325, 0.6), (0.5, 0.5), (3.0, 0.5)] {
             let vertical = spectrum.vertical(t, 0.05) / spectrum.horizontal(t, 0.05);
             assert!((vertical - factor).abs() < 1e-12, "{what}, T = {t}: {vertical}");
         }

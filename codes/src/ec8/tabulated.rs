@@ -90,14 +90,7 @@ impl Tabulated<'_> {
             None => {
                 let terms = [("k_v", self.vertical_ratio, Dimensionless), ("a_g", peak, Acceleration)];
                 let name = "vertical ground acceleration";
-                sheet.calc(
-                    "a_vg",
-                    name,
-                    "k_v·a_g",
-                    &terms,
-                    Acceleration,
-                    "site.spectrum.vertical_ratio",
-                );
+                sheet.calc("a_vg", name, "k_v·a_g", &terms, Acceleration, "site.spectrum.vertical_ratio");
             }
         }
     }
@@ -137,11 +130,7 @@ impl Tabulated<'_> {
             terms.push(("S_0", table.peak(), Acceleration));
             "γ_I·(S_t + (η′ - 1)·S_p·max(S_t - S_0, 0)/(S_p - S_0))"
         };
-        let formula = if q == 1.0 {
-            formula.to_string()
-        } else {
-            format!("{formula}/q")
-        };
+        let formula = if q == 1.0 { formula.to_string() } else { format!("{formula}/q") };
         let name = format!("{part} spectral acceleration, ξ = {} %", number(100.0 * damping));
         sheet.calc(symbol, &name, &formula, &terms, Dimension::Acceleration, self.clause)
     }

@@ -48,11 +48,7 @@ pub fn rigid_pressure(zeta: f64) -> f64 {
 
 /// `p_vf/(ρ H A_vf) = 0.815 f(γ) cos(πζ/2)`.
 pub fn breathing_pressure(factor: f64, zeta: f64) -> f64 {
-    if zeta >= 1.0 {
-        0.0
-    } else {
-        0.815 * factor * (0.5 * PI * zeta).cos()
-    }
+    if zeta >= 1.0 { 0.0 } else { 0.815 * factor * (0.5 * PI * zeta).cos() }
 }
 
 #[cfg(test)]
@@ -63,15 +59,7 @@ mod tests {
 
     fn breathing_frequency(r: f64, h: f64, rho: f64, e: f64, nu: f64, s: f64) -> f64 {
         let gamma_1 = PI * r / (2.0 * h);
-        let terms = [
-            ("R", r),
-            ("H", h),
-            ("ρ", rho),
-            ("E", e),
-            ("ν", nu),
-            ("s", s),
-            ("γ1", gamma_1),
-        ];
+        let terms = [("R", r), ("H", h), ("ρ", rho), ("E", e), ("ν", nu), ("s", s), ("γ1", gamma_1)];
         evaluate(frequency(gamma_1), &terms)
     }
 

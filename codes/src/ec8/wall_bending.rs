@@ -118,12 +118,7 @@ impl Wall {
         let Plan::Box { half_width } = self.plan else {
             return [1.0, 0.0, 0.0, 0.0];
         };
-        let bubble = [
-            (1.0 - xi * xi).powi(2),
-            4.0 * (xi.powi(3) - xi),
-            12.0 * xi * xi - 4.0,
-            24.0 * xi,
-        ];
+        let bubble = [(1.0 - xi * xi).powi(2), 4.0 * (xi.powi(3) - xi), 12.0 * xi * xi - 4.0, 24.0 * xi];
         let [p, p1, p2, p3] = legendre(2 * i, xi);
         let [b, b1, b2, b3] = bubble;
         [
@@ -268,10 +263,7 @@ impl Wall {
             let rows: Vec<f64> = (0..self.functions).map(|i| reaction(a * self.functions + i)).collect();
             // As a line load Σ c_i X_i, at ξ = 0.
             let line = dense_solve(&self.integrals[0], &rows);
-            line.iter()
-                .enumerate()
-                .map(|(i, c)| c * self.across(i, 0.0)[0])
-                .sum::<f64>()
+            line.iter().enumerate().map(|(i, c)| c * self.across(i, 0.0)[0]).sum::<f64>()
         });
         State {
             wall: self,
@@ -285,15 +277,11 @@ impl Wall {
         let width = 4 * self.functions - 1;
         let (band, n) = (&self.factor, x.len());
         for i in 0..n {
-            let sum: f64 = (i.saturating_sub(width)..i)
-                .map(|k| band[i][width + k - i] * x[k])
-                .sum();
+            let sum: f64 = (i.saturating_sub(width)..i).map(|k| band[i][width + k - i] * x[k]).sum();
             x[i] = (x[i] - sum) / band[i][width];
         }
         for i in (0..n).rev() {
-            let sum: f64 = (i + 1..n.min(i + width + 1))
-                .map(|k| band[k][width + i - k] * x[k])
-                .sum();
+            let sum: f64 = (i + 1..n.min(i + width + 1)).map(|k| band[k][width + i - k] * x[k]).sum();
             x[i] = (x[i] - sum) / band[i][width];
         }
     }
@@ -358,21 +346,14 @@ fn legendre(n: usize, xi: f64) -> [f64; 4] {
 /// Points and weights over half the width; the highest product has the degree 4 · FUNCTIONS + 4 = 36, two panels of order 15 do.
 fn across_points() -> impl Iterator<Item = (f64, f64)> {
     let panels = [0.0, 0.5];
-    panels
-        .into_iter()
-        .flat_map(|from| gauss().into_iter().map(move |(x, w)| (from + 0.5 * x, 0.5 * w)))
+    panels.into_iter().flat_map(|from| gauss().into_iter().map(move |(x, w)| (from + 0.5 * x, 0.5 * w)))
 }
 
 /// Points and weights of order 4 along an element: exact to degree 7.
 fn along_points() -> [(f64, f64); 4] {
     let [near, far] = [0.339_981_043_584_856_3, 0.861_136_311_594_052_6].map(|x| 0.5 * x);
     let [inner, outer] = [0.652_145_154_862_546_1, 0.347_854_845_137_453_9].map(|w| 0.5 * w);
-    [
-        (0.5 - far, outer),
-        (0.5 - near, inner),
-        (0.5 + near, inner),
-        (0.5 + far, outer),
-    ]
+    [(0.5 - far, outer), (0.5 - near, inner), (0.5 + near, inner), (0.5 + far, outer)]
 }
 
 /// Solution of a small symmetric positive definite system by Gauss' elimination.

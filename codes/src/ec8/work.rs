@@ -85,13 +85,7 @@ impl Work<'_> {
         ];
         self.mass = sheet.calc("m", "mass of the liquid", formula, &terms, Mass, "definition");
         sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
-        sheet.input(
-            "h_w",
-            "height of its centre",
-            case.tank.wall_centroid(),
-            Length,
-            "input",
-        );
+        sheet.input("h_w", "height of its centre", case.tank.wall_centroid(), Length, "input");
         sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
         sheet.input("h_r", "height of its centre", case.tank.roof_height(), Length, "input");
         roof::line(sheet, &case.tank);
@@ -100,10 +94,8 @@ impl Work<'_> {
         sheet.input("g", "acceleration of free fall", case.gravity, Acceleration, "input");
         let [i, c] = [case.damping.impulsive, case.damping.sloshing];
         let clause = self.edition.main("2.3.3");
-        self.sheet
-            .input("ξ_i", "damping ratio of the impulsive part", i, Dimensionless, &clause);
-        self.sheet
-            .input("ξ_c", "damping ratio of sloshing", c, Dimensionless, &clause);
+        self.sheet.input("ξ_i", "damping ratio of the impulsive part", i, Dimensionless, &clause);
+        self.sheet.input("ξ_c", "damping ratio of sloshing", c, Dimensionless, &clause);
         gamma
     }
 
@@ -111,16 +103,14 @@ impl Work<'_> {
     pub(super) fn impulsive(&mut self, symbol: &str, period: f64) -> f64 {
         self.cover("impulsive", period);
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
-        self.demand
-            .impulsive(sheet, notes, symbol, period, self.case.damping.impulsive)
+        self.demand.impulsive(sheet, notes, symbol, period, self.case.damping.impulsive)
     }
 
     /// Acceleration of a sloshing mode [m/s²] at a period [s]; adds its line.
     pub(super) fn convective(&mut self, symbol: &str, period: f64) -> f64 {
         self.cover("sloshing", period);
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
-        self.demand
-            .convective(sheet, notes, symbol, period, self.case.damping.sloshing)
+        self.demand.convective(sheet, notes, symbol, period, self.case.damping.sloshing)
     }
 
     /// Keeps the first period [s] that the user's spectrum does not cover; the assessment is refused in the end.
@@ -134,11 +124,7 @@ impl Work<'_> {
     pub(super) fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
         let (of, _, dimension) = whole;
         let what = format!("{name}, share of {of}");
-        let Ratio {
-            symbol: share,
-            source,
-            value,
-        } = ratio;
+        let Ratio { symbol: share, source, value } = ratio;
         self.sheet.look_up(share, &what, source, value, Dimensionless, clause);
         let formula = format!("{of}·{share}");
         let terms = [whole, (share, value, Dimensionless)];
@@ -158,12 +144,7 @@ impl Work<'_> {
         Lumped {
             mass: self.share(("m_i", "impulsive mass"), mass, m, clause),
             lever: self.share(("h_i", "impulsive lever, wall only"), depth, lever, clause),
-            lever_with_base: self.share(
-                ("h_i′", "impulsive lever, wall and base"),
-                depth,
-                lever_with_base,
-                clause,
-            ),
+            lever_with_base: self.share(("h_i′", "impulsive lever, wall and base"), depth, lever_with_base, clause),
         }
     }
 
@@ -233,14 +214,7 @@ impl Work<'_> {
         self.sheet.section("Base shear and moments");
         let mut moment = 0.0;
         for (symbol, name, quantity, dimension, impulsive, convective) in [
-            (
-                "Q",
-                "base shear",
-                Quantity::BaseShear,
-                Force,
-                "(m_i + m_w + m_r)·A_i",
-                "m_c·A_c",
-            ),
+            ("Q", "base shear", Quantity::BaseShear, Force, "(m_i + m_w + m_r)·A_i", "m_c·A_c"),
             (
                 "M",
                 "moment just above the base plate",
@@ -296,9 +270,7 @@ impl Work<'_> {
     pub(super) fn without_comparison(&mut self, id: &str, status: CheckStatus, reason: &str, input: Option<&str>) {
         let states = limit_states::all(self.case, self.edition);
         if let Some(state) = states.iter().find(|state| state.id == id) {
-            self.out
-                .checks
-                .push(Check::without_comparison(state, status, reason, input));
+            self.out.checks.push(Check::without_comparison(state, status, reason, input));
         }
     }
 
@@ -317,13 +289,7 @@ impl Work<'_> {
 
     /// A profile of values at the heights `z` [m].
     pub(super) fn profile_of(&mut self, (id, title, dimension): (&str, &str, Dimension), z: &[f64], values: Vec<f64>) {
-        self.out.profiles.push(Profile {
-            id: id.into(),
-            title: title.into(),
-            dimension,
-            z: z.to_vec(),
-            values,
-        });
+        self.out.profiles.push(Profile { id: id.into(), title: title.into(), dimension, z: z.to_vec(), values });
     }
 
     /// Heights of the profiles: 40 steps over the depth, and both sides of every joint of courses below the surface.

@@ -72,11 +72,7 @@ pub fn cracked(section: &Section, n: f64, m: f64) -> Option<(Cracked, Face)> {
     let bent = faces.into_iter().find_map(|face| bent(section, n, m, face));
     bent.or_else(|| {
         let strain = n / sums(section, faces[0], FAR * section.thickness).0;
-        let uniform = Cracked {
-            compressed: 0.0,
-            strain,
-            opposite: strain,
-        };
+        let uniform = Cracked { compressed: 0.0, strain, opposite: strain };
         (n > 0.0).then_some((uniform, faces[0]))
     })
 }
@@ -130,11 +126,7 @@ fn bent(section: &Section, n: f64, m: f64, tension: Face) -> Option<(Cracked, Fa
     let x = 0.5 * (low + high);
     let (force, moment) = sums(section, tension, x);
     let strain = if n.abs() * h > m.abs() { n / force } else { m / moment };
-    let state = Cracked {
-        compressed: x.max(0.0),
-        strain,
-        opposite: strain * -x / (h - x),
-    };
+    let state = Cracked { compressed: x.max(0.0), strain, opposite: strain * -x / (h - x) };
     (strain > 0.0).then_some((state, tension))
 }
 
@@ -151,11 +143,7 @@ pub fn width(section: &Section, n: f64, m: f64, tensile: f64, duration: f64) -> 
         return Some(first);
     }
     let (mirrored, other) = (
-        Cracked {
-            compressed: 0.0,
-            strain: state.opposite,
-            opposite: state.strain,
-        },
+        Cracked { compressed: 0.0, strain: state.opposite, opposite: state.strain },
         match tension {
             Face::Inner => Face::Outer,
             Face::Outer => Face::Inner,
@@ -169,12 +157,7 @@ pub fn width(section: &Section, n: f64, m: f64, tensile: f64, duration: f64) -> 
 fn width_at(section: &Section, state: Cracked, tension: Face, tensile: f64, duration: f64) -> Option<Width> {
     let (h, half) = (section.thickness, 0.5 * section.thickness);
     let depth = |b: &&Bars| section.effective_depth(b, tension);
-    let layers = || {
-        section
-            .bars
-            .iter()
-            .filter(|b| section.effective_depth(b, tension) > half)
-    };
+    let layers = || section.bars.iter().filter(|b| section.effective_depth(b, tension) > half);
     let outermost = layers().max_by(|a, b| depth(a).total_cmp(&depth(b)))?;
     let area: f64 = layers().map(|b| b.area).sum();
     let (diameter, d) = (outermost.diameter?, depth(&outermost));
@@ -230,9 +213,7 @@ impl Width {
 
 /// h_c,ef [m].
 fn effective_height(h: f64, d: f64, x: f64) -> f64 {
-    (2.5 * (h - d))
-        .min((h - x) / 3.0 * if x > 0.0 { 1.0 } else { f64::INFINITY })
-        .min(0.5 * h)
+    (2.5 * (h - d)).min((h - x) / 3.0 * if x > 0.0 { 1.0 } else { f64::INFINITY }).min(0.5 * h)
 }
 
 /// s_r,max [m] of bars close together, equation 7.11.
@@ -249,11 +230,7 @@ fn mean_strain(stress: f64, e_s: f64, e_cm: f64, tensile: f64, ratio: f64, durat
 /// Mean tensile strength f_ctm [Pa] of f_ck [Pa], EN 1992-1-1 table 3.1.
 pub fn tensile_strength(f_ck: f64) -> f64 {
     let mpa = f_ck / 1e6;
-    1e6 * if mpa <= 50.0 {
-        0.3 * mpa.powf(2.0 / 3.0)
-    } else {
-        2.12 * (1.0 + (mpa + 8.0) / 10.0).ln()
-    }
+    1e6 * if mpa <= 50.0 { 0.3 * mpa.powf(2.0 / 3.0) } else { 2.12 * (1.0 + (mpa + 8.0) / 10.0).ln() }
 }
 
 /// Limit of w_k [m]: tightness class 0, and sections of class 1 that are not cracked through (compressed zone at least 50 mm and

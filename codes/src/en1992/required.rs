@@ -44,22 +44,9 @@ mod tests {
     /// The block may use a little of the compressed bars, so that the utilisation is at most 1, and above 0.9.
     #[test]
     fn the_areas_are_just_enough() {
-        for (n, m) in [
-            (0.4e6, 0.0),
-            (0.4e6, 10e3),
-            (0.4e6, -20e3),
-            (0.0, 60e3),
-            (-0.1e6, 60e3),
-            (0.1e6, 40e3),
-        ] {
+        for (n, m) in [(0.4e6, 0.0), (0.4e6, 10e3), (0.4e6, -20e3), (0.0, 60e3), (-0.1e6, 60e3), (0.1e6, 40e3)] {
             let of = |face| area(0.25, 0.05, (20e6, 500e6 / 1.15), (n, m), face).unwrap();
-            let bars = |depth, area| Bars {
-                depth,
-                area,
-                diameter: None,
-                yield_strength: 500e6,
-                modulus: 200e9,
-            };
+            let bars = |depth, area| Bars { depth, area, diameter: None, yield_strength: 500e6, modulus: 200e9 };
             let section = Section {
                 thickness: 0.25,
                 strength: 30e6,

@@ -68,11 +68,7 @@ impl Section {
     /// λ, η and ε_cu3 of the rectangular block.
     fn block(&self) -> (f64, f64, f64) {
         let over = (self.strength / 1e6 - 50.0).max(0.0);
-        let crushing = if over > 0.0 {
-            2.6 + 35.0 * ((40.0 - over) / 100.0).max(0.0).powi(4)
-        } else {
-            3.5
-        };
+        let crushing = if over > 0.0 { 2.6 + 35.0 * ((40.0 - over) / 100.0).max(0.0).powi(4) } else { 3.5 };
         (0.8 - over / 400.0, 1.0 - over / 200.0, crushing * 1e-3)
     }
 

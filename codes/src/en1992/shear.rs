@@ -54,15 +54,7 @@ mod tests {
     use tank::formula::evaluate;
 
     fn resistance(d: f64, area: f64, f_ck: f64, axial: f64) -> f64 {
-        let terms = [
-            ("d", d),
-            ("A_sl", area),
-            ("f_ck", f_ck),
-            ("γ_c", 1.5),
-            ("σ_cp", axial),
-            ("p", 1e6),
-            ("l", 1.0),
-        ];
+        let terms = [("d", d), ("A_sl", area), ("f_ck", f_ck), ("γ_c", 1.5), ("σ_cp", axial), ("p", 1e6), ("l", 1.0)];
         evaluate(RESISTANCE, &terms)
     }
 

@@ -32,11 +32,7 @@ impl Procedure for Housner {
     }
 
     fn label(&self) -> Label {
-        Label {
-            title: "Housner (1957, 1963)",
-            short: "Housner",
-            figure_key: "k-housner",
-        }
+        Label { title: "Housner (1957, 1963)", short: "Housner", figure_key: "k-housner" }
     }
 
     fn modal_action<'a>(&self, case: &'a Case, _reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
@@ -77,20 +73,9 @@ impl Procedure for Housner {
         lines.exact = choice == ConvectiveCoefficient::Exact;
         let (response, totals) = lines
             .respond(&motion.ground_source, |_, period| motion.sloshing(period))
-            .map_err(|fault| CodeError::Data {
-                clause: SOURCE.into(),
-                reason: fault.to_string(),
-            })?;
+            .map_err(|fault| CodeError::Data { clause: SOURCE.into(), reason: fault.to_string() })?;
         motion.covers(response.period)?;
-        let run = Run {
-            case,
-            plan,
-            input,
-            response,
-            totals,
-            motion,
-            combination,
-        };
+        let run = Run { case, plan, input, response, totals, motion, combination };
         run.assessment(sheet)
     }
 }
@@ -149,10 +134,7 @@ impl Run<'_> {
     /// Lines of the largest hoop stress over the height; returns it [Pa].
     fn largest_hoop(&self, sheet: &mut Sheet, radius: f64) -> f64 {
         let highest = self.hoop_place();
-        let (name, source) = (
-            "height of the largest hoop stress",
-            "largest of the profile over the height",
-        );
+        let (name, source) = ("height of the largest hoop stress", "largest of the profile over the height");
         sheet.look_up("z", name, source, highest, Length, "profile");
         let (name, source) = ("dynamic pressure there", "impulsive and convective profile at z");
         let pressure = sheet.look_up("p", name, source, self.pressure(highest), Stress, "Housner 1957");
@@ -210,11 +192,7 @@ impl Run<'_> {
     }
 
     fn hoop(&self, z: f64) -> f64 {
-        stress::hoop(
-            self.pressure(z),
-            self.input.half_length,
-            self.case.tank.course_at(z).thickness,
-        )
+        stress::hoop(self.pressure(z), self.input.half_length, self.case.tank.course_at(z).thickness)
     }
 
     fn profiles(&self) -> Vec<Profile> {
@@ -227,13 +205,8 @@ impl Run<'_> {
             z: z.clone(),
             values: z.iter().map(|&z| value(z)).collect(),
         };
-        let moment = |z: f64| {
-            super::model::combine(
-                p.impulsive_moment_above(z),
-                p.convective_moment_above(z),
-                self.combination,
-            )
-        };
+        let moment =
+            |z: f64| super::model::combine(p.impulsive_moment_above(z), p.convective_moment_above(z), self.combination);
         let thickness = |z: f64| self.case.tank.course_at(z).thickness;
         let mut profiles = vec![
             profile("pressure_impulsive", "Impulsive pressure", &|z| p.impulsive(z)),

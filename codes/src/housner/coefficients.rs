@@ -26,24 +26,12 @@ pub struct Coefficients {
 /// the exact linear wave factor 0.837.
 // 0.318 is printed, not meant as 1/π.
 #[allow(clippy::approx_constant)]
-pub const CIRCLE_1957: Coefficients = Coefficients {
-    frequency: 1.84,
-    mass: 0.318,
-    angle: 1.534,
-    force: 1.2,
-    wave: 0.408,
-    wave_linear: 0.408 * 1.534,
-};
+pub const CIRCLE_1957: Coefficients =
+    Coefficients { frequency: 1.84, mass: 0.318, angle: 1.534, force: 1.2, wave: 0.408, wave_linear: 0.408 * 1.534 };
 
 /// Rectangular tank as printed in TID-7024 (1963): 1.58 (= √(5/2)), 0.527 (= √(5/2)/3), 1.58, 1.0, 0.527.
-pub const RECTANGLE_1957: Coefficients = Coefficients {
-    frequency: 1.58,
-    mass: 0.527,
-    angle: 1.58,
-    force: 1.0,
-    wave: 0.527,
-    wave_linear: 0.527 * 1.58,
-};
+pub const RECTANGLE_1957: Coefficients =
+    Coefficients { frequency: 1.58, mass: 0.527, angle: 1.58, force: 1.0, wave: 0.527, wave_linear: 0.527 * 1.58 };
 
 impl Coefficients {
     /// The constants as published.
@@ -67,13 +55,7 @@ impl Coefficients {
         let published = Coefficients::housner_1957(plan);
         let k = mechanical::eigenvalue(plan, 1);
         let w = mechanical::wave_factor(plan, 1);
-        Coefficients {
-            frequency: k,
-            mass: w / k,
-            force: k / published.angle,
-            wave_linear: w,
-            ..published
-        }
+        Coefficients { frequency: k, mass: w / k, force: k / published.angle, wave_linear: w, ..published }
     }
 
     /// By the user's choice.

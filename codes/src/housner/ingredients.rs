@@ -36,10 +36,7 @@ fn wave(run: &Run) -> Ingredients {
     let ordinate = run.motion.sloshing_ordinate(r.period, r.acceleration);
     let response = Response {
         impulsive: None,
-        convective: Some(Part {
-            finite_angle: angle,
-            ..Part::liquid(ordinate, rise)
-        }),
+        convective: Some(Part { finite_angle: angle, ..Part::liquid(ordinate, rise) }),
         combination: run.combination,
         vertical: None,
     };
@@ -82,24 +79,13 @@ fn resultants(run: &Run) -> [Ingredients; 3] {
     let sloshing = r.convective_mass * c.force * c.angle / c.frequency;
     [
         (Quantity::BaseShear, 1.0, 1.0),
-        (
-            Quantity::BaseMoment,
-            arm(r.impulsive_lever),
-            r.rigid_depth + r.convective_lever,
-        ),
-        (
-            Quantity::OverturningMoment,
-            arm(r.impulsive_lever_with_base),
-            r.rigid_depth + r.convective_lever_with_base,
-        ),
+        (Quantity::BaseMoment, arm(r.impulsive_lever), r.rigid_depth + r.convective_lever),
+        (Quantity::OverturningMoment, arm(r.impulsive_lever_with_base), r.rigid_depth + r.convective_lever_with_base),
     ]
     .map(|(quantity, impulsive_arm, convective_arm)| {
         let ordinate = run.motion.sloshing_ordinate(r.period, r.acceleration);
         let response = Response {
-            impulsive: Some(Part::liquid(
-                run.motion.ground_ordinate(),
-                Share::new(mass, impulsive_arm),
-            )),
+            impulsive: Some(Part::liquid(run.motion.ground_ordinate(), Share::new(mass, impulsive_arm))),
             convective: Some(Part::liquid(ordinate, Share::new(sloshing, convective_arm))),
             combination: run.combination,
             vertical: None,
@@ -126,10 +112,7 @@ fn ladders(run: &Run) -> [Ingredients; 3] {
         ),
         Ingredients::ladder(
             Quantity::ImpulsiveMass,
-            &[
-                (Factor::RigidTank, rigid),
-                (Factor::Formula, r.impulsive_mass + r.rigid_mass),
-            ],
+            &[(Factor::RigidTank, rigid), (Factor::Formula, r.impulsive_mass + r.rigid_mass)],
         ),
         Ingredients::ladder(
             Quantity::ConvectiveMass,

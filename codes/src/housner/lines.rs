@@ -81,14 +81,7 @@ struct Convective {
 impl<'a> Lines<'a> {
     /// Lines with the printed constants; [`Lines::exact`] switches to the exact ones.
     pub(super) fn new(input: &'a Input, plan: Plan, combination: Combination, sheet: &'a mut Sheet) -> Lines<'a> {
-        Lines {
-            input,
-            plan,
-            exact: false,
-            combination,
-            sheet,
-            known: Vec::new(),
-        }
+        Lines { input, plan, exact: false, combination, sheet, known: Vec::new() }
     }
 
     /// All lines of the model.
@@ -194,14 +187,7 @@ impl<'a> Lines<'a> {
 
     fn inputs(&mut self, ground: &str) {
         let a = self.length();
-        let Input {
-            half_length,
-            depth,
-            mass,
-            ground_acceleration,
-            gravity,
-            ..
-        } = *self.input;
+        let Input { half_length, depth, mass, ground_acceleration, gravity, .. } = *self.input;
         self.sheet.section("Tank and ground motion");
         let what = match self.plan {
             Plan::Circle => "inner radius",
@@ -271,9 +257,7 @@ impl<'a> Lines<'a> {
         let read = ordinate(omega, period);
         not_negative("the spectral acceleration", read.value)?;
         let name = "pseudo-acceleration at T";
-        let acceleration = self
-            .sheet
-            .look_up("S_a", name, &read.look_up, read.value, Acceleration, &read.clause);
+        let acceleration = self.sheet.look_up("S_a", name, &read.look_up, read.value, Acceleration, &read.clause);
         self.known.push(("S_a", acceleration, Acceleration));
         self.line("S_v", "pseudo-velocity", "S_a/ω", Velocity, source);
         let displacement = self.line("A_1", "spectral displacement", "S_v/ω", Length, source);
@@ -287,28 +271,13 @@ impl<'a> Lines<'a> {
         let name = "its lever with base pressure";
         let formula = format!("{h}·(1 − (cosh(x) − 2)/(x·sinh(x)))");
         let lever_with_base = self.line("h_k′", name, &formula, Length, "Housner 1957; constant 2 exact");
-        Ok(Convective {
-            x,
-            omega,
-            period,
-            mass,
-            acceleration,
-            displacement,
-            angle,
-            force,
-            lever,
-            lever_with_base,
-        })
+        Ok(Convective { x, omega, period, mass, acceleration, displacement, angle, force, lever, lever_with_base })
     }
 
     fn wave(&mut self) -> Wave {
         let (a, source, c) = (self.length(), self.source(), self.input.coefficients);
         self.sheet.section("Wave at the wall");
-        let linear_source = if self.exact {
-            "potential flow, first mode"
-        } else {
-            "c_d·c_t of TID-7024 (1963)"
-        };
+        let linear_source = if self.exact { "potential flow, first mode" } else { "c_d·c_t of TID-7024 (1963)" };
         self.given("w", "linear wave factor", c.wave_linear, Dimensionless, linear_source);
         let formula = format!("w·{a}·S_a/g");
         let linear = self.line("d_lin", "linear value", &formula, Length, linear_source);
@@ -365,16 +334,8 @@ impl<'a> Lines<'a> {
         let name = "convective moment below the base plate";
         let m_kb = self.line("M_k′", name, &convective("h_k′"), Moment, with_base);
         let overturning = self.combined("M′", "overturning moment", ["M_i′", "M_k′"], Moment, with_base);
-        let part = |force, wall_moment, base_moment| Resultant {
-            force,
-            wall_moment,
-            base_moment,
-        };
-        let totals = Totals {
-            shear,
-            moment,
-            overturning,
-        };
+        let part = |force, wall_moment, base_moment| Resultant { force, wall_moment, base_moment };
+        let totals = Totals { shear, moment, overturning };
         ([part(q_i, m_i, m_ib), part(q_k, m_k, m_kb)], totals)
     }
 

@@ -178,9 +178,5 @@ pub(super) fn check(input: &Input) -> Result<(), InputError> {
 
 /// Whether an acceleration is zero or positive and finite.
 pub(super) fn not_negative(what: &'static str, value: f64) -> Result<(), InputError> {
-    if value >= 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(InputError::Negative { what, value })
-    }
+    if value >= 0.0 && value.is_finite() { Ok(()) } else { Err(InputError::Negative { what, value }) }
 }

@@ -55,10 +55,7 @@ pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicabl
         }
         _ => return Ok(()),
     };
-    Err(NotApplicable {
-        clause: SOURCE.into(),
-        reason: missing.into(),
-    })
+    Err(NotApplicable { clause: SOURCE.into(), reason: missing.into() })
 }
 
 impl<'a> Motion<'a> {
@@ -111,10 +108,7 @@ impl<'a> Motion<'a> {
             });
         }
         let Some(site) = &case.site.api650 else {
-            return Err(CodeError::Data {
-                clause: SOURCE.into(),
-                reason: "no site data".into(),
-            });
+            return Err(CodeError::Data { clause: SOURCE.into(), reason: "no site data".into() });
         };
         let design = DesignSpectrum::new(site)?;
         Ok(Motion {

@@ -107,12 +107,7 @@ impl Wall {
         if !admissible {
             return None;
         }
-        let mut wall = Wall {
-            radius,
-            specific_weight,
-            depth,
-            segments: segments(rings, depth),
-        };
+        let mut wall = Wall { radius, specific_weight, depth, segments: segments(rings, depth) };
         let (matrix, right) = wall.conditions(base);
         let constants = solve_dense(matrix, right)?;
         for (segment, c) in wall.segments.iter_mut().zip(constants.chunks_exact(4)) {
@@ -139,12 +134,7 @@ impl Wall {
         let basis = segment.basis(self.radius, z);
         let particular = self.particular(segment, z);
         let derivative = |order: usize| {
-            particular[order]
-                + basis[order]
-                    .iter()
-                    .zip(&segment.constants)
-                    .map(|(b, c)| b * c)
-                    .sum::<f64>()
+            particular[order] + basis[order].iter().zip(&segment.constants).map(|(b, c)| b * c).sum::<f64>()
         };
         let stiffness = segment.ring.bending_stiffness();
         State {
@@ -237,13 +227,7 @@ fn segments(rings: &[Ring], depth: f64) -> Vec<Segment> {
     let mut bottom = 0.0;
     for ring in rings {
         let top = bottom + ring.height;
-        let segment = |bottom: f64, top: f64, wet: bool| Segment {
-            bottom,
-            top,
-            wet,
-            ring: *ring,
-            constants: [0.0; 4],
-        };
+        let segment = |bottom: f64, top: f64, wet: bool| Segment { bottom, top, wet, ring: *ring, constants: [0.0; 4] };
         // A sliver of rounding at the surface is not a segment.
         let sliver = 1e-9 * depth;
         if depth > bottom + sliver && depth < top - sliver {

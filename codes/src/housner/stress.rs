@@ -82,11 +82,7 @@ impl Pressures<'_> {
         // Upper part: ∫₀^y (s/H − s²/(2H²)) (y − s) ds = y²·η/6 − y² η²/24, with the resultant P_i = p₀ H/3.
         let own = 3.0 * r.impulsive_force * h * (eta.powi(3) / 6.0 - eta.powi(4) / 24.0);
         let below = (r.rigid_depth - z).max(0.0);
-        let rigid = if r.rigid_depth > 0.0 {
-            r.rigid_force / r.rigid_depth * below * below / 2.0
-        } else {
-            0.0
-        };
+        let rigid = if r.rigid_depth > 0.0 { r.rigid_force / r.rigid_depth * below * below / 2.0 } else { 0.0 };
         own + r.impulsive_force * below + rigid
     }
 

@@ -152,10 +152,7 @@ fn table_d1_results_corrected_and_as_printed() {
         // 0.8 %: printed from 37.2 kN, 0.57 m and the rounded P_k; the stresses are truncated to a tenth.
         near(1e-3 * printed, m_print, 0.01 * m_print, "M, printed");
         let stress = 1e-6 * printed / modulus;
-        assert!(
-            stress >= sigma_print && stress < sigma_print + 0.1,
-            "sigma, printed: {stress}"
-        );
+        assert!(stress >= sigma_print && stress < sigma_print + 0.1, "sigma, printed: {stress}");
     }
     // With base pressure (below the plate).
     for (s_v, m) in [(0.80, 71.99), (0.09, 55.90), (0.22, 58.84)] {
@@ -169,18 +166,8 @@ fn combinations_of_the_parts() {
     let r = solve(broad_tank(Spectral::Velocity(0.8)));
     let (i, k) = (r.impulsive, r.convective);
     near(r.base_shear(Abs), i.force + k.force, 1e-9, "abs");
-    near(
-        r.base_shear(Srss),
-        (i.force.powi(2) + k.force.powi(2)).sqrt(),
-        1e-6,
-        "srss",
-    );
-    near(
-        r.moment(Arms::Wall, Srss),
-        (i.wall_moment.powi(2) + k.wall_moment.powi(2)).sqrt(),
-        1e-6,
-        "srss",
-    );
+    near(r.base_shear(Srss), (i.force.powi(2) + k.force.powi(2)).sqrt(), 1e-6, "srss");
+    near(r.moment(Arms::Wall, Srss), (i.wall_moment.powi(2) + k.wall_moment.powi(2)).sqrt(), 1e-6, "srss");
 }
 
 /// Table 8.8: R = 0.096 m. The text prints 1.84, the table was computed with the exact root 1.8412; 2.117 Hz at 9 cm is a
@@ -262,12 +249,7 @@ fn table_8_10_slender_tank() {
         stresses.push(m);
         let height = r.wave.finite.expect("inside Housner's theory");
         near(height, 0.487, 0.5e-3, "d_max");
-        near(
-            solve(slender_tank(h, 0.80)).wave.height(),
-            0.478,
-            0.5e-3,
-            "d_max with S_v = 0.80",
-        );
+        near(solve(slender_tank(h, 0.80)).wave.height(), 0.478, 0.5e-3, "d_max with S_v = 0.80");
         near(height, 0.48, 0.01, "d_max, printed");
         // The dissertation takes the frequency with the full depth (differs by less than 0.4 %).
         let printed_omega = if h == 3.0 { 3.13 } else { 3.14 };
@@ -306,12 +288,7 @@ fn table_8_11_rectangular_strip() {
     near(1e-3 * r.moment(Arms::Wall, Abs), 41.55, 0.5e-2, "M_w with 13.1 t");
     let light = strip(1000.0 * 5.0 * 2.57);
     near(1e-3 * light.moment(Arms::Wall, Abs), 40.76, 0.5e-2, "M_w with 12.85 t");
-    near(
-        1e-3 * light.moment(Arms::Wall, Abs),
-        39.94,
-        0.025 * 39.94,
-        "M_w, printed",
-    );
+    near(1e-3 * light.moment(Arms::Wall, Abs), 39.94, 0.025 * 39.94, "M_w, printed");
 }
 
 /// Housner's masses and the exact ones at four ratios H/R (table of the theory page).
@@ -354,12 +331,7 @@ fn wave_outside_housners_theory_is_linear() {
     let r = solve(broad_tank(Spectral::Velocity(2.5)));
     assert!(r.wave.ratio <= 1.0 && r.wave.finite.is_none());
     // d_lin = 0.626 R S_a/g.
-    near(
-        r.wave.height(),
-        0.408 * 1.534 * 1.83 * r.acceleration / G,
-        1e-12,
-        "d_lin",
-    );
+    near(r.wave.height(), 0.408 * 1.534 * 1.83 * r.acceleration / G, 1e-12, "d_lin");
     let calm = solve(broad_tank(Spectral::Velocity(0.0)));
     assert_eq!(calm.wave.height(), 0.0);
     // Small motion: both values agree (the finite-angle term is 4e-4 of the ratio here).
@@ -373,10 +345,7 @@ fn inadmissible_input_is_refused_with_its_value() {
     let base = broad_tank(Spectral::Velocity(0.8));
     for bad in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
         for input in [
-            Input {
-                half_length: bad,
-                ..base
-            },
+            Input { half_length: bad, ..base },
             Input { depth: bad, ..base },
             Input { mass: bad, ..base },
             Input { gravity: bad, ..base },
@@ -384,21 +353,11 @@ fn inadmissible_input_is_refused_with_its_value() {
             assert!(matches!(respond(&input), Err(InputError::NotPositive { .. })));
         }
     }
-    for spectral in [
-        Spectral::Velocity(-0.1),
-        Spectral::Displacement(-0.1),
-        Spectral::Acceleration(f64::NAN),
-    ] {
+    for spectral in [Spectral::Velocity(-0.1), Spectral::Displacement(-0.1), Spectral::Acceleration(f64::NAN)] {
         let error = respond(&Input { spectral, ..base }).expect_err("negative ordinates are refused");
         assert!(error.to_string().contains("must be zero or positive"));
     }
-    assert!(
-        respond(&Input {
-            ground_acceleration: -1.0,
-            ..base
-        })
-        .is_err()
-    );
+    assert!(respond(&Input { ground_acceleration: -1.0, ..base }).is_err());
 }
 
 /// The pressures integrate to the forces and moments of the model (Simpson, smooth parts: 1e-6 of the result). The
@@ -408,23 +367,13 @@ fn inadmissible_input_is_refused_with_its_value() {
 fn pressures_integrate_to_forces() {
     for (depth, slender) in [(1.525, false), (4.0, true)] {
         let r = solve(slender_tank(depth, 0.8));
-        let field = Pressures {
-            response: &r,
-            plan: Plan::Circle,
-            half_length: 1.83,
-            breadth: 0.0,
-        };
+        let field = Pressures { response: &r, plan: Plan::Circle, half_length: 1.83, breadth: 0.0 };
         assert_eq!(r.slender, slender);
         let n = 2000;
         let h = r.sloshing_depth / f64::from(n);
         let (mut i, mut k, mut mi, mut mk) = (0.0, 0.0, 0.0, 0.0);
         for j in 0..=n {
-            let weight = if j == 0 || j == n {
-                1.0
-            } else {
-                f64::from(2 + 2 * (j % 2))
-            } * h
-                / 3.0;
+            let weight = if j == 0 || j == n { 1.0 } else { f64::from(2 + 2 * (j % 2)) } * h / 3.0;
             let z = r.rigid_depth + f64::from(j) * h;
             let c = std::f64::consts::PI * 1.83 * weight;
             // The last point may lie a rounding above the surface.
@@ -436,33 +385,13 @@ fn pressures_integrate_to_forces() {
         }
         near(i, r.impulsive_force, 1e-6 * i, "P_i");
         near(k, r.convective_force, 1e-6 * k, "P_k");
-        near(
-            mi + r.rigid_force * r.rigid_depth / 2.0,
-            r.impulsive.wall_moment,
-            1e-6 * mi,
-            "M_i",
-        );
+        near(mi + r.rigid_force * r.rigid_depth / 2.0, r.impulsive.wall_moment, 1e-6 * mi, "M_i");
         near(mk, r.convective.wall_moment, 1e-6 * mk, "M_k");
-        near(
-            field.impulsive_moment_above(0.0),
-            r.impulsive.wall_moment,
-            1e-9 * mi,
-            "M_i(0)",
-        );
-        near(
-            field.convective_moment_above(0.0),
-            r.convective.wall_moment,
-            1e-9 * mk,
-            "M_k(0)",
-        );
+        near(field.impulsive_moment_above(0.0), r.impulsive.wall_moment, 1e-9 * mi, "M_i(0)");
+        near(field.convective_moment_above(0.0), r.convective.wall_moment, 1e-9 * mk, "M_k(0)");
         for z in [depth, depth + 0.1] {
             near(field.impulsive_moment_above(z), 0.0, 1e-9 * mi, "M_i above the surface");
-            near(
-                field.convective_moment_above(z),
-                0.0,
-                1e-9 * mk,
-                "M_k above the surface",
-            );
+            near(field.convective_moment_above(z), 0.0, 1e-9 * mk, "M_k above the surface");
         }
         assert_eq!(field.impulsive(depth + 0.1), 0.0);
         assert_eq!(field.convective(depth + 0.1), 0.0);

@@ -37,18 +37,8 @@ fn circle_agrees_with_the_table_of_exact_values() {
         near(convective(Plan::Circle, gamma, 2).mass, m_c2, HALF_DIGIT, "m_c2");
     }
     // Tank of the dissertation's example 8.1.
-    near(
-        impulsive(Plan::Circle, 0.8333).mass,
-        0.4791,
-        HALF_DIGIT,
-        "m_i, H/R = 0.8333",
-    );
-    near(
-        convective(Plan::Circle, 0.8333, 1).mass,
-        0.4970,
-        HALF_DIGIT,
-        "m_c1, H/R = 0.8333",
-    );
+    near(impulsive(Plan::Circle, 0.8333).mass, 0.4791, HALF_DIGIT, "m_i, H/R = 0.8333");
+    near(convective(Plan::Circle, 0.8333, 1).mass, 0.4970, HALF_DIGIT, "m_c1, H/R = 0.8333");
 }
 
 #[test]
@@ -64,12 +54,7 @@ fn rectangle_agrees_with_the_table_of_exact_values() {
     for [gamma, m_i, h_i, h_i_base, m_c, h_c, h_c_base, q0] in table {
         masses_and_levers(Plan::Rectangle, gamma, [m_i, h_i, h_i_base, m_c, h_c, h_c_base]);
         // q0 refers to L: p = q0 rho L A = C rho H A.
-        near(
-            gamma * ImpulsiveField::new(Plan::Rectangle, gamma).wall(0.0),
-            q0,
-            HALF_DIGIT,
-            "q0",
-        );
+        near(gamma * ImpulsiveField::new(Plan::Rectangle, gamma).wall(0.0), q0, HALF_DIGIT, "q0");
     }
 }
 
@@ -125,18 +110,11 @@ fn impulsive_and_all_convective_parts_make_a_solid() {
             let atol = 5e-5 / gamma;
             near(mass, 1.0, atol, "mass");
             near(moment, 0.5, atol, "moment of the wall pressure");
-            near(
-                moment_base,
-                0.5 + base / (gamma * gamma),
-                atol,
-                "moment of all pressure",
-            );
+            near(moment_base, 0.5 + base / (gamma * gamma), atol, "moment of all pressure");
             // Pressure of a solid: rho x A. The modes cancel exponentially below the surface.
             let field = ImpulsiveField::new(plan, gamma);
             for (xi, zeta) in [(1.0, 0.1), (0.7, 0.5), (0.4, 0.3)] {
-                let modes: f64 = (1..=60)
-                    .map(|n| ConvectiveField::new(plan, gamma, n).at(xi, zeta))
-                    .sum();
+                let modes: f64 = (1..=60).map(|n| ConvectiveField::new(plan, gamma, n).at(xi, zeta)).sum();
                 near(gamma * field.at(xi, zeta) + modes, xi, 1e-5, "pressure of a solid");
             }
         }
@@ -169,24 +147,9 @@ fn moments_and_shears_are_integrals_of_the_pressure() {
                     3e-6,
                     "impulsive moment",
                 );
-                near(
-                    i.shear_above(from),
-                    integral(&|s| gamma * i.wall(s), from),
-                    3e-6,
-                    "impulsive shear",
-                );
-                near(
-                    c.moment_above(from),
-                    integral(&|s| c.wall(s) * (s - from), from),
-                    1e-10,
-                    "convective moment",
-                );
-                near(
-                    c.shear_above(from),
-                    integral(&|s| c.wall(s), from),
-                    1e-10,
-                    "convective shear",
-                );
+                near(i.shear_above(from), integral(&|s| gamma * i.wall(s), from), 3e-6, "impulsive shear");
+                near(c.moment_above(from), integral(&|s| c.wall(s) * (s - from), from), 1e-10, "convective moment");
+                near(c.shear_above(from), integral(&|s| c.wall(s), from), 1e-10, "convective shear");
             }
             let (li, lc) = (impulsive(plan, gamma), convective(plan, gamma, 1));
             near(i.moment_above(0.0), li.mass * li.lever, 1e-6, "impulsive base moment");
@@ -224,12 +187,7 @@ fn base_pressure_gives_the_second_lever() {
 fn frequencies_agree_with_known_values() {
     // Dissertation 8.1: 3.0 rad/s; five digits from the closed form with lambda = 1.84118378 by hand.
     let omega = sloshing_omega(Plan::Circle, 1, 1.83, 1.525, 9.81);
-    near(
-        omega,
-        (1.841_183_781 * 9.81 / 1.83 * (1.841_183_781_f64 * 1.525 / 1.83).tanh()).sqrt(),
-        1e-9,
-        "omega",
-    );
+    near(omega, (1.841_183_781 * 9.81 / 1.83 * (1.841_183_781_f64 * 1.525 / 1.83).tanh()).sqrt(), 1e-9, "omega");
     // R = 15 m, H = 12 m, g = 9.81: 6.0352 s with the root rounded to 1.84118, 6.035147 s with the root itself.
     let period = |n| 2.0 * PI / sloshing_omega(Plan::Circle, n, 15.0, 12.0, 9.81);
     near(period(1), 6.035_147, 0.5e-6, "T_c1");
@@ -244,16 +202,8 @@ fn extreme_slenderness_stays_finite() {
             let i = impulsive(plan, gamma);
             let c = convective(plan, gamma, 1);
             let f = ConvectiveField::new(plan, gamma, 1);
-            for v in [
-                i.mass,
-                i.lever,
-                i.lever_with_base,
-                c.mass,
-                c.lever,
-                c.lever_with_base,
-                f.wall(0.0),
-                f.wall(1.0),
-            ] {
+            for v in [i.mass, i.lever, i.lever_with_base, c.mass, c.lever, c.lever_with_base, f.wall(0.0), f.wall(1.0)]
+            {
                 assert!(v.is_finite() && v >= 0.0, "{plan:?} {gamma}: {v}");
             }
             assert!(i.mass < 1.0 && c.mass < 1.0);

@@ -39,12 +39,10 @@ impl Scatter {
         let mean = values.iter().map(|(_, v)| v).sum::<f64>() / count;
         let square: f64 = values.iter().map(|(_, v)| (v - mean).powi(2)).sum();
         let extreme = |better: fn(f64, f64) -> bool| {
-            values
-                .iter()
-                .fold((value, first), |best, &(i, v)| match better(v, best.0) {
-                    true => (v, i),
-                    false => best,
-                })
+            values.iter().fold((value, first), |best, &(i, v)| match better(v, best.0) {
+                true => (v, i),
+                false => best,
+            })
         };
         let (min, max) = (extreme(|v, best| v < best), extreme(|v, best| v > best));
         Some(Scatter {
@@ -113,10 +111,8 @@ pub fn checks(runs: &[Vec<Check>], names: &[&str], combine: Combine) -> Vec<Comb
         }
     }
     let of = |key: &Key<'_>| {
-        let each: Vec<Option<&Check>> = keyed
-            .iter()
-            .map(|run| run.iter().find(|(k, _)| k == key).map(|(_, check)| *check))
-            .collect();
+        let each: Vec<Option<&Check>> =
+            keyed.iter().map(|run| run.iter().find(|(k, _)| k == key).map(|(_, check)| *check)).collect();
         one(&each, names, combine)
     };
     let mut all: Vec<Combined> = keys.iter().filter_map(of).collect();
@@ -129,17 +125,9 @@ fn one(each: &[Option<&Check>], names: &[&str], combine: Combine) -> Option<Comb
     let name = |i: usize| names.get(i).copied().unwrap_or_default();
     let first = each.iter().flatten().next()?;
     let utilisations: Vec<Option<f64>> = each.iter().map(|check| check.and_then(Check::ratio)).collect();
-    let without = |check: Check| Combined {
-        check,
-        scatter: None,
-        utilisations: utilisations.clone(),
-    };
-    let compared: Vec<(usize, &Check)> = each
-        .iter()
-        .enumerate()
-        .filter_map(|(i, c)| Some((i, (*c)?)))
-        .filter(|(_, c)| c.compared())
-        .collect();
+    let without = |check: Check| Combined { check, scatter: None, utilisations: utilisations.clone() };
+    let compared: Vec<(usize, &Check)> =
+        each.iter().enumerate().filter_map(|(i, c)| Some((i, (*c)?))).filter(|(_, c)| c.compared()).collect();
     let of_status = |status: CheckStatus| {
         let found = each.iter().enumerate().filter_map(|(i, c)| Some((i, (*c)?)));
         found.into_iter().find(|(_, c)| c.status == status)
@@ -169,26 +157,15 @@ fn one(each: &[Option<&Check>], names: &[&str], combine: Combine) -> Option<Comb
     let check = match combine {
         Combine::Worst => {
             let (i, worst) = compared.iter().find(|(i, _)| *i == scatter.max.1)?;
-            let note = [
-                format!("largest of {} records, {}", compared.len(), name(*i)),
-                worst.note.clone(),
-            ];
+            let note = [format!("largest of {} records, {}", compared.len(), name(*i)), worst.note.clone()];
             Check {
-                note: note
-                    .into_iter()
-                    .filter(|n| !n.is_empty())
-                    .collect::<Vec<_>>()
-                    .join("; "),
+                note: note.into_iter().filter(|n| !n.is_empty()).collect::<Vec<_>>().join("; "),
                 ..(*worst).clone()
             }
         }
         Combine::Mean => mean(&compared, &scatter, name),
     };
-    Some(Combined {
-        check,
-        scatter: Some(scatter).filter(|s| s.max.0.is_finite()),
-        utilisations,
-    })
+    Some(Combined { check, scatter: Some(scatter).filter(|s| s.max.0.is_finite()), utilisations })
 }
 
 /// The check of the mean utilisation.
@@ -216,27 +193,13 @@ fn mean<'a>(compared: &[(usize, &Check)], scatter: &Scatter, name: impl Fn(usize
     }
     let finite = scatter.mean.is_finite() && capacity > 0.0;
     let found = match finite {
-        true => Check::new(
-            &first.id,
-            &first.name,
-            scatter.mean * capacity,
-            capacity,
-            first.dimension,
-            &first.clause,
-            &note,
-        ),
+        true => {
+            Check::new(&first.id, &first.name, scatter.mean * capacity, capacity, first.dimension, &first.clause, &note)
+        }
         false => {
             let demand = compared.iter().filter_map(|(_, c)| c.demand).sum::<f64>() / count;
             let none = format!("without a capacity under {}", name(scatter.max.1));
-            Check::new(
-                &first.id,
-                &first.name,
-                demand,
-                0.0,
-                first.dimension,
-                &first.clause,
-                &none,
-            )
+            Check::new(&first.id, &first.name, demand, 0.0, first.dimension, &first.clause, &none)
         }
     };
     // The quotient of the product is off by a digit.
@@ -245,14 +208,10 @@ fn mean<'a>(compared: &[(usize, &Check)], scatter: &Scatter, name: impl Fn(usize
         false => CheckStatus::Fails,
     };
     let errors = compared.iter().map(|(_, c)| c.error);
-    Check {
-        status,
-        utilisation: finite.then_some(scatter.mean),
-        ..found
-    }
-    .of(&first.limit_state)
-    .at(None, same(|c| c.z), same(|c| c.theta))
-    .with_error(errors.flatten().reduce(f64::max))
+    Check { status, utilisation: finite.then_some(scatter.mean), ..found }
+        .of(&first.limit_state)
+        .at(None, same(|c| c.z), same(|c| c.theta))
+        .with_error(errors.flatten().reduce(f64::max))
 }
 
 #[cfg(test)]
@@ -266,12 +225,7 @@ mod tests {
     }
 
     fn open(id: &'static str) -> Check {
-        let state = LimitState {
-            id,
-            name: id,
-            clause: "clause".into(),
-            requirement: Requirement::Required,
-        };
+        let state = LimitState { id, name: id, clause: "clause".into(), requirement: Requirement::Required };
         Check::without_comparison(&state, CheckStatus::NotChecked, "no strength", None)
     }
 
@@ -306,10 +260,7 @@ mod tests {
         assert!((mean.check.demand.unwrap() - 90.0).abs() < 1e-12 && mean.check.capacity == Some(100.0));
         assert!(mean.check.note.contains("50 % (x) to 130 % (z)"), "{}", mean.check.note);
         let worst = &checks(&runs, &names, Combine::Worst)[0];
-        assert_eq!(
-            (worst.check.status, worst.check.demand),
-            (CheckStatus::Fails, Some(130.0))
-        );
+        assert_eq!((worst.check.status, worst.check.demand), (CheckStatus::Fails, Some(130.0)));
         assert!(worst.check.note.contains("z") && worst.check.note.ends_with("note"));
         assert_eq!(worst.utilisations, [Some(0.5), Some(0.9), Some(1.3)]);
     }

@@ -20,11 +20,7 @@ pub(super) fn layout(work: &mut Work<'_>) {
     let always = work.codes.iter().any(|code| code.always_anchors());
     let Some(anchors) = tank.anchors.filter(|anchors| anchors.count > 0) else {
         let (status, reason, input) = match pulls || always {
-            true => (
-                CheckStatus::NotChecked,
-                "`tank.anchors` is missing",
-                Some("tank.anchors"),
-            ),
+            true => (CheckStatus::NotChecked, "`tank.anchors` is missing", Some("tank.anchors")),
             false => (CheckStatus::NotApplicable, "the tank stands without anchors", None),
         };
         for id in [ANCHOR_COUNT.id, ANCHOR_SPACING.id] {
@@ -33,10 +29,7 @@ pub(super) fn layout(work: &mut Work<'_>) {
         return;
     };
     let [count, spacing] = [ANCHOR_COUNT.id, ANCHOR_SPACING.id].map(|id| work.clause(id));
-    let words = Words {
-        clauses: [&count, &spacing],
-        good_practice: !always,
-    };
+    let words = Words { clauses: [&count, &spacing], good_practice: !always };
     let checks = anchor_layout::layout(&mut work.sheet, tank, &anchors, pulls, &words);
     work.checks.extend(checks);
 }

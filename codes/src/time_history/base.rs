@@ -48,11 +48,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let thickness = work.case.tank.courses[base.course].thickness;
     let moment = work.moment(&found, 0.0);
     let pull = found.demand * thickness;
-    let pulls = format!(
-        "the wall pulls at its base with {} at {}",
-        with_unit(pull, LineForce),
-        moment.words()
-    );
+    let pulls = format!("the wall pulls at its base with {} at {}", with_unit(pull, LineForce), moment.words());
     if work.case.tank.support == Support::Unanchored {
         return match pull > 0.0 {
             true => Some(pulls),
@@ -84,13 +80,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let spacing = TAU * radius / f64::from(count);
     let clause = work.clause(ANCHORS.id);
     work.sheet.section(&format!("Anchors: {}", moment.words()));
-    work.sheet.input(
-        "n_a",
-        "largest pull at the base, static and seismic",
-        pull,
-        LineForce,
-        "the run of the engine",
-    );
+    work.sheet.input("n_a", "largest pull at the base, static and seismic", pull, LineForce, "the run of the engine");
     let terms = [
         ("n_a", pull, LineForce),
         ("R", radius, tank::units::Dimension::Length),
@@ -101,8 +91,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let (mut force, mut place) = (of_wall, (moment.time, moment.theta));
     if let Some(anchor) = spring {
         let title = "largest force of an anchor, of one that yields as if it stayed elastic";
-        work.sheet
-            .input("F_s", title, anchor.value, Force, "the run of the engine");
+        work.sheet.input("F_s", title, anchor.value, Force, "the run of the engine");
         let terms = [("F_a", of_wall, Force), ("F_s", anchor.value, Force)];
         force = work.sheet.calc("F_A", name, "max(F_a, F_s)", &terms, Force, &clause);
         if anchor.value > of_wall {
@@ -116,10 +105,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
         ..found
     };
     let error = work.error(&[Quantity::AxialMembraneStress], &found);
-    let note = format!(
-        "{count} anchors, one every {}",
-        with_unit(spacing, tank::units::Dimension::Length)
-    );
+    let note = format!("{count} anchors, one every {}", with_unit(spacing, tank::units::Dimension::Length));
     let anchor = ANCHORS.named("Tension of an anchor").check();
     let check = anchor.of(force, capacity, &clause, &note);
     let check = check.at(Some(place.0), Some(0.0), Some(place.1)).with_error(error);
@@ -158,8 +144,7 @@ fn lifting(work: &mut Work<'_>, base: &FreeBase) {
     let name = "Plastic rotation of the joint of the bottom plate";
     let note = "joint of wall and bottom plate, the largest of the run";
     let check = Check::new(UPLIFT.id, name, joint.value, rotation, Angle, &clause, note);
-    work.checks
-        .push(check.at(Some(joint.time), Some(0.0), Some(joint.theta)));
+    work.checks.push(check.at(Some(joint.time), Some(0.0), Some(joint.theta)));
 }
 
 /// Base shear against the friction under the weight of the same instant.
@@ -200,12 +185,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
     let upwards = |k: usize| factor * ready.upwards(k);
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     for friction in frictions {
-        let Friction {
-            id,
-            name: title,
-            coefficient: friction,
-            clause,
-        } = friction;
+        let Friction { id, name: title, coefficient: friction, clause } = friction;
         let Some((k, utilisation)) = slides_most(work, shear, friction * mass) else {
             continue;
         };
@@ -213,8 +193,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         let when = with_unit(time, tank::units::Dimension::Time);
         work.sheet.section(&format!("Sliding ({clause}): t = {when}"));
         let demand = size(k);
-        work.sheet
-            .input("V", "base shear", demand, Force, "the run of the engine");
+        work.sheet.input("V", "base shear", demand, Force, "the run of the engine");
         let name = "vertical acceleration of the ground then, upwards";
         work.sheet.input("a_v", name, upwards, Acceleration, "record");
         let terms = [
@@ -225,14 +204,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         ];
         let name = "friction under the weight of liquid, wall and roof then";
         let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, clause);
-        let found = Found {
-            utilisation,
-            demand,
-            rest: 0.0,
-            capacity,
-            instant: k,
-            direction: (1.0, 0.0),
-        };
+        let found = Found { utilisation, demand, rest: 0.0, capacity, instant: k, direction: (1.0, 0.0) };
         let error = work.error(&[Quantity::BaseShear], &found);
         let note = match slides {
             true => {
@@ -246,12 +218,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             (x, None) if x < 0.0 => PI,
             _ => 0.0,
         };
-        work.checks.push(
-            check
-                .of(SLIDING.id)
-                .at(Some(time), Some(0.0), Some(theta))
-                .with_error(error),
-        );
+        work.checks.push(check.of(SLIDING.id).at(Some(time), Some(0.0), Some(theta)).with_error(error));
     }
 }
 

@@ -66,12 +66,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let Some(k) = all.max_by(worse) else {
         return;
     };
-    let at = At {
-        instant: k,
-        moment: moment(k),
-        mass,
-        upwards: upwards(k),
-    };
+    let at = At { instant: k, moment: moment(k), mass, upwards: upwards(k) };
     let bears = lines(work, &at, resistance);
     let found = Found {
         utilisation: 0.0,
@@ -127,8 +122,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
         _ => 0.0,
     };
     let time = work.demands.times.get(k).copied();
-    work.checks
-        .push(check.at(time, Some(0.0), Some(theta)).with_error(error));
+    work.checks.push(check.at(time, Some(0.0), Some(theta)).with_error(error));
 }
 
 /// The governing instant.
@@ -154,11 +148,7 @@ fn lines(work: &mut Work<'_>, at: &At, resistance: f64) -> Bears {
     sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
     let name = "vertical acceleration of the ground then, upwards";
     sheet.input("a_v", name, at.upwards, Acceleration, "record");
-    let terms = [
-        ("M", at.mass, Mass),
-        ("g", gravity, Acceleration),
-        ("a_v", at.upwards, Acceleration),
-    ];
+    let terms = [("M", at.mass, Mass), ("g", gravity, Acceleration), ("a_v", at.upwards, Acceleration)];
     let name = "weight of liquid, wall and roof then";
     let normal = sheet.calc("N_b", name, "M·(g + a_v)", &terms, Force, &clause);
     let terms = vec![("M′", moment, Moment), ("N_b", normal, Force)];

@@ -96,22 +96,12 @@ pub(super) struct Wanted<'a> {
 
 impl<'a> Wanted<'a> {
     pub(super) fn on_wall(of: &'a OnWall, factors: Factors) -> Wanted<'a> {
-        Wanted {
-            rest: of.rest,
-            even: (!of.even.is_empty()).then_some(&of.even),
-            odd: &of.odd,
-            factors,
-        }
+        Wanted { rest: of.rest, even: (!of.even.is_empty()).then_some(&of.even), odd: &of.odd, factors }
     }
 
     /// A part of the motion alone.
     pub(super) fn amplitude(odd: &'a Terms, factors: Factors) -> Wanted<'a> {
-        Wanted {
-            rest: 0.0,
-            even: None,
-            odd,
-            factors,
-        }
+        Wanted { rest: 0.0, even: None, odd, factors }
     }
 }
 
@@ -136,10 +126,7 @@ impl Field {
 
     /// Several quantities at the same instants.
     pub(super) fn parts(part: &Part<'_>, wanted: &[Wanted<'_>]) -> Vec<Field> {
-        let terms: Vec<&Terms> = wanted
-            .iter()
-            .flat_map(|of| [of.odd].into_iter().chain(of.even))
-            .collect();
+        let terms: Vec<&Terms> = wanted.iter().flat_map(|of| [of.odd].into_iter().chain(of.even)).collect();
         let odd: Vec<&Terms> = wanted.iter().map(|of| of.odd).collect();
         let mut along = part.histories(&terms).into_iter();
         let mut transverse = part.transverses(&odd).into_iter().flatten();
@@ -253,20 +240,12 @@ struct Moved {
 
 impl Moved {
     /// The ranges of no instants.
-    const NONE: Moved = Moved {
-        around: NOTHING,
-        even: NOTHING,
-        odd: NOTHING,
-    };
+    const NONE: Moved = Moved { around: NOTHING, even: NOTHING, odd: NOTHING };
 
     /// Where nothing is the same around the circumference.
     fn of_odd(odd: (f64, f64)) -> Moved {
         let amplitude = (-odd.0).max(odd.1);
-        Moved {
-            around: (-amplitude, amplitude),
-            even: (0.0, 0.0),
-            odd,
-        }
+        Moved { around: (-amplitude, amplitude), even: (0.0, 0.0), odd }
     }
 
     /// What the absolute values of both parts add up to at most.
@@ -308,11 +287,7 @@ impl Ranges {
     /// None yet, with room for some.
     fn with_capacity(count: usize, even: bool) -> Ranges {
         let beside = if even { count } else { 0 };
-        Ranges {
-            odd: Vec::with_capacity(count),
-            even: Vec::with_capacity(beside),
-            around: Vec::with_capacity(beside),
-        }
+        Ranges { odd: Vec::with_capacity(count), even: Vec::with_capacity(beside), around: Vec::with_capacity(beside) }
     }
 
     fn push(&mut self, moved: Moved, even: bool) {
@@ -365,14 +340,8 @@ impl Extremes {
 
     /// Adds the next row of an amplitude.
     pub(super) fn take_amplitude(&mut self, of: &Field) {
-        let size = |k: usize| {
-            of.transverse
-                .as_ref()
-                .map_or(of.odd[k].abs(), |y| of.odd[k].hypot(y[k]))
-        };
-        self.extend(of.len(), |instants| {
-            Moved::of_odd((0.0, instants.map(size).fold(0.0, f64::max)))
-        });
+        let size = |k: usize| of.transverse.as_ref().map_or(of.odd[k].abs(), |y| of.odd[k].hypot(y[k]));
+        self.extend(of.len(), |instants| Moved::of_odd((0.0, instants.map(size).fold(0.0, f64::max))));
     }
 
     fn extend(&mut self, count: usize, moved: impl Fn(Range<usize>) -> Moved) {
@@ -412,11 +381,7 @@ impl Extremes {
         let moved = self.moved(span);
         let Moved { even, odd, .. } = moved;
         let (low, high) = self.at_rest_and(even, moved.size(), factor);
-        Fan {
-            low,
-            high,
-            odd: (factor * odd.0, factor * odd.1),
-        }
+        Fan { low, high, odd: (factor * odd.0, factor * odd.1) }
     }
 
     /// What the absolute values of all terms add up to at most.

@@ -48,15 +48,8 @@ pub(super) fn assess(work: &mut Work<'_>) {
             let clause = work.clause(ISOLATORS.id);
             let name = "largest displacement of the isolators";
             work.sheet.input("d_b", name, displacement, Length, run);
-            work.sheet.input(
-                "γ_x",
-                "magnification of the displacement",
-                factor,
-                Dimensionless,
-                &clause,
-            );
-            work.sheet
-                .input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
+            work.sheet.input("γ_x", "magnification of the displacement", factor, Dimensionless, &clause);
+            work.sheet.input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
             let terms = [("γ_x", factor, Dimensionless), ("d_b", displacement, Length)];
             let name = "displacement to be provided for";
             let demand = work.sheet.calc("d_x", name, "γ_x·d_b", &terms, Length, &clause);
@@ -94,11 +87,7 @@ pub(super) fn take_worse(checks: &mut [Check], others: Vec<Check>, factor: f64) 
         }
         let with = format!("with the properties of the isolators times {}", number(factor));
         let text = if other.compared() { &other.note } else { &other.reason };
-        let text = if text.is_empty() {
-            with
-        } else {
-            format!("{with}: {text}")
-        };
+        let text = if text.is_empty() { with } else { format!("{with}: {text}") };
         *own = match other.compared() {
             true => Check { note: text, ..other },
             false => Check { reason: text, ..other },

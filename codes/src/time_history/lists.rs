@@ -81,19 +81,15 @@ pub fn limit_states(case: &Case, judges: &Judges) -> Vec<LimitState> {
 /// * `own`: ids of those of the run
 fn answer(states: &mut Vec<LimitState>, own: &[&str], code: &dyn Code, asked: LimitState, case: &Case) {
     let open = |asked: LimitState| match asked.requirement {
-        Requirement::Required => LimitState {
-            requirement: Requirement::NotImplemented,
-            ..asked
-        },
+        Requirement::Required => LimitState { requirement: Requirement::NotImplemented, ..asked },
         _ => asked,
     };
     let answer = code.answers().iter().find(|(id, _)| *id == asked.id);
     let state = match answer {
         Some((_, Answer::Run(id))) if own.contains(id) => return,
-        Some((_, Answer::Open(state))) => open(LimitState {
-            requirement: asked.requirement,
-            ..state.under(state.clause.into(), case)
-        }),
+        Some((_, Answer::Open(state))) => {
+            open(LimitState { requirement: asked.requirement, ..state.under(state.clause.into(), case) })
+        }
         Some((_, Answer::Code)) => asked,
         // A run spares what another action decides only where the code decides beside it.
         None if own.contains(&asked.id) => match states.iter_mut().find(|state| state.id == asked.id) {
@@ -142,12 +138,7 @@ pub fn without_code(case: &Case) -> Option<Check> {
         true => "`site` names no code: nothing says whether the record is strong enough",
         false => "`site` is not given: nothing says whether the record is strong enough",
     };
-    Some(Check::without_comparison(
-        &state,
-        CheckStatus::NotChecked,
-        reason,
-        Some("site"),
-    ))
+    Some(Check::without_comparison(&state, CheckStatus::NotChecked, reason, Some("site")))
 }
 
 /// What the code of a site asks of the records under which an engine decides, and the code whose rule that is; none without a site.

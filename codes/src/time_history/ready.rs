@@ -61,11 +61,8 @@ pub(super) struct History {
 
 impl History {
     fn of(demands: &Demands, terms: &Terms) -> History {
-        let mut history = History {
-            along: demands.history(terms),
-            transverse: demands.transverse(terms),
-            largest: Vec::new(),
-        };
+        let mut history =
+            History { along: demands.history(terms), transverse: demands.transverse(terms), largest: Vec::new() };
         let largest = |row: Range<usize>| row.map(|k| history.size(k)).fold(0.0, f64::max);
         history.largest = rows(history.len()).map(largest).collect();
         history
@@ -101,9 +98,7 @@ impl<'a> Ready<'a> {
         let (mut wall, mut at_base) = (Vec::new(), Vec::new());
         if case.tank.shape.radius().is_some() {
             let size = |most: f64, value: &f64| most.max(value.abs());
-            let peaks: Vec<f64> = (demands.states.iter())
-                .map(|state| state.iter().fold(0.0, size))
-                .collect();
+            let peaks: Vec<f64> = (demands.states.iter()).map(|state| state.iter().fold(0.0, size)).collect();
             let bottom = demands.places.iter().filter(|place| place.z == 0.0);
             at_base = bottom.map(|place| Searched::new(demands, place, 1.0, &peaks)).collect();
             if case.tank.is_metal() {
@@ -127,9 +122,7 @@ impl<'a> Ready<'a> {
         let isolation = demands.isolation.iter();
         let bounds = isolation.flat_map(|isolation| &isolation.bounds);
         Ready {
-            bounds: bounds
-                .map(|(scale, demands)| (*scale, Ready::new(case, demands)))
-                .collect(),
+            bounds: bounds.map(|(scale, demands)| (*scale, Ready::new(case, demands))).collect(),
             least_upwards: vertical.as_ref().map(least).unwrap_or_default(),
             shear: held.or(demands.base_shear.as_ref()).map(history),
             moment: demands.overturning_moment.as_ref().map(history),

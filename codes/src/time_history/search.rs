@@ -69,10 +69,7 @@ impl Found {
         let ((c, s), (sine, cosine)) = (self.direction, angle.sin_cos());
         match angle == 0.0 {
             true => self,
-            false => Found {
-                direction: (c * cosine - s * sine, s * cosine + c * sine),
-                ..self
-            },
+            false => Found { direction: (c * cosine - s * sine, s * cosine + c * sine), ..self },
         }
     }
 }
@@ -202,20 +199,12 @@ impl<'a> Searched<'a> {
         let (axial, hoop) = (whole(&place.axial, lost), whole(&place.hoop, lost));
         let bending = whole(bending, lost * lost);
         let directions = if hoop.turns() { directions } else { &SIDES };
-        Searched {
-            base: AtBase::of([&axial, &hoop, &bending], poisson, directions),
-            ..self
-        }
+        Searched { base: AtBase::of([&axial, &hoop, &bending], poisson, directions), ..self }
     }
 
     /// The place under the motion times a positive factor.
     pub(super) fn under<'b>(&'b self, factor: f64, directions: &'b [Direction]) -> Search<'b> {
-        Search {
-            at: self,
-            factor,
-            directions,
-            block: None,
-        }
+        Search { at: self, factor, directions, block: None }
     }
 }
 
@@ -234,10 +223,7 @@ pub(super) struct Search<'a> {
 impl Search<'_> {
     /// The same in the block of an instant alone.
     pub(super) fn near(self, instant: usize) -> Self {
-        Search {
-            block: Some(block_of(instant)),
-            ..self
-        }
+        Search { block: Some(block_of(instant)), ..self }
     }
 
     /// Height above the base [m].
@@ -278,10 +264,7 @@ impl Search<'_> {
     }
 
     fn part(&self, of: &OnWall, stress: f64, block: usize) -> Field {
-        let factors = Factors {
-            stress,
-            motion: self.factor,
-        };
+        let factors = Factors { stress, motion: self.factor };
         Field::part(&self.at.demands.part(self.instants(block)), of, factors)
     }
 
@@ -300,10 +283,7 @@ impl Search<'_> {
 
     fn membrane(&self, block: usize) -> Membrane {
         let (demands, shear) = (self.at.demands, self.at.place.shear.as_ref());
-        let factors = Factors {
-            stress: self.at.lost,
-            motion: self.factor,
-        };
+        let factors = Factors { stress: self.at.lost, motion: self.factor };
         let part = demands.part(self.instants(block));
         let transverse = shear.and_then(|terms| part.transverse(terms));
         Membrane {
@@ -379,11 +359,7 @@ impl Search<'_> {
         let [hoop, axial] = [&self.at.hoop, &self.at.axial].map(|of| of.fan(span, self.factor));
         let of = |part: (f64, f64)| {
             // The shear goes with the sine.
-            let nearest = if part.0 * part.1 < 0.0 {
-                0.0
-            } else {
-                part.0.abs().min(part.1.abs())
-            };
+            let nearest = if part.0 * part.1 < 0.0 { 0.0 } else { part.0.abs().min(part.1.abs()) };
             let squared = shear * shear * (1.0 - nearest * nearest);
             most_squared(hoop.within(part), axial.within(part), squared)
         };
@@ -449,9 +425,7 @@ impl Search<'_> {
             (theta.cos(), theta.sin())
         });
         let of = |direction: Direction| (direction, membrane.squared(k, direction));
-        finer
-            .map(of)
-            .fold(of(coarse), |best, next| if next.1 > best.1 { next } else { best })
+        finer.map(of).fold(of(coarse), |best, next| if next.1 > best.1 { next } else { best })
     }
 
     /// Interior pressure at an instant and a place on the circumference [Pa].

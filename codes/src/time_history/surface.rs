@@ -27,8 +27,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     work.sheet.section("Freeboard");
     let name = "largest rise of the surface at the wall";
     work.sheet.input("d", name, rise, Length, "the run of the engine");
-    work.sheet
-        .input("h_f", "freeboard", freeboard, Length, "tank.courses, liquid");
+    work.sheet.input("h_f", "freeboard", freeboard, Length, "tank.courses, liquid");
     let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
     let check = Check::new(FREEBOARD.id, "Freeboard", rise, freeboard, Length, &clause, note)
         .at(Some(wave.time), None, Some(wave.theta))
@@ -40,10 +39,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     });
     let roof = work.case.tank.roof.mass > 0.0;
     let (status, reason) = match (rise > freeboard, roof) {
-        (false, _) => (
-            CheckStatus::NotApplicable,
-            "the wave does not reach the top of the wall".to_owned(),
-        ),
+        (false, _) => (CheckStatus::NotApplicable, "the wave does not reach the top of the wall".to_owned()),
         (true, false) => (CheckStatus::NotApplicable, "the tank has no roof".to_owned()),
         (true, true) => {
             let above = with_unit(rise - freeboard, Length);

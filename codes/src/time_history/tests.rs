@@ -69,11 +69,7 @@ impl Given {
                 shear: Some(shear),
                 pressure: Some(pressure),
             }],
-            wave: Some(Peak {
-                value: 0.4,
-                time: 3.0,
-                theta: std::f64::consts::PI,
-            }),
+            wave: Some(Peak { value: 0.4, time: 3.0, theta: std::f64::consts::PI }),
             states,
             ..Demands::default()
         }
@@ -84,9 +80,7 @@ impl Given {
 fn noise(seed: u64, amplitude: f64) -> Vec<f64> {
     let mut state = seed;
     let next = |_| {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         amplitude * ((state >> 33) as f64 / f64::from(1u32 << 30) - 1.0)
     };
     (0..400).map(next).collect()
@@ -124,10 +118,7 @@ fn at(of: &(f64, Vec<f64>, Vec<f64>), k: usize, theta: f64) -> f64 {
 }
 
 fn close(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found - expected).abs() <= tolerance * expected.abs(),
-        "{found} {expected}"
-    );
+    assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} {expected}");
 }
 
 /// A.10.2 and A.10.3 with the formulas of the annex typed again, over all instants and 181 angles.
@@ -140,11 +131,7 @@ fn buckling_governs_where_brute_force_finds_it() {
         let x = 1.24 * 0.06 * (r / s).sqrt();
         let knock = 1.0 - x * ((1.0 + 2.0 / x).sqrt() - 1.0);
         let slender = FY / (knock * classical);
-        let sigma_o = if slender <= 2.0 {
-            FY * (1.0 - slender / 4.0)
-        } else {
-            knock * classical
-        };
+        let sigma_o = if slender <= 2.0 { FY * (1.0 - slender / 4.0) } else { knock * classical };
         let bar = p.max(0.0) * r / (s * classical);
         let sigma_p = if bar < 5.0 {
             classical * (1.0 - ((1.0 - bar / 5.0) * (1.0 - sigma_o / classical)).powi(2)).sqrt()
@@ -178,18 +165,11 @@ fn buckling_governs_where_brute_force_finds_it() {
             let check = found(&findings, id);
             let utilisation = check.utilisation.unwrap();
             // The search goes in steps of 15°, which hold both sides: between two of them a smooth maximum is off by less than 1 %.
-            assert!(
-                utilisation <= worst * (1.0 + 1e-12) && utilisation >= 0.99 * worst,
-                "{id}: {utilisation} {worst}"
-            );
+            assert!(utilisation <= worst * (1.0 + 1e-12) && utilisation >= 0.99 * worst, "{id}: {utilisation} {worst}");
             // What is printed belongs together.
             let (k, theta) = (check.time_s.unwrap() as usize, check.theta.unwrap());
             close(check.demand.unwrap(), -at(&given.axial, k, theta) * 1e6, 1e-9);
-            close(
-                check.capacity.unwrap(),
-                capacity(at(&given.pressure, k, theta) * 1e3),
-                1e-9,
-            );
+            close(check.capacity.unwrap(), capacity(at(&given.pressure, k, theta) * 1e3), 1e-9);
         }
     }
 }
@@ -213,11 +193,7 @@ fn stresses_govern_where_brute_force_finds_them() {
         }
         close(found(&findings, "hoop_yield").demand.unwrap(), hoop * 1e6, 1e-12);
         // 0.05° from a smooth maximum: 1e-6.
-        close(
-            found(&findings, "equivalent_stress").demand.unwrap(),
-            equivalent * 1e6,
-            1e-5,
-        );
+        close(found(&findings, "equivalent_stress").demand.unwrap(), equivalent * 1e6, 1e-5);
     }
 }
 
@@ -227,12 +203,8 @@ fn stresses_govern_where_brute_force_finds_them() {
 #[test]
 fn two_components_govern_where_brute_force_finds_them() {
     let mut case = steel_tank();
-    case.tank.anchors = Some(Anchors {
-        count: 20,
-        capacity: Some(40e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    case.tank.anchors =
+        Some(Anchors { count: 20, capacity: Some(40e3), attachment_capacity: None, ..Anchors::default() });
     for seed in [15, 16, 17] {
         let (x, y) = (shaken(seed), shaken(seed + 1000));
         let mut demands = x.demands(0.0, 0);
@@ -292,12 +264,8 @@ fn anchors_carry_the_pull_of_their_spacing() {
         bending: (0.0, vec![0.0; 2]),
     };
     let mut case = steel_tank();
-    case.tank.anchors = Some(Anchors {
-        count: 20,
-        capacity: Some(40e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    case.tank.anchors =
+        Some(Anchors { count: 20, capacity: Some(40e3), attachment_capacity: None, ..Anchors::default() });
     let findings = assessed(&case, &given(-3.0).demands(0.0, 0));
     let check = found(&findings, "anchorage");
     close(check.demand.unwrap(), 14e3 * std::f64::consts::PI, 1e-9);
@@ -307,10 +275,7 @@ fn anchors_carry_the_pull_of_their_spacing() {
     case.tank.anchors = None;
     let missing = assessed(&case, &given(-3.0).demands(0.0, 0));
     let missing = found(&missing, "anchorage");
-    assert_eq!(
-        (missing.status, missing.input.as_deref()),
-        (CheckStatus::NotChecked, Some("tank.anchors"))
-    );
+    assert_eq!((missing.status, missing.input.as_deref()), (CheckStatus::NotChecked, Some("tank.anchors")));
     let heavy = assessed(&case, &given(1.9).demands(0.0, 0));
     assert_eq!(found(&heavy, "anchorage").status, CheckStatus::NotApplicable);
     // The same wall unanchored leaves the model, and nothing but the freeboard holds.
@@ -318,18 +283,10 @@ fn anchors_carry_the_pull_of_their_spacing() {
     let lifted = assessed(&case, &given(-3.0).demands(0.0, 0));
     assert!(lifted.outside.is_some());
     assert_eq!(found(&lifted, UPLIFT.id).status, CheckStatus::NotChecked);
-    let holds: Vec<&str> = lifted
-        .checks
-        .iter()
-        .filter(|c| c.holds())
-        .map(|c| c.id.as_str())
-        .collect();
+    let holds: Vec<&str> = lifted.checks.iter().filter(|c| c.holds()).map(|c| c.id.as_str()).collect();
     assert_eq!(holds, ["freeboard"]);
     let rests = assessed(&case, &given(1.9).demands(0.0, 0));
-    assert_eq!(
-        (&rests.outside, found(&rests, UPLIFT.id).status),
-        (&None, CheckStatus::NotApplicable)
-    );
+    assert_eq!((&rests.outside, found(&rests, UPLIFT.id).status), (&None, CheckStatus::NotApplicable));
 }
 
 /// F_C of the annex at the head of the instant: 83 t/(2.5 D) + 7.5 √(G H), at most 0.5 F_y, with GHD²/t² below 44.
@@ -345,11 +302,8 @@ fn compression_under_api_650_takes_the_pressure_of_the_instant() {
             let theta = (15.0 * f64::from(i)).to_radians();
             let head = at(&given.pressure, k, theta).max(0.0) / 9.81;
             let (t, d) = (14.0, 2.0 * R);
-            let allowed = if head * d * d / (t * t) >= 44.0 {
-                83.0 * t / d
-            } else {
-                83.0 * t / (2.5 * d) + 7.5 * head.sqrt()
-            };
+            let allowed =
+                if head * d * d / (t * t) >= 44.0 { 83.0 * t / d } else { 83.0 * t / (2.5 * d) + 7.5 * head.sqrt() };
             worst = worst.max(-at(&given.axial, k, theta) / allowed.min(117.5));
         }
     }
@@ -389,21 +343,13 @@ fn what_is_missing_is_named() {
     let mut case = steel_tank();
     case.tank.courses[1].material.yield_strength = None;
     let findings = assessed(&case, &given.demands(0.0, 0));
-    for id in [
-        "hoop_yield",
-        "buckling_elastic",
-        "buckling_elastic_plastic",
-        "equivalent_stress",
-    ] {
+    for id in ["hoop_yield", "buckling_elastic", "buckling_elastic_plastic", "equivalent_stress"] {
         let check = found(&findings, id);
         assert_eq!(check.status, CheckStatus::NotChecked, "{id}");
         assert_eq!(check.input.as_deref(), Some("materials.steel.yield_strength"), "{id}");
     }
     let slides = found(&findings, "sliding");
-    assert_eq!(
-        (slides.status, slides.input.as_deref()),
-        (CheckStatus::NotChecked, Some("site.ec8.friction"))
-    );
+    assert_eq!((slides.status, slides.input.as_deref()), (CheckStatus::NotChecked, Some("site.ec8.friction")));
     assert_eq!(found(&findings, "roof_impact").status, CheckStatus::NotApplicable);
     case.liquid.fill_height = 9.7;
     case.tank.roof.mass = 1e4;
@@ -419,15 +365,8 @@ fn a_wave_that_is_not_small_does_not_hold() {
     let mut case = steel_tank();
     case.liquid.fill_height = 7.5;
     let status = |rise: f64, small_waves: bool| {
-        let wave = Some(Peak {
-            value: rise,
-            ..Peak::default()
-        });
-        let demands = Demands {
-            wave,
-            small_waves,
-            ..shaken(1).demands(0.0, 0)
-        };
+        let wave = Some(Peak { value: rise, ..Peak::default() });
+        let demands = Demands { wave, small_waves, ..shaken(1).demands(0.0, 0) };
         found(&assessed(&case, &demands), "freeboard").status
     };
     assert_eq!(status(2.1, true), CheckStatus::NotChecked);
@@ -473,11 +412,7 @@ fn checks_belong_to_declared_limit_states() {
         case.tank.support = support;
         let states = limit_states(&case, &counted(&case, &[]));
         for check in assessed(&case, &given.demands(0.0, 0)).checks {
-            assert!(
-                states.iter().any(|s| s.id == check.limit_state),
-                "{}",
-                check.limit_state
-            );
+            assert!(states.iter().any(|s| s.id == check.limit_state), "{}", check.limit_state);
         }
     }
 }
@@ -538,21 +473,11 @@ fn a_corroded_wall_is_judged_by_what_is_left() {
         axial: times(&given.axial, f),
         shear: given.shear.iter().map(|x| f * x).collect(),
         pressure: times(&given.pressure, 1.0),
-        bending: (
-            f * f * given.bending.0,
-            given.bending.1.iter().map(|x| f * f * x).collect(),
-        ),
+        bending: (f * f * given.bending.0, given.bending.1.iter().map(|x| f * f * x).collect()),
     };
-    let (found_thick, found_thin) = (
-        assessed(&corroded, &given.demands(0.0, 0)),
-        assessed(&thin, &scaled.demands(0.0, 0)),
-    );
-    for id in [
-        "hoop_yield",
-        "equivalent_stress",
-        "buckling_elastic",
-        "buckling_elastic_plastic",
-    ] {
+    let (found_thick, found_thin) =
+        (assessed(&corroded, &given.demands(0.0, 0)), assessed(&thin, &scaled.demands(0.0, 0)));
+    for id in ["hoop_yield", "equivalent_stress", "buckling_elastic", "buckling_elastic_plastic"] {
         let (a, b) = (found(&found_thick, id), found(&found_thin, id));
         close(a.demand.unwrap_or_default(), b.demand.unwrap_or(1.0), 1e-12);
         close(a.capacity.unwrap_or_default(), b.capacity.unwrap_or(1.0), 1e-12);

@@ -27,10 +27,7 @@ impl WallStress {
     /// Symbol and name of its line.
     fn words(self) -> (&'static str, &'static str) {
         match self {
-            WallStress::Equivalent => (
-                "σ_v",
-                "largest equivalent membrane stress, √(σ_θ² + σ_z² - σ_θ σ_z + 3 τ²)",
-            ),
+            WallStress::Equivalent => ("σ_v", "largest equivalent membrane stress, √(σ_θ² + σ_z² - σ_θ σ_z + 3 τ²)"),
             WallStress::RangeAtBase => ("Δσ_v", "range of the equivalent stress of a face"),
             WallStress::Hoop => ("σ_θ", "largest hoop membrane stress, static and seismic"),
             WallStress::Compression => ("σ_m", "axial membrane compression, static and seismic"),
@@ -123,12 +120,7 @@ fn check(work: &mut Work<'_>, asked: &WallLimit<'_>, found: &[Worst]) {
     let governing = found.iter().fold(*first, larger);
     let moment = work.moment(&governing.found, governing.z);
     let number_of = |worst: &Worst| worst.course + 1;
-    let title = format!(
-        "{}: course {}, {}",
-        asked.state.name,
-        number_of(&governing),
-        moment.words()
-    );
+    let title = format!("{}: course {}, {}", asked.state.name, number_of(&governing), moment.words());
     work.sheet.section(&title);
     let Found { demand, capacity, .. } = governing.found;
     let (symbol, name) = asked.stress.words();
@@ -203,9 +195,6 @@ fn compression(
     above: f64,
 ) -> Option<Found> {
     let floors = ready.shelf.floors((id, at.course()), at.pressures(), capacity);
-    let capacity = Capacity {
-        of: capacity,
-        floors: &floors,
-    };
+    let capacity = Capacity { of: capacity, floors: &floors };
     at.compression(capacity, above)
 }

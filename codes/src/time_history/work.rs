@@ -28,10 +28,7 @@ pub(super) struct Moment {
 impl Moment {
     /// In words.
     pub(super) fn words(&self) -> String {
-        let (z, time) = (
-            with_unit(self.z, Dimension::Length),
-            with_unit(self.time, Dimension::Time),
-        );
+        let (z, time) = (with_unit(self.z, Dimension::Length), with_unit(self.time, Dimension::Time));
         format!("z = {z}, θ = {:.0}°, t = {time}", self.theta.to_degrees())
     }
 }
@@ -81,8 +78,7 @@ impl<'a> Work<'a> {
     /// A limit state without a comparison.
     pub(super) fn without(&mut self, id: &str, status: CheckStatus, reason: &str, input: Option<&str>) {
         if let Some(state) = self.states.iter().find(|state| state.id == id) {
-            self.checks
-                .push(Check::without_comparison(state, status, reason, input));
+            self.checks.push(Check::without_comparison(state, status, reason, input));
         }
     }
 

@@ -27,11 +27,7 @@ pub(crate) fn of_slenderness(slenderness: f64) -> Case {
     case.tank.courses[0].thickness = 0.02;
     case.tank.courses[0].material.yield_strength = Some(235e6);
     case.liquid.fill_height = depth;
-    case.site = Site {
-        ec8: Some(Draw(3).ec8()),
-        api650: Some(Draw(5).api650()),
-        ..Site::default()
-    };
+    case.site = Site { ec8: Some(Draw(3).ec8()), api650: Some(Draw(5).api650()), ..Site::default() };
     case
 }
 
@@ -40,10 +36,7 @@ struct Draw(u64);
 
 impl Draw {
     fn next(&mut self) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         self.0 >> 33
     }
 
@@ -91,16 +84,8 @@ impl Draw {
             })
             .collect();
         let shape = match self.next() % 6 {
-            0 => Shape::Rectangle {
-                length: 2.0 * half,
-                breadth: self.of(&[0.7, 1.3]) * half,
-                strip: false,
-            },
-            1 => Shape::Rectangle {
-                length: 2.0 * half,
-                breadth: 1.0,
-                strip: true,
-            },
+            0 => Shape::Rectangle { length: 2.0 * half, breadth: self.of(&[0.7, 1.3]) * half, strip: false },
+            1 => Shape::Rectangle { length: 2.0 * half, breadth: 1.0, strip: true },
             _ => Shape::Cylinder { radius: half },
         };
         let support = self.of(&[Support::Anchored, Support::Unanchored]);
@@ -118,11 +103,7 @@ impl Draw {
             shape,
             support,
             courses,
-            roof: Roof {
-                mass: self.of(&[0.0, 5.0, 60.0]) * half * half,
-                height: None,
-                ..Roof::default()
-            },
+            roof: Roof { mass: self.of(&[0.0, 5.0, 60.0]) * half * half, height: None, ..Roof::default() },
             bottom: self.of(&[true, true, true, false]).then_some(plate),
             wall_base: tank::WallBase::Fixed,
             foundation: None,
@@ -133,10 +114,7 @@ impl Draw {
                 attachment_capacity: self.yes().then_some(500e3),
                 ..Anchors::default()
             }),
-            pressure: Pressure {
-                internal: self.of(&[0.0, 0.0, 5e3]),
-                vacuum: self.of(&[0.0, 0.0, 1e3]),
-            },
+            pressure: Pressure { internal: self.of(&[0.0, 0.0, 5e3]), vacuum: self.of(&[0.0, 0.0, 1e3]) },
             pipes: self.yes().then(|| Pipes {
                 support_distance: self.of(&[None, Some(10.0)]),
                 allowable_displacement: self.of(&[None, Some(0.05)]),
@@ -214,20 +192,10 @@ impl Draw {
         Case {
             name: "family".into(),
             tank,
-            liquid: Liquid {
-                density: self.of(&[1000.0, 850.0]),
-                fill_height,
-            },
+            liquid: Liquid { density: self.of(&[1000.0, 850.0]), fill_height },
             gravity: self.of(&[9.80665, 9.81]),
-            ground_motion: Some(GroundMotion {
-                horizontal,
-                transverse: None,
-                vertical,
-            }),
-            damping: Damping {
-                sloshing: 0.005,
-                impulsive: self.of(&[0.02, 0.05]),
-            },
+            ground_motion: Some(GroundMotion { horizontal, transverse: None, vertical }),
+            damping: Damping { sloshing: 0.005, impulsive: self.of(&[0.02, 0.05]) },
             site: Site {
                 ec8: self.of(&[true, true, true, false]).then(|| self.ec8()),
                 api650: self.of(&[true, true, true, false]).then(|| self.api650()),

@@ -89,11 +89,7 @@ impl Anchors {
         }
         match self.gap >= 0.0 && self.gap.is_finite() {
             true => Ok(()),
-            false => Err(BaseError::Parameter {
-                name: "gap of an anchor",
-                value: self.gap,
-                allowed: "at least 0",
-            }),
+            false => Err(BaseError::Parameter { name: "gap of an anchor", value: self.gap, allowed: "at least 0" }),
         }
     }
 
@@ -127,21 +123,12 @@ impl Ring {
             let heavier = rocking.heavier(pull / (TAU * radius));
             laws.push(Law::new(&heavier, law.largest())?);
         }
-        Ok(Ring {
-            anchors,
-            radius,
-            rest: law.turn(0.0, 0.0).centre,
-            places: places.collect(),
-            laws,
-        })
+        Ok(Ring { anchors, radius, rest: law.turn(0.0, 0.0).centre, places: places.collect(), laws })
     }
 
     /// Anchors that nothing has stretched.
     pub fn unstretched(&self) -> Bolts {
-        Bolts {
-            plastic: vec![0.0; self.places.len()],
-            broken: vec![false; self.places.len()],
-        }
+        Bolts { plastic: vec![0.0; self.places.len()], broken: vec![false; self.places.len()] }
     }
 
     /// The anchors.
@@ -176,10 +163,7 @@ impl Ring {
 
     /// What the anchors add at a rotation [rad] and a bottom pressure [Pa].
     pub fn pull(&self, psi: f64, suction: f64, bolts: &Bolts) -> Pull {
-        let (sign, full) = (
-            if psi < 0.0 { -1.0 } else { 1.0 },
-            self.anchors.count as f64 * self.anchors.yield_force,
-        );
+        let (sign, full) = (if psi < 0.0 { -1.0 } else { 1.0 }, self.anchors.count as f64 * self.anchors.yield_force);
         let mut centres = [0.0; LEVELS + 1];
         for (centre, law) in centres.iter_mut().zip(&self.laws) {
             *centre = law.turn(psi, suction).centre;
@@ -206,19 +190,12 @@ impl Ring {
                 high = total
             }
             let next = total - over / (stiffness * slope - 1.0);
-            total = if next > low && next < high {
-                next
-            } else {
-                0.5 * (low + high)
-            };
+            total = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         let (at, slope) = centre(total);
         let [force, turned, k0, k1, k2] = self.sums(psi, at, bolts);
         if force == 0.0 {
-            return Pull {
-                centre: at,
-                ..Pull::default()
-            };
+            return Pull { centre: at, ..Pull::default() };
         }
         let (level, share) = self.level(total);
         let [bare, below, above] = [0, level, level + 1].map(|i| self.laws[i].respond(psi, suction, 0.0, &[]));
@@ -275,21 +252,12 @@ impl Ring {
     pub fn stored(&self, psi: f64, centre: f64, bolts: &Bolts) -> f64 {
         let numbers = self.places.iter().map(|(_, number)| number);
         let forces = self.forces(psi, centre, bolts);
-        forces
-            .zip(numbers)
-            .map(|(force, number)| number * 0.5 * force * force / self.anchors.stiffness)
-            .sum()
+        forces.zip(numbers).map(|(force, number)| number * 0.5 * force * force / self.anchors.stiffness).sum()
     }
 
     /// Stretches the anchors to where the foot is.
     pub fn commit(&self, psi: f64, centre: f64, bolts: &mut Bolts) -> Cost {
-        let Anchors {
-            stiffness,
-            yield_force,
-            gap,
-            rupture,
-            ..
-        } = self.anchors;
+        let Anchors { stiffness, yield_force, gap, rupture, .. } = self.anchors;
         let mut cost = Cost::default();
         for (i, &(s, number)) in self.places.iter().enumerate() {
             if bolts.broken[i] {

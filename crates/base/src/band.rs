@@ -18,10 +18,7 @@ pub(crate) struct Band {
 
 impl Band {
     pub(crate) fn new(size: usize) -> Band {
-        Band {
-            size,
-            columns: vec![[0.0; COLUMN]; size + HALF],
-        }
+        Band { size, columns: vec![[0.0; COLUMN]; size + HALF] }
     }
 
     /// Makes all of it zero.
@@ -134,18 +131,12 @@ mod tests {
         for i in 0..n {
             for j in i.saturating_sub(5)..=i {
                 let sign = if i % 3 == 0 { -1.0 } else { 1.0 };
-                let value = if i == j {
-                    20.0 * sign
-                } else {
-                    1.0 / (1 + i + 2 * j) as f64 - 0.3
-                };
+                let value = if i == j { 20.0 * sign } else { 1.0 / (1 + i + 2 * j) as f64 - 0.3 };
                 band.add(i, j, value);
             }
         }
         let wanted: Vec<f64> = (0..n).map(|i| (i as f64 - 7.5) / 3.0).collect();
-        let mut x: Vec<f64> = (0..n)
-            .map(|i| (0..n).map(|j| band.get(i, j) * wanted[j]).sum())
-            .collect();
+        let mut x: Vec<f64> = (0..n).map(|i| (0..n).map(|j| band.get(i, j) * wanted[j]).sum()).collect();
         // The fifth unknown is given: its row and column are those of the unit matrix.
         for i in (0..n).filter(|i| *i != 4) {
             x[i] -= band.get(i, 4) * wanted[4];

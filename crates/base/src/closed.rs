@@ -65,9 +65,7 @@ pub fn round(plate: &Plate, pressure: f64, rim: f64, contact: f64) -> (f64, f64)
     };
     let mut rows: [[f64; 5]; 4] = [w(contact), slope(contact), bend(contact), moment(rim)];
     for i in 0..4 {
-        let pivot = (i..4)
-            .max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs()))
-            .unwrap_or(i);
+        let pivot = (i..4).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs())).unwrap_or(i);
         rows.swap(i, pivot);
         for j in i + 1..4 {
             let factor = rows[j][i] / rows[i][i];

@@ -24,12 +24,7 @@ impl Cubic {
     fn between([a, b]: [&Point; 2], [m, n]: [f64; 2]) -> Cubic {
         let h = b.uplift - a.uplift;
         let secant = (b.hold_down - a.hold_down) / h;
-        Cubic([
-            a.hold_down,
-            m,
-            (3.0 * secant - 2.0 * m - n) / h,
-            (m + n - 2.0 * secant) / (h * h),
-        ])
+        Cubic([a.hold_down, m, (3.0 * secant - 2.0 * m - n) / h, (m + n - 2.0 * secant) / (h * h)])
     }
 
     fn at(&self, x: f64) -> f64 {
@@ -80,9 +75,7 @@ impl Curve {
         let slopes = slopes(&points);
         let cubics = points.windows(2).zip(slopes.windows(2));
         Curve {
-            cubics: cubics
-                .map(|(p, m)| Cubic::between([&p[0], &p[1]], [m[0], m[1]]))
-                .collect(),
+            cubics: cubics.map(|(p, m)| Cubic::between([&p[0], &p[1]], [m[0], m[1]])).collect(),
             uplifts: points.iter().map(|p| p.uplift).collect(),
             slopes,
             points,

@@ -109,11 +109,8 @@ impl Drag {
 
     /// The curve as a chain of springs that slip one after another; together they hold μ N.
     pub fn springs(&self) -> Vec<Spring> {
-        let mut chords: Vec<(f64, f64)> = self
-            .points
-            .windows(2)
-            .map(|p| (p[1].0, (p[1].1 - p[0].1) / (p[1].0 - p[0].0)))
-            .collect();
+        let mut chords: Vec<(f64, f64)> =
+            self.points.windows(2).map(|p| (p[1].0, (p[1].1 - p[0].1) / (p[1].0 - p[0].0))).collect();
         for i in 1..chords.len() {
             chords[i].1 = chords[i].1.min(chords[i - 1].1);
         }
@@ -121,10 +118,7 @@ impl Drag {
         let mut springs: Vec<Spring> = chords
             .windows(2)
             .filter(|c| c[0].1 > c[1].1)
-            .map(|c| Spring {
-                stiffness: c[0].1 - c[1].1,
-                limit: (c[0].1 - c[1].1) * c[0].0,
-            })
+            .map(|c| Spring { stiffness: c[0].1 - c[1].1, limit: (c[0].1 - c[1].1) * c[0].0 })
             .collect();
         // What is left between the end of the curve and μ N.
         let held: f64 = springs.iter().map(|s| s.limit).sum();
@@ -161,13 +155,7 @@ impl Plate {
                 (area, coefficient * (base.pressure * area + wall))
             })
             .collect();
-        Plate {
-            radii,
-            stiff,
-            areas,
-            modulus: base.modulus,
-            edge: PI * radius * base.edge_stiffness(),
-        }
+        Plate { radii, stiff, areas, modulus: base.modulus, edge: PI * radius * base.edge_stiffness() }
     }
 
     /// Factor on the displacements `x` at which the first place slips.
@@ -201,9 +189,7 @@ impl Plate {
             let (before, descent) = (x.to_vec(), -slope(&force));
             let mut share = 1.0;
             (force, tangent) = loop {
-                x.iter_mut()
-                    .zip(before.iter().zip(&change))
-                    .for_each(|(x, (x0, d))| *x = x0 + share * d);
+                x.iter_mut().zip(before.iter().zip(&change)).for_each(|(x, (x0, d))| *x = x0 + share * d);
                 let next = self.forces(x, s, places, hold);
                 if share < SHORTEST || slope(&next.0) <= 0.5 * descent {
                     break next;
@@ -391,10 +377,8 @@ mod tests {
     #[test]
     fn elements_and_places_converge() {
         let base = base(8e-3);
-        let (coarse, fine) = (
-            Drag::of(&base, 0.4).unwrap(),
-            Drag::meshed(&base, 0.4, 2 * ELEMENTS, 2 * PLACES).unwrap(),
-        );
+        let (coarse, fine) =
+            (Drag::of(&base, 0.4).unwrap(), Drag::meshed(&base, 0.4, 2 * ELEMENTS, 2 * PLACES).unwrap());
         for s in [3e-4, 1e-3, 3e-3, 1e-2, 3e-2] {
             let ratio = coarse.shear(s) / fine.shear(s);
             assert!((ratio - 1.0).abs() < 1e-2, "{s}: {ratio}");

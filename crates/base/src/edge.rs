@@ -42,10 +42,7 @@ impl Edge {
         let d = self.young_modulus * s.powi(3) / (12.0 * plane);
         let membrane = r * r / (self.young_modulus * s);
         EdgeStiffness {
-            k: [
-                [4.0 * beta.powi(3) * d, 2.0 * beta * beta * d],
-                [2.0 * beta * beta * d, 2.0 * beta * d],
-            ],
+            k: [[4.0 * beta.powi(3) * d, 2.0 * beta * beta * d], [2.0 * beta * beta * d, 2.0 * beta * d]],
             free: [self.pressure * membrane, -self.gradient * membrane],
         }
     }

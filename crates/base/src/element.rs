@@ -15,11 +15,8 @@ use crate::plate::{Plate, Section};
 pub(crate) const SIZE: usize = 6;
 
 /// Gauss points of an element and their weights on 0 to 1.
-pub(crate) const GAUSS: [(f64, f64); 3] = [
-    (0.112_701_665_379_258_3, 5.0 / 18.0),
-    (0.5, 8.0 / 18.0),
-    (0.887_298_334_620_741_7, 5.0 / 18.0),
-];
+pub(crate) const GAUSS: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
 /// What the length of an element alone gives: its cubics at the Gauss points, and the rows of its rise.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,11 +29,7 @@ pub(crate) struct Cubics {
 
 impl Cubics {
     pub(crate) fn new(length: f64) -> Cubics {
-        Cubics {
-            length,
-            points: GAUSS.map(|(x, _)| shape(x, length)),
-            rise: rise(length),
-        }
+        Cubics { length, points: GAUSS.map(|(x, _)| shape(x, length)), rise: rise(length) }
     }
 }
 
@@ -113,24 +106,9 @@ impl Sums {
 fn shape(x: f64, h: f64) -> [[f64; 4]; 3] {
     let (x2, x3) = (x * x, x * x * x);
     [
-        [
-            1.0 - 3.0 * x2 + 2.0 * x3,
-            h * (x - 2.0 * x2 + x3),
-            3.0 * x2 - 2.0 * x3,
-            h * (x3 - x2),
-        ],
-        [
-            6.0 * (x2 - x) / h,
-            1.0 - 4.0 * x + 3.0 * x2,
-            6.0 * (x - x2) / h,
-            3.0 * x2 - 2.0 * x,
-        ],
-        [
-            (12.0 * x - 6.0) / (h * h),
-            (6.0 * x - 4.0) / h,
-            (6.0 - 12.0 * x) / (h * h),
-            (6.0 * x - 2.0) / h,
-        ],
+        [1.0 - 3.0 * x2 + 2.0 * x3, h * (x - 2.0 * x2 + x3), 3.0 * x2 - 2.0 * x3, h * (x3 - x2)],
+        [6.0 * (x2 - x) / h, 1.0 - 4.0 * x + 3.0 * x2, 6.0 * (x - x2) / h, 3.0 * x2 - 2.0 * x],
+        [(12.0 * x - 6.0) / (h * h), (6.0 * x - 4.0) / h, (6.0 - 12.0 * x) / (h * h), (6.0 * x - 2.0) / h],
     ]
 }
 

@@ -42,9 +42,5 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, BaseError>
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(BaseError::Parameter {
-        name,
-        value,
-        allowed: "a positive number",
-    })
+    Err(BaseError::Parameter { name, value, allowed: "a positive number" })
 }

@@ -25,10 +25,7 @@ impl Soil {
     /// These are moduli of small strains; under a strong earthquake the velocity of the strained soil belongs here (EN 1998-5:2004,
     /// table 4.1).
     pub fn of_waves(velocity: f64, density: f64, poisson_ratio: f64) -> Soil {
-        Soil {
-            young_modulus: 2.0 * (1.0 + poisson_ratio) * density * velocity * velocity,
-            poisson_ratio,
-        }
+        Soil { young_modulus: 2.0 * (1.0 + poisson_ratio) * density * velocity * velocity, poisson_ratio }
     }
 }
 

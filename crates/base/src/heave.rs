@@ -110,11 +110,7 @@ impl Heave {
                 let (force, moment) = sums(turn.centre);
                 let place = |way: f64| {
                     let now = sums(turn.centre + way);
-                    Place {
-                        centre: turn.centre + way,
-                        load: force - now.0,
-                        moment: turn.moment + now.1 - moment,
-                    }
+                    Place { centre: turn.centre + way, load: force - now.0, moment: turn.moment + now.1 - moment }
                 };
                 // To where the lifted side is on the ground, and to where the toe leaves it.
                 let reach = psi * rocking.radius();
@@ -123,11 +119,7 @@ impl Heave {
                 let up = (reach - turn.centre).max(0.0) + least;
                 rows.push(std::array::from_fn(|i| {
                     if i == REST {
-                        return Place {
-                            centre: turn.centre,
-                            load: 0.0,
-                            moment: turn.moment,
-                        };
+                        return Place { centre: turn.centre, load: 0.0, moment: turn.moment };
                     }
                     let way = if i < REST { -down } else { up };
                     place(match i.abs_diff(REST) {

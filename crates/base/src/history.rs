@@ -238,11 +238,7 @@ impl<'a> March<'a> {
         }
         history.bolts = self.state.bolts;
         history.energy = self.sums;
-        history.balance = if self.largest > 0.0 {
-            self.off / self.largest
-        } else {
-            0.0
-        };
+        history.balance = if self.largest > 0.0 { self.off / self.largest } else { 0.0 };
         history
     }
 }

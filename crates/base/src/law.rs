@@ -72,10 +72,7 @@ impl Cubic {
     fn at(&self, t: f64, h: f64) -> Response {
         let ([a, b], [first, last]) = (self.values, self.slopes);
         if t > 1.0 {
-            return Response {
-                moment: b + last * (t - 1.0) * h,
-                tangent: last,
-            };
+            return Response { moment: b + last * (t - 1.0) * h, tangent: last };
         }
         let (m, n) = (first * h, last * h);
         let (t2, t3) = (t * t, t * t * t);
@@ -103,9 +100,7 @@ impl Law {
     ///
     /// Errors: no equilibrium of the base.
     pub fn new(rocking: &Rocking, largest: f64) -> Result<Law, BaseError> {
-        let rotations: Vec<f64> = (0..=ROTATIONS)
-            .map(|j| largest * (j as f64 / ROTATIONS as f64).powi(3))
-            .collect();
+        let rotations: Vec<f64> = (0..=ROTATIONS).map(|j| largest * (j as f64 / ROTATIONS as f64).powi(3)).collect();
         let suctions = SUCTIONS.map(|share| share * rocking.pressure()).to_vec();
         let turns = side_by_side(&suctions, |&suction| {
             let row = rotations.iter().map(|&psi| rocking.at(psi, suction));
@@ -113,10 +108,8 @@ impl Law {
         })?;
         let slopes: Vec<Vec<f64>> = turns.iter().map(|row| slopes(&rotations, row)).collect();
         let cubics = turns.iter().zip(&slopes).map(|(row, slopes)| {
-            let between = |j: usize| Cubic {
-                values: [row[j].moment, row[j + 1].moment],
-                slopes: [slopes[j], slopes[j + 1]],
-            };
+            let between =
+                |j: usize| Cubic { values: [row[j].moment, row[j + 1].moment], slopes: [slopes[j], slopes[j + 1]] };
             (0..ROTATIONS).map(between).collect()
         });
         let bin = |i: usize| rotations.partition_point(|r| *r < largest * (i as f64 / BINS as f64));
@@ -196,10 +189,7 @@ impl Law {
     fn curve(&self, psi: f64, suction: f64) -> Response {
         if psi < 0.0 {
             let mirrored = self.curve(-psi, -suction);
-            return Response {
-                moment: -mirrored.moment,
-                ..mirrored
-            };
+            return Response { moment: -mirrored.moment, ..mirrored };
         }
         let (j, k, share) = self.places(psi, suction);
         let h = self.rotations[j] - self.rotations[j - 1];
@@ -330,9 +320,7 @@ impl Law {
     pub fn work(&self, psi: f64) -> f64 {
         let n = 400;
         let h = psi / f64::from(n);
-        (0..n)
-            .map(|i| self.curve(h * (f64::from(i) + 0.5), 0.0).moment * h)
-            .sum()
+        (0..n).map(|i| self.curve(h * (f64::from(i) + 0.5), 0.0).moment * h).sum()
     }
 }
 
@@ -411,10 +399,7 @@ fn springs(rotations: &[f64], rest: &[Turn]) -> (Vec<Spring>, f64) {
     let springs = chords
         .windows(2)
         .filter(|c| c[0].1 > c[1].1)
-        .map(|c| Spring {
-            stiffness: c[0].1 - c[1].1,
-            limit: (c[0].1 - c[1].1) * c[0].0,
-        })
+        .map(|c| Spring { stiffness: c[0].1 - c[1].1, limit: (c[0].1 - c[1].1) * c[0].0 })
         .collect();
     (springs, chords.last().map_or(0.0, |c| c.1))
 }
@@ -430,11 +415,7 @@ fn slopes(rotations: &[f64], row: &[Turn]) -> Vec<f64> {
     let mut slopes = vec![secants[0].1];
     slopes.extend(secants.windows(2).map(|s| {
         let ((h, a), (k, b)) = (s[0], s[1]);
-        if a * b <= 0.0 {
-            0.0
-        } else {
-            3.0 * (h + k) / ((2.0 * k + h) / a + (k + 2.0 * h) / b)
-        }
+        if a * b <= 0.0 { 0.0 } else { 3.0 * (h + k) / ((2.0 * k + h) / a + (k + 2.0 * h) / b) }
     }));
     slopes.push(secants[secants.len() - 1].1);
     slopes

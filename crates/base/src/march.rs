@@ -59,10 +59,7 @@ impl Plastic {
     fn of(strains: Vec<f64>, elements: usize) -> Plastic {
         let each = strains.len() / (3 * elements);
         let yielded = |section: usize| strains[section * each..(section + 1) * each].iter().any(|p| *p != 0.0);
-        Plastic {
-            yielded: (0..3 * elements).map(yielded).collect(),
-            strains,
-        }
+        Plastic { yielded: (0..3 * elements).map(yielded).collect(), strains }
     }
 
     /// Places of an element: all plates have a yield stress, or none has.
@@ -72,18 +69,12 @@ impl Plastic {
     }
 
     fn at(&self, element: usize) -> (&[f64], &[bool]) {
-        (
-            &self.strains[self.range(element)],
-            &self.yielded[3 * element..3 * element + 3],
-        )
+        (&self.strains[self.range(element)], &self.yielded[3 * element..3 * element + 3])
     }
 
     fn at_mut(&mut self, element: usize) -> (&mut [f64], &mut [bool]) {
         let range = self.range(element);
-        (
-            &mut self.strains[range],
-            &mut self.yielded[3 * element..3 * element + 3],
-        )
+        (&mut self.strains[range], &mut self.yielded[3 * element..3 * element + 3])
     }
 }
 
@@ -142,10 +133,7 @@ impl<'a> Lifted<'a> {
             }
             step /= 2.0;
             if step < SMALLEST_SHARE {
-                return Err(BaseError::NoEquilibrium {
-                    uplift: state.uplift(),
-                    step: 0.0,
-                });
+                return Err(BaseError::NoEquilibrium { uplift: state.uplift(), step: 0.0 });
             }
         }
         Ok(state)
@@ -158,12 +146,7 @@ impl<'a> Lifted<'a> {
 
     /// The state again, of the same strip.
     pub(crate) fn of_parts(strip: &'a Strip, (x, plastic): (Vec<f64>, Vec<f64>)) -> Lifted<'a> {
-        Lifted {
-            strip,
-            x,
-            plastic: Plastic::of(plastic, strip.cubics.len()),
-            system: None,
-        }
+        Lifted { strip, x, plastic: Plastic::of(plastic, strip.cubics.len()), system: None }
     }
 
     /// Uplift of the rim [m].
@@ -178,11 +161,7 @@ impl<'a> Lifted<'a> {
         let mut step = uplift - self.uplift();
         while self.uplift() != uplift {
             let rest = uplift - self.uplift();
-            let target = if rest.abs() <= step.abs() * (1.0 + 1e-9) {
-                uplift
-            } else {
-                self.uplift() + step
-            };
+            let target = if rest.abs() <= step.abs() * (1.0 + 1e-9) { uplift } else { self.uplift() + step };
             if self.step(Given::Uplift(target))? {
                 continue;
             }
@@ -217,19 +196,13 @@ impl<'a> Lifted<'a> {
         for _ in 0..ITERATIONS {
             self.assemble(&x, given, &mut system);
             dx.iter_mut().zip(&system.residual).for_each(|(d, r)| *d = -r);
-            let solved = self.solve(
-                &mut system.tangent,
-                &mut dx,
-                matches!(given, Given::Uplift(_)).then_some(0.0),
-            );
+            let solved = self.solve(&mut system.tangent, &mut dx, matches!(given, Given::Uplift(_)).then_some(0.0));
             if !solved {
                 return Ok(false);
             }
             // Displacements and rotations times the plate's thickness are lengths: settled to a thousandth of a micrometre.
             let t = self.strip.bands.rim().thickness;
-            let moved = dx
-                .chunks_exact(3)
-                .map(|d| d[0].abs().max(d[1].abs()).max(t * d[2].abs()));
+            let moved = dx.chunks_exact(3).map(|d| d[0].abs().max(d[1].abs()).max(t * d[2].abs()));
             let largest = moved.fold(0.0, f64::max);
             growing = if largest > before { growing + 1 } else { 0 };
             before = largest;
@@ -265,11 +238,8 @@ impl<'a> Lifted<'a> {
     }
 
     fn system(&self, x: &[f64], given: Given) -> System {
-        let mut system = System {
-            residual: vec![0.0; x.len()],
-            tangent: Band::new(x.len()),
-            plastic: self.plastic.clone(),
-        };
+        let mut system =
+            System { residual: vec![0.0; x.len()], tangent: Band::new(x.len()), plastic: self.plastic.clone() };
         self.assemble(x, given, &mut system);
         system
     }
@@ -311,9 +281,7 @@ impl<'a> Lifted<'a> {
     fn respond(&self, i: usize) -> Answer {
         let old = self.plastic.at(i);
         let (mut new, mut yielded) = (vec![0.0; old.0.len()], [false; 3]);
-        self.strip
-            .element(i, 1.0)
-            .respond(&unknowns(&self.x, i), old, (&mut new, &mut yielded))
+        self.strip.element(i, 1.0).respond(&unknowns(&self.x, i), old, (&mut new, &mut yielded))
     }
 
     /// What the strip does in this state.
@@ -341,12 +309,7 @@ impl<'a> Lifted<'a> {
     pub(crate) fn shape(&self) -> Shape {
         Shape {
             deflections: self.x.iter().skip(1).step_by(3).copied().collect(),
-            yielded: self
-                .plastic
-                .yielded
-                .chunks_exact(3)
-                .map(|s| s.contains(&true))
-                .collect(),
+            yielded: self.plastic.yielded.chunks_exact(3).map(|s| s.contains(&true)).collect(),
         }
     }
 
@@ -361,10 +324,7 @@ impl<'a> Lifted<'a> {
             let element = strip.element(i, 1.0);
             let q = unknowns(&self.x, i);
             for (point, (x, _)) in GAUSS.iter().enumerate().rev() {
-                let here = (
-                    strip.nodes[i] + x * element.cubics.length,
-                    element.deflection(&q, point),
-                );
+                let here = (strip.nodes[i] + x * element.cubics.length, element.deflection(&q, point));
                 if here.1 <= 0.0 {
                     let crossing = here.0 + (before.0 - here.0) * -here.1 / (before.1 - here.1);
                     return strip.length() - crossing;
@@ -427,11 +387,7 @@ impl Strip {
             round: (self.plan == Plan::Round).then(|| (self.nodes[i], self.length())),
             modulus: self.modulus,
             // Outside the wall there is no liquid.
-            pressure: if 3 * i < self.rim_at() {
-                share * self.pressure
-            } else {
-                0.0
-            },
+            pressure: if 3 * i < self.rim_at() { share * self.pressure } else { 0.0 },
         }
     }
 }

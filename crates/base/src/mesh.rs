@@ -51,12 +51,7 @@ mod tests {
 
     #[test]
     fn nodes_rise_to_the_end_and_meet_the_edge_of_the_annular_plate() {
-        let plate = |thickness| Plate {
-            thickness,
-            young_modulus: 2e11,
-            poisson_ratio: 0.3,
-            yield_stress: None,
-        };
+        let plate = |thickness| Plate { thickness, young_modulus: 2e11, poisson_ratio: 0.3, yield_stress: None };
         let bands = Bands::annular(plate(0.01), 0.7123, plate(0.006));
         for length in [0.5, 2.0, 20.0] {
             let nodes = nodes(&bands, 1e8, length, (1.0, 3.0));

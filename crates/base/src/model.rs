@@ -122,19 +122,13 @@ impl Base {
     /// The same base with plates that do not yield.
     #[must_use]
     pub fn elastic(self) -> Base {
-        Base {
-            bands: self.bands.elastic(),
-            ..self
-        }
+        Base { bands: self.bands.elastic(), ..self }
     }
 
     /// The same base on another ground [N/m³].
     #[must_use]
     pub fn on(&self, modulus: f64) -> Base {
-        Base {
-            modulus,
-            ..self.clone()
-        }
+        Base { modulus, ..self.clone() }
     }
 
     /// The same base whose strips rock on elements twice as long, which change their forces by less than 1 %.
@@ -171,8 +165,7 @@ impl Base {
     /// Largest von Mises stress of the lowest course at the joint, in a state of the strips, whose wall is elastic [Pa]. Beyond the
     /// yield strength the joint turns in the wall, too, and the plate's part of the plastic rotation is smaller than that of the strips.
     pub fn wall_stress(&self, point: &Point) -> f64 {
-        self.edge
-            .stress([point.axial_force, point.rim_moment, point.hold_down], point.rotation)
+        self.edge.stress([point.axial_force, point.rim_moment, point.hold_down], point.rotation)
     }
 
     /// A strip under a pressure on the plate [Pa], which the foot of the wall has, too: liquid that moves widens it and turns it.
@@ -185,27 +178,15 @@ impl Base {
     /// The same with elements twice as long, which stay short only where a plate lifts that yields: over the width of the mechanism with
     /// two hinges, l = 3.41 √(M_p/p), and as much again for membrane force and soft ground.
     pub(crate) fn coarse_strip(&self, pressure: f64) -> Result<Strip, BaseError> {
-        let mechanism = |plate: &Plate| {
-            plate
-                .plastic_moment()
-                .map(|m| crate::closed::MECHANISM * (m / pressure).sqrt())
-        };
-        let fine = mechanism(self.bands.rim())
-            .map_or(f64::INFINITY, |l| 2.0 * l)
-            .min(mesh::FINE);
+        let mechanism =
+            |plate: &Plate| plate.plastic_moment().map(|m| crate::closed::MECHANISM * (m / pressure).sqrt());
+        let fine = mechanism(self.bands.rim()).map_or(f64::INFINITY, |l| 2.0 * l).min(mesh::FINE);
         Ok(self.bare(pressure)?.spaced(0.5, fine).projecting(self.projection))
     }
 
     fn bare(&self, pressure: f64) -> Result<Strip, BaseError> {
         let rim = Rim::Wall(Edge { pressure, ..self.edge });
-        Strip::new(
-            self.bands.clone(),
-            rim,
-            self.radius,
-            self.modulus,
-            pressure,
-            Plan::Strip,
-        )
+        Strip::new(self.bands.clone(), rim, self.radius, self.modulus, pressure, Plan::Strip)
     }
 
     /// The base with a rim that is known between two displacements [m]; with `suction` also under lower pressures on the plate.
@@ -243,9 +224,7 @@ fn bands(bottom: &Bottom, corrosion: f64) -> Bands {
 fn ground(case: &Case, plate: &Plate) -> (f64, Origin) {
     let foundation = case.tank.foundation.as_ref();
     let bottom = case.tank.bottom.as_ref();
-    let given = foundation
-        .and_then(|f| f.stiffness)
-        .or(bottom.and_then(|b| b.subgrade_modulus));
+    let given = foundation.and_then(|f| f.stiffness).or(bottom.and_then(|b| b.subgrade_modulus));
     if let Some(k) = given {
         return (k, Origin::Given);
     }

@@ -58,16 +58,12 @@ impl Plate {
                 allowed: "from 0 to less than 0.5",
             });
         }
-        self.yield_stress
-            .map_or(Ok(()), |f| positive("yield stress of the plate", f).map(drop))
+        self.yield_stress.map_or(Ok(()), |f| positive("yield stress of the plate", f).map(drop))
     }
 
     /// The same plate without a yield stress.
     pub fn elastic(self) -> Plate {
-        Plate {
-            yield_stress: None,
-            ..self
-        }
+        Plate { yield_stress: None, ..self }
     }
 
     pub(crate) fn fibres(&self) -> usize {
@@ -159,18 +155,12 @@ pub struct Bands {
 impl Bands {
     /// One plate all over.
     pub fn uniform(plate: Plate) -> Bands {
-        Bands {
-            rim: plate,
-            inner: None,
-        }
+        Bands { rim: plate, inner: None }
     }
 
     /// An annular plate `rim` of `width` [m] from the inside of the wall, `sketch` plates beyond it.
     pub fn annular(rim: Plate, width: f64, sketch: Plate) -> Bands {
-        Bands {
-            rim,
-            inner: Some((width, sketch)),
-        }
+        Bands { rim, inner: Some((width, sketch)) }
     }
 
     /// The plate under the wall.
@@ -193,10 +183,7 @@ impl Bands {
 
     /// The same plates without yield stresses.
     pub fn elastic(&self) -> Bands {
-        Bands {
-            rim: self.rim.elastic(),
-            inner: self.inner.as_ref().map(|(width, plate)| (*width, plate.elastic())),
-        }
+        Bands { rim: self.rim.elastic(), inner: self.inner.as_ref().map(|(width, plate)| (*width, plate.elastic())) }
     }
 
     pub(crate) fn check(&self) -> Result<(), BaseError> {

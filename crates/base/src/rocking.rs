@@ -63,11 +63,7 @@ impl Rocking {
     /// Errors: no curve.
     pub fn new(radius: f64, weight: f64, mut curves: Vec<(f64, Curve)>) -> Result<Rocking, BaseError> {
         let Some(pressure) = curves.first().map(|c| c.0) else {
-            return Err(BaseError::Parameter {
-                name: "number of curves",
-                value: 0.0,
-                allowed: "at least one",
-            });
+            return Err(BaseError::Parameter { name: "number of curves", value: 0.0, allowed: "at least one" });
         };
         curves.sort_by(|a, b| b.0.total_cmp(&a.0));
         let rest = curves.iter().position(|c| c.0 == pressure).unwrap_or(0);
@@ -75,13 +71,7 @@ impl Rocking {
             let others = curves.iter().enumerate().filter(|(j, _)| *j != i);
             1.0 / others.map(|(_, other)| curves[i].0 - other.0).product::<f64>()
         };
-        Ok(Rocking {
-            factors: (0..curves.len()).map(factor).collect(),
-            radius,
-            weight,
-            curves,
-            rest,
-        })
+        Ok(Rocking { factors: (0..curves.len()).map(factor).collect(), radius, weight, curves, rest })
     }
 
     /// The strip's curve at rest.
@@ -102,10 +92,7 @@ impl Rocking {
     /// The same base under more weight on its rim [N/m].
     #[must_use]
     pub fn heavier(&self, more: f64) -> Rocking {
-        Rocking {
-            weight: self.weight + more,
-            ..self.clone()
-        }
+        Rocking { weight: self.weight + more, ..self.clone() }
     }
 
     /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
@@ -128,12 +115,10 @@ impl Rocking {
     }
 
     fn range(&self) -> (f64, f64) {
-        self.curves
-            .iter()
-            .fold((f64::NEG_INFINITY, f64::INFINITY), |range, (_, curve)| {
-                let (from, to) = curve.range();
-                (range.0.max(from), range.1.min(to))
-            })
+        self.curves.iter().fold((f64::NEG_INFINITY, f64::INFINITY), |range, (_, curve)| {
+            let (from, to) = curve.range();
+            (range.0.max(from), range.1.min(to))
+        })
     }
 
     /// The base at `rotation` ψ [rad] ≥ 0, with a bottom pressure that is lower by `suction` cos φ [Pa].
@@ -249,12 +234,7 @@ pub(crate) fn plane_section_by(
 ) -> Result<Turn, BaseError> {
     let reach = rotation * radius;
     let (low, high) = (from + reach, to - reach);
-    let beyond = |wanted| BaseError::BeyondCurve {
-        rotation,
-        wanted,
-        from,
-        to,
-    };
+    let beyond = |wanted| BaseError::BeyondCurve { rotation, wanted, from, to };
     if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
         return Err(beyond(2.0 * reach + from));
     }
@@ -292,11 +272,7 @@ fn root(f: &dyn Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64), settl
             return x;
         }
         let side = if value < 0.0 { -1 } else { 1 };
-        let (own, other) = if side < 0 {
-            (&mut low, &mut high)
-        } else {
-            (&mut high, &mut low)
-        };
+        let (own, other) = if side < 0 { (&mut low, &mut high) } else { (&mut high, &mut low) };
         *own = (x, value);
         if last == side {
             other.1 *= 0.5;

@@ -67,10 +67,7 @@ pub struct Stands {
 impl Stands {
     /// Curves of a base, none drawn yet.
     pub fn of(base: Base) -> Stands {
-        Stands {
-            base,
-            curves: Vec::new(),
-        }
+        Stands { base, curves: Vec::new() }
     }
 
     /// The base.
@@ -145,11 +142,7 @@ impl Stands {
         if suction > 0.0 {
             pressures.push(base.pressure - suction);
         }
-        let strips: Vec<Strip> = pressures
-            .iter()
-            .map(|p| base.coarse_strip(*p))
-            .collect::<Result<_, _>>()
-            .ok()?;
+        let strips: Vec<Strip> = pressures.iter().map(|p| base.coarse_strip(*p)).collect::<Result<_, _>>().ok()?;
         let mut drawn = Vec::with_capacity(strips.len());
         for strip in &strips {
             let kept = self.curves.iter().find(|(own, _)| *own == strip.pressure());
@@ -212,12 +205,7 @@ impl<'a> Drawn<'a> {
     fn of(strip: &'a Strip, weight: f64, kept: Option<Kept>) -> Result<Drawn<'a>, BaseError> {
         if let Some(mut kept) = kept {
             let ends = std::mem::take(&mut kept.ends).map(|end| end.map(|parts| Lifted::of_parts(strip, parts)));
-            return Ok(Drawn {
-                strip,
-                weight,
-                kept,
-                ends,
-            });
+            return Ok(Drawn { strip, weight, kept, ends });
         }
         let rest = Lifted::at_rest(strip, weight)?;
         let mut drawn = Drawn {
@@ -272,11 +260,8 @@ impl<'a> Drawn<'a> {
     fn again(&self, points: &[Point], up: bool) -> Result<Lifted<'a>, BaseError> {
         let mut state = Lifted::at_rest(self.strip, self.weight)?;
         let rest = self.kept.rest;
-        let mut way: Vec<f64> = points
-            .iter()
-            .map(|p| p.uplift)
-            .filter(|w| if up { *w > rest } else { *w < rest })
-            .collect();
+        let mut way: Vec<f64> =
+            points.iter().map(|p| p.uplift).filter(|w| if up { *w > rest } else { *w < rest }).collect();
         if !up {
             way.reverse();
         }

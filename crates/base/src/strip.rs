@@ -83,16 +83,7 @@ impl Strip {
             });
         }
         let nodes = places(&bands, modulus, length, (1.0, mesh::FINE));
-        Ok(Strip {
-            cubics: cubics(&nodes),
-            nodes,
-            outside: 0,
-            bands,
-            modulus,
-            pressure,
-            rim,
-            plan,
-        })
+        Ok(Strip { cubics: cubics(&nodes), nodes, outside: 0, bands, modulus, pressure, rim, plan })
     }
 
     /// The same strip with a plate that projects outside the wall [m]; it lies on the ground without liquid on it.
@@ -101,8 +92,7 @@ impl Strip {
         let count = if projection > 0.0 { OUTSIDE } else { 0 };
         let rim = self.length();
         self.nodes.truncate(self.nodes.len() - self.outside);
-        self.nodes
-            .extend((1..=count).map(|i| rim + projection * i as f64 / count as f64));
+        self.nodes.extend((1..=count).map(|i| rim + projection * i as f64 / count as f64));
         self.outside = count;
         self.cubics = cubics(&self.nodes);
         self
@@ -118,11 +108,7 @@ impl Strip {
     #[must_use]
     pub(crate) fn spaced(self, factor: f64, fine: f64) -> Strip {
         let nodes = places(&self.bands, self.modulus, self.length(), (factor, fine));
-        Strip {
-            cubics: cubics(&nodes),
-            nodes,
-            ..self
-        }
+        Strip { cubics: cubics(&nodes), nodes, ..self }
     }
 
     /// Thickness of the plate under the wall [m].
@@ -144,10 +130,7 @@ impl Strip {
     ///
     /// Errors: a pressure that is not positive.
     pub fn under(&self, pressure: f64) -> Result<Strip, BaseError> {
-        Ok(Strip {
-            pressure: positive("pressure on the plate", pressure)?,
-            ..self.clone()
-        })
+        Ok(Strip { pressure: positive("pressure on the plate", pressure)?, ..self.clone() })
     }
 }
 

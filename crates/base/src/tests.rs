@@ -5,12 +5,7 @@ use crate::*;
 const PRESSURE: f64 = 128e3;
 
 fn plate(thickness: f64) -> Plate {
-    Plate {
-        thickness,
-        young_modulus: 2.05e11,
-        poisson_ratio: 0.3,
-        yield_stress: None,
-    }
+    Plate { thickness, young_modulus: 2.05e11, poisson_ratio: 0.3, yield_stress: None }
 }
 
 /// On nearly rigid ground: the sinking length (4 D/k)^(1/4) is 17 mm, 1/40 of the lifted length.
@@ -31,10 +26,7 @@ fn lifted(strip: &Strip, uplift: f64) -> Point {
 fn a_hinged_strip_lifts_as_its_closed_form() {
     let expected = closed::hinged(&plate(0.01), PRESSURE, 0.7);
     let found = lifted(&rigid(Rim::Hinged, plate(0.01)), expected.uplift);
-    assert!(
-        (found.hold_down / expected.hold_down - 1.0).abs() < 3e-3,
-        "{found:?} {expected:?}"
-    );
+    assert!((found.hold_down / expected.hold_down - 1.0).abs() < 3e-3, "{found:?} {expected:?}");
     assert!(found.rim_moment.abs() < 1e-6 * PRESSURE);
     assert!(found.axial_force.abs() < 1e-6 * PRESSURE);
 }
@@ -43,39 +35,21 @@ fn a_hinged_strip_lifts_as_its_closed_form() {
 fn a_clamped_strip_lifts_as_its_closed_form() {
     let expected = closed::clamped(&plate(0.01), PRESSURE, 0.7);
     let found = lifted(&rigid(Rim::Clamped, plate(0.01)), expected.uplift);
-    assert!(
-        (found.hold_down / expected.hold_down - 1.0).abs() < 3e-3,
-        "{found:?} {expected:?}"
-    );
-    assert!(
-        (found.rim_moment / expected.rim_moment - 1.0).abs() < 1e-2,
-        "{found:?} {expected:?}"
-    );
+    assert!((found.hold_down / expected.hold_down - 1.0).abs() < 3e-3, "{found:?} {expected:?}");
+    assert!((found.rim_moment / expected.rim_moment - 1.0).abs() < 1e-2, "{found:?} {expected:?}");
 }
 
 /// Where membrane and rotation are negligible a round plate on a rim that is free has the four constants of its closed form.
 #[test]
 fn a_round_plate_lifts_as_its_closed_form() {
     let (w, f) = closed::round(&plate(0.01), PRESSURE, 3.0, 2.3);
-    let strip = Strip::new(
-        Bands::uniform(plate(0.01)),
-        Rim::Hinged,
-        3.0,
-        1e12,
-        PRESSURE,
-        Plan::Round,
-    )
-    .unwrap();
+    let strip = Strip::new(Bands::uniform(plate(0.01)), Rim::Hinged, 3.0, 1e12, PRESSURE, Plan::Round).unwrap();
     let point = lifted(&strip.refined(2.0), 1e-2 * w);
     // The rim of a round plate cannot move inwards without hoop forces, so only a small uplift is free of membrane forces; there the
     // lifted width follows from w ~ l⁴ and is found again by the closed form.
     let contact = (0..60).fold((1.0, 2.999), |(low, high), _| {
         let middle = 0.5 * (low + high);
-        if closed::round(&plate(0.01), PRESSURE, 3.0, middle).0 > 1e-2 * w {
-            (middle, high)
-        } else {
-            (low, middle)
-        }
+        if closed::round(&plate(0.01), PRESSURE, 3.0, middle).0 > 1e-2 * w { (middle, high) } else { (low, middle) }
     });
     let (_, expected) = closed::round(&plate(0.01), PRESSURE, 3.0, contact.0);
     assert!(expected < f);
@@ -85,10 +59,7 @@ fn a_round_plate_lifts_as_its_closed_form() {
 /// A yielding rim and span: F = 2 √(p M_p) where no membrane force helps; hardening adds up to a tenth.
 #[test]
 fn two_hinges_hold_what_the_code_says() {
-    let steel = Plate {
-        yield_stress: Some(205e6),
-        ..plate(0.01)
-    };
+    let steel = Plate { yield_stress: Some(205e6), ..plate(0.01) };
     let strip = rigid(Rim::Clamped, steel);
     let expected = closed::two_hinges(&steel, PRESSURE).unwrap();
     let found = lifted(&strip, 0.05).hold_down / expected;
@@ -104,15 +75,8 @@ fn rocking(modulus: f64, weight: f64, radius: f64) -> Rocking {
         pressure: PRESSURE,
         gradient: 870.0 * 9.81,
     };
-    let strip = Strip::new(
-        Bands::uniform(plate(0.01)),
-        Rim::Wall(edge),
-        radius,
-        modulus,
-        PRESSURE,
-        Plan::Strip,
-    )
-    .unwrap();
+    let strip =
+        Strip::new(Bands::uniform(plate(0.01)), Rim::Wall(edge), radius, modulus, PRESSURE, Plan::Strip).unwrap();
     let curve = Curve::of(&strip, weight, -0.05, 0.1).unwrap();
     Rocking::new(radius, weight, vec![(PRESSURE, curve)]).unwrap()
 }
@@ -155,15 +119,7 @@ fn suction_on_the_lifted_side_lowers_the_moment() {
         pressure: PRESSURE,
         gradient: 870.0 * 9.81,
     };
-    let strip = Strip::new(
-        Bands::uniform(plate(0.01)),
-        Rim::Wall(edge),
-        radius,
-        1e8,
-        PRESSURE,
-        Plan::Strip,
-    )
-    .unwrap();
+    let strip = Strip::new(Bands::uniform(plate(0.01)), Rim::Wall(edge), radius, 1e8, PRESSURE, Plan::Strip).unwrap();
     let curves = [1.0, 0.75, 0.5].map(|share| {
         let strip = strip.under(share * PRESSURE).unwrap();
         (share * PRESSURE, Curve::of(&strip, 21e3, -0.05, 0.1).unwrap())
@@ -200,25 +156,13 @@ fn parameters_without_meaning_are_refused() {
     for (modulus, pressure) in [(0.0, 1.0), (f64::NAN, 1.0), (1e8, -1.0)] {
         assert!(Strip::new(bands(), Rim::Hinged, 1.0, modulus, pressure, Plan::Strip).is_err());
     }
-    let steel = Plate {
-        yield_stress: Some(235e6),
-        ..plate(0.01)
-    };
+    let steel = Plate { yield_stress: Some(235e6), ..plate(0.01) };
     assert!(Strip::new(Bands::uniform(steel), Rim::Hinged, 1.0, 1e8, 1e5, Plan::Round).is_err());
     for wrong in [
         plate(0.0),
-        Plate {
-            young_modulus: f64::NAN,
-            ..steel
-        },
-        Plate {
-            poisson_ratio: 0.5,
-            ..steel
-        },
-        Plate {
-            yield_stress: Some(0.0),
-            ..steel
-        },
+        Plate { young_modulus: f64::NAN, ..steel },
+        Plate { poisson_ratio: 0.5, ..steel },
+        Plate { yield_stress: Some(0.0), ..steel },
     ] {
         for bands in [Bands::uniform(wrong), Bands::annular(steel, 0.5, wrong)] {
             assert!(Strip::new(bands, Rim::Hinged, 1.0, 1e8, 1e5, Plan::Strip).is_err());
@@ -300,10 +244,7 @@ fn a_rim_in_proportion_to_the_pressure_has_closed_sums() {
 /// Vesic's modulus satisfies its own equation, and stiffer soil is stiffer.
 #[test]
 fn the_ground_under_the_rim_is_found_with_its_width() {
-    let soil = |e| Soil {
-        young_modulus: e,
-        poisson_ratio: 0.3,
-    };
+    let soil = |e| Soil { young_modulus: e, poisson_ratio: 0.3 };
     let k = subgrade_modulus(soil(40e6), &plate(0.01)).unwrap();
     let d = plate(0.01).bending_stiffness();
     let b = 2.0 * (4.0 * d / k).powf(0.25);
@@ -323,15 +264,7 @@ fn a_projecting_plate_carries_outside_the_wall() {
         pressure: PRESSURE,
         gradient: 870.0 * 9.81,
     };
-    let flush = Strip::new(
-        Bands::uniform(plate(0.01)),
-        Rim::Wall(edge),
-        20.0,
-        1e8,
-        PRESSURE,
-        Plan::Strip,
-    )
-    .unwrap();
+    let flush = Strip::new(Bands::uniform(plate(0.01)), Rim::Wall(edge), 20.0, 1e8, PRESSURE, Plan::Strip).unwrap();
     let projecting = flush.clone().projecting(0.05);
     let rest = |s: &Strip| Lifted::at_rest(s, 21e3).unwrap().uplift();
     assert!(rest(&projecting) > rest(&flush));

@@ -23,27 +23,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         horizontal: Record {
             name: "sine".into(),
             dt,
-            acceleration: (0..=300)
-                .map(|i| 0.981 * (2.0 * PI * dt * f64::from(i)).sin())
-                .collect(),
+            acceleration: (0..=300).map(|i| 0.981 * (2.0 * PI * dt * f64::from(i)).sin()).collect(),
             processing: Vec::new(),
         },
         transverse: None,
         vertical: None,
     });
-    let (linear, solid, nonlinear) = (
-        Options::default(),
-        SolidOptions::default(),
-        NonlinearOptions::new(case.damping),
-    );
-    let task = Task {
-        case: &case,
-        linear: &linear,
-        solid: &solid,
-        nonlinear: &nonlinear,
-        checkpoint: None,
-        without: &[],
-    };
+    let (linear, solid, nonlinear) = (Options::default(), SolidOptions::default(), NonlinearOptions::new(case.damping));
+    let task =
+        Task { case: &case, linear: &linear, solid: &solid, nonlinear: &nonlinear, checkpoint: None, without: &[] };
     let engine = engine(EngineId::Harmonic);
     if let Some(refusal) = engine.refuses(&task).first() {
         return Err(refusal.message.clone().into());

@@ -33,22 +33,12 @@ impl CheckpointFile {
 
     /// The checkpoint of a run of the whole tank, written every `seconds` [s] of computing time.
     pub(crate) fn whole(&self, seconds: f64) -> Checkpoint {
-        Checkpoint {
-            path: self.path.clone(),
-            steps: 0,
-            seconds,
-            key: self.key.clone(),
-            resume: self.resume,
-        }
+        Checkpoint { path: self.path.clone(), steps: 0, seconds, key: self.key.clone(), resume: self.resume }
     }
 
     /// The checkpoint of one wall of a strip.
     pub(crate) fn wall(&self, side: Side, seconds: f64) -> Checkpoint {
-        Checkpoint {
-            path: self.path_of(side),
-            key: format!("{} {}", self.key, side.id()),
-            ..self.whole(seconds)
-        }
+        Checkpoint { path: self.path_of(side), key: format!("{} {}", self.key, side.id()), ..self.whole(seconds) }
     }
 
     fn path_of(&self, side: Side) -> PathBuf {

@@ -15,11 +15,8 @@ const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
 ///
 /// Errors: the first option out of range.
 pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
-    let out_of_range = |option: &str, found: String, allowed: String| FeError::Option {
-        option: option.into(),
-        found,
-        allowed,
-    };
+    let out_of_range =
+        |option: &str, found: String, allowed: String| FeError::Option { option: option.into(), found, allowed };
     if !REFINE.contains(&options.refine) {
         let allowed = format!("{} to {}", REFINE.start(), REFINE.end());
         return Err(out_of_range("refine", options.refine.to_string(), allowed));
@@ -30,11 +27,7 @@ pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeErro
     check_depth(case)?;
     let half_length = case.tank.shape.half_length();
     if let Some(r) = options.gauges.iter().find(|r| r.is_nan() || r.abs() > half_length) {
-        return Err(out_of_range(
-            "gauges",
-            format!("{r} m"),
-            format!("{} m to {half_length} m", -half_length),
-        ));
+        return Err(out_of_range("gauges", format!("{r} m"), format!("{} m to {half_length} m", -half_length)));
     }
     let height = case.tank.wall_height();
     if let Some(z) = options.stations.iter().find(|z| !(0.0..=height).contains(*z)) {
@@ -96,13 +89,8 @@ pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
 }
 
 fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
-    let refuse = |found: String, allowed: &str| {
-        Err(FeError::Option {
-            option: which.into(),
-            found,
-            allowed: allowed.into(),
-        })
-    };
+    let refuse =
+        |found: String, allowed: &str| Err(FeError::Option { option: which.into(), found, allowed: allowed.into() });
     if record.acceleration.len() < 2 {
         return refuse(format!("{} samples", record.acceleration.len()), "2 samples or more");
     }
@@ -110,10 +98,7 @@ fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
         return refuse(format!("time step {} s", record.dt), "a positive time step");
     }
     match record.acceleration.iter().position(|a| !a.is_finite()) {
-        Some(i) => refuse(
-            format!("{} at sample {}", record.acceleration[i], i + 1),
-            "finite accelerations",
-        ),
+        Some(i) => refuse(format!("{} at sample {}", record.acceleration[i], i + 1), "finite accelerations"),
         None => Ok(()),
     }
 }

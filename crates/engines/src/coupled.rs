@@ -77,19 +77,13 @@ impl Part {
     /// The diagonal block of `stiffness` that belongs to `unknowns`.
     pub fn block(stiffness: &Matrix, unknowns: std::ops::Range<usize>) -> Part {
         let places: Vec<usize> = unknowns.clone().collect();
-        Part {
-            stiffness: stiffness.select(&places, &places),
-            unknowns,
-        }
+        Part { stiffness: stiffness.select(&places, &places), unknowns }
     }
 
     /// Twice its energy, xᵀ K x.
     pub fn energy(&self, x: &[f64]) -> f64 {
         let own = &x[self.unknowns.clone()];
-        own.iter()
-            .enumerate()
-            .map(|(j, xj)| xj * dot(self.stiffness.column(j), own))
-            .sum()
+        own.iter().enumerate().map(|(j, xj)| xj * dot(self.stiffness.column(j), own)).sum()
     }
 }
 
@@ -114,23 +108,11 @@ impl ShapeRows {
     pub fn shape(&self, x: &[f64]) -> ModeShape {
         let value = |row: &SparseRow| row.iter().map(|&(i, c)| c * x[i]).sum::<f64>();
         let take = |rows: &[SparseRow]| rows.iter().map(value).collect::<Vec<f64>>();
-        let mut shape = ModeShape {
-            z: self.z.clone(),
-            wall: take(&self.wall),
-            r: self.r.clone(),
-            surface: take(&self.surface),
-        };
-        let peak = shape
-            .wall
-            .iter()
-            .chain(&shape.surface)
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        let mut shape =
+            ModeShape { z: self.z.clone(), wall: take(&self.wall), r: self.r.clone(), surface: take(&self.surface) };
+        let peak = shape.wall.iter().chain(&shape.surface).fold(0.0_f64, |m, v| m.max(v.abs()));
         if peak > 0.0 {
-            shape
-                .wall
-                .iter_mut()
-                .chain(shape.surface.iter_mut())
-                .for_each(|v| *v /= peak);
+            shape.wall.iter_mut().chain(shape.surface.iter_mut()).for_each(|v| *v /= peak);
         }
         shape
     }

@@ -48,22 +48,13 @@ impl Damper {
     /// Errors: those of [`Rayleigh::fit`], coefficients that are not finite.
     pub fn new(case: &Case, model: &DampingModel) -> Result<Damper, FeError> {
         match *model {
-            DampingModel::Modal => Ok(Damper::ByKind {
-                sloshing: case.damping.sloshing,
-                structural: case.damping.impulsive,
-            }),
-            DampingModel::Rayleigh {
-                first,
-                second,
-                allow_negative,
-            } => Ok(Damper::Rayleigh(
-                Rayleigh::fit(first, second, allow_negative).map_err(refused)?,
-            )),
-            DampingModel::ByGroup { wall, sloshing } => Ok(Damper::ByGroup {
-                wall,
-                sloshing,
-                omega: None,
-            }),
+            DampingModel::Modal => {
+                Ok(Damper::ByKind { sloshing: case.damping.sloshing, structural: case.damping.impulsive })
+            }
+            DampingModel::Rayleigh { first, second, allow_negative } => {
+                Ok(Damper::Rayleigh(Rayleigh::fit(first, second, allow_negative).map_err(refused)?))
+            }
+            DampingModel::ByGroup { wall, sloshing } => Ok(Damper::ByGroup { wall, sloshing, omega: None }),
             DampingModel::Caughey(pairs) => Ok(Damper::Caughey(Caughey::fit(pairs.pairs()).map_err(refused)?)),
             DampingModel::Coefficients { mass, stiffness } => {
                 if !(mass.is_finite() && stiffness.is_finite()) {
@@ -85,10 +76,7 @@ impl Damper {
                 wall,
                 sloshing,
                 // By its number: waves of an imperfect wall may be lower.
-                omega: modes
-                    .iter()
-                    .find(|m| m.kind == Kind::Structural && m.number == 1)
-                    .map(|m| m.omega),
+                omega: modes.iter().find(|m| m.kind == Kind::Structural && m.number == 1).map(|m| m.omega),
             },
             other => other,
         }
@@ -101,11 +89,7 @@ impl Damper {
                 Kind::Sloshing => sloshing,
                 Kind::Structural | Kind::Rotational => structural,
             },
-            Damper::ByGroup {
-                wall,
-                sloshing,
-                omega: first,
-            } => match kind {
+            Damper::ByGroup { wall, sloshing, omega: first } => match kind {
                 Kind::Sloshing => sloshing,
                 // a_K ω²/(2 ω) with a_K = 2 ξ/ω₁: K is that of the wall but for a trifle of gravity.
                 Kind::Structural | Kind::Rotational => first.map_or(wall, |first| wall * omega / first),
@@ -181,11 +165,7 @@ impl Damper {
         if let Some(worst) = modes.iter().find(|m| rayleigh.ratio(m.omega) <= -1.0) {
             return Err(FeError::Option {
                 option: "Rayleigh damping".into(),
-                found: format!(
-                    "ratio {:.3} at the mode {:.4} rad/s",
-                    rayleigh.ratio(worst.omega),
-                    worst.omega
-                ),
+                found: format!("ratio {:.3} at the mode {:.4} rad/s", rayleigh.ratio(worst.omega), worst.omega),
                 allowed: "a ratio above −1 at every mode".into(),
             });
         }
@@ -202,12 +182,7 @@ impl Damper {
             .filter(|m| m.effective_mass() > 0.01 * total_mass)
             .map(|m| {
                 let ratio = self.ratio(m.kind, m.omega);
-                DampingRow {
-                    omega: m.omega,
-                    kind: m.kind.id().into(),
-                    ratio,
-                    note: remark(ratio).into(),
-                }
+                DampingRow { omega: m.omega, kind: m.kind.id().into(), ratio, note: remark(ratio).into() }
             })
             .collect()
     }
@@ -229,11 +204,7 @@ fn negative(caughey: &Caughey, modes: &[CoupledMode]) -> Option<FeError> {
 
 /// A refusal as an error of the options.
 fn refused(error: DampingError) -> FeError {
-    FeError::Option {
-        option: error.option.into(),
-        found: error.found,
-        allowed: error.allowed,
-    }
+    FeError::Option { option: error.option.into(), found: error.found, allowed: error.allowed }
 }
 
 /// A ratio in percent, without trailing zeros.
@@ -254,10 +225,7 @@ mod tests {
         let case = test_tanks::broad();
         let coupled = harmonic::build(&case, &tank::options::LinearOptions::default(), 1).unwrap();
         let modes = crate::modes::solve(&coupled, None).unwrap();
-        let model = DampingModel::ByGroup {
-            wall: 0.02,
-            sloshing: 0.005,
-        };
+        let model = DampingModel::ByGroup { wall: 0.02, sloshing: 0.005 };
         let damper = Damper::new(&case, &model).unwrap().tuned(&modes);
         let structural = || modes.iter().filter(|m| m.kind == Kind::Structural).take(4);
         let first = structural().next().unwrap().omega;
@@ -267,11 +235,7 @@ mod tests {
             let wall = dot(&coupled.stiffness.times(x), x) - coupled.surface.energy(x);
             let of_matrix = 2.0 * 0.02 / first * wall / (2.0 * mode.omega);
             let ratio = damper.ratio(mode.kind, mode.omega);
-            assert!(
-                (ratio / of_matrix - 1.0).abs() < 1e-3,
-                "{} {ratio} {of_matrix}",
-                mode.number
-            );
+            assert!((ratio / of_matrix - 1.0).abs() < 1e-3, "{} {ratio} {of_matrix}", mode.number);
         }
         for mode in modes.iter().filter(|m| m.kind == Kind::Sloshing) {
             assert_eq!(damper.ratio(mode.kind, mode.omega), 0.005);

@@ -96,10 +96,9 @@ pub(crate) fn failed(error: impl std::fmt::Display) -> FeError {
 /// Turns a failed factorisation into an error of the engine.
 pub(crate) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
     move |error| match error {
-        LinalgError::NotPositiveDefinite { .. } => FeError::NotPositiveDefinite {
-            matrix: matrix.into(),
-            cause: error.to_string(),
-        },
+        LinalgError::NotPositiveDefinite { .. } => {
+            FeError::NotPositiveDefinite { matrix: matrix.into(), cause: error.to_string() }
+        }
         other => FeError::Eigen(format!("{matrix}: {other}")),
     }
 }

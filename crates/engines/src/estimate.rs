@@ -133,12 +133,7 @@ impl Estimate {
     /// A size that fits, or else advice.
     fn help(&self, limit: u64, other: &str) -> String {
         let fits = |bytes: f64, seconds: f64| bytes <= limit as f64 * MIB && seconds <= LONGEST_RUN;
-        match self
-            .lever
-            .smaller
-            .iter()
-            .find(|(_, bytes, seconds)| fits(*bytes, *seconds))
-        {
+        match self.lever.smaller.iter().find(|(_, bytes, seconds)| fits(*bytes, *seconds)) {
             Some((give, bytes, _)) => format!("{give} (about {} MiB), or {other}", mib(*bytes)),
             None if self.lever.other.is_empty() => other.to_owned(),
             None => format!("{}, or {other}", self.lever.other),
@@ -164,10 +159,7 @@ impl Estimate {
 ///
 /// Errors: more than that, or no number.
 pub fn check_steps(run: &str, samples: f64, steps: f64) -> Result<(), FeError> {
-    for (what, found, most) in [
-        ("samples of the response", samples, MOST_SAMPLES),
-        ("time steps", steps, MOST_STEPS),
-    ] {
+    for (what, found, most) in [("samples of the response", samples, MOST_SAMPLES), ("time steps", steps, MOST_STEPS)] {
         if found > most || found.is_nan() {
             return Err(FeError::TooLong {
                 what: format!("the {run} takes {} {what}", count(found)),
@@ -236,11 +228,7 @@ impl Response {
                 help: "check `gravity`, the width of the tank and `liquid.fill_height`".into(),
             });
         }
-        Ok(Some(Response {
-            dt: motion.horizontal.dt,
-            duration: motion.duration(),
-            tail,
-        }))
+        Ok(Some(Response { dt: motion.horizontal.dt, duration: motion.duration(), tail }))
     }
 
     /// Number of samples.
@@ -262,19 +250,13 @@ impl Response {
 pub fn limit_states(case: &Case, steps: f64, states: f64, places: f64) -> [(&'static str, f64); 2] {
     let most = MOST_INSTANTS as f64;
     let instants = steps / (steps / most).ceil().max(1.0);
-    let twice = case
-        .ground_motion
-        .as_ref()
-        .is_some_and(|motion| motion.transverse.is_some());
+    let twice = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
     let searched = matches!(case.tank.shape, Shape::Cylinder { .. }) && case.tank.is_metal();
     // Isolators are checked with the bounds of their properties, too.
     let runs = if case.tank.isolators.is_some() { 3.0 } else { 1.0 };
     let both = if twice { 2.0 } else { 1.0 };
     let places = if searched { places } else { 0.0 };
-    [
-        ("limit states", runs * both * STATE * instants * states),
-        ("checks", runs * CHECKED * instants * places),
-    ]
+    [("limit states", runs * both * STATE * instants * states), ("checks", runs * CHECKED * instants * places)]
 }
 
 /// The runs of several engines under one motion, which are kept together.
@@ -404,18 +386,13 @@ impl Fill {
 
     /// With `times` another.
     pub fn with(self, times: f64, other: Fill) -> Fill {
-        Fill {
-            entries: self.entries + times * other.entries,
-            flops: self.flops + times * other.flops,
-        }
+        Fill { entries: self.entries + times * other.entries, flops: self.flops + times * other.flops }
     }
 }
 
 /// Refinements below `from` that are offered where a mesh is too fine, by falling size.
 pub fn coarser(from: f64) -> impl Iterator<Item = f64> {
-    [12.0, 8.0, 6.0, 4.0, 3.0, 2.0, 1.5, 1.0, 0.75, 0.5, 0.25]
-        .into_iter()
-        .filter(move |refine| *refine < from)
+    [12.0, 8.0, 6.0, 4.0, 3.0, 2.0, 1.5, 1.0, 0.75, 0.5, 0.25].into_iter().filter(move |refine| *refine < from)
 }
 
 #[cfg(test)]
@@ -432,10 +409,7 @@ mod tests {
             seconds: 10.0,
             inelastic: None,
             lever: Lever {
-                smaller: vec![
-                    ("use --refine 2".into(), 300.0 * MIB, 5.0),
-                    ("use --refine 1".into(), 90.0 * MIB, 1.0),
-                ],
+                smaller: vec![("use --refine 2".into(), 300.0 * MIB, 5.0), ("use --refine 1".into(), 90.0 * MIB, 1.0)],
                 other: String::new(),
             },
         }
@@ -484,22 +458,15 @@ mod tests {
             let error = long.hold(100).unwrap_err();
             assert!(matches!(error, FeError::TooLong { .. }), "{error:?}");
             let text = error.to_string();
-            assert!(
-                text.contains(part) && text.contains("at most") && text.contains("help: "),
-                "{text}"
-            );
+            assert!(text.contains(part) && text.contains("at most") && text.contains("help: "), "{text}");
         }
     }
 
     #[test]
     fn spans_are_in_units_a_person_waits_in() {
-        for (seconds, text) in [
-            (0.2, "1 s"),
-            (300.0, "5 min"),
-            (9000.0, "2.5 h"),
-            (3e6, "35 days"),
-            (3.2e9, "101 years"),
-        ] {
+        for (seconds, text) in
+            [(0.2, "1 s"), (300.0, "5 min"), (9000.0, "2.5 h"), (3e6, "35 days"), (3.2e9, "101 years")]
+        {
             assert_eq!(span(seconds), text);
         }
     }

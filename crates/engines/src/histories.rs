@@ -18,13 +18,7 @@ pub(crate) struct Histories {
 impl Histories {
     /// None yet, at these times [s].
     pub(crate) fn at(time: Vec<f64>) -> Histories {
-        Histories {
-            info: Vec::new(),
-            series: Series {
-                time,
-                ..Series::default()
-            },
-        }
+        Histories { info: Vec::new(), series: Series { time, ..Series::default() } }
     }
 
     /// Adds a history.
@@ -50,18 +44,11 @@ impl Histories {
     pub(crate) fn push_ground(&mut self, motion: &GroundMotion) {
         type Named = fn(Ground) -> Channel;
         let named: [Named; 3] = [
-            |motion| Channel::Ground {
-                motion,
-                vertical: false,
-            },
+            |motion| Channel::Ground { motion, vertical: false },
             Channel::GroundY,
             |motion| Channel::Ground { motion, vertical: true },
         ];
-        let records = [
-            Some(&motion.horizontal),
-            motion.transverse.as_ref(),
-            motion.vertical.as_ref(),
-        ];
+        let records = [Some(&motion.horizontal), motion.transverse.as_ref(), motion.vertical.as_ref()];
         for (channel, record) in named.into_iter().zip(records) {
             let Some(record) = record else { continue };
             let columns = ground(record, &self.series.time);
@@ -102,9 +89,6 @@ fn ground(record: &Record, times: &[f64]) -> [(Ground, Vec<f64>); 3] {
     [
         (Ground::Acceleration, column(&record.acceleration, &|_| 0.0)),
         (Ground::Velocity, column(&motion.velocity, &|_| v_end)),
-        (
-            Ground::Displacement,
-            column(&motion.displacement, &|t| d_end + v_end * t),
-        ),
+        (Ground::Displacement, column(&motion.displacement, &|t| d_end + v_end * t)),
     ]
 }

@@ -51,11 +51,7 @@ impl Impulsive {
     /// The impulsive part of the structural ones among coupled modes.
     pub(crate) fn among(modes: &[CoupledMode]) -> Option<Impulsive> {
         let structural = modes.iter().filter(|m| m.kind == Kind::Structural);
-        Impulsive::of(structural.map(|m| Member {
-            number: m.number,
-            omega: m.omega,
-            mass: m.effective_mass(),
-        }))
+        Impulsive::of(structural.map(|m| Member { number: m.number, omega: m.omega, mass: m.effective_mass() }))
     }
 
     /// The impulsive part of the structural modes of a tank; `None` without one that moves mass.
@@ -63,10 +59,7 @@ impl Impulsive {
         let modes: Vec<Member> = modes.collect();
         let pairs: Vec<(f64, f64)> = modes.iter().map(|m| (m.omega, m.mass)).collect();
         let (dominant, members) = results::impulsive::group(&pairs)?;
-        Some(Impulsive {
-            dominant: modes[dominant],
-            members: members.into_iter().map(|i| modes[i]).collect(),
-        })
+        Some(Impulsive { dominant: modes[dominant], members: members.into_iter().map(|i| modes[i]).collect() })
     }
 
     /// Period of the dominant mode [s].
@@ -122,10 +115,7 @@ mod tests {
     #[test]
     fn a_high_rest_is_not_the_impulsive_mode() {
         let modes = [(183.3, 32.8), (263.8, 21.8), (460.7, 13.1), (804.0, 48.1)];
-        let members = modes
-            .into_iter()
-            .zip(1..)
-            .map(|((omega, mass), number)| Member { number, omega, mass });
+        let members = modes.into_iter().zip(1..).map(|((omega, mass), number)| Member { number, omega, mass });
         let found = Impulsive::of(members).unwrap();
         assert_eq!(found.dominant.number, 1);
         assert_eq!(found.members.len(), 2);
@@ -139,11 +129,7 @@ mod tests {
             let lambda = 0.5 * (a + c) + root;
             let (x, y) = (b, lambda - a);
             let gamma = (x + mu.sqrt() * y) / x.hypot(y);
-            Member {
-                number,
-                omega: lambda.sqrt(),
-                mass: gamma * gamma,
-            }
+            Member { number, omega: lambda.sqrt(), mass: gamma * gamma }
         })
     }
 
@@ -186,12 +172,7 @@ mod tests {
     fn higher_modes_of_a_cantilever_are_no_members() {
         let of = |values: &[(f64, f64)]| {
             let modes = values.iter().enumerate();
-            Impulsive::of(modes.map(|(i, &(omega, mass))| Member {
-                number: i + 1,
-                omega,
-                mass,
-            }))
-            .unwrap()
+            Impulsive::of(modes.map(|(i, &(omega, mass))| Member { number: i + 1, omega, mass })).unwrap()
         };
         assert_eq!(of(&[(1.0, 0.613), (6.27, 0.188), (17.5, 0.065)]).members.len(), 1);
         assert_eq!(of(&[(1.0, 0.811), (3.0, 0.090), (5.0, 0.032)]).members.len(), 1);
@@ -206,27 +187,19 @@ mod tests {
             horizontal: Record {
                 name: "pulse".into(),
                 dt: 0.01,
-                acceleration: (0..50)
-                    .map(|k| (f64::from(k) / 49.0 * std::f64::consts::PI).sin())
-                    .collect(),
+                acceleration: (0..50).map(|k| (f64::from(k) / 49.0 * std::f64::consts::PI).sin()).collect(),
                 processing: Vec::new(),
             },
             transverse: None,
             vertical: None,
         });
-        let options = Options {
-            mesh_error: false,
-            ..Options::default()
-        };
+        let options = Options { mesh_error: false, ..Options::default() };
         simulate(&case, &options).unwrap()
     }
 
     fn structural(found: &Simulation) -> Vec<Mode> {
         let modes = found.result.modes.iter();
-        modes
-            .filter(|m| m.kind == "structural" && m.harmonic == 1)
-            .cloned()
-            .collect()
+        modes.filter(|m| m.kind == "structural" && m.harmonic == 1).cloned().collect()
     }
 
     /// A roof of 200 t on a thin wall above the liquid is the first structural mode; the liquid of 2500 t moves with the second. Without
@@ -234,18 +207,12 @@ mod tests {
     /// frequencies, (0.135/0.27)² = ¼ of the roof's tenth of the mass.
     #[test]
     fn a_heavy_roof_is_not_the_impulsive_mode() {
-        let (with, without) = (
-            roofed(10.0, (12.0, 8e-3), 8.0, 200e3),
-            roofed(10.0, (12.0, 8e-3), 8.0, 0.0),
-        );
+        let (with, without) = (roofed(10.0, (12.0, 8e-3), 8.0, 200e3), roofed(10.0, (12.0, 8e-3), 8.0, 0.0));
         let modes = structural(&with);
         assert!(modes[0].effective_mass < 0.2 * modes[1].effective_mass);
         assert_eq!(with.values[&Quantity::ImpulsivePeriod], modes[1].period);
         assert_eq!(with.values[&Quantity::ImpulsiveMass], modes[1].effective_mass);
-        assert_eq!(
-            without.values[&Quantity::ImpulsivePeriod],
-            structural(&without)[0].period
-        );
+        assert_eq!(without.values[&Quantity::ImpulsivePeriod], structural(&without)[0].period);
         for (quantity, tolerance) in [(Quantity::ImpulsivePeriod, 0.05), (Quantity::ImpulsiveMass, 0.1)] {
             let ratio = with.values[&quantity] / without.values[&quantity];
             assert!((ratio - 1.0).abs() < tolerance, "{quantity:?}: {ratio}");
@@ -259,10 +226,7 @@ mod tests {
     fn a_split_mode_is_a_group() {
         let found = roofed(5.0, (20.0, 8e-3), 6.0, 50e3);
         let modes = structural(&found);
-        let largest = modes
-            .iter()
-            .max_by(|a, b| a.effective_mass.total_cmp(&b.effective_mass))
-            .unwrap();
+        let largest = modes.iter().max_by(|a, b| a.effective_mass.total_cmp(&b.effective_mass)).unwrap();
         let shared: Vec<&Mode> = modes
             .iter()
             .filter(|m| m.effective_mass >= 0.5 * largest.effective_mass)
@@ -271,10 +235,7 @@ mod tests {
         assert!(shared.len() > 1, "{modes:?}");
         let sum: f64 = shared.iter().map(|m| m.effective_mass).sum();
         assert!((found.values[&Quantity::ImpulsiveMass] / sum - 1.0).abs() < 1e-12);
-        let note = found
-            .notes
-            .iter()
-            .find(|n| n.starts_with("The impulsive mode is split"));
+        let note = found.notes.iter().find(|n| n.starts_with("The impulsive mode is split"));
         for mode in shared {
             assert!(note.unwrap().contains(&format!("mode {} (", mode.number)), "{note:?}");
         }

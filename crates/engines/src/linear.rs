@@ -113,12 +113,7 @@ pub(crate) fn simulate_to(
             true => Some(units::units(&model, &mesh.options)?),
             false => None,
         };
-        Ok(Second {
-            ratio: mesh.ratio,
-            values,
-            wave: None,
-            units,
-        })
+        Ok(Second { ratio: mesh.ratio, values, wave: None, units })
     };
     let (first, other) = rayon::join(first, || SecondMesh::of(options).map(second));
     let mut simulation = first?;
@@ -195,10 +190,7 @@ pub(crate) fn complete(
         let analysis = analyse_on(linear.model, motion, (options, linear.extent), progress)?;
         return report(case, options, linear, analysis, motion, notes);
     };
-    let modal = Options {
-        integrator: Integrator::Modal,
-        ..options.clone()
-    };
+    let modal = Options { integrator: Integrator::Modal, ..options.clone() };
     let mut analysis = analyse_on(linear.model, motion, (&modal, linear.extent), progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
     let mut simulation = report(case, options, linear, analysis, motion, notes)?;
@@ -265,9 +257,7 @@ fn report(
         None => free.moved().map(|moved| moved.model(model)),
     };
     // The ground as the tank feels it: on isolators the motion of the slab.
-    let driven = isolated
-        .as_ref()
-        .map_or_else(|| motion.clone(), |found| found.motion.clone());
+    let driven = isolated.as_ref().map_or_else(|| motion.clone(), |found| found.motion.clone());
     let (mut analysis, mut demands) = match &moving {
         Some(moving) => demands::beside(case, moving, &driven, (options, linear.extent))?,
         None => {
@@ -286,9 +276,7 @@ fn report(
     }
     free.rest(&mut values);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
-    demands.wave = around
-        .as_ref()
-        .map_or_else(|| demands::wave(&analysis), |around| around.wave);
+    demands.wave = around.as_ref().map_or_else(|| demands::wave(&analysis), |around| around.wave);
     notes.extend(Around::notes(motion));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
@@ -335,12 +323,7 @@ fn report(
     if linear.extent == Extent::Selected {
         histories = Histories::at(Vec::new());
     }
-    let of_wall = limits::limits(
-        case,
-        seen,
-        (&analysis, around.as_ref()),
-        (motion.horizontal.dt, linear.engine),
-    );
+    let of_wall = limits::limits(case, seen, (&analysis, around.as_ref()), (motion.horizontal.dt, linear.engine));
     let limits = rocking::limits::limits(&free, of_wall);
     let result = Run {
         mesh: coupled.mesh.clone(),
@@ -367,10 +350,7 @@ fn report(
         assumptions,
         notes,
         snapshots,
-        demands: Some(Demands {
-            plates: linear.engine == EngineId::Solid,
-            ..demands
-        }),
+        demands: Some(Demands { plates: linear.engine == EngineId::Solid, ..demands }),
         units: match case.site.is_given() {
             true => Some(units::units(model, options)?),
             false => None,
@@ -413,10 +393,7 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
         h.modes
             .iter()
             .filter(|m| m.number <= LISTED_MODES)
-            .map(|m| Mode {
-                damping: model.damper.ratio(m.kind, m.omega),
-                ..m.to_result(&h.coupled, case)
-            })
+            .map(|m| Mode { damping: model.damper.ratio(m.kind, m.omega), ..m.to_result(&h.coupled, case) })
             .collect()
     };
     model.held_systems().flat_map(listed).collect()

@@ -91,11 +91,7 @@ pub fn solve(coupled: &Coupled, count: Option<usize>) -> Result<Vec<CoupledMode>
             number: *counter,
             omega,
             participation,
-            effective_height: if carries_mass {
-                dot(&vector, &moment) / participation
-            } else {
-                0.0
-            },
+            effective_height: if carries_mass { dot(&vector, &moment) / participation } else { 0.0 },
             surface_share,
             damping: None,
             vector,

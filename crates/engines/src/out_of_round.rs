@@ -46,10 +46,7 @@ pub(crate) fn resolved(
     if imperfections.is_empty() {
         return None;
     }
-    let (around, rows) = (
-        sectors(imperfections, tank),
-        CELLS_PER_HALF_WAVE * imperfections.half_waves() as usize,
-    );
+    let (around, rows) = (sectors(imperfections, tank), CELLS_PER_HALF_WAVE * imperfections.half_waves() as usize);
     (mesh.0 < around || mesh.1 < rows).then(|| {
         Refusal::new(
             Place::Imperfections,
@@ -75,9 +72,8 @@ pub(crate) fn around(
     let (_, theta, z) = imperfections.largest(height);
     let deviation = imperfections.at(theta, z, height).w;
     let most = waves.iter().map(|w| w.n).max().unwrap_or(0);
-    let levels: Vec<Vec<[f64; 2]>> = (0..=MAPPED[1])
-        .map(|l| imperfections.harmonics(height * l as f64 / MAPPED[1] as f64, height, most))
-        .collect();
+    let levels: Vec<Vec<[f64; 2]>> =
+        (0..=MAPPED[1]).map(|l| imperfections.harmonics(height * l as f64 / MAPPED[1] as f64, height, most)).collect();
     for wave in &mut waves {
         let amplitudes = levels.iter().map(|level| level[wave.n as usize]);
         wave.deviation = amplitudes.fold(0.0, |m, [c, s]| f64::max(m, c.hypot(s)));
@@ -98,16 +94,10 @@ fn map(tank: &Tank, imperfections: &Imperfections) -> WallMap {
     let height = tank.wall_height();
     let [angles, levels] = MAPPED;
     let rounded = |v: f64| format!("{v:.5e}").parse().unwrap_or(v);
-    let theta: Vec<f64> = (0..angles)
-        .map(|k| rounded(std::f64::consts::TAU * k as f64 / angles as f64))
-        .collect();
-    let z: Vec<f64> = (0..=levels)
-        .map(|l| rounded(height * l as f64 / levels as f64))
-        .collect();
-    let values = theta
-        .iter()
-        .flat_map(|&t| z.iter().map(move |&z| rounded(imperfections.at(t, z, height).w)))
-        .collect();
+    let theta: Vec<f64> = (0..angles).map(|k| rounded(std::f64::consts::TAU * k as f64 / angles as f64)).collect();
+    let z: Vec<f64> = (0..=levels).map(|l| rounded(height * l as f64 / levels as f64)).collect();
+    let values =
+        theta.iter().flat_map(|&t| z.iter().map(move |&z| rounded(imperfections.at(t, z, height).w))).collect();
     WallMap {
         id: "deviation".into(),
         title: "Deviation from the perfect cylinder".into(),

@@ -45,14 +45,8 @@ impl Turn {
     pub fn of(what: OnWall, theta: f64) -> Turn {
         let (sine, cosine) = theta.sin_cos();
         match what {
-            OnWall::Shear | OnWall::Twist => Turn {
-                along: sine,
-                across: -cosine,
-            },
-            _ => Turn {
-                along: cosine,
-                across: sine,
-            },
+            OnWall::Shear | OnWall::Twist => Turn { along: sine, across: -cosine },
+            _ => Turn { along: cosine, across: sine },
         }
     }
 }
@@ -104,9 +98,6 @@ pub struct ProbeLine {
 impl ProbeLine {
     /// The probe of a place of the line.
     pub fn probe(what: OnWall, place: usize, z: f64) -> Probe {
-        Probe {
-            place: Some(place),
-            ..Probe::new(Channel::At { what, z })
-        }
+        Probe { place: Some(place), ..Probe::new(Channel::At { what, z }) }
     }
 }

@@ -62,10 +62,7 @@ mod tests {
             assert_eq!(own, number, "{range}: {found:?}");
         }
         // Points on the way are no turns.
-        assert_eq!(
-            cycles([-2.0, -1.0, 1.0, 1.0, 0.5, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0]),
-            found
-        );
+        assert_eq!(cycles([-2.0, -1.0, 1.0, 1.0, 0.5, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0]), found);
         assert_eq!(counted(&found, 8.0, &[0.5, 1.0]), (9.0, vec![[0.5, 3.5], [1.0, 1.5]]));
     }
 }

@@ -55,15 +55,13 @@ fn across_a_box(task: &Task<'_>, engine: EngineId) -> Option<Refusal> {
     let (message, help) = match task.case.tank.shape {
         _ if !shaken => return None,
         Shape::Cylinder { .. } => return None,
-        Shape::Rectangle { strip: true, .. } => (
-            "--quake-y: a strip has no walls across the other direction",
-            "remove --quake-y",
-        ),
+        Shape::Rectangle { strip: true, .. } => {
+            ("--quake-y: a strip has no walls across the other direction", "remove --quake-y")
+        }
         Shape::Rectangle { .. } if engine == EngineId::Solid => return None,
-        Shape::Rectangle { .. } => (
-            "--quake-y: this engine has no walls along y of a rectangular tank",
-            "use --fe solid, or remove --quake-y",
-        ),
+        Shape::Rectangle { .. } => {
+            ("--quake-y: this engine has no walls along y of a rectangular tank", "use --fe solid, or remove --quake-y")
+        }
     };
     Some(Refusal::new(Place::Transverse, message, "a cylinder, or a box with --fe solid").help(help))
 }
@@ -213,34 +211,14 @@ mod tests {
         let (linear, solid) = (Options::default(), SolidOptions::default());
         let nonlinear = NonlinearOptions::new(case.damping);
         let refusals = |case: &Case| {
-            let task = Task {
-                case,
-                linear: &linear,
-                solid: &solid,
-                nonlinear: &nonlinear,
-                checkpoint: None,
-                without: &[],
-            };
-            EngineId::ALL.map(|id| {
-                engine(id)
-                    .refuses(&task)
-                    .into_iter()
-                    .map(|r| r.place)
-                    .collect::<Vec<_>>()
-            })
+            let task =
+                Task { case, linear: &linear, solid: &solid, nonlinear: &nonlinear, checkpoint: None, without: &[] };
+            EngineId::ALL.map(|id| engine(id).refuses(&task).into_iter().map(|r| r.place).collect::<Vec<_>>())
         };
         assert_eq!(refusals(&case), [Vec::new(), Vec::new(), Vec::new()]);
-        case.tank.shape = Shape::Rectangle {
-            length: 3.0,
-            breadth: 3.0,
-            strip: true,
-        };
+        case.tank.shape = Shape::Rectangle { length: 3.0, breadth: 3.0, strip: true };
         assert_eq!(refusals(&case), [Vec::new(), vec![Place::Shape], Vec::new()]);
-        case.tank.shape = Shape::Rectangle {
-            length: 3.0,
-            breadth: 3.0,
-            strip: false,
-        };
+        case.tank.shape = Shape::Rectangle { length: 3.0, breadth: 3.0, strip: false };
         assert_eq!(refusals(&case), [vec![Place::Shape], Vec::new(), vec![Place::Shape]]);
     }
     /// A crest beside the plane of shaking breaks the symmetry of half a tank; seven waves need 64 sectors, and a mesh that is given has
@@ -249,25 +227,12 @@ mod tests {
     fn imperfections_need_a_mesh_and_a_symmetry() {
         let case = crate::harmonic::test_tanks::broad();
         let imperfections = |n: u32, phase: f64| Imperfections {
-            parts: vec![Imperfection::Wave(Wave {
-                n,
-                amplitude: 1e-3,
-                profile: Profile::Linear,
-                phase,
-            })],
+            parts: vec![Imperfection::Wave(Wave { n, amplitude: 1e-3, profile: Profile::Linear, phase })],
         };
         let refused = |imperfections: Imperfections, mesh: Option<MeshSize>, symmetry: bool| {
             let linear = Options::default();
-            let solid = SolidOptions {
-                mesh,
-                imperfections: imperfections.clone(),
-                ..SolidOptions::default()
-            };
-            let nonlinear = NonlinearOptions {
-                symmetry,
-                imperfections,
-                ..NonlinearOptions::new(case.damping)
-            };
+            let solid = SolidOptions { mesh, imperfections: imperfections.clone(), ..SolidOptions::default() };
+            let nonlinear = NonlinearOptions { symmetry, imperfections, ..NonlinearOptions::new(case.damping) };
             let task = Task {
                 case: &case,
                 linear: &linear,
@@ -280,11 +245,7 @@ mod tests {
         };
         let mesh = |sectors| {
             let (radial, vertical) = (4, 12);
-            Some(MeshSize {
-                radial,
-                sectors,
-                vertical,
-            })
+            Some(MeshSize { radial, sectors, vertical })
         };
         assert_eq!(refused(imperfections(7, 0.0), None, true), [0, 0]);
         assert_eq!(refused(imperfections(7, 0.1), None, true), [0, 1]);

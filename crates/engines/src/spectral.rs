@@ -223,11 +223,7 @@ impl ModalUnits {
         round: bool,
     ) -> Option<(Spectral, Option<KeptMode>)> {
         let units = self.vertical.as_ref()?;
-        let action = Action {
-            structural: upwards,
-            sloshing: upwards,
-            wave: upwards,
-        };
+        let action = Action { structural: upwards, sloshing: upwards, wave: upwards };
         let vertical = units.respond(&action, options, round);
         let larger = |h: f64, v: f64| (h + LESSER * v).max(beside * h + v);
         let mut found = horizontal.clone();

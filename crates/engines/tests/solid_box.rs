@@ -24,32 +24,17 @@ use tank::{Case, Quantity, Shape};
 
 /// Length, breadth, height of the walls, thickness and depth [m]; Young's modulus [Pa].
 fn concrete([length, breadth, height, thickness, depth]: [f64; 5], youngs_modulus: f64) -> Case {
-    let shape = Shape::Rectangle {
-        length,
-        breadth,
-        strip: false,
-    };
+    let shape = Shape::Rectangle { length, breadth, strip: false };
     let material = material(youngs_modulus, 0.2, 2500.0);
     case(shape, &[(height, thickness)], &material, (1000.0, depth))
 }
 
 fn options(refine: f64) -> Options {
-    Options {
-        refine,
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { refine, mesh_error: false, ..Options::default() }
 }
 
 fn mesh(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {
-    SolidOptions {
-        mesh: Some(MeshSize {
-            radial,
-            sectors,
-            vertical,
-        }),
-        ..SolidOptions::default()
-    }
+    SolidOptions { mesh: Some(MeshSize { radial, sectors, vertical }), ..SolidOptions::default() }
 }
 
 /// Poles near the first mode of the walls, which the engine itself takes.
@@ -61,9 +46,7 @@ fn model(case: &Case, options: &Options, solid: &SolidOptions, omega: f64) -> (T
 }
 
 fn parts((tank, system): &(TankModel, System), vectors: usize, most: usize) -> Vec<TankMode> {
-    (0..4)
-        .flat_map(|part| spectrum::of_harmonic(tank, system, part, (vectors, most), &Silent).unwrap())
-        .collect()
+    (0..4).flat_map(|part| spectrum::of_harmonic(tank, system, part, (vectors, most), &Silent).unwrap()).collect()
 }
 
 /// ω² = g k tanh k h, k² = (iπ/L)² + (jπ/B)², odd i in part 1, odd j in part 2, both in part 3. The quadratic form of linear elements
@@ -79,16 +62,10 @@ fn waves_of_a_rigid_box_in_both_directions() {
         let wave = |i: u32, j: u32| {
             let k = PI * (f64::from(i) / length).hypot(f64::from(j) / breadth);
             let exact = (GRAVITY * k * (k * depth).tanh()).sqrt();
-            let of_part = found
-                .iter()
-                .filter(|m| m.harmonic == i % 2 + 2 * (j % 2) && m.kind == Kind::Sloshing);
-            of_part
-                .map(|m| m.omega / exact - 1.0)
-                .fold(1.0, |a: f64, b| if b.abs() < a.abs() { b } else { a })
+            let of_part = found.iter().filter(|m| m.harmonic == i % 2 + 2 * (j % 2) && m.kind == Kind::Sloshing);
+            of_part.map(|m| m.omega / exact - 1.0).fold(1.0, |a: f64, b| if b.abs() < a.abs() { b } else { a })
         };
-        [(1, 0), (0, 1), (1, 1), (2, 0), (3, 0)]
-            .map(|(i, j)| wave(i, j))
-            .to_vec()
+        [(1, 0), (0, 1), (1, 1), (2, 0), (3, 0)].map(|(i, j)| wave(i, j)).to_vec()
     };
     let (coarse, fine) = (error(4), error(8));
     for (k, (i, j)) in [(1, 0), (0, 1), (1, 1), (2, 0), (3, 0)].into_iter().enumerate() {
@@ -111,11 +88,7 @@ fn no_mode_is_missed() {
     let ordering = fem::assembly::order(&tank.model, tank.assembler.pattern());
     let symbolic = Symbolic::new(tank.assembler.pattern().clone(), &ordering).unwrap();
     let pencil = ThreeField::new(system.stiffness(), &mass, symbolic.into(), potentials).unwrap();
-    let mut walls: Vec<f64> = found
-        .iter()
-        .filter(|m| m.kind == Kind::Structural)
-        .map(|m| m.omega)
-        .collect();
+    let mut walls: Vec<f64> = found.iter().filter(|m| m.kind == Kind::Structural).map(|m| m.omega).collect();
     walls.sort_by(f64::total_cmp);
     for k in [0, 3] {
         let limit = 0.5 * (walls[k] + walls[k + 1]);
@@ -131,11 +104,7 @@ fn no_mode_is_missed() {
 #[test]
 fn plates_of_a_dry_square_box() {
     let (side, thickness) = (5.0, 0.05);
-    let shape = Shape::Rectangle {
-        length: side,
-        breadth: side,
-        strip: false,
-    };
+    let shape = Shape::Rectangle { length: side, breadth: side, strip: false };
     let material = material(30e9, 0.3, 2500.0);
     let dry = case(shape, &[(side, thickness)], &material, (1e-4, 4.0));
     let rigidity = 30e9 * thickness.powi(3) / (12.0 * (1.0 - 0.09));
@@ -143,16 +112,9 @@ fn plates_of_a_dry_square_box() {
     let model = model(&dry, &options(1.0), &mesh(10, 20, 20), 15.0 * unit);
     let found = parts(&model, 120, 3);
     let walls: Vec<&TankMode> = found.iter().filter(|m| m.kind == Kind::Structural).collect();
-    let even: Vec<f64> = walls
-        .iter()
-        .filter(|m| m.harmonic == 0)
-        .map(|m| m.omega / unit)
-        .collect();
+    let even: Vec<f64> = walls.iter().filter(|m| m.harmonic == 0).map(|m| m.omega / unit).collect();
     for expected in [12.687, 24.020] {
-        assert!(
-            even.iter().any(|l| (l / expected - 1.0).abs() < 0.01),
-            "{expected}: {even:?}"
-        );
+        assert!(even.iter().any(|l| (l / expected - 1.0).abs() < 0.01), "{expected}: {even:?}");
     }
     // x and y are one: rounding, and the squares of the residuals.
     let first = |part: u32| walls.iter().find(|m| m.harmonic == part).map_or(f64::NAN, |m| m.omega);
@@ -166,21 +128,14 @@ fn plates_of_a_dry_square_box() {
 #[test]
 fn corners_turn_in_the_first_mode_of_a_square_box() {
     for (scale, expected) in [(1.0, 0.035_62), (0.1_f64, 0.033_59)] {
-        let shape = Shape::Rectangle {
-            length: 5.0,
-            breadth: 5.0,
-            strip: false,
-        };
+        let shape = Shape::Rectangle { length: 5.0, breadth: 5.0, strip: false };
         let material = material(30e9 / scale.powi(3), 0.2, 2500.0 / scale);
         let case = case(shape, &[(4.0, 0.3 * scale)], &material, (1000.0, 3.5));
         let model = model(&case, &options(1.0), &mesh(10, 20, 30), 180.0);
         let found = spectrum::of_harmonic(&model.0, &model.1, 1, (80, 3), &Silent).unwrap();
         let walls = found.iter().filter(|m| m.kind == Kind::Structural);
         let period = walls.map(|m| 2.0 * PI / m.omega).fold(0.0, f64::max);
-        assert!(
-            (period / expected - 1.0).abs() < 0.01,
-            "{scale}: {period} s, {expected} s"
-        );
+        assert!((period / expected - 1.0).abs() < 0.01, "{scale}: {period} s, {expected} s");
     }
 }
 
@@ -198,11 +153,8 @@ fn shaken(mut case: Case, vertical: bool) -> Case {
             .collect(),
         processing: Vec::new(),
     };
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record(1.0),
-        transverse: None,
-        vertical: vertical.then(|| record(0.6)),
-    });
+    case.ground_motion =
+        Some(GroundMotion { horizontal: record(1.0), transverse: None, vertical: vertical.then(|| record(0.6)) });
     case
 }
 
@@ -221,44 +173,18 @@ fn envelope<'a>(run: &'a Simulation, id: &str) -> &'a results::Envelope {
 fn static_pressure_against_pca() {
     for (ratio, expected) in [(1.0, 0.035), (2.0, 0.086), (3.0, 0.126)] {
         let height = 4.0;
-        let case = shaken(
-            concrete([ratio * height, ratio * height, height, 0.2, height], 30e9),
-            false,
-        );
+        let case = shaken(concrete([ratio * height, ratio * height, height, 0.2, height], 30e9), false);
         let run = respond(&case, &options(1.0), &mesh(10, 20, 24));
-        let base = run
-            .result
-            .histories
-            .iter()
-            .find(|s| s.id == "wall_moment_base")
-            .unwrap();
+        let base = run.result.histories.iter().find(|s| s.id == "wall_moment_base").unwrap();
         let found = base.static_value.abs() / (1000.0 * GRAVITY * height.powi(3));
-        assert!(
-            (found - expected).abs() < 0.0005 + 0.03 * expected,
-            "{ratio}: {found} {expected}"
-        );
+        assert!((found - expected).abs() < 0.0005 + 0.03 * expected, "{ratio}: {found} {expected}");
         // The line of the plate tends to the reaction, half an element above the base.
         let line = envelope(&run, "wall_moment").static_[0];
-        assert!(
-            (line / base.static_value - 1.0).abs() < 0.05,
-            "{line} {}",
-            base.static_value
-        );
+        assert!((line / base.static_value - 1.0).abs() < 0.05, "{line} {}", base.static_value);
         // Equilibrium by the sides: the corner pulls on the inner face, the middle on the outer one.
-        let middle = envelope(&run, "horizontal_moment")
-            .static_
-            .iter()
-            .copied()
-            .fold(0.0, f64::max);
-        let corner = envelope(&run, "corner_moment")
-            .static_
-            .iter()
-            .copied()
-            .fold(0.0, f64::min);
-        assert!(
-            corner < 0.0 && middle > 0.0 && corner.abs() > middle,
-            "{corner} {middle}"
-        );
+        let middle = envelope(&run, "horizontal_moment").static_.iter().copied().fold(0.0, f64::max);
+        let corner = envelope(&run, "corner_moment").static_.iter().copied().fold(0.0, f64::min);
+        assert!(corner < 0.0 && middle > 0.0 && corner.abs() > middle, "{corner} {middle}");
     }
 }
 
@@ -279,12 +205,7 @@ fn masses_of_a_rigid_box() {
         assert!(balance.error.abs() < 1e-9, "{balance:?}");
     }
     // Base moment of the first mode over its shear: h (1 − (cosh αh − 1)/(αh sinh αh)); the bottom adds (cosh αh − 1)/…
-    let part = run
-        .result
-        .modal
-        .iter()
-        .find(|m| m.kind == "sloshing" && m.number == 1)
-        .unwrap();
+    let part = run.result.modal.iter().find(|m| m.kind == "sloshing" && m.number == 1).unwrap();
     let x = alpha * depth;
     let above = depth * (1.0 - (x.cosh() - 1.0) / (x * x.sinh()));
     let below = depth * (1.0 - (x.cosh() - 2.0) / (x * x.sinh()));
@@ -301,10 +222,7 @@ fn a_channel_is_a_strip() {
     let height = 4.0;
     let case = shaken(concrete([10.0, 16.0 * height, height, 0.4, 3.0], 30e9), false);
     // The first wave alone: of waves with five to nine half waves, 20 linear elements get the frequencies wrong by per cents.
-    let options = Options {
-        wave_modes: 1,
-        ..options(1.0)
-    };
+    let options = Options { wave_modes: 1, ..options(1.0) };
     let strip = engines::simulate(&case, &options).unwrap();
     let plates = respond(&case, &options, &SolidOptions::default());
     let mut apart = Vec::new();
@@ -337,17 +255,10 @@ fn newmark_against_modes_and_the_vertical_motion() {
         motion.horizontal.acceleration.truncate(50);
     }
     let modal = respond(&case, &options(1.0), &coarse);
-    let newmark = Options {
-        integrator: Integrator::Newmark,
-        ..options(1.0)
-    };
+    let newmark = Options { integrator: Integrator::Newmark, ..options(1.0) };
     let direct = respond(&case, &newmark, &coarse);
     // Average acceleration with a hundred steps in the first period of the walls: (2π/100)²/12 of the period.
-    for quantity in [
-        Quantity::SloshingHeight,
-        Quantity::BaseShear,
-        Quantity::OverturningMoment,
-    ] {
+    for quantity in [Quantity::SloshingHeight, Quantity::BaseShear, Quantity::OverturningMoment] {
         let (a, b) = (direct.values[&quantity], modal.values[&quantity]);
         assert!((a / b - 1.0).abs() < 0.01, "{quantity:?}: {a} {b}");
     }
@@ -361,18 +272,9 @@ fn newmark_against_modes_and_the_vertical_motion() {
     let run = respond(&up, &options(1.0), &coarse);
     let extreme = |id: &str| envelope(&run, id).max.iter().copied().fold(0.0, f64::max);
     // The pressure of a rigid box is ρ a (H − z), 3000 Pa at the base for 1 m/s²: walls that give way add to it.
-    let peak = up
-        .ground_motion
-        .as_ref()
-        .and_then(|m| m.vertical.as_ref())
-        .unwrap()
-        .pga();
+    let peak = up.ground_motion.as_ref().and_then(|m| m.vertical.as_ref()).unwrap().pga();
     let rigid = 1000.0 * 3.0 * peak;
-    assert!(
-        (0.9..2.5).contains(&(extreme("pressure") / rigid)),
-        "{} {rigid}",
-        extreme("pressure")
-    );
+    assert!((0.9..2.5).contains(&(extreme("pressure") / rigid)), "{} {rigid}", extreme("pressure"));
     assert!(extreme("horizontal_moment") > 0.0);
     // Of the wave only second order of the walls' motion is left, of the shear nothing.
     let shear = run.result.histories.iter().find(|s| s.id == "base_shear").unwrap();
@@ -383,21 +285,14 @@ fn newmark_against_modes_and_the_vertical_motion() {
 #[test]
 fn what_is_not_modelled_is_refused() {
     let mut strip = concrete([6.0, 1.0, 4.0, 0.3, 3.0], 30e9);
-    strip.tank.shape = Shape::Rectangle {
-        length: 6.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    strip.tank.shape = Shape::Rectangle { length: 6.0, breadth: 1.0, strip: true };
     let refused = |case: &Case, solid: &SolidOptions| match TankModel::new(case, &options(1.0), solid) {
         Ok(_) => String::new(),
         Err(error) => error.to_string(),
     };
     assert!(refused(&strip, &SolidOptions::default()).contains("--fe harmonic"));
     let case = concrete([6.0, 5.0, 4.0, 0.3, 3.0], 30e9);
-    let displacement = SolidOptions {
-        liquid: solid::Liquid::Displacement,
-        ..SolidOptions::default()
-    };
+    let displacement = SolidOptions { liquid: solid::Liquid::Displacement, ..SolidOptions::default() };
     assert!(refused(&case, &displacement).contains("--liquid potential"));
     assert!(refused(&case, &mesh(4, 5, 6)).contains("even"));
 }

@@ -17,31 +17,17 @@ use tank::{Case, Shape};
 
 /// Length, breadth, height of the walls, thickness and depth [m]; Young's modulus [Pa].
 fn concrete([length, breadth, height, thickness, depth]: [f64; 5], youngs_modulus: f64) -> Case {
-    let shape = Shape::Rectangle {
-        length,
-        breadth,
-        strip: false,
-    };
+    let shape = Shape::Rectangle { length, breadth, strip: false };
     let material = material(youngs_modulus, 0.2, 2500.0);
     case(shape, &[(height, thickness)], &material, (1000.0, depth))
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 fn mesh(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {
-    SolidOptions {
-        mesh: Some(MeshSize {
-            radial,
-            sectors,
-            vertical,
-        }),
-        ..SolidOptions::default()
-    }
+    SolidOptions { mesh: Some(MeshSize { radial, sectors, vertical }), ..SolidOptions::default() }
 }
 
 /// A pulse and a hum, of different length for different frequencies.
@@ -50,12 +36,7 @@ fn record(amplitude: f64, frequency: f64) -> Record {
         let t = 0.02 * f64::from(k);
         amplitude * ((frequency * t).sin() * (-t).exp() + 0.3 * (0.3 * frequency * t).cos())
     };
-    Record {
-        name: "pulse".into(),
-        dt: 0.02,
-        acceleration: (0..200).map(of).collect(),
-        processing: Vec::new(),
-    }
+    Record { name: "pulse".into(), dt: 0.02, acceleration: (0..200).map(of).collect(), processing: Vec::new() }
 }
 
 fn run(case: &Case, x: Record, y: Option<Record>, solid: &SolidOptions) -> Simulation {
@@ -63,14 +44,8 @@ fn run(case: &Case, x: Record, y: Option<Record>, solid: &SolidOptions) -> Simul
 }
 
 fn run_with(options: &Options, case: &Case, x: Record, y: Option<Record>, solid: &SolidOptions) -> Simulation {
-    let case = Case {
-        ground_motion: Some(GroundMotion {
-            horizontal: x,
-            transverse: y,
-            vertical: None,
-        }),
-        ..case.clone()
-    };
+    let case =
+        Case { ground_motion: Some(GroundMotion { horizontal: x, transverse: y, vertical: None }), ..case.clone() };
     solid::respond(&case, options, solid, &Silent).unwrap()
 }
 
@@ -107,10 +82,7 @@ fn nothing_along_y_is_one_component() {
     assert_eq!(one.values, two.values);
     assert!(one.result.directions.is_empty());
     let shear = direction(&two, "base_shear");
-    assert!(
-        shear.y == 0.0 && (shear.resultant / shear.x - 1.0).abs() < 1e-12,
-        "{shear:?}"
-    );
+    assert!(shear.y == 0.0 && (shear.resultant / shear.x - 1.0).abs() < 1e-12, "{shear:?}");
     // The wave at a corner is that along x alone.
     let wave = direction(&two, "wave_height_corner");
     assert!((wave.resultant / wave.x - 1.0).abs() < 1e-12, "{wave:?}");
@@ -133,22 +105,13 @@ fn a_square_shaken_along_its_diagonal() {
     }
     for id in ["base_shear", "base_moment"] {
         let found = direction(&two, id);
-        assert!(
-            (found.resultant / (2.0_f64.sqrt() * found.x) - 1.0).abs() < 1e-9,
-            "{found:?}"
-        );
-        assert!(
-            (found.theta.to_degrees().rem_euclid(180.0) - 45.0).abs() < 1e-6,
-            "{found:?}"
-        );
+        assert!((found.resultant / (2.0_f64.sqrt() * found.x) - 1.0).abs() < 1e-9, "{found:?}");
+        assert!((found.theta.to_degrees().rem_euclid(180.0) - 45.0).abs() < 1e-6, "{found:?}");
     }
     for id in ["wave_height_corner", "corner_moment"] {
         let found = direction(&two, id);
         assert!((found.resultant / (found.x + found.y) - 1.0).abs() < 1e-9, "{found:?}");
-        assert!(
-            (found.theta.to_degrees().rem_euclid(180.0) - 45.0).abs() < 1e-6,
-            "{found:?}"
-        );
+        assert!((found.theta.to_degrees().rem_euclid(180.0) - 45.0).abs() < 1e-6, "{found:?}");
     }
     // Across the diagonal the two cancel.
     let scale = largest(column(&two, "wave_height_theta_45"));
@@ -172,43 +135,26 @@ fn corner_of_a_rigid_box_is_two_strips() {
     let (length, breadth) = (6.0, 4.0);
     let whole = concrete([length, breadth, 4.0, 1.0, 3.0], 3e13);
     let (x, y) = (record(1.0, 6.0), record(1.5, 9.0));
-    let first = Options {
-        wave_modes: 1,
-        ..options()
-    };
+    let first = Options { wave_modes: 1, ..options() };
     let two = run_with(&first, &whole, x.clone(), Some(y.clone()), &mesh(10, 20, 12));
     let strip = |length: f64, record: Record| {
         let mut case = whole.clone();
-        case.tank.shape = Shape::Rectangle {
-            length,
-            breadth: 1.0,
-            strip: true,
-        };
-        case.ground_motion = Some(GroundMotion {
-            horizontal: record,
-            transverse: None,
-            vertical: None,
-        });
+        case.tank.shape = Shape::Rectangle { length, breadth: 1.0, strip: true };
+        case.ground_motion = Some(GroundMotion { horizontal: record, transverse: None, vertical: None });
         engines::simulate(&case, &first).unwrap()
     };
     let (along, across) = (strip(length, x), strip(breadth, y));
     let of = |s: &Simulation| column(s, "wave_height_theta_0")[..200].to_vec();
     let (a, b) = (of(&along), of(&across));
     let angle = (breadth / length).atan().to_degrees();
-    for (corner, [c, s]) in [
-        (angle, [1.0, 1.0]),
-        (180.0 - angle, [-1.0, 1.0]),
-        (180.0 + angle, [-1.0, -1.0]),
-        (360.0 - angle, [1.0, -1.0]),
-    ] {
+    for (corner, [c, s]) in
+        [(angle, [1.0, 1.0]), (180.0 - angle, [-1.0, 1.0]), (180.0 + angle, [-1.0, -1.0]), (360.0 - angle, [1.0, -1.0])]
+    {
         let id = format!("wave_height_theta_{}", (100.0 * corner).round() / 100.0);
         let sum: Vec<f64> = a.iter().zip(&b).map(|(a, b)| c * a + s * b).collect();
         let found = apart(&column(&two, &id)[..200], &sum);
         assert!(found < 0.02, "{id}: {found}");
     }
     let largest_wave = direction(&two, "wave_height_corner");
-    assert!(
-        largest_wave.resultant > largest_wave.x.max(largest_wave.y),
-        "{largest_wave:?}"
-    );
+    assert!(largest_wave.resultant > largest_wave.x.max(largest_wave.y), "{largest_wave:?}");
 }

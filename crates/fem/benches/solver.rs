@@ -31,9 +31,7 @@ fn solver(c: &mut Criterion) {
 
     let mut group = c.benchmark_group("solver");
     group.sample_size(10);
-    group.bench_function(name("pattern and places"), |b| {
-        b.iter(|| Assembler::new(black_box(&model)))
-    });
+    group.bench_function(name("pattern and places"), |b| b.iter(|| Assembler::new(black_box(&model))));
     group.bench_function(name("assembly of K and M"), |b| {
         b.iter(|| assembler.stiffness_and_mass(black_box(&model)));
     });
@@ -41,13 +39,9 @@ fn solver(c: &mut Criterion) {
     group.bench_function(name("symbolic phase"), |b| {
         b.iter(|| Symbolic::new(black_box(pattern.clone()), &ordering));
     });
-    group.bench_function(name("LLT factor"), |b| {
-        b.iter(|| symbolic.factor(black_box(&k), Kind::Definite))
-    });
+    group.bench_function(name("LLT factor"), |b| b.iter(|| symbolic.factor(black_box(&k), Kind::Definite)));
     let mut factor = symbolic.factor(&k, Kind::Definite).expect("positive definite");
-    group.bench_function(name("LLT factor into the same memory"), |b| {
-        b.iter(|| factor.refactor(black_box(&k)))
-    });
+    group.bench_function(name("LLT factor into the same memory"), |b| b.iter(|| factor.refactor(black_box(&k))));
     for columns in [1, 8] {
         let mut right = Matrix::zeros(k.size(), columns);
         for (i, v) in right.data.iter_mut().enumerate() {

@@ -56,9 +56,7 @@ impl Cantilever {
         let damping = Damping::rayleigh(Rayleigh::fit((40.0, 0.02), (400.0, 0.05), false).expect("admissible"));
         let top = volume.surface_nodes[0];
         Cantilever {
-            system: System::new(&model, &assembler)
-                .expect("regular elements")
-                .with_damping(damping),
+            system: System::new(&model, &assembler).expect("regular elements").with_damping(damping),
             symbolic: Arc::new(symbolic),
             top: Observable::displacement(&model, top, Dof::Ux),
         }
@@ -75,15 +73,7 @@ impl Cantilever {
             .collect();
         let start = Instant::now();
         let top = std::slice::from_ref(&self.top);
-        let found = integrate(
-            &self.system,
-            &self.symbolic,
-            &loads,
-            &Settings::new(grid),
-            top,
-            &[],
-            &Silent,
-        );
+        let found = integrate(&self.system, &self.symbolic, &loads, &Settings::new(grid), top, &[], &Silent);
         let elapsed = start.elapsed();
         for transient in found.expect("a stable system") {
             assert!(transient.energy.error() < 1e-9 && transient.residual < 1e-9);
@@ -108,10 +98,7 @@ fn step(c: &mut Criterion) {
     }
     group.finish();
     if std::env::var_os("FEM_BENCH_LONG").is_some() {
-        println!(
-            "2 600 steps with factorisation: {:.1} s",
-            model.run(2600, 1).as_secs_f64()
-        );
+        println!("2 600 steps with factorisation: {:.1} s", model.run(2600, 1).as_secs_f64());
     }
 }
 

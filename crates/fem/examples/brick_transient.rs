@@ -45,13 +45,7 @@ struct Options {
 }
 
 fn options() -> Result<Options, Box<dyn Error>> {
-    let mut found = Options {
-        mesh: [12, 16, 20],
-        steps: 200,
-        records: 1,
-        model: None,
-        assembly: false,
-    };
+    let mut found = Options { mesh: [12, 16, 20], steps: 200, records: 1, model: None, assembly: false };
     let mut arguments = std::env::args().skip(1);
     while let Some(name) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{name} wants a value"));
@@ -72,11 +66,7 @@ fn options() -> Result<Options, Box<dyn Error>> {
 
 fn volume([radial, sectors, vertical]: [usize; 3]) -> Result<Volume, Box<dyn Error>> {
     let even = |length: f64, n: usize| (0..=n).map(|i| length * i as f64 / n as f64).collect();
-    let cylinder = Cylinder {
-        radii: even(RADIUS, radial),
-        sectors,
-        heights: even(HEIGHT, vertical),
-    };
+    let cylinder = Cylinder { radii: even(RADIUS, radial), sectors, heights: even(HEIGHT, vertical) };
     Ok(cylinder.volume()?)
 }
 
@@ -138,10 +128,7 @@ fn time_assembly(volume: &Volume) -> Result<(), Box<dyn Error>> {
     let elements = bricks(volume)?;
     let rounds = 20;
     let (mut mass, mut response) = (LocalMatrix::zeros(24), Response::sized(24));
-    let rest = Movement {
-        values: &[0.0; 24],
-        rotations: &[UnitQuaternion::identity(); 8],
-    };
+    let rest = Movement { values: &[0.0; 24], rotations: &[UnitQuaternion::identity(); 8] };
     let clock = Instant::now();
     let start = cpu_seconds(clock);
     let mut sum = 0.0;
@@ -188,15 +175,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let model = model(&volume)?;
     let assembler = Assembler::new(&model);
     let system = System::new(&model, &assembler)?;
-    let symbolic = Arc::new(Symbolic::new(
-        assembler.pattern().clone(),
-        &order(&model, assembler.pattern()),
-    )?);
-    let grid = Grid {
-        dt: STEP,
-        sub_steps: 1,
-        samples: options.steps + 1,
-    };
+    let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern()))?);
+    let grid = Grid { dt: STEP, sub_steps: 1, samples: options.steps + 1 };
     let shape = model.vector(|node| {
         let mut force = [0.0; KINDS];
         if volume.surface_nodes.binary_search(&node).is_ok() {
@@ -210,17 +190,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             let phase = PI * record as f64 / options.records as f64;
             let sine = |i: usize| (TAU * FREQUENCY * STEP * i as f64 + phase).sin() - phase.sin();
             let history: Vec<f64> = (0..grid.samples).map(sine).collect();
-            Load {
-                forces: vec![(shape.clone(), Motion::sampled(STEP, &history, &grid))],
-                ..Load::default()
-            }
+            Load { forces: vec![(shape.clone(), Motion::sampled(STEP, &history, &grid))], ..Load::default() }
         })
         .collect();
     let tip = Observable::displacement(&model, observed(&volume), Dof::Ux);
-    let settings = Settings {
-        kind: Kind::Definite,
-        ..Settings::new(grid)
-    };
+    let settings = Settings { kind: Kind::Definite, ..Settings::new(grid) };
     let set_up = start.elapsed().as_secs_f64();
     let found = integrate(&system, &symbolic, &loads, &settings, &[tip], &[], &Silent)?;
     let total = start.elapsed().as_secs_f64();

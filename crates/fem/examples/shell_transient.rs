@@ -49,13 +49,7 @@ struct Options {
 }
 
 fn options() -> Result<Options, Box<dyn Error>> {
-    let mut found = Options {
-        mesh: [48, 8],
-        layers: 3,
-        steps: 12,
-        threads: 1,
-        model: None,
-    };
+    let mut found = Options { mesh: [48, 8], layers: 3, steps: 12, threads: 1, model: None };
     let mut arguments = std::env::args().skip(1);
     while let Some(name) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{name} wants a value"));
@@ -116,10 +110,7 @@ fn model(options: &Options) -> Result<Model, Box<dyn Error>> {
     for nodes_of in cells {
         let positions = nodes_of.map(|n| nodes[n]);
         let shell = Shell4::new(nodes_of, positions, positions.map(outward), section.clone())?;
-        let shell = shell
-            .with_membrane_shear(MembraneShear::Full)
-            .with_mass(MassKind::Lumped)
-            .with_axes(Axes::HOOP_Z);
+        let shell = shell.with_membrane_shear(MembraneShear::Full).with_mass(MassKind::Lumped).with_axes(Axes::HOOP_Z);
         builder.element("wall", shell);
     }
     Ok(builder.build()?)
@@ -163,11 +154,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let system = System::new(&model, &assembler)?;
     let ordering = order(&model, assembler.pattern());
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &ordering)?);
-    let grid = Grid {
-        dt: STEP,
-        sub_steps: 1,
-        samples: options.steps + 1,
-    };
+    let grid = Grid { dt: STEP, sub_steps: 1, samples: options.steps + 1 };
     let sectors = options.mesh[0];
     let top = model.nodes().len() - sectors;
     let shape = model.vector(|node| {
@@ -175,13 +162,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         force[0] = if node >= top { FORCE / sectors as f64 } else { 0.0 };
         force
     });
-    let sine: Vec<f64> = (0..grid.samples)
-        .map(|i| (TAU * FREQUENCY * STEP * i as f64).sin())
-        .collect();
-    let load = Load {
-        forces: vec![(shape, Motion::sampled(STEP, &sine, &grid))],
-        ..Load::default()
-    };
+    let sine: Vec<f64> = (0..grid.samples).map(|i| (TAU * FREQUENCY * STEP * i as f64).sin()).collect();
+    let load = Load { forces: vec![(shape, Motion::sampled(STEP, &sine, &grid))], ..Load::default() };
     let mut settings = Settings::new(grid);
     settings.scheme = TimeScheme::GeneralizedAlpha { radius: 1.0 };
     settings.threads = options.threads;
@@ -192,12 +174,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             tip.push(format!("{:.9e}", model.at_node(&now.state.committed.u, top)[0]));
         }
     };
-    let problem = Problem {
-        model: &model,
-        assembler: &assembler,
-        symbolic: &symbolic,
-        system: &system,
-    };
+    let problem = Problem { model: &model, assembler: &assembler, symbolic: &symbolic, system: &system };
     let observers: &mut [&mut dyn Observe] = &mut [&mut watch];
     let run = march(problem, &load, &settings, observers, &Silent)?;
     let total = start.elapsed().as_secs_f64();

@@ -50,11 +50,7 @@ fn median(runs: usize, mut work: impl FnMut()) -> f64 {
 /// n, number of places, starts, rows (64-bit integers), values: the lower triangle column by column.
 fn write_raw(path: &std::path::Path, a: &Symmetric) -> std::io::Result<()> {
     let mut file = std::io::BufWriter::new(std::fs::File::create(path)?);
-    for v in [a.size(), a.pattern.places()]
-        .iter()
-        .chain(&a.pattern.starts)
-        .chain(&a.pattern.rows)
-    {
+    for v in [a.size(), a.pattern.places()].iter().chain(&a.pattern.starts).chain(&a.pattern.rows) {
         file.write_all(&(*v as i64).to_le_bytes())?;
     }
     for v in &a.values {
@@ -78,11 +74,7 @@ fn factor(folder: &str, names: &[&str]) -> Result<(), Box<dyn Error>> {
         if !names.is_empty() && !names.contains(&name) {
             continue;
         }
-        let model = if scalar {
-            models::scalar(bricks)
-        } else {
-            models::solid(bricks)
-        };
+        let model = if scalar { models::scalar(bricks) } else { models::solid(bricks) };
         let assembler = Assembler::new(&model);
         let matrix = if scalar {
             let mut h = assembler.mass(&model);
@@ -108,11 +100,7 @@ fn factor(folder: &str, names: &[&str]) -> Result<(), Box<dyn Error>> {
         for (i, v) in right.data.iter_mut().enumerate() {
             *v = ((i * 7919) % 101) as f64 - 50.0;
         }
-        let one = Matrix {
-            rows: n,
-            cols: 1,
-            data: right.column(0).to_vec(),
-        };
+        let one = Matrix { rows: n, cols: 1, data: right.column(0).to_vec() };
         let mut x = one.clone();
         let t_solve = median(runs, || {
             x = one.clone();
@@ -188,9 +176,7 @@ fn assembly() -> Result<(), Box<dyn Error>> {
     let mut fault = None;
     let wall = Instant::now();
     let runs = 7;
-    let both = median(runs, || {
-        fault = assembler.stiffness_and_mass(&model).err().or(fault.take())
-    });
+    let both = median(runs, || fault = assembler.stiffness_and_mass(&model).err().or(fault.take()));
     let wall = wall.elapsed().as_secs_f64() / runs as f64;
     if let Some(fault) = fault {
         return Err(fault.into());

@@ -54,11 +54,8 @@ impl Assembler {
         let dofs = model.dofs();
         let (mut equations, mut equation_starts) = (Vec::new(), vec![0]);
         let (mut turned, mut linear, mut held) = (Vec::new(), Vec::new(), Vec::new());
-        let ends: Vec<bool> = model
-            .elements()
-            .iter()
-            .map(|e| e.contact().is_some_and(|joint| joint.acts_at_end()))
-            .collect();
+        let ends: Vec<bool> =
+            model.elements().iter().map(|e| e.contact().is_some_and(|joint| joint.acts_at_end())).collect();
         let unassembled: Vec<bool> = model.elements().iter().map(|e| e.operator().is_some()).collect();
         let mut supports: Vec<(usize, Dof)> = Vec::new();
         let mut number = std::collections::BTreeMap::new();
@@ -87,11 +84,7 @@ impl Assembler {
         let pattern = pattern_of(dofs.len(), &equations, &equation_starts, &unassembled);
         let (places, place_starts) = places_of(&pattern, &equations, &equation_starts, &unassembled);
         let (first, second) = places.split_at(place_starts[(place_starts.len() - 1) / 2]);
-        let end = first
-            .iter()
-            .filter(|&&p| p != NONE)
-            .max()
-            .map_or(0, |&p| p as usize + 1);
+        let end = first.iter().filter(|&&p| p != NONE).max().map_or(0, |&p| p as usize + 1);
         let start = second.iter().min().map_or(end, |&p| (p as usize).min(end));
         Assembler {
             pattern: Arc::new(pattern),

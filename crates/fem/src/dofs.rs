@@ -31,17 +31,8 @@ pub const KINDS: usize = 9;
 
 impl Dof {
     /// All kinds, in order.
-    pub const ALL: [Dof; KINDS] = [
-        Dof::Ux,
-        Dof::Uy,
-        Dof::Uz,
-        Dof::Rx,
-        Dof::Ry,
-        Dof::Rz,
-        Dof::Phi,
-        Dof::Eta,
-        Dof::Amplitude,
-    ];
+    pub const ALL: [Dof; KINDS] =
+        [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry, Dof::Rz, Dof::Phi, Dof::Eta, Dof::Amplitude];
 
     /// Position in [`Dof::ALL`].
     pub fn index(self) -> usize {

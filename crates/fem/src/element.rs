@@ -67,20 +67,11 @@ pub struct Want {
 
 impl Want {
     /// Force and tangent.
-    pub const ALL: Want = Want {
-        force: true,
-        tangent: true,
-    };
+    pub const ALL: Want = Want { force: true, tangent: true };
     /// The tangent alone.
-    pub const TANGENT: Want = Want {
-        force: false,
-        tangent: true,
-    };
+    pub const TANGENT: Want = Want { force: false, tangent: true };
     /// The force alone.
-    pub const FORCE: Want = Want {
-        force: true,
-        tangent: false,
-    };
+    pub const FORCE: Want = Want { force: true, tangent: false };
 }
 
 /// Force and tangent of one element, reused from element to element.
@@ -339,8 +330,7 @@ impl Inspect for dyn Element + '_ {
     }
 
     fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
-        self.inspect()
-            .map_or_else(|| Ok(Vec::new()), |own| own.sections(motion, history))
+        self.inspect().map_or_else(|| Ok(Vec::new()), |own| own.sections(motion, history))
     }
 
     fn dissipated(&self, history: &[f64]) -> f64 {
@@ -391,10 +381,7 @@ pub fn reference_stiffness(element: &dyn Element) -> Result<LocalMatrix, Element
     element.init_history(&mut old);
     let mut new = old.clone();
     let mut response = Response::sized(n);
-    let rest = Motion {
-        values: &vec![0.0; n],
-        rotations: &vec![UnitQuaternion::identity(); element.nodes().len()],
-    };
+    let rest = Motion { values: &vec![0.0; n], rotations: &vec![UnitQuaternion::identity(); element.nodes().len()] };
     element.respond(rest, &old, &mut new, Want::TANGENT, &mut response)?;
     Ok(response.tangent)
 }
@@ -409,10 +396,7 @@ pub fn reference_mass(element: &dyn Element) -> LocalMatrix {
 impl Response {
     /// Zeros for `n` dofs.
     pub fn sized(n: usize) -> Response {
-        Response {
-            force: vec![0.0; n],
-            tangent: LocalMatrix::zeros(n),
-        }
+        Response { force: vec![0.0; n], tangent: LocalMatrix::zeros(n) }
     }
 
     /// Zeros for `n` dofs, keeping the storage.

@@ -53,10 +53,7 @@ pub fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Resu
             allowed: "at least one element",
         });
     }
-    match values
-        .windows(2)
-        .find(|w| !(w[1] > w[0] && w[0].is_finite() && w[1].is_finite()))
-    {
+    match values.windows(2).find(|w| !(w[1] > w[0] && w[0].is_finite() && w[1].is_finite())) {
         Some(w) => Err(MeshError::Range {
             what,
             found: format!("{} after {}", w[1], w[0]),

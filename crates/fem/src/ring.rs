@@ -58,10 +58,7 @@ pub struct Room {
 
 impl std::fmt::Debug for Ring {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Ring")
-            .field("sectors", &self.sectors)
-            .field("half", &self.half)
-            .finish()
+        f.debug_struct("Ring").field("sectors", &self.sectors).field("half", &self.half).finish()
     }
 }
 
@@ -108,11 +105,7 @@ impl Ring {
 
     /// Working space.
     pub fn room(&self) -> Room {
-        let scratch = self
-            .plan
-            .forward
-            .get_scratch_len()
-            .max(self.plan.inverse.get_scratch_len());
+        let scratch = self.plan.forward.get_scratch_len().max(self.plan.inverse.get_scratch_len());
         Room {
             real: vec![0.0; self.sectors],
             waves: vec![Complex64::default(); self.harmonics()],
@@ -146,10 +139,7 @@ impl Ring {
             room.real.copy_from_slice(x);
         }
         // Lengths are those of the plan.
-        let done = self
-            .plan
-            .forward
-            .process_with_scratch(&mut room.real, &mut room.waves, &mut room.scratch);
+        let done = self.plan.forward.process_with_scratch(&mut room.real, &mut room.waves, &mut room.scratch);
         debug_assert!(done.is_ok());
         for (m, wave) in room.waves.iter().enumerate() {
             let scale = norm * self.scale(m);
@@ -179,19 +169,12 @@ impl Ring {
             let part = if single { 1.0 } else { 0.5 } * self.scale(m);
             room.waves[m] = Complex64::new(part * cosine, if single { 0.0 } else { -part * sine });
         }
-        let done = self
-            .plan
-            .inverse
-            .process_with_scratch(&mut room.waves, &mut room.real, &mut room.scratch);
+        let done = self.plan.inverse.process_with_scratch(&mut room.waves, &mut room.real, &mut room.scratch);
         debug_assert!(done.is_ok());
         if self.half {
             let last = n / 2;
             let root = 2.0_f64.sqrt();
-            let ends = if weight == Weight::Displacements {
-                root
-            } else {
-                0.5 * root
-            };
+            let ends = if weight == Weight::Displacements { root } else { 0.5 * root };
             for k in 0..=last {
                 out[k] = if k == 0 || k == last { ends } else { root } * room.real[k];
             }
@@ -245,10 +228,7 @@ mod tests {
             if odd {
                 (x[0], x[5]) = (0.0, 0.0);
             }
-            for [to, from] in [
-                [Weight::Forces, Weight::Displacements],
-                [Weight::Displacements, Weight::Forces],
-            ] {
+            for [to, from] in [[Weight::Forces, Weight::Displacements], [Weight::Displacements, Weight::Forces]] {
                 let mut found = vec![0.0; ring.harmonics()];
                 ring.analyse(&x, odd, to, &mut room, |m, _, c| found[m] = c);
                 let mut back = vec![0.0; x.len()];

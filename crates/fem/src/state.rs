@@ -58,14 +58,7 @@ impl State {
         for (e, element) in model.elements().iter().enumerate() {
             element.init_history(&mut old[offsets[e]..offsets[e + 1]]);
         }
-        State {
-            committed: fields.clone(),
-            trial: fields,
-            new: old.clone(),
-            written: false,
-            old,
-            offsets,
-        }
+        State { committed: fields.clone(), trial: fields, new: old.clone(), written: false, old, offsets }
     }
 
     /// Range of element `e` in `old` and `new`.
@@ -102,9 +95,7 @@ impl State {
             *u += d;
         }
         for node in 0..model.nodes().len() {
-            let rotates = [Dof::Rx, Dof::Ry, Dof::Rz]
-                .iter()
-                .any(|&dof| model.dofs().equation(node, dof).is_some());
+            let rotates = [Dof::Rx, Dof::Ry, Dof::Rz].iter().any(|&dof| model.dofs().equation(node, dof).is_some());
             if rotates {
                 let spin = model.at_node(du, node);
                 let rotation = &mut self.trial.rotation[node];
@@ -141,12 +132,8 @@ impl Gather {
         self.values.clear();
         self.values.extend(values);
         self.rotations.clear();
-        self.rotations
-            .extend(element.nodes().iter().map(|&n| fields.rotation[n]));
-        Motion {
-            values: &self.values,
-            rotations: &self.rotations,
-        }
+        self.rotations.extend(element.nodes().iter().map(|&n| fields.rotation[n]));
+        Motion { values: &self.values, rotations: &self.rotations }
     }
 
     /// The components of the nodes of `element` among those `at` all nodes, and their rotations in `fields`.
@@ -158,10 +145,7 @@ impl Gather {
             self.values.extend(element.dofs(a).iter().map(|d| own[d.index()]));
             self.rotations.push(fields.rotation[node]);
         }
-        Motion {
-            values: &self.values,
-            rotations: &self.rotations,
-        }
+        Motion { values: &self.values, rotations: &self.rotations }
     }
 
     /// Gathers the motion of the nodes of `element` in `fields`.
@@ -176,9 +160,6 @@ impl Gather {
             self.values.extend(element.dofs(a).iter().map(|d| at[d.index()]));
             self.rotations.push(fields.rotation[node]);
         }
-        Motion {
-            values: &self.values,
-            rotations: &self.rotations,
-        }
+        Motion { values: &self.values, rotations: &self.rotations }
     }
 }

@@ -33,9 +33,7 @@ impl Severity {
 impl Code {
     /// The code of an id, in any case (`t0206`).
     pub fn find(id: &str) -> Option<Code> {
-        Code::ALL
-            .into_iter()
-            .find(|code| code.id().eq_ignore_ascii_case(id.trim()))
+        Code::ALL.into_iter().find(|code| code.id().eq_ignore_ascii_case(id.trim()))
     }
 
     /// The part of the program or of the input that the code is about: the first two digits of its id.
@@ -78,10 +76,7 @@ pub struct Warning {
 impl Warning {
     /// A warning of a kind.
     pub fn new(code: Code, text: impl Into<String>) -> Warning {
-        Warning {
-            code: Some(code),
-            text: text.into(),
-        }
+        Warning { code: Some(code), text: text.into() }
     }
 
     /// Its code; `None` only in results that a version before the codes wrote.
@@ -97,10 +92,7 @@ impl Warning {
     /// The same warning about one of several: `subject: sentence`.
     #[must_use]
     pub fn about(self, subject: &str) -> Warning {
-        Warning {
-            text: format!("{subject}: {}", self.text),
-            ..self
-        }
+        Warning { text: format!("{subject}: {}", self.text), ..self }
     }
 
     /// `warning[T0901]`, or `warning` without a code.
@@ -139,10 +131,7 @@ impl From<String> for Warning {
             .and_then(|(id, text)| Some((Code::ALL.into_iter().find(|code| code.id() == id)?, text)));
         match coded {
             Some((code, text)) => Warning::new(code, text),
-            None => Warning {
-                code: None,
-                text: written,
-            },
+            None => Warning { code: None, text: written },
         }
     }
 }
@@ -169,10 +158,7 @@ mod tests {
         for code in Code::ALL {
             let text = [code.title(), code.explanation(), code.example()];
             assert!(text.iter().all(|t| !t.trim().is_empty()), "{code}: {text:?}");
-            assert!(
-                !code.title().ends_with('.') && code.explanation().ends_with('.'),
-                "{code}"
-            );
+            assert!(!code.title().ends_with('.') && code.explanation().ends_with('.'), "{code}");
             assert!(code.explanation().len() > code.title().len(), "{code}");
             let warns = code.id().starts_with("T09");
             assert_eq!(code.severity() == Severity::Warning, warns, "{code}");

@@ -85,11 +85,7 @@ pub enum Error {
 impl Error {
     /// A file that cannot be read.
     pub fn unreadable(path: &Path, error: &std::io::Error) -> Error {
-        Error::File {
-            code: Code::FileUnreadable,
-            path: path.into(),
-            what: describe(error),
-        }
+        Error::File { code: Code::FileUnreadable, path: path.into(), what: describe(error) }
     }
 
     /// Its kind; none for [`Error::Faults`], where every fault has its own.

@@ -51,19 +51,12 @@ impl OutputFolder {
     }
 
     fn make(target: &Path, kind: Kind, alone: bool) -> Result<OutputFolder, Error> {
-        let fault = |code: Code, what: String| Error::File {
-            code,
-            path: target.into(),
-            what,
-        };
+        let fault = |code: Code, what: String| Error::File { code, path: target.into(), what };
         // Files are compared with their manifest: not while another run moves them.
         let _lock = Lock::exclusive(target);
         staging::sweep(target);
         staging::sweep(&parent(target));
-        if let Some(process) = alone
-            .then(|| staging::owner([target.to_path_buf(), parent(target)], target))
-            .flatten()
-        {
+        if let Some(process) = alone.then(|| staging::owner([target.to_path_buf(), parent(target)], target)).flatten() {
             return Err(Error::Taken {
                 path: target.into(),
                 what: format!("is in use by another run (process {process})"),
@@ -99,17 +92,9 @@ impl OutputFolder {
             made.extend(missing.into_iter().rev());
             parent
         };
-        let name = target
-            .file_name()
-            .map_or_else(|| "out".into(), |n| n.to_string_lossy().into_owned());
+        let name = target.file_name().map_or_else(|| "out".into(), |n| n.to_string_lossy().into_owned());
         match Staging::new(&home, &name, target) {
-            Ok(staging) => Ok(OutputFolder {
-                target: target.into(),
-                kind,
-                staging,
-                made,
-                committed: false,
-            }),
+            Ok(staging) => Ok(OutputFolder { target: target.into(), kind, staging, made, committed: false }),
             Err(error) => {
                 unmake(&made);
                 match error.kind() {
@@ -134,10 +119,7 @@ impl OutputFolder {
         let tops = |path: &str| path.split('/').next().unwrap_or_default().to_owned();
         let written: BTreeSet<String> = new.iter().map(|path| tops(&manifest::key(path))).collect();
         let earlier: BTreeSet<String> = old.files.keys().map(|name| tops(name)).collect();
-        earlier
-            .into_iter()
-            .filter(|top| !written.contains(top) && !(self.kind.keeps)(top))
-            .collect()
+        earlier.into_iter().filter(|top| !written.contains(top) && !(self.kind.keeps)(top)).collect()
     }
 
     /// Moves everything to the target, replacing the results of an earlier run. Errors: [`Error::Unwritten`], with
@@ -211,10 +193,7 @@ pub fn edited(folder: &Path, kind: Kind) -> Vec<String> {
         return Vec::new();
     };
     let names = manifest.files.keys().filter(|name| (kind.keeps)(name));
-    names
-        .filter(|name| manifest.changed(folder, |other| other == name.as_str()).is_some())
-        .cloned()
-        .collect()
+    names.filter(|name| manifest.changed(folder, |other| other == name.as_str()).is_some()).cloned().collect()
 }
 
 /// Message of an interrupted run that does not replace complete results of an earlier run.
@@ -292,11 +271,7 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
         Found::Foreign => return Err(foreign(target, MANIFEST_FILE, kind)),
     };
     if let Some(other) = manifest.as_ref().filter(|m| m.kind != kind.id) {
-        return Err(taken(
-            target,
-            format!("contains results of `tankcheck {}`", other.kind),
-            kind,
-        ));
+        return Err(taken(target, format!("contains results of `tankcheck {}`", other.kind), kind));
     }
     let entries = std::fs::read_dir(target).map_err(fault)?;
     let mut names = Vec::new();
@@ -311,11 +286,7 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
     if let Some(manifest) = &manifest {
         let replaced = |name: &str| !(kind.keeps)(name.split('/').next().unwrap_or_default());
         if let Some(name) = manifest.changed(target, replaced) {
-            return Err(taken(
-                target,
-                format!("`{name}` has changed since tankcheck wrote it"),
-                kind,
-            ));
+            return Err(taken(target, format!("`{name}` has changed since tankcheck wrote it"), kind));
         }
     }
     Ok(manifest)

@@ -61,10 +61,7 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), Error> {
 pub const PART: &str = ".part";
 
 fn unwritten(path: &Path, error: &std::io::Error) -> Error {
-    Error::Unwritten {
-        path: path.into(),
-        what: describe(error),
-    }
+    Error::Unwritten { path: path.into(), what: describe(error) }
 }
 
 /// Synchronises a file or folder to the disk. Not every system can synchronise folders, so their failure is ignored.

@@ -46,11 +46,7 @@ impl Manifest {
             let hash = hash(&folder.join(&path)).map_err(|e| unwritten(&path, &e))?;
             files.insert(key(&path), hash);
         }
-        Ok(Manifest {
-            format: FORMAT.into(),
-            kind: kind.into(),
-            files,
-        })
+        Ok(Manifest { format: FORMAT.into(), kind: kind.into(), files })
     }
 
     /// Reads the manifest of a folder.
@@ -68,9 +64,7 @@ impl Manifest {
     /// Whether every file is below the folder: a manifest may have been edited.
     fn inside(&self) -> bool {
         let plain = |part: std::path::Component| matches!(part, std::path::Component::Normal(_));
-        self.files
-            .keys()
-            .all(|k| !k.is_empty() && Path::new(k).components().all(plain))
+        self.files.keys().all(|k| !k.is_empty() && Path::new(k).components().all(plain))
     }
 
     /// As text.

@@ -11,9 +11,7 @@ use std::path::Path;
 /// Errors: nothing is there, or it cannot be looked at.
 pub fn special(path: &Path) -> Result<Option<&'static str>> {
     let found = std::fs::metadata(path)?;
-    let of_shell = ["/dev/fd", "/proc/self/fd"]
-        .iter()
-        .any(|folder| path.starts_with(folder));
+    let of_shell = ["/dev/fd", "/proc/self/fd"].iter().any(|folder| path.starts_with(folder));
     Ok(match kind(&found) {
         Some(PIPE) if of_shell || path == Path::new("/dev/stdin") => None,
         other => other,
@@ -26,10 +24,7 @@ pub fn special(path: &Path) -> Result<Option<&'static str>> {
 pub(crate) fn open(path: &Path) -> Result<File> {
     match kind(&std::fs::metadata(path)?) {
         None => File::open(path),
-        Some(what) => Err(Error::new(
-            ErrorKind::InvalidInput,
-            format!("found {what}, expected a file"),
-        )),
+        Some(what) => Err(Error::new(ErrorKind::InvalidInput, format!("found {what}, expected a file"))),
     }
 }
 
@@ -84,13 +79,7 @@ mod tests {
         let place = |name: &str| folder.path().join(name);
         std::fs::write(place("a"), "text").unwrap();
         let pipe = place("pipe");
-        assert!(
-            std::process::Command::new("mkfifo")
-                .arg(&pipe)
-                .status()
-                .unwrap()
-                .success()
-        );
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         let _socket = std::os::unix::net::UnixListener::bind(place("socket")).unwrap();
         std::os::unix::fs::symlink(&pipe, place("link")).unwrap();
         for (path, what) in [

@@ -29,11 +29,7 @@ const PARTIAL: &str = ".partial";
 
 /// Staging folders of this process, and whether it has committed. Locked while a staging folder is created and while
 /// results move, so that an ending process waits for both.
-pub(super) static LEDGER: Mutex<Ledger> = Mutex::new(Ledger {
-    unfinished: Vec::new(),
-    kept: false,
-    ended: false,
-});
+pub(super) static LEDGER: Mutex<Ledger> = Mutex::new(Ledger { unfinished: Vec::new(), kept: false, ended: false });
 
 /// See [`LEDGER`].
 pub(super) struct Ledger {
@@ -130,11 +126,7 @@ impl Staging {
             let marked = marker.and_then(|mut file| {
                 // Without locks the process number decides.
                 let _ = file.try_lock();
-                let text = serde_json::to_vec(&Marker {
-                    format: FORMAT.into(),
-                    process,
-                    target: target.clone(),
-                })?;
+                let text = serde_json::to_vec(&Marker { format: FORMAT.into(), process, target: target.clone() })?;
                 file.write_all(&text)?;
                 std::fs::create_dir(folder.join(FILES))?;
                 Ok(file)
@@ -142,11 +134,7 @@ impl Staging {
             return match marked {
                 Ok(marker) => {
                     ledger.unfinished.push(folder.clone());
-                    Ok(Staging {
-                        folder,
-                        _marker: marker,
-                        released: false,
-                    })
+                    Ok(Staging { folder, _marker: marker, released: false })
                 }
                 Err(error) => {
                     remove(&folder);
@@ -307,15 +295,9 @@ fn marker(folder: &Path) -> Option<Marker> {
 /// The live process of another staging folder in one of `homes` that writes to `target`.
 pub(super) fn owner(homes: [PathBuf; 2], target: &Path) -> Option<u32> {
     let target = std::path::absolute(target).ok()?;
-    let markers = homes
-        .iter()
-        .flat_map(|home| named(home))
-        .filter_map(|folder| marker(&folder));
+    let markers = homes.iter().flat_map(|home| named(home)).filter_map(|folder| marker(&folder));
     // Folders of dead processes have been swept.
-    markers
-        .filter(|marker| marker.target == target)
-        .map(|marker| marker.process)
-        .next()
+    markers.filter(|marker| marker.target == target).map(|marker| marker.process).next()
 }
 
 fn sweep_one(folder: &Path) {

@@ -16,11 +16,7 @@ const KIND: Kind = Kind {
 
 /// Names of all entries below a folder, sorted.
 fn tree(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> = super::files_below(folder)
-        .unwrap()
-        .iter()
-        .map(|p| super::manifest::key(p))
-        .collect();
+    let mut names: Vec<String> = super::files_below(folder).unwrap().iter().map(|p| super::manifest::key(p)).collect();
     names.sort();
     names
 }
@@ -58,39 +54,14 @@ fn nothing_is_left_without_commit_not_even_the_folders_above() {
 fn commit_replaces_an_earlier_run_and_leaves_other_files_alone() {
     let home = tempfile::tempdir().unwrap();
     let out = home.path().join("out");
-    write_as(
-        KIND,
-        &out,
-        &[
-            ("report.html", "old"),
-            ("results.json", "old"),
-            ("figures/old.svg", "old"),
-        ],
-    );
-    fill(
-        &out,
-        &[
-            ("notes.txt", "mine"),
-            ("figures/mine.svg", "mine"),
-            ("paraview/tank.pvd", "x"),
-        ],
-    );
+    write_as(KIND, &out, &[("report.html", "old"), ("results.json", "old"), ("figures/old.svg", "old")]);
+    fill(&out, &[("notes.txt", "mine"), ("figures/mine.svg", "mine"), ("paraview/tank.pvd", "x")]);
     write_as(KIND, &out, &[("report.html", "new"), ("figures/new.svg", "new")]);
     assert_eq!(
         tree(&out),
-        [
-            "figures/mine.svg",
-            "figures/new.svg",
-            MANIFEST_FILE,
-            "notes.txt",
-            "paraview/tank.pvd",
-            "report.html"
-        ]
+        ["figures/mine.svg", "figures/new.svg", MANIFEST_FILE, "notes.txt", "paraview/tank.pvd", "report.html"]
     );
-    assert_eq!(
-        (text(&out.join("report.html")), text(&out.join("notes.txt"))),
-        ("new".into(), "mine".into())
-    );
+    assert_eq!((text(&out.join("report.html")), text(&out.join("notes.txt"))), ("new".into(), "mine".into()));
     assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1);
 }
 
@@ -139,11 +110,7 @@ fn results_of_another_kind_are_not_replaced_and_kept_names_stay() {
     let other = Kind { id: "other", ..KIND };
     let error = OutputFolder::prepare(home.path(), other).unwrap_err();
     assert!(error.to_string().contains("tankcheck test"), "{error}");
-    let report = Kind {
-        names: |name| name == "report.html",
-        keeps: |name| name == "results.json",
-        ..KIND
-    };
+    let report = Kind { names: |name| name == "report.html", keeps: |name| name == "results.json", ..KIND };
     write_as(report, home.path(), &[("report.html", "again")]);
     assert_eq!(tree(home.path()), [MANIFEST_FILE, "report.html", "results.json"]);
     // Both are still recognised as our own.
@@ -201,31 +168,16 @@ fn staging_of_a_process_that_is_gone_is_swept_and_that_of_one_that_lives_is_kept
 /// A commit is interrupted after each of its moves; the next run finishes it.
 #[test]
 fn a_commit_that_was_cut_off_anywhere_is_finished() {
-    let new = [
-        ("figures/a.svg", "new"),
-        ("figures/b.svg", "new"),
-        ("report.html", "new"),
-    ];
+    let new = [("figures/a.svg", "new"), ("figures/b.svg", "new"), ("report.html", "new")];
     for moved in 0..=new.len() + 2 {
         let home = tempfile::tempdir().unwrap();
         let out = home.path().join("out");
-        write_as(
-            KIND,
-            &out,
-            &[
-                ("report.html", "old"),
-                ("results.json", "old"),
-                ("figures/old.svg", "old"),
-            ],
-        );
+        write_as(KIND, &out, &[("report.html", "old"), ("results.json", "old"), ("figures/old.svg", "old")]);
         let staging = Staging::new(&out, "out", &out).unwrap();
         fill(&staging.files(), &new);
         let manifest = super::manifest::Manifest::of(&staging.files(), KIND.id).unwrap();
         fs::write(staging.files().join(MANIFEST_FILE), manifest.text().unwrap()).unwrap();
-        let commit = Commit {
-            target: out.clone(),
-            stale: vec!["results.json".into(), "figures/old.svg".into()],
-        };
+        let commit = Commit { target: out.clone(), stale: vec!["results.json".into(), "figures/old.svg".into()] };
         fs::write(staging.folder.join("commit.json"), serde_json::to_vec(&commit).unwrap()).unwrap();
         let files = staging.files();
         let folder = killed(staging);
@@ -238,11 +190,7 @@ fn a_commit_that_was_cut_off_anywhere_is_finished() {
         }
         settle(&out);
         assert!(!folder.exists());
-        assert_eq!(
-            tree(&out),
-            ["figures/a.svg", "figures/b.svg", MANIFEST_FILE, "report.html"],
-            "{moved}"
-        );
+        assert_eq!(tree(&out), ["figures/a.svg", "figures/b.svg", MANIFEST_FILE, "report.html"], "{moved}");
         assert_eq!(text(&out.join("report.html")), "new");
         // All files are recognised as our own.
         write_as(KIND, &out, &[("report.html", "third")]);
@@ -266,10 +214,7 @@ fn runs_at_once_replace_each_other_as_sets() {
         });
         let one = text(&out.join("report.html"));
         assert!(one.starts_with(&round.to_string()), "{one}");
-        assert_eq!(
-            (text(&out.join("results.json")), text(&out.join("figures/a.svg"))),
-            (one.clone(), one)
-        );
+        assert_eq!((text(&out.join("results.json")), text(&out.join("figures/a.svg"))), (one.clone(), one));
         assert_eq!(super::differing(&out, |_| true), None);
         assert_eq!(tree(&out).len(), 4);
     }
@@ -305,13 +250,7 @@ fn pipes_are_not_read() {
     write_as(KIND, &out, &[("report.html", "x")]);
     let pipe = |path: &Path| {
         let _ = fs::remove_file(path);
-        assert!(
-            std::process::Command::new("mkfifo")
-                .arg(path)
-                .status()
-                .unwrap()
-                .success()
-        );
+        assert!(std::process::Command::new("mkfifo").arg(path).status().unwrap().success());
     };
     fs::create_dir(out.join(".out.7.partial")).unwrap();
     pipe(&out.join(".out.7.partial/staging.json"));
@@ -342,10 +281,7 @@ fn a_file_is_written_whole_or_not_at_all() {
     let path = home.path().join("x.json");
     write_whole(&path, b"one").unwrap();
     write_whole(&path, b"two").unwrap();
-    assert_eq!(
-        (text(&path), tree(home.path())),
-        ("two".into(), vec!["x.json".to_string()])
-    );
+    assert_eq!((text(&path), tree(home.path())), ("two".into(), vec!["x.json".to_string()]));
     let error = write_whole(&home.path().join("missing/x.json"), b"x").unwrap_err();
     assert_eq!(error.exit_code(), EXIT_COMPUTATION);
 }
@@ -361,10 +297,7 @@ fn files_of_others_among_unfinished_work_stay() {
     let out = home.path().join("out");
     let work = WorkFolder::open(&out, "ida", is_work, false).unwrap();
     fs::write(work.file("checkpoint-1"), "x").unwrap();
-    fill(
-        &out,
-        &[("unfinished/notes.txt", "mine"), ("unfinished/sub/n.txt", "mine")],
-    );
+    fill(&out, &[("unfinished/notes.txt", "mine"), ("unfinished/sub/n.txt", "mine")]);
     drop(work);
     for resume in [true, false, false] {
         let work = WorkFolder::open(&out, "ida", is_work, resume).unwrap();

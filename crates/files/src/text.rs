@@ -73,10 +73,7 @@ pub fn without_commands(text: &str) -> Cow<'_, str> {
     }
     let opens = |rest: &str| {
         let after = rest.strip_prefix("##");
-        after.is_some_and(|word| {
-            word.trim_start_matches(|c: char| c.is_ascii_alphabetic())
-                .starts_with('[')
-        })
+        after.is_some_and(|word| word.trim_start_matches(|c: char| c.is_ascii_alphabetic()).starts_with('['))
     };
     let mut out = String::with_capacity(text.len() + 16);
     for line in text.split_inclusive('\n') {
@@ -159,8 +156,7 @@ pub fn cell(text: &str) -> Cow<'_, str> {
 /// ```
 pub fn uncelled(text: &str) -> &str {
     let bare = text.strip_prefix('\'');
-    bare.filter(|rest| formula(rest.trim_start_matches('\'')))
-        .unwrap_or(text)
+    bare.filter(|rest| formula(rest.trim_start_matches('\''))).unwrap_or(text)
 }
 
 /// Whether a spreadsheet may take a cell as a formula: its first sign is one of those with which formulas begin, also in full width, or a
@@ -280,30 +276,15 @@ mod tests {
 
     #[test]
     fn no_line_is_a_command_to_a_runner() {
-        for text in [
-            "::a",
-            "x\n::a",
-            "\u{a0} ::a",
-            "##[a]",
-            "x ##[a]",
-            "###vso[a]",
-            "##teamcity[a]",
-            "\t::a ##[b]",
-        ] {
+        for text in ["::a", "x\n::a", "\u{a0} ::a", "##[a]", "x ##[a]", "###vso[a]", "##teamcity[a]", "\t::a ##[b]"] {
             let shown = printed(text);
             for line in shown.lines() {
                 assert!(!line.trim_start().starts_with("::"), "{text:?}: {shown}");
             }
-            assert!(
-                !shown.contains("##[") && !shown.contains("##vso[") && !shown.contains("##teamcity["),
-                "{shown}"
-            );
+            assert!(!shown.contains("##[") && !shown.contains("##vso[") && !shown.contains("##teamcity["), "{shown}");
         }
         for plain in ["a::b", "## Head [link]", "#1 [a]", "T ## x"] {
-            assert!(
-                matches!(printed(plain), Cow::Borrowed(_)) || printed(plain) == plain,
-                "{plain}"
-            );
+            assert!(matches!(printed(plain), Cow::Borrowed(_)) || printed(plain) == plain, "{plain}");
         }
     }
 

@@ -45,11 +45,8 @@ impl WorkFolder {
     /// in use by another process; those of the file system.
     pub fn open(out: &Path, kind: &str, owns: fn(&str) -> bool, resume: bool) -> Result<WorkFolder, Error> {
         let folder = out.join(FOLDER);
-        let fault = |e: std::io::Error| Error::File {
-            code: Code::NotWritten,
-            path: folder.clone(),
-            what: describe(&e),
-        };
+        let fault =
+            |e: std::io::Error| Error::File { code: Code::NotWritten, path: folder.clone(), what: describe(&e) };
         let taken = |what: String| Error::Taken {
             path: folder.clone(),
             what,
@@ -63,13 +60,7 @@ impl WorkFolder {
         let made = (!out.exists()).then(|| out.to_path_buf());
         std::fs::create_dir_all(&folder).map_err(fault)?;
         let mut options = OpenOptions::new();
-        let mut file = options
-            .read(true)
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .open(&marker)
-            .map_err(fault)?;
+        let mut file = options.read(true).write(true).create(true).truncate(false).open(&marker).map_err(fault)?;
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(Error::File {
                 code: Code::FileTaken,
@@ -85,12 +76,7 @@ impl WorkFolder {
         {
             return Err(taken(format!("is not unfinished work of `tankcheck {kind}`")));
         }
-        let work = WorkFolder {
-            folder: folder.clone(),
-            marker: file,
-            owns,
-            made,
-        };
+        let work = WorkFolder { folder: folder.clone(), marker: file, owns, made };
         for name in work.names()? {
             if !resume || name.ends_with(PART) {
                 let path = folder.join(&name);
@@ -105,10 +91,7 @@ impl WorkFolder {
         let mut file = &self.marker;
         file.rewind()?;
         file.set_len(0)?;
-        let marker = Marker {
-            format: FORMAT.into(),
-            kind: kind.into(),
-        };
+        let marker = Marker { format: FORMAT.into(), kind: kind.into() };
         file.write_all(&serde_json::to_vec(&marker)?)
     }
 

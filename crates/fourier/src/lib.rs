@@ -25,9 +25,6 @@ impl Transforms {
     /// Transforms of series of `length` numbers.
     pub fn new(length: usize) -> Transforms {
         let mut planner = RealFftPlanner::new();
-        Transforms {
-            forward: planner.plan_fft_forward(length),
-            inverse: planner.plan_fft_inverse(length),
-        }
+        Transforms { forward: planner.plan_fft_forward(length), inverse: planner.plan_fft_inverse(length) }
     }
 }

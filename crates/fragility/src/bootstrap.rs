@@ -86,10 +86,7 @@ pub fn resampled_stripes(stripes: &[Stripe], draw: &mut Draw) -> Vec<Stripe> {
     let drawn = |s: &Stripe, draw: &mut Draw| {
         let n = s.n.round() as usize;
         let hits = (0..n).filter(|_| (draw.below(n) as f64) < s.exceed).count();
-        Stripe {
-            exceed: hits as f64,
-            ..*s
-        }
+        Stripe { exceed: hits as f64, ..*s }
     };
     stripes.iter().map(|s| drawn(s, draw)).collect()
 }
@@ -101,11 +98,7 @@ fn band(mut values: Vec<f64>) -> Band {
         let (low, high) = (values[place.floor() as usize], values[place.ceil() as usize]);
         low + (high - low) * place.fract()
     };
-    Band {
-        low: at(0.05),
-        middle: at(0.5),
-        high: at(0.95),
-    }
+    Band { low: at(0.05), middle: at(0.5), high: at(0.95) }
 }
 
 #[cfg(test)]
@@ -115,10 +108,7 @@ mod tests {
     /// The band of the probability at an intensity is that of the medians, seen through Φ, if curves differ in the median alone.
     #[test]
     fn the_band_of_the_probability_is_that_of_the_medians() {
-        let curve = |k: i32| Lognormal {
-            median: (0.01 * f64::from(k)).exp(),
-            dispersion: 0.4,
-        };
+        let curve = |k: i32| Lognormal { median: (0.01 * f64::from(k)).exp(), dispersion: 0.4 };
         let found: Vec<Lognormal> = (0..=100).map(curve).collect();
         let at = envelope(&found, 1.5).unwrap();
         // A larger median is a smaller probability: the 5 % percentile of P has the 95 % percentile of the median, exp 0.95.

@@ -26,14 +26,7 @@ pub fn fit(capacities: &[f64]) -> Result<Fit, NotIdentifiable> {
     let square: f64 = logs.iter().map(|l| (l - mean).powi(2)).sum();
     let dispersion = (square / (n - 1) as f64).sqrt();
     let likelihood = n as f64 * dispersion.ln() + 0.5 * square / dispersion.powi(2);
-    Ok(Fit {
-        curve: Lognormal {
-            median: mean.exp(),
-            dispersion,
-        },
-        n,
-        negative_log_likelihood: likelihood,
-    })
+    Ok(Fit { curve: Lognormal { median: mean.exp(), dispersion }, n, negative_log_likelihood: likelihood })
 }
 
 /// Errors: fewer than two capacities, or all equal.
@@ -97,10 +90,7 @@ pub fn fit_censored(capacities: &[f64], below: &[f64], beyond: &[f64]) -> Result
         .filter(|f| f[1] > 0.0)
         .ok_or_else(|| NotIdentifiable::because("the likelihood has no maximum that was found"))?;
     Ok(Fit {
-        curve: Lognormal {
-            median: (found[0] / found[1]).exp(),
-            dispersion: 1.0 / found[1],
-        },
+        curve: Lognormal { median: (found[0] / found[1]).exp(), dispersion: 1.0 / found[1] },
         n: logs.len() + tails.len(),
         negative_log_likelihood: -likelihood(&logs, &tails, found).0,
     })
@@ -148,11 +138,7 @@ mod tests {
     /// Computed outside this program: 0.569468, 0.394104.
     #[test]
     fn ten_capacities() {
-        let Fit {
-            curve: found,
-            negative_log_likelihood: least,
-            ..
-        } = fit(&CAPACITIES).unwrap();
+        let Fit { curve: found, negative_log_likelihood: least, .. } = fit(&CAPACITIES).unwrap();
         assert!((found.median - 0.569_468).abs() < 1e-6);
         assert!((found.dispersion - 0.394_104).abs() < 1e-6);
         // n ln β + Σ u²/2, in which Σ u² is n − 1.
@@ -162,10 +148,7 @@ mod tests {
     /// Without censored runs the maximum is known in closed form: the mean of the logarithms and their deviation with n.
     #[test]
     fn nothing_censored_is_the_closed_form() {
-        let (free, whole) = (
-            fit_truncated(&CAPACITIES, 2.0, 0).unwrap().curve,
-            fit(&CAPACITIES).unwrap().curve,
-        );
+        let (free, whole) = (fit_truncated(&CAPACITIES, 2.0, 0).unwrap().curve, fit(&CAPACITIES).unwrap().curve);
         assert!((free.median / whole.median - 1.0).abs() < 1e-10);
         assert!((free.dispersion / whole.dispersion - (9.0_f64 / 10.0).sqrt()).abs() < 1e-10);
     }

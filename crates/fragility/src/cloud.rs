@@ -53,18 +53,12 @@ pub fn fit(runs: &[Run]) -> Result<Cloud, NotIdentifiable> {
     let points: Vec<[f64; 2]> = runs.iter().filter_map(|r| Some([r.im.ln(), r.demand?.ln()])).collect();
     let n = points.len();
     if n < FEWEST {
-        return Err(NotIdentifiable::because(format!(
-            "{n} runs without collapse, fewer than {FEWEST}"
-        )));
+        return Err(NotIdentifiable::because(format!("{n} runs without collapse, fewer than {FEWEST}")));
     }
     let mean = |i: usize| points.iter().map(|p| p[i]).sum::<f64>() / n as f64;
     let (x, y) = (mean(0), mean(1));
     let sum = |of: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(of).sum::<f64>();
-    let (xx, xy, yy) = (
-        sum(&|p| (p[0] - x).powi(2)),
-        sum(&|p| (p[0] - x) * (p[1] - y)),
-        sum(&|p| (p[1] - y).powi(2)),
-    );
+    let (xx, xy, yy) = (sum(&|p| (p[0] - x).powi(2)), sum(&|p| (p[0] - x) * (p[1] - y)), sum(&|p| (p[1] - y).powi(2)));
     if xx <= 1e-12 * n as f64 {
         return Err(NotIdentifiable::because("all intensities are equal"));
     }
@@ -120,9 +114,7 @@ impl Cloud {
     /// Errors: a regression without scatter, of which β would be 0.
     pub fn curve(&self, limit: f64) -> Result<Lognormal, NotIdentifiable> {
         if self.deviation <= 0.0 {
-            return Err(NotIdentifiable::because(
-                "the demands lie on a line: the dispersion is not identified",
-            ));
+            return Err(NotIdentifiable::because("the demands lie on a line: the dispersion is not identified"));
         }
         Ok(Lognormal {
             median: ((limit.ln() - self.intercept) / self.slope).exp(),
@@ -189,10 +181,7 @@ mod tests {
         for k in 1..=10 {
             let im = 0.1 * f64::from(k);
             for r in [-0.1, 0.1] {
-                runs.push(Run {
-                    im,
-                    demand: Some((0.3 + 1.2 * im.ln() + r).exp()),
-                });
+                runs.push(Run { im, demand: Some((0.3 + 1.2 * im.ln() + r).exp()) });
             }
         }
         let found = fit(&runs).unwrap();
@@ -209,10 +198,7 @@ mod tests {
         let mut runs = Vec::new();
         for (im, fell) in [(1.0, 4), (2.0, 12)] {
             for k in 0..16 {
-                runs.push(Run {
-                    im,
-                    demand: (k >= fell).then_some(im),
-                });
+                runs.push(Run { im, demand: (k >= fell).then_some(im) });
             }
         }
         let found = fit(&runs).unwrap();
@@ -223,10 +209,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_the_likelihood() {
-        let run = |k: u32| Run {
-            im: 0.3 * f64::from(k),
-            demand: (!k.is_multiple_of(3)).then_some(1.0),
-        };
+        let run = |k: u32| Run { im: 0.3 * f64::from(k), demand: (!k.is_multiple_of(3)).then_some(1.0) };
         let runs: Vec<Run> = (1..=9).map(run).collect();
         newton::derivatives_agree([-0.4, 1.3], |at| likelihood(&runs, 0.2, at));
     }
@@ -251,33 +234,18 @@ mod tests {
             free.probability(im) * (1.0 - c) + c
         };
         assert!((at(total.median) - 0.5).abs() < 1e-9);
-        let searched = |p: f64| {
-            (0..400_000)
-                .map(|k| 0.01 + 1e-5 * f64::from(k))
-                .find(|&im| at(im) >= p)
-                .unwrap()
-        };
+        let searched = |p: f64| (0..400_000).map(|k| 0.01 + 1e-5 * f64::from(k)).find(|&im| at(im) >= p).unwrap();
         let wanted = 0.5 * (searched(ONE_DEVIATION) / searched(1.0 - ONE_DEVIATION)).ln();
         assert!((total.dispersion - wanted).abs() < 1e-3);
-        let none = Cloud {
-            collapsed: 0,
-            collapse: None,
-            ..cloud
-        };
+        let none = Cloud { collapsed: 0, collapse: None, ..cloud };
         assert_eq!(none.total(1.0).unwrap(), free);
-        let open = Cloud {
-            collapse: None,
-            ..cloud
-        };
+        let open = Cloud { collapse: None, ..cloud };
         assert!(open.total(1.0).unwrap_err().reason.contains("8 runs collapsed"));
     }
 
     #[test]
     fn refusals() {
-        let run = |im: f64, demand: f64| Run {
-            im,
-            demand: Some(demand),
-        };
+        let run = |im: f64, demand: f64| Run { im, demand: Some(demand) };
         let falling: Vec<Run> = (1..=9).map(|k| run(f64::from(k), 1.0 / f64::from(k))).collect();
         assert!(fit(&falling).unwrap_err().reason.contains("grow"));
         assert!(fit(&falling[..7]).unwrap_err().reason.contains("fewer"));

@@ -10,9 +10,7 @@ use crate::{Lognormal, NotIdentifiable};
 pub fn crossing(a: &Lognormal, b: &Lognormal) -> Option<f64> {
     let slope = 1.0 / a.dispersion - 1.0 / b.dispersion;
     let level = a.median.ln() / a.dispersion - b.median.ln() / b.dispersion;
-    (slope.abs() > 1e-12)
-        .then(|| (level / slope).exp())
-        .filter(|im| im.is_finite() && *im > 0.0)
+    (slope.abs() > 1e-12).then(|| (level / slope).exp()).filter(|im| im.is_finite() && *im > 0.0)
 }
 
 /// Whether any curves, from mild to severe, cross between two intensities, or are out of order there.
@@ -30,25 +28,16 @@ pub fn cross(curves: &[Lognormal], [low, high]: [f64; 2]) -> bool {
 ///
 /// Errors: a state whose data alone do not identify a curve.
 pub fn fit(states: &[Vec<Stripe>]) -> Result<Vec<Lognormal>, NotIdentifiable> {
-    let free: Vec<f64> = states
-        .iter()
-        .map(|s| stripes::fit(s).map(|f| f.curve.dispersion))
-        .collect::<Result<_, _>>()?;
-    let (Some(low), Some(high)) = (
-        free.iter().copied().reduce(f64::min),
-        free.iter().copied().reduce(f64::max),
-    ) else {
+    let free: Vec<f64> =
+        states.iter().map(|s| stripes::fit(s).map(|f| f.curve.dispersion)).collect::<Result<_, _>>()?;
+    let (Some(low), Some(high)) = (free.iter().copied().reduce(f64::min), free.iter().copied().reduce(f64::max)) else {
         return Err(NotIdentifiable::because("no state has data"));
     };
     // The best common dispersion lies between the free ones; each median is best for itself.
     let medians = |beta: f64| -> Vec<Lognormal> { states.iter().map(|s| median(s, beta)).collect() };
     let cost = |beta: f64| -> f64 {
         let curves = medians(beta);
-        states
-            .iter()
-            .zip(&curves)
-            .map(|(s, c)| stripes::negative_log_likelihood(s, c))
-            .sum()
+        states.iter().zip(&curves).map(|(s, c)| stripes::negative_log_likelihood(s, c)).sum()
     };
     let beta = least(low.ln(), high.ln(), |log| cost(log.exp())).exp();
     Ok(medians(beta))
@@ -58,14 +47,9 @@ pub fn fit(states: &[Vec<Stripe>]) -> Result<Vec<Lognormal>, NotIdentifiable> {
 fn median(state: &[Stripe], dispersion: f64) -> Lognormal {
     let ims = || state.iter().map(|s| s.im);
     let (low, high) = (ims().fold(f64::INFINITY, f64::min), ims().fold(0.0, f64::max));
-    let curve = |log: f64| Lognormal {
-        median: log.exp(),
-        dispersion,
-    };
+    let curve = |log: f64| Lognormal { median: log.exp(), dispersion };
     let margin = 6.0 * dispersion;
-    let best = least(low.ln() - margin, high.ln() + margin, |log| {
-        stripes::negative_log_likelihood(state, &curve(log))
-    });
+    let best = least(low.ln() - margin, high.ln() + margin, |log| stripes::negative_log_likelihood(state, &curve(log)));
     curve(best)
 }
 
@@ -117,11 +101,7 @@ mod tests {
             let ims = [0.2, 0.4, 0.6, 0.9, 1.4];
             let given = [curve(0.5 * unit, 0.45), curve(0.8 * unit, 0.45)];
             let state = |c: &Lognormal| -> Vec<Stripe> {
-                let stripe = |im: &f64| Stripe {
-                    im: im * unit,
-                    n: 40.0,
-                    exceed: 40.0 * c.probability(im * unit),
-                };
+                let stripe = |im: &f64| Stripe { im: im * unit, n: 40.0, exceed: 40.0 * c.probability(im * unit) };
                 ims.iter().map(stripe).collect()
             };
             let found = fit(&given.iter().map(state).collect::<Vec<_>>()).unwrap();

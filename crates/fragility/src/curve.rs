@@ -44,10 +44,7 @@ mod tests {
 
     #[test]
     fn moments_and_quantiles() {
-        let curve = Lognormal {
-            median: 0.5,
-            dispersion: 0.4,
-        };
+        let curve = Lognormal { median: 0.5, dispersion: 0.4 };
         assert!((curve.probability(0.5) - 0.5).abs() < 1e-15);
         assert!((curve.probability(curve.quantile(0.16)) - 0.16).abs() < 1e-9);
         // Moments by quadrature over the quantiles, midpoints of 2·10⁵ equal shares; the tails beyond lose 1e-4.

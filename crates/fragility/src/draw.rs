@@ -38,13 +38,6 @@ mod tests {
     fn the_generator_is_the_published_one() {
         let mut draw = Draw::new(1_234_567);
         let first = [draw.next(), draw.next(), draw.next()];
-        assert_eq!(
-            first,
-            [
-                6_457_827_717_110_365_317,
-                3_203_168_211_198_807_973,
-                9_817_491_932_198_370_423
-            ]
-        );
+        assert_eq!(first, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
     }
 }

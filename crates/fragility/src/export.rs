@@ -34,10 +34,7 @@ pub fn pelicun(components: &[Component], demand: &str, unit: &str) -> String {
     let most = components.iter().map(|c| c.states.len()).max().unwrap_or(0);
     let mut text = String::from("ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional");
     for i in 1..=most {
-        let _ = write!(
-            text,
-            ",LS{i}-Family,LS{i}-Theta_0,LS{i}-Theta_1,LS{i}-DamageStateWeights"
-        );
+        let _ = write!(text, ",LS{i}-Family,LS{i}-Theta_0,LS{i}-Theta_1,LS{i}-DamageStateWeights");
     }
     text.push('\n');
     for component in components {
@@ -121,12 +118,7 @@ mod tests {
         let text = pelicun(&components(), "Peak Ground Acceleration", "mps2");
         let columns: Vec<usize> = text.lines().map(|line| line.split(',').count()).collect();
         assert_eq!(columns, [14, 14, 14]);
-        assert!(
-            text.lines()
-                .nth(1)
-                .unwrap()
-                .starts_with("T1,0,Peak Ground Acceleration,mps2,0,0,lognormal,2,0.4,")
-        );
+        assert!(text.lines().nth(1).unwrap().starts_with("T1,0,Peak Ground Acceleration,mps2,0,0,lognormal,2,0.4,"));
     }
 
     /// What OpenQuake computes from mean and deviation are θ and β again.

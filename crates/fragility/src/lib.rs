@@ -51,10 +51,7 @@ pub struct NotIdentifiable {
 impl NotIdentifiable {
     /// Without bounds.
     pub fn because(reason: impl Into<String>) -> NotIdentifiable {
-        NotIdentifiable {
-            reason: reason.into(),
-            bounds: [None, None],
-        }
+        NotIdentifiable { reason: reason.into(), bounds: [None, None] }
     }
 }
 

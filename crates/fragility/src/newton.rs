@@ -19,10 +19,7 @@ pub(crate) fn maximum(start: [f64; 2], function: impl Fn([f64; 2]) -> Local) -> 
         if !(determinant > 0.0 && value.is_finite()) {
             return None;
         }
-        let step = [
-            -(d * g[0] - b * g[1]) / determinant,
-            -(a * g[1] - b * g[0]) / determinant,
-        ];
+        let step = [-(d * g[0] - b * g[1]) / determinant, -(a * g[1] - b * g[0]) / determinant];
         // Twice what the step gains. Near the maximum a whole step is right, and rounding would halve it in vain.
         let near = step[0] * g[0] + step[1] * g[1] < NEAR * (1.0 + value.abs());
         let mut share = 1.0;
@@ -58,10 +55,7 @@ pub(crate) fn derivatives_agree(at: [f64; 2], function: impl Fn([f64; 2]) -> Loc
         let (low, high) = (moved(-1.0), moved(1.0));
         let agree = |slope: f64, by: f64| {
             let difference = by / (2.0 * STEP);
-            assert!(
-                (slope - difference).abs() < 1e-7 * (1.0 + slope.abs()),
-                "{i}: {slope} {difference}"
-            );
+            assert!((slope - difference).abs() < 1e-7 * (1.0 + slope.abs()), "{i}: {slope} {difference}");
         };
         agree(gradient[i], high.0 - low.0);
         for k in 0..2 {
@@ -81,11 +75,9 @@ mod tests {
     #[test]
     fn a_quadratic_takes_one_step() {
         // −2x² + xy − 1.5y² about (0.3, −0.7).
-        for (start, top, lost) in [
-            ([4.0, -9.0], 0.0, 0.0),
-            ([0.3, -0.7 + 1e-6], 0.0, 1e-11),
-            ([0.3 + 1e-4, -0.7], -1e3, 1e-7),
-        ] {
+        for (start, top, lost) in
+            [([4.0, -9.0], 0.0, 0.0), ([0.3, -0.7 + 1e-6], 0.0, 1e-11), ([0.3 + 1e-4, -0.7], -1e3, 1e-7)]
+        {
             let calls = Cell::new(0);
             let function = |[x, y]: [f64; 2]| -> Local {
                 let (x, y) = (x - 0.3, y + 0.7);

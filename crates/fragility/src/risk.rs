@@ -79,10 +79,7 @@ pub fn risk(curve: &Lognormal, hazard: &[[f64; 2]]) -> Option<Risk> {
 mod tests {
     use super::*;
 
-    const CURVE: Lognormal = Lognormal {
-        median: 0.519_144,
-        dispersion: 0.454_259,
-    };
+    const CURVE: Lognormal = Lognormal { median: 0.519_144, dispersion: 0.454_259 };
 
     fn power(k0: f64, k: f64, ims: &[f64]) -> Vec<[f64; 2]> {
         ims.iter().map(|&im| [im, k0 * im.powf(-k)]).collect()
@@ -134,11 +131,7 @@ mod tests {
             .sum();
         let exact = sum * h / 3.0;
         let found = risk(&CURVE, &hazard).unwrap();
-        assert!(
-            (found.annual_rate / exact - 1.0).abs() < 1e-6,
-            "{} {exact}",
-            found.annual_rate
-        );
+        assert!((found.annual_rate / exact - 1.0).abs() < 1e-6, "{} {exact}", found.annual_rate);
         assert!(found.share_beyond_last > 0.0 && found.share_below_first > 0.0);
     }
 
@@ -148,24 +141,15 @@ mod tests {
     fn shares_of_a_step_are_those_of_the_hazard() {
         let hazard = power(1e-4, 2.0, &[0.2, 0.4, 0.8]);
         let step = |median: f64| {
-            let curve = Lognormal {
-                median,
-                dispersion: 1e-3,
-            };
+            let curve = Lognormal { median, dispersion: 1e-3 };
             let found = risk(&curve, &hazard).unwrap();
             (found.share_below_first, found.share_beyond_last)
         };
-        for (median, below, beyond) in [
-            (0.1, 0.75, 1.0 / 64.0),
-            (0.4, 0.0, 0.25),
-            (0.5, 0.0, 25.0 / 64.0),
-            (1.6, 0.0, 1.0),
-        ] {
+        for (median, below, beyond) in
+            [(0.1, 0.75, 1.0 / 64.0), (0.4, 0.0, 0.25), (0.5, 0.0, 25.0 / 64.0), (1.6, 0.0, 1.0)]
+        {
             let found = step(median);
-            assert!(
-                (found.0 - below).abs() < 1e-5 && (found.1 - beyond).abs() < 1e-5,
-                "{median}: {found:?}"
-            );
+            assert!((found.0 - below).abs() < 1e-5 && (found.1 - beyond).abs() < 1e-5, "{median}: {found:?}");
         }
     }
 

@@ -57,17 +57,11 @@ pub fn refusal(stripes: &[Stripe]) -> Option<NotIdentifiable> {
             true => [highest_safe, None],
             false => [None, lowest_reached],
         };
-        return Some(NotIdentifiable {
-            reason: reason.into(),
-            bounds,
-        });
+        return Some(NotIdentifiable { reason: reason.into(), bounds });
     };
     if last < first {
         let reason = "an intensity separates the runs that reached the state from those that did not: the dispersion is not identified";
-        return Some(NotIdentifiable {
-            reason: reason.into(),
-            bounds: [Some(last), Some(first)],
-        });
+        return Some(NotIdentifiable { reason: reason.into(), bounds: [Some(last), Some(first)] });
     }
     if last == first {
         // That intensity is near the median; the next ones, which no run and every run survived, bound it.
@@ -105,19 +99,10 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
     let found = newton::maximum([0.0, 1.0], |at| likelihood(&counts, at))
         .ok_or_else(|| NotIdentifiable::because("the likelihood has no maximum that was found"))?;
     if found[1] <= 0.0 {
-        return Err(NotIdentifiable::because(
-            "damage does not become more frequent with intensity",
-        ));
+        return Err(NotIdentifiable::because("damage does not become more frequent with intensity"));
     }
-    let curve = Lognormal {
-        median: (centre - found[0] / found[1]).exp(),
-        dispersion: 1.0 / found[1],
-    };
-    Ok(Fit {
-        curve,
-        n: total.round() as usize,
-        negative_log_likelihood: negative_log_likelihood(stripes, &curve),
-    })
+    let curve = Lognormal { median: (centre - found[0] / found[1]).exp(), dispersion: 1.0 / found[1] };
+    Ok(Fit { curve, n: total.round() as usize, negative_log_likelihood: negative_log_likelihood(stripes, &curve) })
 }
 
 /// ln L at a and b.
@@ -149,10 +134,7 @@ mod tests {
     fn example() -> Vec<Stripe> {
         let im = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
         let exceed = [0.0, 1.0, 5.0, 11.0, 18.0, 24.0, 33.0, 38.0];
-        im.iter()
-            .zip(exceed)
-            .map(|(&im, exceed)| Stripe { im, n: 40.0, exceed })
-            .collect()
+        im.iter().zip(exceed).map(|(&im, exceed)| Stripe { im, n: 40.0, exceed }).collect()
     }
 
     /// Values of two optimisers outside this program: 0.519144, 0.454259, 124.572; the digits are those given.
@@ -188,13 +170,7 @@ mod tests {
 
     #[test]
     fn another_unit_scales_the_median_alone() {
-        let scaled: Vec<Stripe> = example()
-            .iter()
-            .map(|s| Stripe {
-                im: 9.80665 * s.im,
-                ..*s
-            })
-            .collect();
+        let scaled: Vec<Stripe> = example().iter().map(|s| Stripe { im: 9.80665 * s.im, ..*s }).collect();
         let (a, b) = (fit(&example()).unwrap().curve, fit(&scaled).unwrap().curve);
         assert!((b.median / a.median / 9.80665 - 1.0).abs() < 1e-12);
         assert!((b.dispersion / a.dispersion - 1.0).abs() < 1e-12);
@@ -215,10 +191,6 @@ mod tests {
         assert!(shared.reason.contains("share one") && shared.bounds == [Some(0.1), Some(0.3)]);
         let lowest = reason(&[(0.2, 5.0, 2.0), (0.3, 5.0, 5.0)]);
         assert!(lowest.reason.contains("share one") && lowest.bounds == [None, Some(0.3)]);
-        assert!(
-            reason(&[(0.1, 10.0, 8.0), (0.5, 10.0, 2.0)])
-                .reason
-                .contains("more frequent")
-        );
+        assert!(reason(&[(0.1, 10.0, 8.0), (0.5, 10.0, 2.0)]).reason.contains("more frequent"));
     }
 }

@@ -24,11 +24,7 @@ pub(super) struct Appended {
 impl<'a> Basis<'a> {
     pub(crate) fn new(pencil: &'a dyn Pencil) -> Basis<'a> {
         let n = pencil.size();
-        Basis {
-            pencil,
-            q: Matrix::zeros(n, 0),
-            mq: Matrix::zeros(n, 0),
-        }
+        Basis { pencil, q: Matrix::zeros(n, 0), mq: Matrix::zeros(n, 0) }
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -88,11 +84,7 @@ impl<'a> Basis<'a> {
     /// Columns `first ..`, as a separate matrix.
     pub(crate) fn mass_columns(&self, first: usize) -> Matrix {
         let rows = self.mq.rows;
-        Matrix {
-            rows,
-            cols: self.len() - first,
-            data: self.mq.data[first * rows..].to_vec(),
-        }
+        Matrix { rows, cols: self.len() - first, data: self.mq.data[first * rows..].to_vec() }
     }
 
     /// Replaces the first `of` columns by their combinations Q Y.
@@ -100,11 +92,7 @@ impl<'a> Basis<'a> {
         for matrix in [&mut self.q, &mut self.mq] {
             let rows = matrix.rows;
             let rest = matrix.data.split_off(of * rows);
-            let head = Matrix {
-                rows,
-                cols: of,
-                data: std::mem::take(&mut matrix.data),
-            };
+            let head = Matrix { rows, cols: of, data: std::mem::take(&mut matrix.data) };
             matrix.data = product(&head, y).data;
             matrix.data.extend(rest);
             matrix.cols = matrix.data.len() / rows;

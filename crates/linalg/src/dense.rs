@@ -39,11 +39,9 @@ impl Cholesky {
             MemStack::new(&mut memory),
             Default::default(),
         )
-        .map_err(
-            |faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }| {
-                LinalgError::NotPositiveDefinite { pivot: index + 1, size }
-            },
-        )?;
+        .map_err(|faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }| {
+            LinalgError::NotPositiveDefinite { pivot: index + 1, size }
+        })?;
         // A matrix with a NaN passes the comparison of the pivots.
         match (0..size).find(|&i| !lower.get(i, i).is_finite()) {
             Some(i) => Err(LinalgError::NotPositiveDefinite { pivot: i + 1, size }),
@@ -64,11 +62,7 @@ impl Cholesky {
 
     /// x = A⁻¹ b for one vector.
     pub fn solve_vector(&self, b: &[f64]) -> Vec<f64> {
-        let mut x = Matrix {
-            rows: b.len(),
-            cols: 1,
-            data: b.to_vec(),
-        };
+        let mut x = Matrix { rows: b.len(), cols: 1, data: b.to_vec() };
         self.solve(&mut x);
         x.data
     }
@@ -94,13 +88,6 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
 /// Aᵀ B.
 pub fn transposed_product(a: &Matrix, b: &Matrix) -> Matrix {
     let mut out = Matrix::zeros(a.cols, b.cols);
-    matmul(
-        view_mut(&mut out),
-        Accum::Replace,
-        view(a).transpose(),
-        view(b),
-        1.0,
-        Par::Seq,
-    );
+    matmul(view_mut(&mut out), Accum::Replace, view(a).transpose(), view(b), 1.0, Par::Seq);
     out
 }

@@ -49,12 +49,7 @@ pub fn generalized_eigen(k: &Matrix, m: &Matrix, count: Option<usize>) -> Result
             if j > 0 {
                 break;
             }
-            return Err(LinalgError::Eigen {
-                number: j + 1,
-                wanted,
-                residual,
-                allowed: RESIDUAL,
-            });
+            return Err(LinalgError::Eigen { number: j + 1, wanted, residual, allowed: RESIDUAL });
         }
         omega.push((1.0 / mu[mode]).sqrt());
     }
@@ -104,12 +99,7 @@ pub(super) fn symmetric_eigen(a: &Matrix) -> Result<(Vec<f64>, Matrix), LinalgEr
         MemStack::new(&mut buffer),
         Default::default(),
     )
-    .map_err(|_| LinalgError::Eigen {
-        number: 0,
-        wanted: size,
-        residual: f64::INFINITY,
-        allowed: RESIDUAL,
-    })?;
+    .map_err(|_| LinalgError::Eigen { number: 0, wanted: size, residual: f64::INFINITY, allowed: RESIDUAL })?;
     Ok((values.iter().copied().collect(), vectors))
 }
 

@@ -67,18 +67,10 @@ impl Factor {
         let size = symbolic.pattern.size();
         let entries = symbolic.of_kind(kind)?.len_val();
         let mut values = Vec::new();
-        values
-            .try_reserve_exact(entries)
-            .map_err(|_| LinalgError::Memory { size })?;
+        values.try_reserve_exact(entries).map_err(|_| LinalgError::Memory { size })?;
         values.resize(entries, 0.0);
-        let mut factor = Factor {
-            symbolic,
-            values,
-            kind,
-            pivots: Pivots::default(),
-            space: Mutex::new(None),
-            scratch: None,
-        };
+        let mut factor =
+            Factor { symbolic, values, kind, pivots: Pivots::default(), space: Mutex::new(None), scratch: None };
         factor.fill(matrix)?;
         Ok(factor)
     }
@@ -184,9 +176,7 @@ impl Factor {
 
     /// The analysis of this kind, which exists since the factor does.
     pub(super) fn analysis(&self) -> &SymbolicCholesky<usize> {
-        self.symbolic
-            .of_kind(self.kind)
-            .expect("the analysis was made before the factor")
+        self.symbolic.of_kind(self.kind).expect("the analysis was made before the factor")
     }
 
     /// B ← A⁻¹ B for all columns.
@@ -199,10 +189,7 @@ impl Factor {
         let symbolic = self.analysis();
         // Another thread that solves with the same factor creates its own working space.
         let mut held = self.space.try_lock().ok();
-        let kept = held
-            .as_mut()
-            .and_then(|h| h.take())
-            .filter(|(columns, _)| *columns >= b.cols);
+        let kept = held.as_mut().and_then(|h| h.take()).filter(|(columns, _)| *columns >= b.cols);
         let (columns, mut buffer) = match kept {
             Some(kept) => kept,
             None => {
@@ -252,11 +239,7 @@ impl Factor {
     ///
     /// Errors: not enough memory.
     pub fn solve_vector(&self, b: &[f64]) -> Result<Vec<f64>, LinalgError> {
-        let mut x = Matrix {
-            rows: b.len(),
-            cols: 1,
-            data: b.to_vec(),
-        };
+        let mut x = Matrix { rows: b.len(), cols: 1, data: b.to_vec() };
         self.solve(&mut x)?;
         Ok(x.data)
     }
@@ -296,10 +279,7 @@ impl Factor {
                 }
             }
         }
-        Inertia {
-            positive: self.size() - negative,
-            negative,
-        }
+        Inertia { positive: self.size() - negative, negative }
     }
 }
 
@@ -321,11 +301,7 @@ fn memory(scratch: StackReq, size: usize) -> Result<MemBuffer, LinalgError> {
 fn unit_diagonal(matrix: &Symmetric) -> Vec<f64> {
     let scale = |j: usize| {
         let d = matrix.values[matrix.pattern.starts[j]].abs();
-        if d > 0.0 && d.is_finite() {
-            (-0.5 * d.log2()).round().exp2()
-        } else {
-            1.0
-        }
+        if d > 0.0 && d.is_finite() { (-0.5 * d.log2()).round().exp2() } else { 1.0 }
     };
     (0..matrix.size()).map(scale).collect()
 }

@@ -75,13 +75,7 @@ impl Fronts {
     ///
     /// Errors: a pivot that is zero or not finite; the factor is lost then.
     pub fn factor(&mut self, matrix: &Symmetric, threads: usize) -> Result<Matrix, LinalgError> {
-        let Fronts {
-            tree,
-            keep,
-            panels,
-            desks,
-            ready,
-        } = self;
+        let Fronts { tree, keep, panels, desks, ready } = self;
         let (tree, keep, values) = (&**tree, *keep, &*matrix.values);
         *ready = false;
         // Fresh pages would cost more than a small front.
@@ -96,10 +90,7 @@ impl Fronts {
         let [first, second] = desks;
         let [left, right] = tree.bundles.each_ref().map(|members| (&members[..], used_by(members)));
         let bundles = match threads < 2 {
-            true => [
-                bundle(tree, left, values, keep, first)?,
-                bundle(tree, right, values, keep, second)?,
-            ],
+            true => [bundle(tree, left, values, keep, first)?, bundle(tree, right, values, keep, second)?],
             false => {
                 let (own, other) = rayon::join(
                     || bundle(tree, left, values, keep, first),

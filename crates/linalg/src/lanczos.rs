@@ -48,20 +48,12 @@ pub struct Search {
 impl Search {
     /// The `count` lowest modes; K must be positive definite.
     pub fn lowest(count: usize) -> Search {
-        Search {
-            count,
-            shift: 0.0,
-            block: 4,
-            prove: true,
-        }
+        Search { count, shift: 0.0, block: 4, prove: true }
     }
 
     /// The `count` modes with ω² nearest `omega`² [rad/s].
     pub fn around(omega: f64, count: usize) -> Search {
-        Search {
-            shift: -omega * omega,
-            ..Search::lowest(count)
-        }
+        Search { shift: -omega * omega, ..Search::lowest(count) }
     }
 }
 
@@ -130,12 +122,7 @@ pub fn modes(pencil: &dyn Pencil, search: &Search) -> Result<Modes, LinalgError>
                 continue;
             }
             if counted != pairs.len() {
-                return Err(LinalgError::Count {
-                    found: pairs.len(),
-                    counted,
-                    from: interval.0,
-                    to: interval.1,
-                });
+                return Err(LinalgError::Count { found: pairs.len(), counted, from: interval.0, to: interval.1 });
             }
             Some(interval)
         } else {
@@ -202,13 +189,7 @@ impl Lanczos<'_> {
         self.products += w.cols;
         let appended = self.basis.append(w, 1e-15 * self.largest)?;
         for j in 0..last - first {
-            let column: Vec<f64> = appended
-                .old
-                .column(j)
-                .iter()
-                .chain(appended.new.column(j))
-                .copied()
-                .collect();
+            let column: Vec<f64> = appended.old.column(j).iter().chain(appended.new.column(j)).copied().collect();
             self.largest = self.largest.max(dot(&column, &column).sqrt());
             self.t.push(column);
         }
@@ -238,11 +219,7 @@ impl Lanczos<'_> {
     fn estimate(&self, y: &[f64]) -> f64 {
         (self.processed..self.basis.len())
             .map(|row| {
-                let sum: f64 = y
-                    .iter()
-                    .zip(&self.t)
-                    .map(|(y, column)| y * column.get(row).unwrap_or(&0.0))
-                    .sum();
+                let sum: f64 = y.iter().zip(&self.t).map(|(y, column)| y * column.get(row).unwrap_or(&0.0)).sum();
                 sum * sum
             })
             .sum::<f64>()
@@ -273,17 +250,10 @@ impl Lanczos<'_> {
             }
             next_look = self.processed + block.max(self.processed / 8);
             if self.processed == 0 {
-                return Ok(Found {
-                    pairs: Vec::new(),
-                    next: 0.0,
-                    all: true,
-                });
+                return Ok(Found { pairs: Vec::new(), next: 0.0, all: true });
             }
             let pairs = self.ritz()?;
-            let residuals: Vec<f64> = pairs
-                .iter()
-                .map(|p| self.estimate(&p.coefficients) / p.theta.abs())
-                .collect();
+            let residuals: Vec<f64> = pairs.iter().map(|p| self.estimate(&p.coefficients) / p.theta.abs()).collect();
             let good = residuals.iter().take_while(|&&r| r <= CONVERGED).count();
             if exhausted {
                 let (mut pairs, mut take) = (pairs, wanted.min(good));
@@ -301,11 +271,7 @@ impl Lanczos<'_> {
                     let next = pairs[i].theta.abs();
                     let mut pairs = pairs;
                     pairs.truncate(i);
-                    return Ok(Found {
-                        pairs,
-                        next,
-                        all: false,
-                    });
+                    return Ok(Found { pairs, next, all: false });
                 }
             }
             // The last step gave no new direction: try others, or stop.
@@ -316,12 +282,7 @@ impl Lanczos<'_> {
                 restarts += 1;
                 if restarts > RESTARTS {
                     let (number, residual) = (good + 1, residuals.get(good).copied().unwrap_or(f64::INFINITY));
-                    return Err(LinalgError::Eigen {
-                        number,
-                        wanted,
-                        residual,
-                        allowed: CONVERGED,
-                    });
+                    return Err(LinalgError::Eigen { number, wanted, residual, allowed: CONVERGED });
                 }
                 let keep = (good.max(wanted) + 2 * block).min(self.processed - 1).min(pairs.len());
                 self.restart(&pairs[..keep]);
@@ -337,15 +298,8 @@ impl Lanczos<'_> {
         order.sort_by(|&a, &b| theta[b].abs().total_cmp(&theta[a].abs()));
         // With a definite shift all θ are positive; others are rounding.
         let definite = self.search.shift >= 0.0;
-        let keep = order
-            .into_iter()
-            .filter(|&j| if definite { theta[j] > 0.0 } else { theta[j] != 0.0 });
-        Ok(keep
-            .map(|j| Pair {
-                theta: theta[j],
-                coefficients: y.column(j).to_vec(),
-            })
-            .collect())
+        let keep = order.into_iter().filter(|&j| if definite { theta[j] > 0.0 } else { theta[j] != 0.0 });
+        Ok(keep.map(|j| Pair { theta: theta[j], coefficients: y.column(j).to_vec() }).collect())
     }
 
     /// Keeps the given Ritz vectors and the open columns.
@@ -361,9 +315,7 @@ impl Lanczos<'_> {
             column[j] = pair.theta;
             for (k, entry) in column[pairs.len()..].iter_mut().enumerate() {
                 let row = self.processed + k;
-                *entry = (pair.coefficients.iter().zip(&self.t))
-                    .map(|(y, old)| y * old.get(row).unwrap_or(&0.0))
-                    .sum();
+                *entry = (pair.coefficients.iter().zip(&self.t)).map(|(y, old)| y * old.get(row).unwrap_or(&0.0)).sum();
             }
             t.push(column);
         }
@@ -428,25 +380,14 @@ impl Lanczos<'_> {
             inverse_residual.push(inverse);
             residual.push(relative);
         }
-        Ok(Modes {
-            lambda,
-            vectors,
-            inverse_residual,
-            residual,
-            complete_in,
-            products: self.products,
-        })
+        Ok(Modes { lambda, vectors, inverse_residual, residual, complete_in, products: self.products })
     }
 }
 
 /// Interval of λ that holds the pairs and ends in the gap before the next one.
 fn interval(s: f64, pairs: &[Pair], next: f64) -> (f64, f64) {
     let last = 1.0 / pairs[pairs.len() - 1].theta.abs();
-    let distance = if next > 0.0 {
-        last + 0.5 * (1.0 / next - last).min(0.1 * last)
-    } else {
-        1.1 * last
-    };
+    let distance = if next > 0.0 { last + 0.5 * (1.0 / next - last).min(0.1 * last) } else { 1.1 * last };
     let from = if s >= 0.0 { f64::NEG_INFINITY } else { -s - distance };
     (from, -s + distance)
 }

@@ -129,11 +129,7 @@ pub struct Matrix {
 impl Matrix {
     /// Matrix of zeros.
     pub fn zeros(rows: usize, cols: usize) -> Matrix {
-        Matrix {
-            rows,
-            cols,
-            data: vec![0.0; rows * cols],
-        }
+        Matrix { rows, cols, data: vec![0.0; rows * cols] }
     }
 
     /// Entry (i, j).

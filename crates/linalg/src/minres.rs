@@ -55,10 +55,7 @@ pub fn minres(
     precondition(&now, &mut z)?;
     let first = norm(&now, &z)?;
     if first == 0.0 {
-        return Ok(Iterations {
-            count: 0,
-            residual: 0.0,
-        });
+        return Ok(Iterations { count: 0, residual: 0.0 });
     }
     let (mut beta, mut beta_before) = (first, 0.0);
     let (mut cosine, mut sine) = (-1.0, 0.0);
@@ -107,8 +104,5 @@ pub fn minres(
             return Ok(Iterations { count, residual });
         }
     }
-    Ok(Iterations {
-        count: 0,
-        residual: 1.0,
-    })
+    Ok(Iterations { count: 0, residual: 1.0 })
 }

@@ -75,10 +75,7 @@ impl Ordering {
     /// Whether `order` lists every unknown of 0 … size − 1 exactly once.
     pub fn is_bijection(order: &[usize], size: usize) -> bool {
         let mut seen = vec![false; size];
-        order.len() == size
-            && order
-                .iter()
-                .all(|&i| i < size && !std::mem::replace(&mut seen[i], true))
+        order.len() == size && order.iter().all(|&i| i < size && !std::mem::replace(&mut seen[i], true))
     }
 }
 
@@ -118,12 +115,7 @@ impl Graph {
         for i in 0..unknowns.len() {
             starts[i + 1] += starts[i];
         }
-        Graph {
-            unknowns,
-            starts,
-            neighbours: edges.into_iter().map(|(_, j)| j).collect(),
-            coordinates: positions,
-        }
+        Graph { unknowns, starts, neighbours: edges.into_iter().map(|(_, j)| j).collect(), coordinates: positions }
     }
 
     fn len(&self) -> usize {
@@ -140,10 +132,7 @@ impl Graph {
 
     /// The unknowns, node by node.
     fn expand(&self, order: &[u32]) -> Vec<usize> {
-        order
-            .iter()
-            .flat_map(|&i| self.unknowns[i as usize].iter().copied())
-            .collect()
+        order.iter().flat_map(|&i| self.unknowns[i as usize].iter().copied()).collect()
     }
 
     /// Values of the keys at every node.
@@ -170,8 +159,7 @@ impl Graph {
         for k in 0..KEYS {
             let largest = keys.iter().fold(0.0_f64, |m, own| m.max(own[k].abs()));
             if largest > 0.0 {
-                keys.iter_mut()
-                    .for_each(|own| own[k] = (own[k] / largest * 1e9).round());
+                keys.iter_mut().for_each(|own| own[k] = (own[k] / largest * 1e9).round());
             }
         }
         keys
@@ -185,11 +173,7 @@ impl Graph {
         // Parts still to be numbered, with their range of numbers.
         let mut open: Vec<(Vec<u32>, usize)> = vec![((0..self.len() as u32).collect(), 0)];
         while let Some((part, first)) = open.pop() {
-            let split = if part.len() > LEAF {
-                self.separate(&keys, &part, &mut side)
-            } else {
-                None
-            };
+            let split = if part.len() > LEAF { self.separate(&keys, &part, &mut side) } else { None };
             match split {
                 Some([a, b, separator]) => {
                     let middle = first + a.len();
@@ -222,11 +206,7 @@ impl Graph {
                 }
                 last = cut;
                 for &i in part {
-                    side[i as usize] = if keys[i as usize][key] < cut {
-                        Side::Below
-                    } else {
-                        Side::Above
-                    };
+                    side[i as usize] = if keys[i as usize][key] < cut { Side::Below } else { Side::Above };
                 }
                 let (mut below, mut layers) = (0, [0, 0]);
                 for &i in part {
@@ -237,10 +217,8 @@ impl Graph {
                     }
                 }
                 for (k, &layer) in layers.iter().enumerate() {
-                    let parts = [
-                        below - if k == 0 { layer } else { 0 },
-                        total - below - if k == 1 { layer } else { 0 },
-                    ];
+                    let parts =
+                        [below - if k == 0 { layer } else { 0 }, total - below - if k == 1 { layer } else { 0 }];
                     let larger = parts[0].max(parts[1]);
                     if parts[0] == 0 || parts[1] == 0 {
                         continue;
@@ -255,11 +233,7 @@ impl Graph {
         }
         let result = best.map(|(_, key, cut, above)| {
             for &i in part {
-                side[i as usize] = if keys[i as usize][key] < cut {
-                    Side::Below
-                } else {
-                    Side::Above
-                };
+                side[i as usize] = if keys[i as usize][key] < cut { Side::Below } else { Side::Above };
             }
             let layer = if above { Side::Above } else { Side::Below };
             let mut out = [Vec::new(), Vec::new(), Vec::new()];
@@ -295,14 +269,8 @@ impl Graph {
         let view = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
         let (mut order, mut inverse) = (vec![0usize; n], vec![0usize; n]);
         let mut buffer = MemBuffer::try_new(amd::order_maybe_unsorted_scratch::<usize>(n, rows.len())).ok()?;
-        amd::order_maybe_unsorted(
-            &mut order,
-            &mut inverse,
-            view,
-            Default::default(),
-            MemStack::new(&mut buffer),
-        )
-        .ok()?;
+        amd::order_maybe_unsorted(&mut order, &mut inverse, view, Default::default(), MemStack::new(&mut buffer))
+            .ok()?;
         Some(order.into_iter().map(|i| i as u32).collect())
     }
 
@@ -345,9 +313,7 @@ impl Graph {
             }
         }
         let column = |(k, &i): (usize, &u32)| {
-            (0..self.weight(i as usize))
-                .map(|later| 0.5 * ((below[k] + later) as f64).powi(2))
-                .sum::<f64>()
+            (0..self.weight(i as usize)).map(|later| 0.5 * ((below[k] + later) as f64).powi(2)).sum::<f64>()
         };
         order.iter().enumerate().map(column).sum()
     }

@@ -60,11 +60,7 @@ pub struct Sparse<'a> {
 impl<'a> Sparse<'a> {
     /// K and M on the pattern of `symbolic`.
     pub fn new(stiffness: &'a Symmetric, mass: &'a Symmetric, symbolic: Arc<Symbolic>) -> Sparse<'a> {
-        Sparse {
-            stiffness,
-            mass,
-            symbolic,
-        }
+        Sparse { stiffness, mass, symbolic }
     }
 }
 

@@ -20,10 +20,7 @@ pub struct Triplets {
 impl Triplets {
     /// An empty matrix with `size` rows.
     pub fn new(size: usize) -> Triplets {
-        Triplets {
-            size,
-            entries: Vec::new(),
-        }
+        Triplets { size, entries: Vec::new() }
     }
 
     /// Number of rows.

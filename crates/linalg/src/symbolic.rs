@@ -37,18 +37,10 @@ impl Symbolic {
                 }
                 let inverse = inverse(order);
                 let permutation = PermRef::new_checked(order, &inverse, size);
-                analyse(
-                    &pattern,
-                    SymmetricOrdering::Custom(permutation),
-                    SupernodalThreshold::AUTO,
-                )?
+                analyse(&pattern, SymmetricOrdering::Custom(permutation), SupernodalThreshold::AUTO)?
             }
         };
-        Ok(Symbolic {
-            pattern,
-            symbolic,
-            pivoting: OnceLock::new(),
-        })
+        Ok(Symbolic { pattern, symbolic, pivoting: OnceLock::new() })
     }
 
     /// Analyses a pattern whose unknowns are eliminated in their order, with supernodes throughout.
@@ -59,11 +51,7 @@ impl Symbolic {
         let all: Vec<usize> = (0..size).collect();
         let order = SymmetricOrdering::Custom(PermRef::new_checked(&all, &all, size));
         let symbolic = analyse(&pattern, order, SupernodalThreshold::FORCE_SUPERNODAL)?;
-        Ok(Symbolic {
-            pattern,
-            symbolic,
-            pivoting: OnceLock::new(),
-        })
+        Ok(Symbolic { pattern, symbolic, pivoting: OnceLock::new() })
     }
 
     /// The analysis for a kind of factor.
@@ -138,9 +126,6 @@ fn analyse(
 ) -> Result<SymbolicCholesky<usize>, LinalgError> {
     let size = pattern.size();
     let view = SymbolicSparseColMatRef::new_checked(size, size, &pattern.starts, None, &pattern.rows);
-    let parameters = CholeskySymbolicParams {
-        supernodal_flop_ratio_threshold: threshold,
-        ..Default::default()
-    };
+    let parameters = CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..Default::default() };
     factorize_symbolic_cholesky(view, Side::Lower, order, parameters).map_err(|_| LinalgError::Memory { size })
 }

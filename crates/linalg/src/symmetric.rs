@@ -58,10 +58,7 @@ impl Pattern {
             packed_starts[j + 1] = packed.len();
         }
         packed.shrink_to_fit();
-        Pattern {
-            starts: packed_starts,
-            rows: packed,
-        }
+        Pattern { starts: packed_starts, rows: packed }
     }
 
     /// Number of rows and columns.
@@ -93,10 +90,7 @@ pub struct Symmetric {
 impl Symmetric {
     /// Zeros on a pattern.
     pub fn zeros(pattern: Arc<Pattern>) -> Symmetric {
-        Symmetric {
-            values: vec![0.0; pattern.places()],
-            pattern,
-        }
+        Symmetric { values: vec![0.0; pattern.places()], pattern }
     }
 
     /// Number of rows.
@@ -220,10 +214,7 @@ impl Symmetric {
             }
             starts[k + 1] = rows.len();
         }
-        Symmetric {
-            pattern: Arc::new(Pattern { starts, rows }),
-            values,
-        }
+        Symmetric { pattern: Arc::new(Pattern { starts, rows }), values }
     }
 
     /// The rectangular block with the given rows and columns (disjoint sets), as (row, column, value) within the block.

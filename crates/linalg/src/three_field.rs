@@ -98,9 +98,7 @@ impl<'a> ThreeField<'a> {
             }
             let length = dot(constraints.column(l), constraints.column(l)).sqrt();
             if length.is_nan() || length <= f64::EPSILON * scale.abs() {
-                return Err(LinalgError::UncoupledLiquid {
-                    unknown: condensed[liquid[0]],
-                });
+                return Err(LinalgError::UncoupledLiquid { unknown: condensed[liquid[0]] });
             }
             constraints.column_mut(l).iter_mut().for_each(|c| *c /= length);
         }
@@ -112,16 +110,7 @@ impl<'a> ThreeField<'a> {
         let order = super::Ordering::Given(suborder(&symbolic, &condensed, size));
         let h_symbolic = Arc::new(Symbolic::new(h.pattern.clone(), &order)?);
         let potential = h_symbolic.factor(&h, Kind::Definite)?;
-        Ok(ThreeField {
-            stiffness,
-            mass,
-            symbolic,
-            kept,
-            condensed,
-            potential,
-            fixed,
-            constraints,
-        })
+        Ok(ThreeField { stiffness, mass, symbolic, kept, condensed, potential, fixed, constraints })
     }
 
     /// Unknowns x, by number in K₃.
@@ -264,17 +253,9 @@ impl Pencil for ThreeField<'_> {
         if s >= 0.0 {
             // K is positive definite if every negative pivot is one of φ.
             if negative != self.condensed.len() {
-                return Err(LinalgError::NotPositiveDefinite {
-                    pivot: 0,
-                    size: self.size(),
-                });
+                return Err(LinalgError::NotPositiveDefinite { pivot: 0, size: self.size() });
             }
-            let mut out = ShiftedThreeField {
-                pencil: self,
-                factor,
-                below: 0,
-                static_constraints: None,
-            };
+            let mut out = ShiftedThreeField { pencil: self, factor, below: 0, static_constraints: None };
             if s == 0.0 && self.constraints.cols > 0 {
                 let mut flexibility = self.constraints.clone();
                 out.solve_free(&mut flexibility)?;
@@ -283,15 +264,8 @@ impl Pencil for ThreeField<'_> {
             }
             return Ok(Box::new(out));
         }
-        let below = negative
-            .checked_sub(self.constraints.cols)
-            .ok_or(LinalgError::Singular { size: self.size() })?;
-        Ok(Box::new(ShiftedThreeField {
-            pencil: self,
-            factor,
-            below,
-            static_constraints: None,
-        }))
+        let below = negative.checked_sub(self.constraints.cols).ok_or(LinalgError::Singular { size: self.size() })?;
+        Ok(Box::new(ShiftedThreeField { pencil: self, factor, below, static_constraints: None }))
     }
 }
 
@@ -409,10 +383,5 @@ fn suborder(symbolic: &Symbolic, condensed: &[usize], size: usize) -> Vec<usize>
     for (k, &i) in condensed.iter().enumerate() {
         position[i] = k;
     }
-    symbolic
-        .order()
-        .into_iter()
-        .map(|i| position[i])
-        .filter(|&k| k != usize::MAX)
-        .collect()
+    symbolic.order().into_iter().map(|i| position[i]).filter(|&k| k != usize::MAX).collect()
 }

@@ -55,20 +55,14 @@ fn path<const N: usize>(steps: usize, at: impl Fn(f64) -> [f64; N]) -> Vec<[f64;
 fn concrete() {
     let tension = Tension {
         strength: 3.5e6,
-        softening: Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.1,
-        },
+        softening: Softening::Energy { fracture_energy: 100.0, size: 0.1 },
         stiffening: None,
         bond: None,
     };
     let sargin = Compression::Sargin {
         strength: 35e6,
         peak_strain: 2.2e-3,
-        post_peak: PostPeak::Crushing {
-            crushing_energy: 25e3,
-            size: 0.2,
-        },
+        post_peak: PostPeak::Crushing { crushing_energy: 25e3, size: 0.2 },
     };
     let fibre = UniaxialConcrete::new(34e9, sargin, Some(tension)).expect("admissible");
     let layer = CrackedConcrete::new(&CrackedParameters::new(34e9, 0.2, 35e6, tension)).expect("admissible");
@@ -80,18 +74,10 @@ fn concrete() {
     along("fibre, cyclic", &fibre, &path(1000, |t| [-4e-4 * t + 2e-3 * wave(t)]));
     let plane = |size: f64, wave: f64| [size * wave, -0.3 * size * wave, 0.4 * size * wave];
     // Without the trait, as the fibres of a beam call it.
-    direct(
-        "fibre, cyclic, direct",
-        &fibre,
-        &path(1000, |t| [-4e-4 * t + 2e-3 * wave(t)]),
-    );
+    direct("fibre, cyclic, direct", &fibre, &path(1000, |t| [-4e-4 * t + 2e-3 * wave(t)]));
     along("layer, elastic", &layer, &path(1000, |t| plane(6e-5, wave(t))));
     along("layer, cracking", &layer, &path(1000, |t| plane(2e-3, t)));
-    along(
-        "layer, two cracks",
-        &layer,
-        &path(1000, |t| [2e-3 * t, 1.5e-3 * t, 1e-3 * t]),
-    );
+    along("layer, two cracks", &layer, &path(1000, |t| [2e-3 * t, 1.5e-3 * t, 1e-3 * t]));
     along("layer, flow", &layer, &path(1000, |t| plane(-2e-3, t)));
     along("layer, cyclic", &layer, &path(1000, |t| plane(1e-3, wave(t))));
 }
@@ -99,10 +85,8 @@ fn concrete() {
 /// Steel and the cone: an elastic path, and one that flows at nearly every step.
 fn plasticity() {
     let steel = VonMises::new(210e9, 0.3, 355e6, 2.1e9, 0.5).expect("admissible");
-    let low_cycle = steel
-        .with_saturation(80e6, 25.0)
-        .and_then(|law| law.with_back_stress(60e9, 500.0))
-        .expect("admissible");
+    let low_cycle =
+        steel.with_saturation(80e6, 25.0).and_then(|law| law.with_back_stress(60e9, 500.0)).expect("admissible");
     let cone = DruckerPrager::new(34e9, 0.2, 35e6, 40.6e6).expect("admissible");
     let damage = PlasticFracturing::new(&Parameters {
         young_modulus: 34e9,

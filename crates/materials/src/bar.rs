@@ -66,13 +66,7 @@ impl Bar {
     /// Errors: a parameter out of range.
     pub fn with_rupture(mut self, rupture_strain: f64, rupture: Rupture) -> Result<Bar, LawError> {
         let yield_strain = self.yield_stress / self.young_modulus;
-        below(
-            KIND,
-            "rupture_strain",
-            rupture_strain,
-            [yield_strain, f64::INFINITY],
-            "",
-        )?;
+        below(KIND, "rupture_strain", rupture_strain, [yield_strain, f64::INFINITY], "")?;
         self.rupture_strain = rupture_strain;
         self.rupture = rupture;
         Ok(self)
@@ -111,10 +105,7 @@ impl Law<1> for Bar {
         let (e, h) = (self.young_modulus, self.hardening);
         let strain = strain[0];
         if !strain.is_finite() {
-            return Err(LawError::NoConvergence {
-                law: KIND,
-                increment: strain,
-            });
+            return Err(LawError::NoConvergence { law: KIND, increment: strain });
         }
         new.copy_from_slice(old);
         new[1] = old[1].max(strain);
@@ -124,11 +115,7 @@ impl Law<1> for Bar {
         let trial = e * (strain - old[0]);
         let xi = trial - h * old[0];
         let excess = xi.abs() - self.yield_stress;
-        let mut response = Response {
-            stress: [trial],
-            tangent: [[e]],
-            dissipation: 0.0,
-        };
+        let mut response = Response { stress: [trial], tangent: [[e]], dissipation: 0.0 };
         // 10⁻¹² of f_y is rounding.
         if excess > 1e-12 * self.yield_stress {
             let flow = excess / (e + h);
@@ -139,10 +126,7 @@ impl Law<1> for Bar {
         }
         if self.gone(new) {
             let stored = 0.5 * response.stress[0] * response.stress[0] / e + 0.5 * h * new[0] * new[0];
-            return Ok(Response {
-                dissipation: response.dissipation + stored,
-                ..Response::default()
-            });
+            return Ok(Response { dissipation: response.dissipation + stored, ..Response::default() });
         }
         Ok(response)
     }

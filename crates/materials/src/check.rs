@@ -45,11 +45,7 @@ pub(crate) fn below(
 
 /// A value with its unit.
 pub(crate) fn found(value: f64, unit: &str) -> String {
-    if unit.is_empty() {
-        digits(value)
-    } else {
-        format!("{} {unit}", digits(value))
-    }
+    if unit.is_empty() { digits(value) } else { format!("{} {unit}", digits(value)) }
 }
 
 /// A number to four digits.
@@ -65,12 +61,9 @@ mod tests {
 
     #[test]
     fn messages_have_four_digits() {
-        for (value, text) in [
-            (0.872_664_625_997_164_8, "0.8727 m"),
-            (38e6, "38000000 m"),
-            (2.0, "2 m"),
-            (f64::NAN, "NaN m"),
-        ] {
+        for (value, text) in
+            [(0.872_664_625_997_164_8, "0.8727 m"), (38e6, "38000000 m"), (2.0, "2 m"), (f64::NAN, "NaN m")]
+        {
             assert_eq!(found(value, "m"), text);
         }
     }

@@ -71,12 +71,9 @@ mod tests {
     /// EN 1992-1-1:2004, table 3.1: C20/25, C30/37, C50/60, C90/105; printed to a tenth (C50/60: to 0.05) of a thousandth.
     #[test]
     fn peak_strains_of_the_table() {
-        for (mean, printed, rounding) in [
-            (28e6, 2.0e-3, 5e-5),
-            (38e6, 2.2e-3, 5e-5),
-            (58e6, 2.45e-3, 2.5e-5),
-            (98e6, 2.8e-3, 5e-5),
-        ] {
+        for (mean, printed, rounding) in
+            [(28e6, 2.0e-3, 5e-5), (38e6, 2.2e-3, 5e-5), (58e6, 2.45e-3, 2.5e-5), (98e6, 2.8e-3, 5e-5)]
+        {
             let found = peak_strain(mean);
             assert!((found - printed).abs() <= rounding, "{mean}: {found}");
         }

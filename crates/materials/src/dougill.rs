@@ -105,10 +105,7 @@ impl Fracturing {
             let allowed = format!("above {}, else a smaller element", found(least, "J/m³"));
             return Err(refuse(KIND, "energy", found(energy, "J/m³"), &allowed));
         }
-        Ok(Fracturing {
-            fall: (energy - least) * under / law.first,
-            ..law
-        })
+        Ok(Fracturing { fall: (energy - least) * under / law.first, ..law })
     }
 
     /// Share A(r) of the stiffness that is left along a proportional path.
@@ -120,23 +117,11 @@ impl Fracturing {
     pub fn surface(&self, strain: &Vector) -> (f64, Vector, Matrix) {
         let trace = strain[0] + strain[1] + strain[2];
         // J_2 = ½ ε · A ε, A ε = the deviator with half the engineering shears.
-        let a: Vector = std::array::from_fn(|i| {
-            if i < 3 {
-                strain[i] - trace / 3.0
-            } else {
-                0.5 * strain[i]
-            }
-        });
-        let root = (0.5 * strain.iter().zip(&a).map(|(e, a)| e * a).sum::<f64>())
-            .max(0.0)
-            .sqrt();
+        let a: Vector = std::array::from_fn(|i| if i < 3 { strain[i] - trace / 3.0 } else { 0.5 * strain[i] });
+        let root = (0.5 * strain.iter().zip(&a).map(|(e, a)| e * a).sum::<f64>()).max(0.0).sqrt();
         let one = |i: usize| if i < 3 { 1.0 } else { 0.0 };
         // Volumetric strain alone has no direction of shear.
-        let over = if root > 1e-14 * trace.abs() && root > 0.0 {
-            0.5 / root
-        } else {
-            0.0
-        };
+        let over = if root > 1e-14 * trace.abs() && root > 0.0 { 0.5 / root } else { 0.0 };
         let m = std::array::from_fn(|i| (a[i] * over + self.alpha * one(i)) / self.scale);
         let bend = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -217,19 +202,12 @@ impl Law<6> for Fracturing {
         let before = matrix(old);
         let stress = times(&before, strain);
         let (f, m, bend) = self.surface(strain);
-        let failed = || LawError::NoConvergence {
-            law: KIND,
-            increment: f - old[0],
-        };
+        let failed = || LawError::NoConvergence { law: KIND, increment: f - old[0] };
         if !f.is_finite() {
             return Err(failed());
         }
         if f <= old[0] * (1.0 + 1e-14) {
-            return Ok(Response {
-                stress,
-                tangent: before,
-                dissipation: 0.0,
-            });
+            return Ok(Response { stress, tangent: before, dissipation: 0.0 });
         }
         let soft = solve(&before, &m).ok_or_else(failed)?;
         let under = dot(&m, &soft);
@@ -292,11 +270,7 @@ mod tests {
             assert!(((a - b) / 2e-8 - m[j]).abs() < 1e-7);
             for i in 0..6 {
                 let found = (m_a[i] - m_b[i]) / 2e-8;
-                assert!(
-                    (found - bend[i][j]).abs() < 1e-3 / 1e-3 * 1e-2,
-                    "{found} {}",
-                    bend[i][j]
-                );
+                assert!((found - bend[i][j]).abs() < 1e-3 / 1e-3 * 1e-2, "{found} {}", bend[i][j]);
             }
         }
     }

@@ -68,10 +68,7 @@ impl Cone {
         positive(KIND, "f_c", strength, "Pa")?;
         within(KIND, "f_bc", biaxial, [strength, 1.5 * strength], "Pa")?;
         let under = 3f64.sqrt() * (2.0 * biaxial - strength);
-        Ok(Cone {
-            alpha: (biaxial - strength) / under,
-            k: strength * biaxial / under,
-        })
+        Ok(Cone { alpha: (biaxial - strength) / under, k: strength * biaxial / under })
     }
 
     /// Plastic strain in uniaxial compression for a multiplier of 1: 1/√3 − α.
@@ -100,12 +97,7 @@ impl DruckerPrager {
         let elastic = Elastic::new(young_modulus, poisson_ratio)?;
         below(KIND, "alpha", cone.alpha, [0.0, 1.0 / 12f64.sqrt()], "")?;
         positive(KIND, "k", cone.k, "Pa")?;
-        Ok(DruckerPrager {
-            elastic,
-            cone,
-            hardening: 0.0,
-            modes: Modes::plane(&elastic),
-        })
+        Ok(DruckerPrager { elastic, cone, hardening: 0.0, modes: Modes::plane(&elastic) })
     }
 
     /// Linear kinematic hardening ρ' = c ε_p', without bound. In plane stress a tensile flow of about k/(3 α c)
@@ -161,11 +153,7 @@ impl Law<3> for DruckerPrager {
         let eta: [f64; 3] = std::array::from_fn(|i| trial[i] - centre[i]);
         new.copy_from_slice(old);
         if plane::measure(self.cone.alpha, eta) <= strength + ON_SURFACE * self.cone.k {
-            return Ok(Response {
-                stress: Modes::join(&trial),
-                tangent: self.modes.moduli,
-                dissipation: 0.0,
-            });
+            return Ok(Response { stress: Modes::join(&trial), tangent: self.modes.moduli, dissipation: 0.0 });
         }
         let growth = self.growth();
         let step = plane::plastic_step(&self.modes, self.cone.alpha, trial, centre, |lambda| {

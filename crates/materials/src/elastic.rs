@@ -17,25 +17,12 @@ impl Elastic {
     pub fn new(young_modulus: f64, poisson_ratio: f64) -> Result<Elastic, LawError> {
         let kind = "elastic";
         if !(young_modulus > 0.0 && young_modulus.is_finite()) {
-            return Err(refuse(
-                kind,
-                "youngs_modulus",
-                format!("{young_modulus} Pa"),
-                "> 0 and finite",
-            ));
+            return Err(refuse(kind, "youngs_modulus", format!("{young_modulus} Pa"), "> 0 and finite"));
         }
         if !(poisson_ratio > -1.0 && poisson_ratio < 0.5) {
-            return Err(refuse(
-                kind,
-                "poisson_ratio",
-                poisson_ratio.to_string(),
-                "between −1 and 0.5",
-            ));
+            return Err(refuse(kind, "poisson_ratio", poisson_ratio.to_string(), "between −1 and 0.5"));
         }
-        Ok(Elastic {
-            young_modulus,
-            poisson_ratio,
-        })
+        Ok(Elastic { young_modulus, poisson_ratio })
     }
 
     /// Young's modulus E [Pa].
@@ -79,11 +66,7 @@ impl Elastic {
 
 /// σ = C ε.
 fn linear<const N: usize>(tangent: [[f64; N]; N], strain: &[f64; N]) -> Response<N> {
-    Response {
-        stress: tangent.map(|row| row.iter().zip(strain).map(|(c, e)| c * e).sum()),
-        tangent,
-        dissipation: 0.0,
-    }
+    Response { stress: tangent.map(|row| row.iter().zip(strain).map(|(c, e)| c * e).sum()), tangent, dissipation: 0.0 }
 }
 
 impl Law<1> for Elastic {

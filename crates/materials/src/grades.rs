@@ -36,9 +36,7 @@ pub struct UnknownGrade {
 
 /// Steels and aluminium alloys of plates.
 pub fn steels() -> impl Iterator<Item = &'static SteelGrade> {
-    (european::GRADES.iter())
-        .chain(american::GRADES)
-        .chain(aluminium::GRADES)
+    (european::GRADES.iter()).chain(american::GRADES).chain(aluminium::GRADES)
 }
 
 /// A name without what users write in different ways: case, blanks, hyphens, and the words that only say that a grade follows.
@@ -81,11 +79,7 @@ where
         let (name, aliases) = names(grade);
         folded(name) == wanted || aliases.iter().any(|alias| folded(alias) == wanted)
     };
-    let unknown = UnknownGrade {
-        kind,
-        found: found.to_owned(),
-        allowed: allowed.collect(),
-    };
+    let unknown = UnknownGrade { kind, found: found.to_owned(), allowed: allowed.collect() };
     list.find(named).copied().ok_or(unknown)
 }
 
@@ -139,16 +133,8 @@ mod tests {
         for grade in CONCRETES.iter().filter(|grade| grade.name.starts_with('C')) {
             let (f_ck, f_cm) = (grade.strength / 1e6, grade.mean_strength / 1e6);
             assert_eq!(f_cm, f_ck + 8.0);
-            assert!(
-                (grade.tensile_strength / 1e6 - 0.3 * f_ck.powf(2.0 / 3.0)).abs() < 0.06,
-                "{}",
-                grade.name
-            );
-            assert!(
-                (grade.young_modulus / 1e9 - 22.0 * (f_cm / 10.0).powf(0.3)).abs() < 0.6,
-                "{}",
-                grade.name
-            );
+            assert!((grade.tensile_strength / 1e6 - 0.3 * f_ck.powf(2.0 / 3.0)).abs() < 0.06, "{}", grade.name);
+            assert!((grade.young_modulus / 1e9 - 22.0 * (f_cm / 10.0).powf(0.3)).abs() < 0.6, "{}", grade.name);
         }
     }
 

@@ -38,10 +38,7 @@ pub enum Opening {
 
 impl Default for Opening {
     fn default() -> Self {
-        Opening::Free {
-            residual: RESIDUAL,
-            rounding: 0.0,
-        }
+        Opening::Free { residual: RESIDUAL, rounding: 0.0 }
     }
 }
 
@@ -72,21 +69,13 @@ impl NormalLaw {
         if !(rounding >= 0.0 && rounding.is_finite()) {
             return Err(refuse(KIND, "rounding", rounding.to_string(), "≥ 0 and finite"));
         }
-        Ok(NormalLaw {
-            modulus,
-            residual,
-            rounding,
-        })
+        Ok(NormalLaw { modulus, residual, rounding })
     }
 
     /// Stress and tangent [Pa] at the strain ε.
     #[inline]
     pub fn at(&self, strain: f64) -> (f64, f64) {
-        let NormalLaw {
-            modulus,
-            residual: r,
-            rounding: d,
-        } = *self;
+        let NormalLaw { modulus, residual: r, rounding: d } = *self;
         if strain < -d {
             (modulus * strain, modulus)
         } else if strain <= d && d > 0.0 {
@@ -111,19 +100,12 @@ impl Law<1> for NormalLaw {
     #[inline]
     fn respond(&self, strain: &[f64; 1], _old: &[f64], _new: &mut [f64]) -> Result<Response<1>, LawError> {
         let (stress, tangent) = self.at(strain[0]);
-        Ok(Response {
-            stress: [stress],
-            tangent: [[tangent]],
-            dissipation: 0.0,
-        })
+        Ok(Response { stress: [stress], tangent: [[tangent]], dissipation: 0.0 })
     }
 
     /// Damage is the stiffness missing at this strain: 0 closed, 1 − r open.
     fn inspect(&self, strain: &[f64; 1], _history: &[f64]) -> PointState {
-        PointState {
-            damage: 1.0 - self.at(strain[0]).1 / self.modulus,
-            ..PointState::default()
-        }
+        PointState { damage: 1.0 - self.at(strain[0]).1 / self.modulus, ..PointState::default() }
     }
 }
 
@@ -145,14 +127,7 @@ mod tests {
     #[test]
     fn rounding_joins_both_branches() {
         let d = 1e-5;
-        let law = NormalLaw::new(
-            1.0,
-            Opening::Free {
-                residual: 1e-3,
-                rounding: d,
-            },
-        )
-        .unwrap();
+        let law = NormalLaw::new(1.0, Opening::Free { residual: 1e-3, rounding: d }).unwrap();
         for at in [-d, d] {
             let (below, above) = (law.at(at - 1e-12), law.at(at + 1e-12));
             // Two points 2e-12 apart, slope at most 1; the tangent changes by E/(2δ) times that.

@@ -49,11 +49,7 @@ pub struct Response<const N: usize> {
 
 impl<const N: usize> Default for Response<N> {
     fn default() -> Self {
-        Response {
-            stress: [0.0; N],
-            tangent: [[0.0; N]; N],
-            dissipation: 0.0,
-        }
+        Response { stress: [0.0; N], tangent: [[0.0; N]; N], dissipation: 0.0 }
     }
 }
 
@@ -147,10 +143,5 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
 
 /// Refuses a parameter.
 pub(crate) fn refuse(law: &'static str, parameter: &'static str, found: String, allowed: &str) -> LawError {
-    LawError::Parameter {
-        law,
-        parameter,
-        found,
-        allowed: allowed.to_owned(),
-    }
+    LawError::Parameter { law, parameter, found, allowed: allowed.to_owned() }
 }

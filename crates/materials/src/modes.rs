@@ -29,11 +29,7 @@ pub(crate) struct Modes<const N: usize> {
 
 impl Modes<1> {
     pub(crate) fn bar(elastic: &Elastic) -> Self {
-        Modes {
-            c: [elastic.young_modulus()],
-            p: [2.0 / 3.0],
-            moduli: [[elastic.young_modulus()]],
-        }
+        Modes { c: [elastic.young_modulus()], p: [2.0 / 3.0], moduli: [[elastic.young_modulus()]] }
     }
 }
 
@@ -52,11 +48,7 @@ impl Modes<6> {
     pub(crate) fn solid(elastic: &Elastic) -> Self {
         let g = elastic.shear_modulus();
         let bulk = elastic.young_modulus() / (1.0 - 2.0 * elastic.poisson_ratio());
-        Modes {
-            c: [bulk, 2.0 * g, 2.0 * g, g, g, g],
-            p: [0.0, 1.0, 1.0, 2.0, 2.0, 2.0],
-            moduli: elastic.solid(),
-        }
+        Modes { c: [bulk, 2.0 * g, 2.0 * g, g, g, g], p: [0.0, 1.0, 1.0, 2.0, 2.0, 2.0], moduli: elastic.solid() }
     }
 }
 

@@ -78,10 +78,7 @@ impl<L: Law<6>> PlaneStress<L> {
                 through - normal.signum() * reach
             };
         }
-        Err(LawError::NoConvergence {
-            law: self.law.kind(),
-            increment: through - old[0],
-        })
+        Err(LawError::NoConvergence { law: self.law.kind(), increment: through - old[0] })
     }
 }
 

@@ -94,13 +94,7 @@ impl PlasticFracturing {
         let elastic = Elastic::new(p.young_modulus, p.poisson_ratio)?;
         let cone = Cone::of_strengths(p.strength, p.biaxial)?;
         let yield_strain = p.strength / p.young_modulus;
-        within(
-            KIND,
-            "peak_strain",
-            p.peak_strain,
-            [1.38 * yield_strain, 10.0 * yield_strain],
-            "",
-        )?;
+        within(KIND, "peak_strain", p.peak_strain, [1.38 * yield_strain, 10.0 * yield_strain], "")?;
         positive(KIND, "crushing_energy", p.crushing_energy, "N/m")?;
         positive(KIND, "length", p.length, "m")?;
         let longest = 2.0 * p.crushing_energy * p.young_modulus / (p.strength * p.strength);
@@ -126,18 +120,11 @@ impl PlasticFracturing {
         if x <= 1.0 {
             let k = 1.05 * self.elastic.young_modulus() * self.peak_strain / f_c;
             let (over, under) = (k * x - x * x, 1.0 + (k - 2.0) * x);
-            (
-                f_c * over / under,
-                f_c * ((k - 2.0 * x) * under - over * (k - 2.0)) / (under * under),
-            )
+            (f_c * over / under, f_c * ((k - 2.0 * x) * under - over * (k - 2.0)) / (under * under))
         } else {
             let slope = self.peak_strain / self.fall;
             let rest = 1.0 - (x - 1.0) * slope;
-            if rest > RESIDUAL {
-                (f_c * rest, -f_c * slope)
-            } else {
-                (f_c * RESIDUAL, 0.0)
-            }
+            if rest > RESIDUAL { (f_c * rest, -f_c * slope) } else { (f_c * RESIDUAL, 0.0) }
         }
     }
 
@@ -169,11 +156,7 @@ impl PlasticFracturing {
         let (s, s_slope) = self.effective_strength(a);
         let (env, env_slope) = self.envelope_slope(x);
         let ratio = env / s;
-        if ratio >= 1.0 {
-            (1.0, 0.0)
-        } else {
-            (ratio, (env_slope * x_slope / self.peak_strain - ratio * s_slope) / s)
-        }
+        if ratio >= 1.0 { (1.0, 0.0) } else { (ratio, (env_slope * x_slope / self.peak_strain - ratio * s_slope) / s) }
     }
 
     /// 1/√3 − α.
@@ -216,10 +199,7 @@ impl Law<3> for PlasticFracturing {
             let (s, slope) = self.effective_strength(a + eta * lambda);
             (eta * s, eta * eta * slope)
         })
-        .ok_or_else(|| LawError::NoConvergence {
-            law: KIND,
-            increment: measure / self.elastic.young_modulus(),
-        })?;
+        .ok_or_else(|| LawError::NoConvergence { law: KIND, increment: measure / self.elastic.young_modulus() })?;
         new[0] = a + eta * step.multiplier;
         let flow = Modes::join(&step.normal.map(|n| step.multiplier * n));
         for i in 0..3 {
@@ -231,12 +211,7 @@ impl Law<3> for PlasticFracturing {
         }
         new[4] = 1.0 - rest;
         // Elastic energy per loss of integrity.
-        let energy: f64 = step
-            .stress
-            .iter()
-            .zip(&self.modes.c)
-            .map(|(s, c)| 0.5 * s * s / c)
-            .sum();
+        let energy: f64 = step.stress.iter().zip(&self.modes.c).map(|(s, c)| 0.5 * s * s / c).sum();
         let mut tangent = step.tangent;
         for i in 0..3 {
             for j in 0..3 {
@@ -302,17 +277,8 @@ mod tests {
         let text = |p| PlasticFracturing::new(&p).unwrap_err().to_string();
         let with_length = |length| Parameters { length, ..parameters() };
         assert!(text(with_length(2.0)).starts_with("plastic_fracturing: length is 2 m, allowed from 0 to 1.38"));
-        assert_eq!(
-            text(with_length(0.0)),
-            "plastic_fracturing: length is 0 m, allowed > 0 and finite"
-        );
+        assert_eq!(text(with_length(0.0)), "plastic_fracturing: length is 0 m, allowed > 0 and finite");
         let peak_strain = 1e-3;
-        assert!(
-            text(Parameters {
-                peak_strain,
-                ..parameters()
-            })
-            .contains("peak_strain is 0.001")
-        );
+        assert!(text(Parameters { peak_strain, ..parameters() }).contains("peak_strain is 0.001"));
     }
 }

@@ -73,15 +73,8 @@ impl TwoSurface {
         positive(KIND, "f_t", tensile, "Pa")?;
         below(KIND, "f_t", tensile, [0.0, strength], "Pa")?;
         let under = 3f64.sqrt() * (strength + tensile);
-        let tension = Cone {
-            alpha: (strength - tensile) / under,
-            k: 2.0 * strength * tensile / under,
-        };
-        Ok(TwoSurface {
-            elastic,
-            cones: [compression, tension],
-            corner: [-strength / 3.0, strength / 3f64.sqrt()],
-        })
+        let tension = Cone { alpha: (strength - tensile) / under, k: 2.0 * strength * tensile / under };
+        Ok(TwoSurface { elastic, cones: [compression, tension], corner: [-strength / 3.0, strength / 3f64.sqrt()] })
     }
 
     /// Cones of compression and of tension.
@@ -91,10 +84,7 @@ impl TwoSurface {
 
     /// G and K [Pa].
     fn moduli(&self) -> [f64; 2] {
-        [
-            self.elastic.shear_modulus(),
-            self.elastic.young_modulus() / (3.0 - 6.0 * self.elastic.poisson_ratio()),
-        ]
+        [self.elastic.shear_modulus(), self.elastic.young_modulus() / (3.0 - 6.0 * self.elastic.poisson_ratio())]
     }
 
     /// F of both cones [Pa].
@@ -108,11 +98,7 @@ impl TwoSurface {
         let slack = self.cones.map(|cone| ON_SURFACE * cone.k);
         let excess = self.excess(trial);
         if (0..2).all(|i| excess[i] <= slack[i]) {
-            return Projected {
-                at: trial,
-                jacobian: [[1.0, 0.0], [0.0, 1.0]],
-                dissipation: 0.0,
-            };
+            return Projected { at: trial, jacobian: [[1.0, 0.0], [0.0, 1.0]], dissipation: 0.0 };
         }
         for i in 0..2 {
             let cone = self.cones[i];
@@ -138,18 +124,10 @@ impl TwoSurface {
         let second = (weighted - one.alpha * sum) / (two.alpha - one.alpha);
         let first = sum - second;
         if first >= 0.0 && second >= 0.0 {
-            return Projected {
-                at: self.corner,
-                jacobian: [[0.0; 2]; 2],
-                dissipation: one.k * first + two.k * second,
-            };
+            return Projected { at: self.corner, jacobian: [[0.0; 2]; 2], dissipation: one.k * first + two.k * second };
         }
         let apex = two.k / (3.0 * two.alpha);
-        Projected {
-            at: [apex, 0.0],
-            jacobian: [[0.0; 2]; 2],
-            dissipation: apex * (trial[0] - apex) / bulk,
-        }
+        Projected { at: [apex, 0.0], jacobian: [[0.0; 2]; 2], dissipation: apex * (trial[0] - apex) / bulk }
     }
 
     /// Mean stress p_t, deviator s_t and R_t of the trial state.
@@ -179,11 +157,7 @@ impl Law<6> for TwoSurface {
             return Err(LawError::NoConvergence { law: KIND, increment });
         }
         let [g, bulk] = self.moduli();
-        let Projected {
-            at: [p, r],
-            jacobian,
-            dissipation,
-        } = self.project(trial);
+        let Projected { at: [p, r], jacobian, dissipation } = self.project(trial);
         new.copy_from_slice(old);
         // A state without deviator keeps none.
         let share = if trial[1] > 0.0 { r / trial[1] } else { 1.0 };
@@ -221,11 +195,7 @@ impl Law<6> for TwoSurface {
     fn inspect(&self, strain: &[f64; 6], history: &[f64]) -> PointState {
         let (_, at) = self.trial(strain, history);
         let used = (0..2).map(|i| 1.0 + self.excess(at)[i] / self.cones[i].k);
-        PointState {
-            plastic_strain: history[0],
-            utilisation: used.fold(0.0, f64::max),
-            ..PointState::default()
-        }
+        PointState { plastic_strain: history[0], utilisation: used.fold(0.0, f64::max), ..PointState::default() }
     }
 }
 
@@ -255,21 +225,14 @@ mod tests {
                 let mut best = ([apex, 0.0], distance([apex, 0.0]));
                 for k in 0..200_000 {
                     let p = apex - 1e3 * f64::from(k);
-                    let r = law
-                        .cones
-                        .iter()
-                        .map(|c| c.k - 3.0 * c.alpha * p)
-                        .fold(f64::INFINITY, f64::min);
+                    let r = law.cones.iter().map(|c| c.k - 3.0 * c.alpha * p).fold(f64::INFINITY, f64::min);
                     let d = distance([p, r]);
                     if d < best.1 {
                         best = ([p, r], d);
                     }
                 }
                 let found = law.project(trial).at;
-                assert!(
-                    (found[0] - best.0[0]).abs() < 2e3 && (found[1] - best.0[1]).abs() < 4e3,
-                    "{trial:?}"
-                );
+                assert!((found[0] - best.0[0]).abs() < 2e3 && (found[1] - best.0[1]).abs() < 4e3, "{trial:?}");
                 regions[usize::from(found[1] == 0.0) + 2 * usize::from(found == law.corner)] += 1;
             }
         }

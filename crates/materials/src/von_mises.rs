@@ -188,11 +188,7 @@ impl VonMises {
         for (b, part) in back.iter_mut().zip(parts) {
             *b = part;
         }
-        Point {
-            a: slots[0],
-            plastic,
-            back,
-        }
+        Point { a: slots[0], plastic, back }
     }
 
     /// Inverse of [`VonMises::read`].
@@ -269,11 +265,7 @@ impl VonMises {
             }
             let mut next = step - map.residual / map.slope;
             if !(next > low && next < high) {
-                next = if high.is_finite() {
-                    0.5 * (low + high)
-                } else {
-                    2.0 * low + 1e-12
-                };
+                next = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low + 1e-12 };
             }
             if next == step {
                 break;
@@ -302,11 +294,7 @@ impl VonMises {
         let f = modes.equivalent(&xi);
         if f <= (1.0 + ON_SURFACE) * self.radius(point.a).0 {
             new.copy_from_slice(old);
-            return Ok(Response {
-                stress: Modes::join(&trial),
-                tangent: modes.moduli,
-                dissipation: 0.0,
-            });
+            return Ok(Response { stress: Modes::join(&trial), tangent: modes.moduli, dissipation: 0.0 });
         }
         let Some((step, map)) = self.solve(modes, &trial, &point) else {
             let increment = f / self.elastic.young_modulus();

@@ -16,9 +16,7 @@ fn steel(name: &str) -> SteelGrade {
 
 /// f_y and f_u [MPa] of a plate [mm].
 fn strengths(name: &str, thickness: f64) -> (f64, f64) {
-    let plate = steel(name)
-        .at(thickness * 1e-3)
-        .unwrap_or_else(|| panic!("{name}, {thickness} mm"));
+    let plate = steel(name).at(thickness * 1e-3).unwrap_or_else(|| panic!("{name}, {thickness} mm"));
     (plate.yield_stress / 1e6, plate.ultimate_strength / 1e6)
 }
 
@@ -64,25 +62,12 @@ const TABLE_5_2B: &[(&str, f64, f64, f64, f64)] = &[
 #[test]
 fn api_650_in_the_units_of_its_other_table() {
     for &(name, inches, f_y, f_u, s_d) in TABLE_5_2B {
-        let plate = steel(name)
-            .at(inches * 0.0254)
-            .unwrap_or_else(|| panic!("{name}, {inches} in"));
-        let found = [
-            plate.yield_stress,
-            plate.ultimate_strength,
-            plate.allowable_stress.expect(name),
-        ];
+        let plate = steel(name).at(inches * 0.0254).unwrap_or_else(|| panic!("{name}, {inches} in"));
+        let found = [plate.yield_stress, plate.ultimate_strength, plate.allowable_stress.expect(name)];
         // CSA has metric grades of its own: 350W beside 50W (345 MPa); A240 rounds 25 ksi to 170 MPa.
-        let tolerance = if name.starts_with("G40") || name.starts_with("A240") {
-            0.016
-        } else {
-            0.01
-        };
+        let tolerance = if name.starts_with("G40") || name.starts_with("A240") { 0.016 } else { 0.01 };
         for (found, psi) in found.into_iter().zip([f_y, f_u, s_d]) {
-            assert!(
-                (found / (psi * PSI) - 1.0).abs() < tolerance,
-                "{name}: {found} Pa, {psi} psi"
-            );
+            assert!((found / (psi * PSI) - 1.0).abs() < tolerance, "{name}: {found} Pa, {psi} psi");
         }
     }
 }
@@ -113,11 +98,7 @@ fn allowable_stresses_follow_their_rule() {
             _ => (2.0 / 3.0, 0.4),
         };
         let rule = (step.yield_stress * of_yield).min(step.ultimate_strength * of_tensile);
-        assert!(
-            (s_d - rule).abs() <= 0.501e6,
-            "{}: {s_d} Pa, rule {rule} Pa",
-            grade.name
-        );
+        assert!((s_d - rule).abs() <= 0.501e6, "{}: {s_d} Pa, rule {rule} Pa", grade.name);
         seen += 1;
     }
     assert!(seen >= 25, "{seen}");
@@ -128,21 +109,9 @@ fn allowable_stresses_follow_their_rule() {
 fn structural_steel() {
     let thickness = [16.0, 40.0, 63.0, 80.0, 100.0, 150.0, 200.0, 250.0];
     for (names, f_y, f_u) in [
-        (
-            ["S235JR", "S235J0", "S235J2"],
-            [235, 225, 215, 215, 215, 195, 185, 175],
-            [360, 350, 340],
-        ),
-        (
-            ["S275JR", "S275J0", "S275J2"],
-            [275, 265, 255, 245, 235, 225, 215, 205],
-            [410, 400, 380],
-        ),
-        (
-            ["S355JR", "S355J2", "S355K2"],
-            [355, 345, 335, 325, 315, 295, 285, 275],
-            [470, 450, 450],
-        ),
+        (["S235JR", "S235J0", "S235J2"], [235, 225, 215, 215, 215, 195, 185, 175], [360, 350, 340]),
+        (["S275JR", "S275J0", "S275J2"], [275, 265, 255, 245, 235, 225, 215, 205], [410, 400, 380]),
+        (["S355JR", "S355J2", "S355K2"], [355, 345, 335, 325, 315, 295, 285, 275], [470, 450, 450]),
     ] {
         for name in names {
             for (&t, f_y) in thickness.iter().zip(f_y) {
@@ -204,12 +173,7 @@ fn stainless_steels() {
         assert_eq!(steel(name).at(0.076), None);
         assert_eq!(steel(name).young_modulus, 200e9);
     }
-    for (name, f_y, f_u) in [
-        ("304", 30e3, 75e3),
-        ("304L", 25e3, 70e3),
-        ("316", 30e3, 75e3),
-        ("316L", 25e3, 70e3),
-    ] {
+    for (name, f_y, f_u) in [("304", 30e3, 75e3), ("304L", 25e3, 70e3), ("316", 30e3, 75e3), ("316L", 25e3, 70e3)] {
         let (y, u) = strengths(name, 20.0);
         assert!((y * 1e6 / (f_y * PSI) - 1.0).abs() < 0.015, "{name}: {y} MPa");
         assert!((u * 1e6 / (f_u * PSI) - 1.0).abs() < 0.01, "{name}: {u} MPa");
@@ -256,11 +220,7 @@ fn strengths_fall_with_the_thickness() {
             assert!(pair[0].allowable_stress >= pair[1].allowable_stress, "{}", grade.name);
         }
         for step in grade.steps {
-            assert!(
-                step.up_to > 0.0 && step.ultimate_strength > step.yield_stress,
-                "{}",
-                grade.name
-            );
+            assert!(step.up_to > 0.0 && step.ultimate_strength > step.yield_stress, "{}", grade.name);
             // Both sides of the end of a step, and a thickness in inches: 2.5 in = 63.5 mm.
             assert_eq!(grade.at(step.up_to), Some(*step));
         }
@@ -350,8 +310,5 @@ fn the_table_of_the_documentation_is_fresh() {
         std::fs::write(path, &page).expect("docs/grades.md is writable");
     }
     let kept = std::fs::read_to_string(path).expect("docs/grades.md");
-    assert!(
-        kept == page,
-        "docs/grades.md is not what the grades are: write it with TANKCHECK_BLESS=\"reason\""
-    );
+    assert!(kept == page, "docs/grades.md is not what the grades are: write it with TANKCHECK_BLESS=\"reason\"");
 }

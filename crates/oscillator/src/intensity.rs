@@ -77,16 +77,10 @@ mod tests {
         assert!((Intensity::Pgv.of(&record) * PI - 1.0).abs() < 1e-4);
         // d = t/(2π) − sin(2πt)/(4π²), at the end of ten seconds.
         assert!((Intensity::Pgd.of(&record) * PI / 5.0 - 1.0).abs() < 1e-4);
-        let stiff = Intensity::Sa {
-            period: 0.01,
-            damping: 0.05,
-        };
+        let stiff = Intensity::Sa { period: 0.01, damping: 0.05 };
         assert!((stiff.of(&record) - 1.0).abs() < 1e-3);
         // Every measure is proportional to the record.
-        let twice = Record {
-            acceleration: record.acceleration.iter().map(|a| 2.0 * a).collect(),
-            ..record.clone()
-        };
+        let twice = Record { acceleration: record.acceleration.iter().map(|a| 2.0 * a).collect(), ..record.clone() };
         let (period, damping) = (0.7, 0.05);
         for measure in [
             Intensity::Pga,
@@ -106,12 +100,7 @@ mod tests {
         let (dt, period) = (0.002, 0.75);
         let mut acceleration = vec![0.0; 1500];
         acceleration[1] = 1.0;
-        let record = Record {
-            name: "impulse".into(),
-            dt,
-            acceleration,
-            processing: Vec::new(),
-        };
+        let record = Record { name: "impulse".into(), dt, acceleration, processing: Vec::new() };
         for damping in [0.01, 0.05] {
             let decay = f64::exp(-damping * f64::acos(damping) / (1.0 - damping * damping).sqrt());
             let exact = |period: f64| 2.0 * PI / period * dt * decay;

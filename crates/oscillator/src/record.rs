@@ -172,12 +172,7 @@ mod tests {
     use std::f64::consts::{PI, TAU};
 
     fn record(dt: f64, acceleration: Vec<f64>) -> Record {
-        Record {
-            name: "test".into(),
-            dt,
-            acceleration,
-            processing: vec![],
-        }
+        Record { name: "test".into(), dt, acceleration, processing: vec![] }
     }
 
     #[test]
@@ -223,13 +218,7 @@ mod tests {
     fn measures_of_a_harmonic() {
         // 10 periods of 0.5 s at 1 ms; the linear interpolation is short by (Ωh)²/12 = 1.3e-5 of the integrals.
         let (amplitude, omega, dt) = (3.0, TAU / 0.5, 1e-3);
-        let m = record(
-            dt,
-            (0..=5000)
-                .map(|k| amplitude * (omega * dt * f64::from(k)).sin())
-                .collect(),
-        )
-        .measures();
+        let m = record(dt, (0..=5000).map(|k| amplitude * (omega * dt * f64::from(k)).sin()).collect()).measures();
         for (value, exact) in [
             (m.pga, amplitude),
             (m.pgv, 2.0 * amplitude / omega),

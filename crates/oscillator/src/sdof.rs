@@ -70,12 +70,7 @@ fn impulse(omega: f64, damping: f64, t: f64) -> Impulse {
         // effect.
         let (a1, a2) = decay_integrals(slow, t);
         let (b1, b2) = decay_integrals(slow + gap, t);
-        Impulse {
-            g,
-            g_dot,
-            g1: (a1 - b1) / gap,
-            g2: (a2 - b2) / gap,
-        }
+        Impulse { g, g_dot, g1: (a1 - b1) / gap, g2: (a2 - b2) / gap }
     }
 }
 
@@ -134,12 +129,7 @@ fn impulse_series(omega: f64, damping: f64, t: f64) -> Impulse {
             break;
         }
     }
-    Impulse {
-        g: t * g,
-        g_dot,
-        g1: t * t * g1,
-        g2: t * t * t * g2,
-    }
+    Impulse { g: t * g, g_dot, g1: t * t * g1, g2: t * t * t * g2 }
 }
 
 /// Coefficients of the exact step under a load that is linear within the step:
@@ -250,10 +240,7 @@ pub fn duhamel(ground: &[f64], h: f64, omega: f64, damping: f64, sub_steps: usiz
         })
         .collect();
     let (step_re, step_im) = kernel(h);
-    let mut history = History {
-        u: Vec::with_capacity(ground.len()),
-        v: Vec::with_capacity(ground.len()),
-    };
+    let mut history = History { u: Vec::with_capacity(ground.len()), v: Vec::with_capacity(ground.len()) };
     let (mut re, mut im) = (0.0, 0.0);
     for k in 0..ground.len() {
         if k > 0 {
@@ -293,10 +280,7 @@ pub fn newmark(ground: &[f64], h: f64, omega: f64, damping: f64, sub_steps: usiz
 
 /// Marches from rest at the first sample.
 fn march(ground: &[f64], mut step: impl FnMut(f64, f64, f64, f64) -> (f64, f64)) -> History {
-    let mut history = History {
-        u: Vec::with_capacity(ground.len()),
-        v: Vec::with_capacity(ground.len()),
-    };
+    let mut history = History { u: Vec::with_capacity(ground.len()), v: Vec::with_capacity(ground.len()) };
     let (mut u, mut v) = (0.0, 0.0);
     for k in 0..ground.len() {
         if k > 0 {

@@ -56,24 +56,12 @@ impl Ordinates {
     /// No ordinates: an argument was out of its range.
     fn nan() -> Ordinates {
         let nan = f64::NAN;
-        Ordinates {
-            sd: nan,
-            psv: nan,
-            psa: nan,
-            sv: nan,
-            sa: nan,
-        }
+        Ordinates { sd: nan, psv: nan, psa: nan, sv: nan, sa: nan }
     }
 
     /// The rigid oscillator, T = 0: it moves with the ground.
     pub fn rigid(pga: f64) -> Ordinates {
-        Ordinates {
-            sd: 0.0,
-            psv: 0.0,
-            psa: pga,
-            sv: 0.0,
-            sa: pga,
-        }
+        Ordinates { sd: 0.0, psv: 0.0, psa: pga, sv: 0.0, sa: pga }
     }
 }
 
@@ -126,10 +114,7 @@ pub struct Spectrum {
 ///
 /// Period 0 is the rigid oscillator. Entries are NaN where an argument is out of its range.
 pub fn spectrum(record: &Record, periods: &[f64], dampings: &[f64], method: Method) -> Spectrum {
-    let pairs: Vec<(f64, f64)> = dampings
-        .iter()
-        .flat_map(|&xi| periods.iter().map(move |&t| (t, xi)))
-        .collect();
+    let pairs: Vec<(f64, f64)> = dampings.iter().flat_map(|&xi| periods.iter().map(move |&t| (t, xi))).collect();
     let entries = match method {
         Method::Exact => exact(record, &pairs),
         _ => pairs.iter().map(|&(t, xi)| by_history(record, t, xi, method)).collect(),
@@ -156,10 +141,7 @@ fn exact(record: &Record, pairs: &[(f64, f64)]) -> Vec<Ordinates> {
     let oscillators: Vec<blocks::Oscillator> = pairs
         .iter()
         .filter(|pair| oscillates(pair))
-        .map(|&(period, damping)| blocks::Oscillator {
-            omega: TAU / period,
-            damping,
-        })
+        .map(|&(period, damping)| blocks::Oscillator { omega: TAU / period, damping })
         .collect();
     let maxima = kernel::maxima(&record.acceleration, record.dt, &oscillators);
     let mut computed = oscillators.iter().zip(maxima);
@@ -224,12 +206,7 @@ mod tests {
     use crate::sdof::Recurrence;
 
     fn record(dt: f64, acceleration: Vec<f64>) -> Record {
-        Record {
-            name: "test".into(),
-            dt,
-            acceleration,
-            processing: vec![],
-        }
+        Record { name: "test".into(), dt, acceleration, processing: vec![] }
     }
 
     /// An arbitrary record of noise under an envelope.
@@ -257,11 +234,7 @@ mod tests {
         ground.extend(std::iter::repeat_n(0.0, silence + 1));
         for k in 0..ground.len() - 1 {
             // The acceleration drops to zero right after the last sample.
-            let (a0, a1) = if k + 1 == end {
-                (0.0, 0.0)
-            } else {
-                (ground[k], ground[k + 1])
-            };
+            let (a0, a1) = if k + 1 == end { (0.0, 0.0) } else { (ground[k], ground[k + 1]) };
             for j in 0..parts {
                 let at = |j: usize| a0 + (a1 - a0) * (j as f64 / parts as f64);
                 (u, v) = step.step(u, v, -at(j), -at(j + 1));
@@ -274,11 +247,7 @@ mod tests {
 
     /// Steepest slope of the acceleration.
     fn slope(record: &Record) -> f64 {
-        record
-            .acceleration
-            .windows(2)
-            .fold(0.0, |m: f64, p| m.max((p[1] - p[0]).abs()))
-            / record.dt
+        record.acceleration.windows(2).fold(0.0, |m: f64, p| m.max((p[1] - p[0]).abs())) / record.dt
     }
 
     #[test]
@@ -288,9 +257,7 @@ mod tests {
         let dampings = [0.0, 0.005, 0.05, 0.3, 0.9];
         for (dt, samples) in [(0.02, 300), (0.005, 1000)] {
             let r = noise(dt, samples);
-            let periods = [
-                0.001, 0.004, 0.013, 0.02, 0.031, 0.05, 0.1, 0.15, 0.17, 0.3, 0.5, 0.9, 2.0, 5.0, 20.0,
-            ];
+            let periods = [0.001, 0.004, 0.013, 0.02, 0.031, 0.05, 0.1, 0.15, 0.17, 0.3, 0.5, 0.9, 2.0, 5.0, 20.0];
             let all = spectrum(&r, &periods, &dampings, Method::Exact);
             for (xi, row) in dampings.iter().zip(&all.ordinates) {
                 for (t, o) in periods.iter().zip(row) {
@@ -342,17 +309,8 @@ mod tests {
         for i in 0..2 {
             for (k, period) in periods.iter().enumerate() {
                 let (e, d, n) = (exact.ordinates[i][k], duhamel.ordinates[i][k], newmark.ordinates[i][k]);
-                for (e, d, n) in [
-                    (e.sd, d.sd, n.sd),
-                    (e.sv, d.sv, n.sv),
-                    (e.sa, d.sa, n.sa),
-                    (e.psa, d.psa, n.psa),
-                ] {
-                    assert!(
-                        d <= e * (1.0 + 1e-6) && d >= e * (1.0 - 2.5e-3),
-                        "T {}: {e} {d}",
-                        periods[k]
-                    );
+                for (e, d, n) in [(e.sd, d.sd, n.sd), (e.sv, d.sv, n.sv), (e.sa, d.sa, n.sa), (e.psa, d.psa, n.psa)] {
+                    assert!(d <= e * (1.0 + 1e-6) && d >= e * (1.0 - 2.5e-3), "T {}: {e} {d}", periods[k]);
                     assert!((n / e - 1.0).abs() < 2e-2, "T {period}: {e} {n}");
                 }
             }
@@ -373,12 +331,7 @@ mod tests {
     fn long_periods_tend_to_the_ground_displacement() {
         // A pulse that comes to rest: sine of one period, 2 s; the ground moves to Ω⁻¹ · 2 s and stays. For T → ∞ the
         // oscillator stays where it was, u = −d, and swings back later.
-        let r = record(
-            0.01,
-            (0..=200)
-                .map(|k| (std::f64::consts::PI * 0.01 * f64::from(k)).sin())
-                .collect(),
-        );
+        let r = record(0.01, (0..=200).map(|k| (std::f64::consts::PI * 0.01 * f64::from(k)).sin()).collect());
         let d = r.measures().pgd;
         let o = ordinates(&r, 1e6, 0.0);
         assert!((o.sd / d - 1.0).abs() < 1e-6, "{} {d}", o.sd);
@@ -415,10 +368,7 @@ mod tests {
         assert_eq!(ordinates(&r, 0.0, 0.05), Ordinates::rigid(1.1));
         // T → 0: the oscillator follows the ground; the kinks excite Δ(slope)/ω³ ω², here 1e-2 relative at 1 ms.
         let stiff = ordinates(&r, 1e-3, 0.05);
-        assert!(
-            (stiff.sa - 1.1).abs() < 0.02 * 1.1 && (stiff.psa - 1.1).abs() < 0.02 * 1.1,
-            "{stiff:?}"
-        );
+        assert!((stiff.sa - 1.1).abs() < 0.02 * 1.1 && (stiff.psa - 1.1).abs() < 0.02 * 1.1, "{stiff:?}");
         assert!(ordinates(&r, -1.0, 0.05).sd.is_nan() && ordinates(&r, f64::NAN, 0.05).sd.is_nan());
     }
 

@@ -73,11 +73,8 @@ pub fn synthetic(
     let df = 1.0 / wanted.duration;
     let highest = 1.0 / (SHORTEST * wanted.dt);
     let lowest = 1.0 / wanted.longest;
-    let frequencies: Vec<f64> = (1..)
-        .map(|k| f64::from(k) * df)
-        .skip_while(|f| *f < 0.999 * lowest)
-        .take_while(|f| *f <= highest)
-        .collect();
+    let frequencies: Vec<f64> =
+        (1..).map(|k| f64::from(k) * df).skip_while(|f| *f < 0.999 * lowest).take_while(|f| *f <= highest).collect();
     let phases: Vec<f64> = frequencies.iter().map(|_| TAU * draw()).collect();
     let periods: Vec<f64> = frequencies.iter().map(|f| 1.0 / f).collect();
     let goal: Vec<f64> = periods.iter().map(|&t| target(t)).collect();
@@ -85,17 +82,9 @@ pub fn synthetic(
         return None;
     }
     // White noise of amplitude A per line has a response of about A √(π f/(4 ξ Δf)); the steps correct the rest.
-    let mut amplitudes: Vec<f64> = frequencies
-        .iter()
-        .zip(&goal)
-        .map(|(f, g)| g / (PI * f / (4.0 * wanted.damping * df)).sqrt() * 0.5)
-        .collect();
-    let mut record = Record {
-        name: name.into(),
-        dt: wanted.dt,
-        acceleration: Vec::new(),
-        processing: Vec::new(),
-    };
+    let mut amplitudes: Vec<f64> =
+        frequencies.iter().zip(&goal).map(|(f, g)| g / (PI * f / (4.0 * wanted.damping * df)).sqrt() * 0.5).collect();
+    let mut record = Record { name: name.into(), dt: wanted.dt, acceleration: Vec::new(), processing: Vec::new() };
     for step in 0..=wanted.steps {
         record.acceleration = sum(&frequencies, &amplitudes, &phases, wanted, count);
         balance(&mut record.acceleration);
@@ -158,14 +147,7 @@ fn balance(values: &mut [f64]) {
 mod tests {
     use super::*;
 
-    const WANTED: Wanted = Wanted {
-        duration: 25.0,
-        strong: 12.0,
-        dt: 0.01,
-        damping: 0.05,
-        longest: 5.0,
-        steps: 12,
-    };
+    const WANTED: Wanted = Wanted { duration: 25.0, strong: 12.0, dt: 0.01, damping: 0.05, longest: 5.0, steps: 12 };
 
     /// Fractional parts of k² times the golden ratio, which fill 0 to 1 evenly (Weyl 1916); k starts at the seed.
     fn phases(seed: u32) -> impl FnMut() -> f64 {
@@ -189,9 +171,7 @@ mod tests {
     /// One record scatters around its target; the mean of seven stays within 10 % of it from 0.05 s to 4 s, what EN 1998-1 asks of a set.
     #[test]
     fn the_mean_of_seven_follows_the_target() {
-        let set: Vec<Record> = (0..7)
-            .map(|seed| synthetic("s", &WANTED, target, phases(seed)).unwrap())
-            .collect();
+        let set: Vec<Record> = (0..7).map(|seed| synthetic("s", &WANTED, target, phases(seed)).unwrap()).collect();
         let periods: Vec<f64> = (0..80).map(|i| 0.05 * 80.0_f64.powf(f64::from(i) / 79.0)).collect();
         for (i, &t) in periods.iter().enumerate() {
             let of = |r: &Record| spectrum(r, &periods, &[0.05], Method::Exact).ordinates[0][i].psa;

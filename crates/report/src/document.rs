@@ -19,20 +19,13 @@ pub fn document(report: &Report) -> Document {
     let page = cut(&page, "<details>", "</details>");
     Document {
         html: spread(&linked(&page)),
-        figures: report
-            .figures
-            .iter()
-            .map(|(name, svg)| (format!("figures/{name}"), file(svg)))
-            .collect(),
+        figures: report.figures.iter().map(|(name, svg)| (format!("figures/{name}"), file(svg))).collect(),
     }
 }
 
 /// A figure's file with its looks in its elements.
 fn file(svg: &str) -> String {
-    let css = svg
-        .split_once("<style>")
-        .and_then(|(_, rest)| rest.split_once("</style>"))
-        .map_or("", |(css, _)| css);
+    let css = svg.split_once("<style>").and_then(|(_, rest)| rest.split_once("</style>")).map_or("", |(css, _)| css);
     plain(svg, css)
 }
 
@@ -70,10 +63,7 @@ fn linked(page: &str) -> String {
             Some("third") => "5.3cm",
             _ => "16cm",
         };
-        out.push_str(&format!(
-            "<img src=\"figures/{}.svg\" alt=\"{title}\" width=\"{width}\">",
-            crate::file_name(id)
-        ));
+        out.push_str(&format!("<img src=\"figures/{}.svg\" alt=\"{title}\" width=\"{width}\">", crate::file_name(id)));
         rest = after;
     }
     out.push_str(rest);
@@ -94,10 +84,7 @@ fn spread(page: &str) -> String {
         let (table, after) = after.split_once("</table>").unwrap_or((after, ""));
         out.push_str(&format!("{before}<table{open}>"));
         let widths = widths(table);
-        let columns: String = widths
-            .iter()
-            .map(|w| format!("<col style=\"width:{w:.1}%\">"))
-            .collect();
+        let columns: String = widths.iter().map(|w| format!("<col style=\"width:{w:.1}%\">")).collect();
         let plain = cut(table, "<colgroup>", "</colgroup>");
         match plain.split_once("</caption>") {
             Some((caption, rows)) => out.push_str(&format!("{caption}</caption><colgroup>{columns}</colgroup>{rows}")),
@@ -124,9 +111,7 @@ fn widths(table: &str) -> Vec<f64> {
             }
         }
     }
-    let bounded = longest
-        .iter()
-        .map(|l| (*l).clamp(*LETTERS.start(), *LETTERS.end()) as f64);
+    let bounded = longest.iter().map(|l| (*l).clamp(*LETTERS.start(), *LETTERS.end()) as f64);
     let total: f64 = bounded.clone().sum();
     bounded.map(|l| 100.0 * l / total).collect()
 }
@@ -175,9 +160,6 @@ mod tests {
             found.html,
             "<figure class=\"half\" id=\"fig-a\"><div><img src=\"figures/a_1.svg\" alt=\"A &amp; B\" width=\"8cm\"></div></figure><p>text</p>"
         );
-        assert_eq!(
-            found.figures,
-            [("figures/a_1.svg".into(), "<svg style=\"fill:red\"></svg>".into())]
-        );
+        assert_eq!(found.figures, [("figures/a_1.svg".into(), "<svg style=\"fill:red\"></svg>".into())]);
     }
 }

@@ -29,10 +29,8 @@ pub(crate) fn table<'a>(runs: impl Iterator<Item = (Option<f64>, &'a [TwoSided])
     for (factor, list) in runs {
         for found in list {
             let min = found.min.map(|m| m.value);
-            let scale = Scale::of(
-                found.dimension,
-                [Some(found.rest), min, Some(found.max.value)].into_iter().flatten(),
-            );
+            let scale =
+                Scale::of(found.dimension, [Some(found.rest), min, Some(found.max.value)].into_iter().flatten());
             let time = |at: Option<At>| at.and_then(|a| a.time).map_or("–".into(), |t| fixed(t, 3));
             let mut row: Vec<String> = Vec::new();
             if scaled {

@@ -111,11 +111,8 @@ pub fn ticks(low: f64, high: f64, target: usize) -> (Vec<f64>, usize) {
     }
     let rough = span / target.max(1) as f64;
     let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|m| m * power)
-        .find(|s| *s >= rough * 0.999)
-        .unwrap_or(10.0 * power);
+    let step =
+        [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough * 0.999).unwrap_or(10.0 * power);
     // Steps below anything that is drawn, or below the last digit of the ends: the range is not divided.
     let most = low.abs().max(high.abs()) / step;
     if step < 1e-15 || most.is_nan() || most >= 1e15 {
@@ -133,10 +130,7 @@ mod tests {
 
     #[test]
     fn ticks_are_round() {
-        assert_eq!(
-            ticks(0.0, 1.0, 5),
-            (vec![0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0], 1)
-        );
+        assert_eq!(ticks(0.0, 1.0, 5), (vec![0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0], 1));
         assert_eq!(ticks(-37.0, 52.0, 4).0, vec![0.0, 50.0]);
         assert_eq!(ticks(3.0, 3.0, 4).0, vec![3.0]);
         assert_eq!(ticks(0.0, 5e-324, 4).0, vec![0.0]);

@@ -23,10 +23,7 @@ pub(crate) struct Pair {
 impl Pair {
     /// A pair of a label and a value.
     pub(crate) fn new(label: &str, value: String) -> Pair {
-        Pair {
-            label: label.into(),
-            value,
-        }
+        Pair { label: label.into(), value }
     }
 }
 
@@ -193,17 +190,9 @@ impl Page<'_> {
 /// The document: what, for whom, which number; only what is given.
 pub(crate) fn document(project: Option<&Project>) -> Vec<Pair> {
     let project = project.cloned().unwrap_or_default();
-    let given = [
-        project.name,
-        project.client,
-        project.document,
-        project.revision,
-        project.date,
-    ];
+    let given = [project.name, project.client, project.document, project.revision, project.date];
     let labels = words::COVER.into_iter().zip(given);
-    labels
-        .filter_map(|(label, value)| Some(Pair::new(label, value?)))
-        .collect()
+    labels.filter_map(|(label, value)| Some(Pair::new(label, value?))).collect()
 }
 
 /// Who signs: role and name, which may be blank. None without a block `project`.
@@ -238,9 +227,6 @@ pub(crate) fn tank(summary: &TankSummary) -> Vec<Pair> {
         }
     }
     let strip = matches!(summary.tank.shape, Shape::Rectangle { strip: true, .. });
-    add(
-        words::liquid_mass(strip),
-        with_unit(summary.liquid_mass, Dimension::Mass),
-    );
+    add(words::liquid_mass(strip), with_unit(summary.liquid_mass, Dimension::Mass));
     facts
 }

@@ -38,27 +38,14 @@ fn curves(ida: &Ida) -> Vec<Curve> {
     let same = |title| [title, title];
     let mut curves = vec![
         of("ida_wave", same(words::WAVE), Dimension::Length, |r| r.wave),
-        of("ida_wall_displacement", words::DISPLACEMENT, Dimension::Length, |r| {
-            r.wall_displacement
-        }),
+        of("ida_wall_displacement", words::DISPLACEMENT, Dimension::Length, |r| r.wall_displacement),
         of("ida_base_moment", words::BASE_MOMENT, ida.moment, |r| r.base_moment),
     ];
     let further = [
-        of("ida_bar_stress", same(words::BAR_STRESS), Dimension::Stress, |r| {
-            r.bar_stress
-        }),
-        of("ida_crack_height", same(words::CRACK_HEIGHT), Dimension::Length, |r| {
-            r.highest_crack
-        }),
-        of(
-            "ida_plastic_strain",
-            same(words::PLASTIC_STRAIN),
-            Dimension::Dimensionless,
-            |r| r.plastic_strain,
-        ),
-        of("ida_hysteretic_energy", words::HYSTERETIC, Dimension::Energy, |r| {
-            r.hysteretic_energy
-        }),
+        of("ida_bar_stress", same(words::BAR_STRESS), Dimension::Stress, |r| r.bar_stress),
+        of("ida_crack_height", same(words::CRACK_HEIGHT), Dimension::Length, |r| r.highest_crack),
+        of("ida_plastic_strain", same(words::PLASTIC_STRAIN), Dimension::Dimensionless, |r| r.plastic_strain),
+        of("ida_hysteretic_energy", words::HYSTERETIC, Dimension::Energy, |r| r.hysteretic_energy),
     ];
     let seen = |curve: &Curve| ida.runs.iter().any(|r| (curve.value)(r) > 0.0);
     curves.extend(further.into_iter().filter(seen));
@@ -73,20 +60,10 @@ fn figures(ida: &Ida) -> Result<Vec<Figure>, Error> {
 }
 
 fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
-    let &Curve {
-        id,
-        title,
-        dimension,
-        value,
-    } = curve;
+    let &Curve { id, title, dimension, value } = curve;
     let runs = &ida.runs;
     let with_zero = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> { values.chain([0.0]).collect() };
-    let x = Axis::linear(
-        words::PGA,
-        Dimension::Acceleration,
-        with_zero(&mut runs.iter().map(|r| r.pga)),
-        6,
-    );
+    let x = Axis::linear(words::PGA, Dimension::Acceleration, with_zero(&mut runs.iter().map(|r| r.pga)), 6);
     let y = Axis::linear("", dimension, with_zero(&mut runs.iter().map(value)), 5);
     let mut chart = Chart::new((HALF, 0.0), x, y);
     chart.lines = vec![Line {
@@ -108,11 +85,8 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
         })
         .collect();
     let chart = chart.with_plot_height(170.0);
-    let mut table = Table::new(vec![
-        Column::numbers("Scale", ""),
-        Column::numbers(words::PGA_HEAD, "m/s²"),
-        Column::words(title),
-    ]);
+    let mut table =
+        Table::new(vec![Column::numbers("Scale", ""), Column::numbers(words::PGA_HEAD, "m/s²"), Column::words(title)]);
     for run in runs {
         table.row(vec![
             significant(run.scale, 4),
@@ -176,19 +150,13 @@ fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
     all.numbers("PGA", "m/s²", |r| significant(r.pga, 4));
     all.words("End", words::end);
     all.numbers("Wave", wave.symbol(), move |r| wave.text(r.wave));
-    all.numbers("Wall displacement", displacement.symbol(), move |r| {
-        displacement.text(r.wall_displacement)
-    });
+    all.numbers("Wall displacement", displacement.symbol(), move |r| displacement.text(r.wall_displacement));
     all.numbers("Base moment", moment.symbol(), move |r| moment.text(r.base_moment));
     if any(|r| r.section_moment.is_some()) {
-        all.numbers(heads::SECTION, moment.symbol(), move |r| {
-            dash(r.section_moment, |m| moment.text(m))
-        });
+        all.numbers(heads::SECTION, moment.symbol(), move |r| dash(r.section_moment, |m| moment.text(m)));
     }
     if any(|r| r.first_crack.is_some()) {
-        all.numbers(heads::FIRST_CRACK[0], "s", |r| {
-            dash(r.first_crack, |c| fixed(c.time, 2))
-        });
+        all.numbers(heads::FIRST_CRACK[0], "s", |r| dash(r.first_crack, |c| fixed(c.time, 2)));
         all.numbers(heads::FIRST_CRACK[1], moment.symbol(), move |r| {
             dash(r.first_crack, |c| moment.text(c.base_moment))
         });
@@ -207,9 +175,7 @@ fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
         all.numbers("Plastic strain", "", |r| significant(r.plastic_strain, 2));
     }
     if any(|r| r.open_share.is_some()) {
-        all.numbers(heads::OPEN, "%", |r| {
-            dash(r.open_share, |share| significant(100.0 * share, 3))
-        });
+        all.numbers(heads::OPEN, "%", |r| dash(r.open_share, |share| significant(100.0 * share, 3)));
     }
     if any(|r| !r.limits.is_empty()) {
         all.words(heads::OUTSIDE, words::exceeded);
@@ -249,20 +215,10 @@ fn cover(ida: &Ida) -> Cover {
         subtitle: heading("ida").into(),
         project: frame::document(ida.project.as_ref()),
         signatures: frame::signatures(ida.project.as_ref()),
-        verdict: Verdict {
-            class,
-            sign,
-            headline: words::cover::headline(ida),
-            lines: words::cover::lines(ida),
-        },
+        verdict: Verdict { class, sign, headline: words::cover::headline(ida), lines: words::cover::lines(ida) },
         warnings: {
-            let interrupted = sentences("ida")
-                .get("interrupted")
-                .filter(|_| ida.incomplete)
-                .map(|s| (*s).into());
-            let beyond = crate::words::record_set::beyond_of_ida(ida)
-                .into_iter()
-                .map(|line| line + ".");
+            let interrupted = sentences("ida").get("interrupted").filter(|_| ida.incomplete).map(|s| (*s).into());
+            let beyond = crate::words::record_set::beyond_of_ida(ida).into_iter().map(|line| line + ".");
             interrupted.into_iter().chain(beyond).collect()
         },
         facts,

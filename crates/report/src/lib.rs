@@ -111,10 +111,7 @@ impl Report {
     /// shows it, see [`files::text`].
     pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
         let shown = |(name, svg): (String, String)| (name, language::page(visible(&svg).into_owned()));
-        Report {
-            html: language::page(visible(html).into_owned()),
-            figures: figures.into_iter().map(shown).collect(),
-        }
+        Report { html: language::page(visible(html).into_owned()), figures: figures.into_iter().map(shown).collect() }
     }
 
     /// Writes `report.html` and `figures/*.svg` into `folder`; returns the path of the report.
@@ -125,10 +122,7 @@ impl Report {
         // Not the folder above: an ending process may have removed it.
         match std::fs::create_dir(&figures) {
             Err(e) if e.kind() != std::io::ErrorKind::AlreadyExists => {
-                return Err(Error::Unwritten {
-                    path: figures,
-                    what: describe(&e),
-                });
+                return Err(Error::Unwritten { path: figures, what: describe(&e) });
             }
             _ => {}
         }
@@ -177,16 +171,9 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
         let template = templates.of_section(section.id);
         let html = templates.render(&template, &section.context)?;
         if is_empty(&html) {
-            return Err(Error::Report(format!(
-                "section `{}` has no content (template {template})",
-                section.id
-            )));
+            return Err(Error::Report(format!("section `{}` has no content (template {template})", section.id)));
         }
-        views.push(frame::Part {
-            id: section.id,
-            title: section.title,
-            html,
-        });
+        views.push(frame::Part { id: section.id, title: section.title, html });
         figures.extend(section.figures);
     }
     // The styles of spatial, coloured and nonlinear figures burden only the reports that have them.
@@ -210,10 +197,7 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
         css: &css,
     };
     let html = page.html(templates)?;
-    let figures = figures
-        .iter()
-        .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))
-        .collect();
+    let figures = figures.iter().map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css))).collect();
     Ok(Report::new(&html, figures))
 }
 
@@ -238,15 +222,7 @@ fn is_empty(html: &str) -> bool {
 
 /// An id as the name of a file: letters, digits, `-`, `_` and `.`, the rest as `_`.
 fn file_name(id: &str) -> String {
-    id.chars()
-        .map(|c| {
-            if c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.') {
-                c
-            } else {
-                '_'
-            }
-        })
-        .collect()
+    id.chars().map(|c| if c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.') { c } else { '_' }).collect()
 }
 
 #[cfg(test)]

@@ -25,11 +25,7 @@ pub fn formula(text: &str) -> String {
     if pieces.iter().any(|p| p.width > WIDEST) {
         return words(text);
     }
-    pieces
-        .iter()
-        .map(|p| format!("<math displaystyle=\"true\">{}</math>", p.markup))
-        .collect::<Vec<_>>()
-        .join(" ")
+    pieces.iter().map(|p| format!("<math displaystyle=\"true\">{}</math>", p.markup)).collect::<Vec<_>>().join(" ")
 }
 
 /// A symbol (`m_c`, `h_i′`) as HTML.
@@ -42,9 +38,8 @@ pub fn symbol(text: &str) -> String {
 pub fn prose(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 16);
     let mut rest = text;
-    while let Some((before, (code, after))) = rest
-        .split_once('`')
-        .and_then(|(before, after)| after.split_once('`').map(|pair| (before, pair)))
+    while let Some((before, (code, after))) =
+        rest.split_once('`').and_then(|(before, after)| after.split_once('`').map(|pair| (before, pair)))
     {
         out.push_str(&lowered(before));
         out.push_str(&format!("<code>{}</code>", escape(code)));
@@ -86,9 +81,7 @@ pub fn words(text: &str) -> String {
     while i < chars.len() {
         let c = chars[i];
         if c == '_' && i > 0 && chars[i - 1].is_alphanumeric() {
-            let end = (i + 1..chars.len())
-                .find(|&j| !in_symbol(chars[j]))
-                .unwrap_or(chars.len());
+            let end = (i + 1..chars.len()).find(|&j| !in_symbol(chars[j])).unwrap_or(chars.len());
             if end > i + 1 {
                 let sub: String = chars[i + 1..end].iter().collect();
                 out.push_str(&format!("<sub>{}</sub>", escape(&sub)));
@@ -126,11 +119,7 @@ struct Set {
 
 impl Set {
     fn new(markup: String, width: usize) -> Set {
-        Set {
-            markup,
-            width,
-            terms: Vec::new(),
-        }
+        Set { markup, width, terms: Vec::new() }
     }
 
     /// Without its parentheses, where a fraction bar or a root makes them idle.
@@ -249,10 +238,7 @@ fn quantity(number: &Number) -> Set {
     let markup = match number.digits.split_once('e') {
         Some((digits, exponent)) => {
             let exponent = exponent.replace('-', "−");
-            format!(
-                "<mrow><mn>{digits}</mn>{}<msup><mn>10</mn><mn>{exponent}</mn></msup></mrow>",
-                operator('·')
-            )
+            format!("<mrow><mn>{digits}</mn>{}<msup><mn>10</mn><mn>{exponent}</mn></msup></mrow>", operator('·'))
         }
         None => format!("<mn>{}</mn>", escape(&number.digits)),
     };
@@ -260,10 +246,7 @@ fn quantity(number: &Number) -> Set {
         return Set::new(markup, width);
     };
     Set::new(
-        format!(
-            "<mrow>{markup}<mspace width=\"0.17em\"/><mtext>{}</mtext></mrow>",
-            escape(unit.symbol)
-        ),
+        format!("<mrow>{markup}<mspace width=\"0.17em\"/><mtext>{}</mtext></mrow>", escape(unit.symbol)),
         width + 1 + unit.symbol.chars().count(),
     )
 }
@@ -290,9 +273,7 @@ fn broken(lead: String, factor: Set) -> Vec<Set> {
     let terms = factor.terms.into_iter().enumerate();
     terms
         .map(|(i, term)| {
-            let open = lead
-                .take()
-                .map_or(String::new(), |l| l + "<mo stretchy=\"false\">(</mo>");
+            let open = lead.take().map_or(String::new(), |l| l + "<mo stretchy=\"false\">(</mo>");
             let close = if i == last { "<mo stretchy=\"false\">)</mo>" } else { "" };
             Set::new(open + &term.markup + close, term.width + 1)
         })
@@ -305,10 +286,7 @@ fn raised(base: &Set, exponent: &str, width: usize) -> Set {
 
 fn fraction(above: &Set, below: &Set) -> Set {
     Set::new(
-        format!(
-            "<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
-            above.markup, below.markup
-        ),
+        format!("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>", above.markup, below.markup),
         above.width.max(below.width) + 1,
     )
 }
@@ -378,10 +356,7 @@ mod tests {
             "<math displaystyle=\"true\"><msqrt><mrow><mfrac><mrow><mi>R</mi></mrow><mrow><mi>g</mi></mrow></mfrac></mrow></msqrt></math>"
         );
         let html = formula("2·π·√(R/(g·λ_1·tanh(λ_1·H/R)))");
-        assert!(
-            html.contains("<msqrt>") && html.matches("<mfrac>").count() == 2,
-            "{html}"
-        );
+        assert!(html.contains("<msqrt>") && html.matches("<mfrac>").count() == 2, "{html}");
         assert!(html.contains("<mi>tanh</mi><mo>&#x2061;</mo>"), "{html}");
     }
 
@@ -402,10 +377,7 @@ mod tests {
     #[test]
     fn numbers_keep_their_units() {
         let html = formula("tanh(1.8412·1.525 m/1.83 m)·4.903 m/s²");
-        assert!(
-            html.contains("<mn>1.525</mn><mspace width=\"0.17em\"/><mtext>m</mtext>"),
-            "{html}"
-        );
+        assert!(html.contains("<mn>1.525</mn><mspace width=\"0.17em\"/><mtext>m</mtext>"), "{html}");
         assert!(html.contains("<mtext>m/s²</mtext>"), "{html}");
         for text in ["6.9·10¹⁰", "6.9e10"] {
             let html = formula(text);
@@ -424,10 +396,7 @@ mod tests {
     #[test]
     fn prose_lowers_short_symbols_and_keeps_keys() {
         assert_eq!(prose("S_e(T_c1) < 2"), "S<sub>e</sub>(T<sub>c1</sub>) &lt; 2");
-        assert_eq!(
-            prose("`site.api650.zone_factor` and a_b_c"),
-            "<code>site.api650.zone_factor</code> and a_b_c"
-        );
+        assert_eq!(prose("`site.api650.zone_factor` and a_b_c"), "<code>site.api650.zone_factor</code> and a_b_c");
         assert_eq!(prose("`a < S_e` and S_e"), "<code>a &lt; S_e</code> and S<sub>e</sub>");
         assert_eq!(prose("one ` alone"), "one ` alone");
         assert_eq!(prose("plain & simple"), "plain &amp; simple");

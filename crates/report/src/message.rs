@@ -160,10 +160,7 @@ fn chosen(selector: &InlineExpression<&'static str>, variants: &[Variant<&'stati
     let key = |variant: &&Variant<&'static str>| match variant.key {
         VariantKey::Identifier { name } | VariantKey::NumberLiteral { value: name } => name == wanted,
     };
-    let variant = variants
-        .iter()
-        .find(key)
-        .or_else(|| variants.iter().find(|v| v.default));
+    let variant = variants.iter().find(key).or_else(|| variants.iter().find(|v| v.default));
     variant.map_or_else(String::new, |variant| set(&variant.value, message))
 }
 

@@ -35,29 +35,18 @@ pub fn look(method: &Method) -> Look {
 impl Look {
     /// Label with the excitation where it is the site's.
     pub fn full_label(&self) -> String {
-        if self.site {
-            format!("{}, site", self.label)
-        } else {
-            self.label.clone()
-        }
+        if self.site { format!("{}, site", self.label) } else { self.label.clone() }
     }
 
     /// Classes of a curve: the site's spectrum draws thinner.
     pub fn line_class(&self) -> String {
-        if self.site {
-            format!("{} site", self.class)
-        } else {
-            self.class.clone()
-        }
+        if self.site { format!("{} site", self.class) } else { self.class.clone() }
     }
 }
 
 /// Names of the factors by which a code divides the forces of an elastic tank, with their symbols.
-const DIVISORS: [(&str, &str); 3] = [
-    ("R_wi", "response modification"),
-    ("R_wc", "response modification"),
-    ("q", "behaviour factor"),
-];
+const DIVISORS: [(&str, &str); 3] =
+    [("R_wi", "response modification"), ("R_wc", "response modification"), ("q", "behaviour factor")];
 
 /// Whether quantities of this dimension are divided by them: not periods, masses and waves.
 pub fn divides(dimension: Dimension) -> bool {

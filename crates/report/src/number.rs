@@ -31,10 +31,7 @@ struct Part {
 impl Part {
     fn of(system: System, dimension: Dimension, largest: f64) -> Part {
         let unit = system.column_unit([largest], dimension);
-        Part {
-            unit,
-            decimals: decimals_for(in_unit(largest, unit), 4),
-        }
+        Part { unit, decimals: decimals_for(in_unit(largest, unit), 4) }
     }
 
     fn text(&self, value: f64) -> String {
@@ -72,9 +69,7 @@ fn symbols(first: &'static str, second: Option<&'static str>) -> &'static str {
         return first;
     };
     PAIRS.with_borrow_mut(|pairs| {
-        *pairs
-            .entry((first, second))
-            .or_insert_with(|| Box::leak(format!("{first} ({second})").into_boxed_str()))
+        *pairs.entry((first, second)).or_insert_with(|| Box::leak(format!("{first} ({second})").into_boxed_str()))
     })
 }
 
@@ -91,20 +86,14 @@ impl Scale {
 
     /// As [`Scale::of`], in the first system alone: for axes.
     pub fn single(dimension: Dimension, values: impl IntoIterator<Item = f64>) -> Scale {
-        Scale {
-            first: Part::of(System::current().first(), dimension, largest(values)),
-            second: None,
-        }
+        Scale { first: Part::of(System::current().first(), dimension, largest(values)), second: None }
     }
 
     /// As [`Scale::single`] for values up to `peak` (SI), in the unit of the largest of `all`.
     pub fn sharing(dimension: Dimension, all: impl IntoIterator<Item = f64>, peak: f64) -> Scale {
         let unit = System::current().first().column_unit(all, dimension);
         let decimals = decimals_for(in_unit(peak, unit), 4);
-        Scale {
-            first: Part { unit, decimals },
-            second: None,
-        }
+        Scale { first: Part { unit, decimals }, second: None }
     }
 
     /// Symbol of the unit, empty for a bare number.
@@ -129,10 +118,7 @@ impl Scale {
 }
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values
-        .into_iter()
-        .filter(|v| v.is_finite())
-        .fold(0.0_f64, |m, v| m.max(v.abs()))
+    values.into_iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()))
 }
 
 /// A computed value (SI) with four significant digits and its unit, `137.0 mm`.
@@ -171,11 +157,7 @@ fn parts_in(system: System, value: f64, dimension: Dimension) -> (String, &'stat
 }
 
 fn joined(number: String, symbol: &str) -> String {
-    if symbol.is_empty() {
-        number
-    } else {
-        format!("{number}{GAP}{symbol}")
-    }
+    if symbol.is_empty() { number } else { format!("{number}{GAP}{symbol}") }
 }
 
 /// `value` with this many significant digits; a power of ten below 10⁻⁴ and from 10⁷.
@@ -261,11 +243,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 /// `value` with as many of `decimals` as it needs (ticks of axes, inputs).
 pub fn plain(value: f64, decimals: usize) -> String {
     let text = fixed(value, decimals);
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').into()
-    } else {
-        text
-    }
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
 fn exponent_of(value: f64, digits: usize) -> i32 {

@@ -38,10 +38,7 @@ fn title(html: &str) -> String {
 
 /// Text of the last heading, without the number of the section.
 fn heading(html: &str) -> Option<String> {
-    let end = ["</h2>", "</h3>", "</h4>"]
-        .iter()
-        .filter_map(|tag| html.rfind(tag))
-        .max()?;
+    let end = ["</h2>", "</h3>", "</h4>"].iter().filter_map(|tag| html.rfind(tag)).max()?;
     let start = html[..end].rfind("<h")?;
     let mut text = &html[start + html[start..].find('>')? + 1..end];
     if let Some(numbered) = text.strip_prefix("<span class=\"no\">") {
@@ -76,10 +73,7 @@ mod tests {
             "<h2><span class=\"no\">4</span> Ground <em>motion</em></h2><caption>{place}</caption><h3>Set</h3><caption>{place} Own</caption>"
         );
         let found = number(&page);
-        assert!(
-            found.contains("Table\u{a0}1.</span> Ground motion</caption>"),
-            "{found}"
-        );
+        assert!(found.contains("Table\u{a0}1.</span> Ground motion</caption>"), "{found}");
         assert!(found.contains("Table\u{a0}2.</span> Own</caption>"), "{found}");
     }
 

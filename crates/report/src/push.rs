@@ -48,11 +48,7 @@ pub fn summary(push: &Push) -> Table {
         let c = &shell.capacity;
         table.row(vec![
             shell_name(shell),
-            format!(
-                "{}{} g",
-                if c.limit { "" } else { "≥ " },
-                significant(c.state.acceleration / push.gravity, 3)
-            ),
+            format!("{}{} g", if c.limit { "" } else { "≥ " }, significant(c.state.acceleration / push.gravity, 3)),
             shear.text(c.state.base_shear),
             moment.text(c.state.base_moment),
             fixed(c.height, 2),
@@ -69,13 +65,8 @@ pub fn summary(push: &Push) -> Table {
 
 /// The base of an unanchored tank along the path of the perfect shell; `None` of an anchored one.
 pub fn base(push: &Push) -> Option<Table> {
-    let states: Vec<(f64, PushBase)> = push
-        .shells
-        .first()?
-        .path
-        .iter()
-        .filter_map(|p| Some((p.acceleration / push.gravity, p.base?)))
-        .collect();
+    let states: Vec<(f64, PushBase)> =
+        push.shells.first()?.path.iter().filter_map(|p| Some((p.acceleration / push.gravity, p.base?))).collect();
     if states.is_empty() {
         return None;
     }
@@ -156,9 +147,7 @@ pub fn limits(push: &Push) -> Table {
         table.row(vec![
             limit.name.clone(),
             limit.source.clone(),
-            limit.acceleration.map_or(words::BEYOND.into(), |a| {
-                format!("{} g", significant(a / push.gravity, 3))
-            }),
+            limit.acceleration.map_or(words::BEYOND.into(), |a| format!("{} g", significant(a / push.gravity, 3))),
             limit.course.to_string(),
             stress.text(limit.stress),
         ]);
@@ -217,18 +206,11 @@ fn path_figure(
     let points = || push.shells.iter().flat_map(|s| &s.path);
     let g = push.gravity;
     let x = Axis::linear(title, dimension, zero_and(points().map(value)), 5);
-    let y = Axis::linear(
-        "acceleration [g]",
-        Dimension::Dimensionless,
-        zero_and(points().map(|p| p.acceleration / g)),
-        6,
-    );
+    let y =
+        Axis::linear("acceleration [g]", Dimension::Dimensionless, zero_and(points().map(|p| p.acceleration / g)), 6);
     let mut chart = Chart::new((HALF, 0.0), x, y);
-    let mut table = Table::new(vec![
-        Column::words("Shell"),
-        Column::numbers("Acceleration", "g"),
-        Column::words(title),
-    ]);
+    let mut table =
+        Table::new(vec![Column::words("Shell"), Column::numbers("Acceleration", "g"), Column::words(title)]);
     for (shell, class) in push.shells.iter().zip(CLASSES.iter().cycle()) {
         chart.lines.push(Line {
             points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
@@ -244,11 +226,7 @@ fn path_figure(
         });
         for i in spread(shell.path.len(), 12) {
             let p = &shell.path[i];
-            table.row(vec![
-                shell_name(shell),
-                significant(p.acceleration / g, 4),
-                with_unit(value(p), dimension),
-            ]);
+            table.row(vec![shell_name(shell), significant(p.acceleration / g, 4), with_unit(value(p), dimension)]);
         }
     }
     let chart = chart.with_plot_height(190.0);
@@ -267,39 +245,18 @@ fn path_figure(
 /// Deformed meridians of one shell near the base.
 fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figure, Error> {
     // Four times the lowest course, or the whole wall.
-    let top = shell
-        .meridians
-        .first()
-        .map_or(0.0, |m| m.z.last().copied().unwrap_or(0.0));
+    let top = shell.meridians.first().map_or(0.0, |m| m.z.last().copied().unwrap_or(0.0));
     let part = (6.0 * shell.capacity.height).max(0.15 * top).min(top);
     let below = |z: f64| z <= part * (1.0 + 1e-9);
-    let shown = || {
-        shell
-            .meridians
-            .iter()
-            .flat_map(|m| m.z.iter().zip(&m.w).filter(|(z, _)| below(**z)))
-    };
-    let x = Axis::linear(
-        "radial displacement",
-        Dimension::Length,
-        zero_and(shown().map(|(_, w)| *w)),
-        5,
-    );
+    let shown = || shell.meridians.iter().flat_map(|m| m.z.iter().zip(&m.w).filter(|(z, _)| below(**z)));
+    let x = Axis::linear("radial displacement", Dimension::Length, zero_and(shown().map(|(_, w)| *w)), 5);
     let y = Axis::exact("height", Dimension::Length, (0.0, part), 6);
     let mut chart = Chart::new((HALF, 0.0), x, y);
-    let mut table = Table::new(vec![
-        Column::words("State"),
-        Column::words("Height"),
-        Column::words("Radial displacement"),
-    ]);
+    let mut table =
+        Table::new(vec![Column::words("State"), Column::words("Height"), Column::words("Radial displacement")]);
     for (meridian, class) in shell.meridians.iter().zip(["k-static", "k-fe", "k-s2"]) {
-        let points: Vec<(f64, f64)> = meridian
-            .z
-            .iter()
-            .zip(&meridian.w)
-            .filter(|(z, _)| below(**z))
-            .map(|(z, w)| (*w, *z))
-            .collect();
+        let points: Vec<(f64, f64)> =
+            meridian.z.iter().zip(&meridian.w).filter(|(z, _)| below(**z)).map(|(z, w)| (*w, *z)).collect();
         for i in spread(points.len(), 15) {
             table.row(vec![
                 meridian.title.clone(),
@@ -310,11 +267,7 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
         chart.lines.push(Line {
             points,
             class: class.into(),
-            label: format!(
-                "{}, {} g",
-                meridian.title,
-                significant(meridian.acceleration / push.gravity, 3)
-            ),
+            label: format!("{}, {} g", meridian.title, significant(meridian.acceleration / push.gravity, 3)),
         });
     }
     let chart = chart.with_plot_height(240.0);
@@ -333,9 +286,7 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
 fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     let mut out = vec![
         path_figure(push, "push_bulge", words::BULGE, Dimension::Length, |p| p.bulge)?,
-        path_figure(push, "push_compression", words::COMPRESSION, Dimension::Stress, |p| {
-            p.compression
-        })?,
+        path_figure(push, "push_compression", words::COMPRESSION, Dimension::Stress, |p| p.compression)?,
     ];
     for (number, shell) in push.shells.iter().enumerate() {
         out.push(meridian_figure(push, number, shell)?);

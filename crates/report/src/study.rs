@@ -52,11 +52,7 @@ struct Builder {
 
 impl Builder {
     fn section(&mut self, (id, title): (&'static str, &'static str)) {
-        self.sections.push(SectionView {
-            id,
-            title,
-            blocks: Vec::new(),
-        });
+        self.sections.push(SectionView { id, title, blocks: Vec::new() });
     }
 
     fn add(&mut self, block: Block) {
@@ -66,25 +62,16 @@ impl Builder {
     }
 
     fn heading(&mut self, heading: &str) {
-        self.add(Block {
-            heading: heading.into(),
-            ..Block::default()
-        });
+        self.add(Block { heading: heading.into(), ..Block::default() });
     }
 
     fn text(&mut self, text: impl Into<String>) {
-        self.add(Block {
-            text: text.into(),
-            ..Block::default()
-        });
+        self.add(Block { text: text.into(), ..Block::default() });
     }
 
     fn items(&mut self, items: Vec<String>) {
         if !items.is_empty() {
-            self.add(Block {
-                items,
-                ..Block::default()
-            });
+            self.add(Block { items, ..Block::default() });
         }
     }
 
@@ -93,10 +80,7 @@ impl Builder {
             let short = |row: &Vec<String>| row.first().is_some_and(|name| name.chars().count() <= SHORT);
             self.add(Block {
                 names: table.rows.iter().all(short),
-                table: Some(Table {
-                    caption: caption.into(),
-                    ..table
-                }),
+                table: Some(Table { caption: caption.into(), ..table }),
                 ..Block::default()
             });
         }
@@ -104,10 +88,7 @@ impl Builder {
 
     fn figures(&mut self, figures: Vec<Figure>) {
         if !figures.is_empty() {
-            self.add(Block {
-                figures: figures.iter().map(FigureView::of).collect(),
-                ..Block::default()
-            });
+            self.add(Block { figures: figures.iter().map(FigureView::of).collect(), ..Block::default() });
             self.figures.extend(figures);
         }
     }
@@ -144,10 +125,7 @@ pub fn report(study: &Study) -> Result<Report, Error> {
             project: frame::document(project),
             signatures: frame::signatures(project),
             verdict: verdict(study),
-            warnings: words::warnings(study)
-                .iter()
-                .map(|warning| warning.to_string())
-                .collect(),
+            warnings: words::warnings(study).iter().map(|warning| warning.to_string()).collect(),
             facts: facts(study),
             sketch: Vec::new(),
         }
@@ -162,18 +140,9 @@ pub fn report(study: &Study) -> Result<Report, Error> {
             html: templates.render("study.html", &context)?,
         });
     }
-    let html = Page {
-        name: &study.name,
-        running: words::RUNNING,
-        project,
-        parts: &parts,
-        css: &css,
-    }
-    .html(&templates)?;
-    let drawn = page
-        .figures
-        .iter()
-        .map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
+    let html =
+        Page { name: &study.name, running: words::RUNNING, project, parts: &parts, css: &css }.html(&templates)?;
+    let drawn = page.figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
     Ok(Report::new(&html, drawn.collect()))
 }
 
@@ -188,12 +157,7 @@ fn verdict(study: &Study) -> Verdict {
     } else {
         ("open", "?")
     };
-    Verdict {
-        class,
-        sign,
-        headline: words::headline(study),
-        lines: words::governing(study),
-    }
+    Verdict { class, sign, headline: words::headline(study), lines: words::governing(study) }
 }
 
 fn facts(study: &Study) -> Vec<Pair> {

@@ -69,10 +69,7 @@ pub fn of(project: Option<&Project>) -> Scope {
     let wish = WISH.get();
     let language = wish.language.or(project.and_then(|p| p.language)).unwrap_or_default();
     let units = self::units(project);
-    Scope {
-        language: LANGUAGE.replace(language),
-        _units: units::Scope::of(units),
-    }
+    Scope { language: LANGUAGE.replace(language), _units: units::Scope::of(units) }
 }
 
 /// The language of the page under construction.

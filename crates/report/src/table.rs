@@ -30,29 +30,19 @@ pub struct Column {
 impl Column {
     /// A column of words.
     pub fn words(title: &str) -> Column {
-        Column {
-            title: title.into(),
-            ..Column::default()
-        }
+        Column { title: title.into(), ..Column::default() }
     }
 
     /// A column of numbers with their unit.
     pub fn numbers(title: &str, unit: &str) -> Column {
-        Column {
-            title: title.into(),
-            unit: unit.into(),
-            numeric: true,
-        }
+        Column { title: title.into(), unit: unit.into(), numeric: true }
     }
 }
 
 impl Table {
     /// An empty table with these columns.
     pub fn new(columns: Vec<Column>) -> Table {
-        Table {
-            columns,
-            ..Table::default()
-        }
+        Table { columns, ..Table::default() }
     }
 
     /// Appends a row.
@@ -92,12 +82,7 @@ impl Table {
             let Some(unit) = si(written) else {
                 continue;
             };
-            let values = || {
-                self.rows
-                    .iter()
-                    .filter_map(|r| value(r.get(c)?))
-                    .map(|v| v * unit.factor())
-            };
+            let values = || self.rows.iter().filter_map(|r| value(r.get(c)?)).map(|v| v * unit.factor());
             let to = System::Us.column_unit(values(), unit.dimension);
             for row in &mut out.rows {
                 if let Some(cell) = row.get_mut(c) {
@@ -117,11 +102,7 @@ impl Table {
                     continue;
                 };
                 let numeric = |c: usize| self.columns.get(c).is_some_and(|c| c.numeric && c.unit.is_empty());
-                let values = row
-                    .iter()
-                    .enumerate()
-                    .filter(|(c, _)| numeric(*c))
-                    .filter_map(|(_, v)| value(v));
+                let values = row.iter().enumerate().filter(|(c, _)| numeric(*c)).filter_map(|(_, v)| value(v));
                 let to = System::Us.column_unit(values.map(|v| v * unit.factor()), unit.dimension);
                 for (c, cell) in row.iter_mut().enumerate() {
                     if numeric(c) {
@@ -214,11 +195,8 @@ mod tests {
     /// 1 ft = 0.3048 m, 1 in = 25.4 mm.
     #[test]
     fn written_units_follow_the_system() {
-        let mut table = Table::new(vec![
-            Column::numbers("z", "m"),
-            Column::numbers("w", "mm"),
-            Column::numbers("n", ""),
-        ]);
+        let mut table =
+            Table::new(vec![Column::numbers("z", "m"), Column::numbers("w", "mm"), Column::numbers("n", "")]);
         table.row(vec!["3.048".into(), "25.40".into(), "7".into()]);
         table.row(vec!["0.000".into(), "–".into(), "8".into()]);
         let us = table.converted(System::Us);
@@ -230,24 +208,14 @@ mod tests {
         let mut named = Table::new(vec![Column::words("z [m]")]);
         named.row(vec!["3.048".into()]);
         let us = named.converted(System::Us);
-        assert_eq!(
-            (us.columns[0].title.as_str(), us.rows[0][0].as_str()),
-            ("z [ft]", "10.000")
-        );
+        assert_eq!((us.columns[0].title.as_str(), us.rows[0][0].as_str()), ("z [ft]", "10.000"));
     }
 
     #[test]
     fn rows_with_their_own_units() {
-        let mut table = Table::new(vec![
-            Column::words("Measure"),
-            Column::words("Unit"),
-            Column::numbers("a", ""),
-        ]);
+        let mut table = Table::new(vec![Column::words("Measure"), Column::words("Unit"), Column::numbers("a", "")]);
         table.row(vec!["x".into(), "m/s²".into(), "3.048".into()]);
         table.row(vec!["x".into(), "g".into(), "0.5".into()]);
-        assert_eq!(
-            table.converted(System::Us).rows,
-            [["x", "ft/s²", "10.000"], ["x", "g", "0.5"]]
-        );
+        assert_eq!(table.converted(System::Us).rows, [["x", "ft/s²", "10.000"], ["x", "g", "0.5"]]);
     }
 }

@@ -43,20 +43,15 @@ impl Templates {
     ///
     /// Errors: a folder without any template of a known name, an unreadable file, a template that does not parse.
     pub fn new(folder: Option<&Path>) -> Result<Templates, Error> {
-        let mut sources: BTreeMap<String, String> = embedded()
-            .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
-            .collect();
+        let mut sources: BTreeMap<String, String> =
+            embedded().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
         if let Some(folder) = folder {
             replace(&mut sources, folder)?;
         }
         let mut tera = Tera::new();
         tera.autoescape_on([".html"]);
-        tera.register_filter("css_text", |text: &str, _: tera::Kwargs, _: &tera::State| {
-            css_text(text)
-        });
-        tera.register_filter("prose", |text: &str, _: tera::Kwargs, _: &tera::State| {
-            math::prose(text)
-        });
+        tera.register_filter("css_text", |text: &str, _: tera::Kwargs, _: &tera::State| css_text(text));
+        tera.register_filter("prose", |text: &str, _: tera::Kwargs, _: &tera::State| math::prose(text));
         tera.register_filter("code", |text: &str, _: tera::Kwargs, _: &tera::State| code(text));
         let pages = sources.iter().filter(|(name, _)| name.ends_with(".html"));
         tera.add_raw_templates(pages.map(|(name, text)| (name.as_str(), text.as_str())))
@@ -75,9 +70,7 @@ impl Templates {
 
     /// Renders a template.
     pub fn render(&self, name: &str, context: &Context) -> Result<String, Error> {
-        self.tera
-            .render(name, context)
-            .map_err(|e| Error::Report(format!("template {name}: {e}")))
+        self.tera.render(name, context).map_err(|e| Error::Report(format!("template {name}: {e}")))
     }
 
     /// The template of a section: its own one, else that of all parts.
@@ -171,14 +164,8 @@ mod tests {
     fn a_folder_without_templates_is_refused() {
         let folder = std::env::temp_dir().join(format!("tankcheck-no-templates-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
-        let fault = Templates::new(Some(&folder))
-            .err()
-            .map(|e| e.to_string())
-            .unwrap_or_default();
+        let fault = Templates::new(Some(&folder)).err().map(|e| e.to_string()).unwrap_or_default();
         std::fs::remove_dir(&folder).unwrap();
-        assert!(
-            fault.contains("holds no template") && fault.contains("report.html"),
-            "{fault}"
-        );
+        assert!(fault.contains("holds no template") && fault.contains("report.html"), "{fault}");
     }
 }

@@ -76,9 +76,7 @@ pub fn quantity(quantity: Quantity) -> &'static str {
 /// First letter in upper case.
 pub fn capital(text: &str) -> String {
     let mut chars = text.chars();
-    chars
-        .next()
-        .map_or(String::new(), |c| c.to_uppercase().collect::<String>() + chars.as_str())
+    chars.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + chars.as_str())
 }
 
 /// A limit state or check by its id, in words.

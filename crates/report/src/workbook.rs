@@ -57,14 +57,10 @@ enum Cell<'a> {
 
 impl Page<'_> {
     fn head(&mut self, heads: &[&str], frozen: u16) -> Result<(), XlsxError> {
-        let format = Format::new()
-            .set_bold()
-            .set_text_wrap()
-            .set_align(FormatAlign::Top)
-            .set_border_bottom(FormatBorder::Thin);
+        let format =
+            Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top).set_border_bottom(FormatBorder::Thin);
         for (column, head) in (0..).zip(heads) {
-            self.sheet
-                .write_string_with_format(self.row, column, shown(head), &format)?;
+            self.sheet.write_string_with_format(self.row, column, shown(head), &format)?;
         }
         self.row += 1;
         self.sheet.set_freeze_panes(self.row, frozen)?;
@@ -131,11 +127,7 @@ fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // A fixed date: the time of a run is in the overview.
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
-    book.set_properties(
-        &DocProperties::new()
-            .set_title(shown(&results.name))
-            .set_creation_datetime(&created),
-    );
+    book.set_properties(&DocProperties::new().set_title(shown(&results.name)).set_creation_datetime(&created));
     let mut names = Vec::new();
     overview(&mut page(&mut book, words::sheets::OVERVIEW, &mut names)?, results)?;
     quantities(&mut page(&mut book, words::sheets::QUANTITIES, &mut names)?, results)?;
@@ -148,27 +140,14 @@ fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
         profiles(&mut page(&mut book, words::sheets::PROFILES, &mut names)?, results)?;
     }
     if !series.columns.is_empty() {
-        histories(
-            &mut page(&mut book, words::sheets::HISTORIES, &mut names)?,
-            results,
-            series,
-        )?;
+        histories(&mut page(&mut book, words::sheets::HISTORIES, &mut names)?, results, series)?;
     }
     book.save_to_buffer()
 }
 
 /// A new sheet, its name without the signs that spreadsheets refuse and different from all others.
 fn page<'b>(book: &'b mut Workbook, name: &str, names: &mut Vec<String>) -> Result<Page<'b>, XlsxError> {
-    let plain: String = name
-        .chars()
-        .map(|c| {
-            if "[]:*?/\\'".contains(c) || c.is_control() {
-                '_'
-            } else {
-                c
-            }
-        })
-        .collect();
+    let plain: String = name.chars().map(|c| if "[]:*?/\\'".contains(c) || c.is_control() { '_' } else { c }).collect();
     let cut = |extra: &str| -> String {
         let room = LONGEST - extra.len();
         plain.chars().take(room).chain(extra.chars()).collect()
@@ -193,22 +172,13 @@ fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     page.sheet.write_string_with_format(0, 0, shown(&results.name), &bold)?;
     page.row = 2;
     let project = results.project.clone().unwrap_or_default();
-    let given = [
-        project.name,
-        project.client,
-        project.document,
-        project.revision,
-        project.date,
-    ];
+    let given = [project.name, project.client, project.document, project.revision, project.date];
     for (label, value) in all_words::summary::COVER.into_iter().zip(&given) {
         if let Some(value) = value {
             page.cells([Some(Cell::Text(label)), Some(Cell::Text(value))])?;
         }
     }
-    let verdict = [
-        all_words::verdict::headline(&results.verdict),
-        all_words::verdict::deciding(&results.verdict),
-    ];
+    let verdict = [all_words::verdict::headline(&results.verdict), all_words::verdict::deciding(&results.verdict)];
     for (label, text) in words::VERDICT.into_iter().zip(&verdict) {
         page.cells([Some(Cell::Text(label)), Some(Cell::Text(text))])?;
     }
@@ -230,26 +200,16 @@ fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
 }
 
 fn quantities(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
-    let titles: Vec<String> = results
-        .methods
-        .iter()
-        .map(|m| format!("{}, {}", look(m).label, excitation(m)))
-        .collect();
+    let titles: Vec<String> = results.methods.iter().map(|m| format!("{}, {}", look(m).label, excitation(m))).collect();
     page.widths(&[38.0, 9.0])?;
     for column in 0..titles.len() {
         page.sheet.set_column_width((column + 2) as u16, 13.0)?;
     }
-    let heads: Vec<&str> = words::QUANTITIES
-        .into_iter()
-        .chain(titles.iter().map(String::as_str))
-        .collect();
+    let heads: Vec<&str> = words::QUANTITIES.into_iter().chain(titles.iter().map(String::as_str)).collect();
     page.head(&heads, 2)?;
     for row in &results.comparison.rows {
         let scale = Scale::single(row.dimension, row.cells.iter().flatten().map(|c| c.value));
-        let values = row
-            .cells
-            .iter()
-            .map(|cell| cell.map(|c| Cell::Number(scale.convert(c.value))));
+        let values = row.cells.iter().map(|cell| cell.map(|c| Cell::Number(scale.convert(c.value))));
         let lead = [Some(Cell::Text(&row.title)), Some(Cell::Text(scale.symbol()))];
         page.cells(lead.into_iter().chain(values))?;
     }
@@ -259,11 +219,8 @@ fn quantities(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
 fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     page.widths(&[34.0, 10.0, 8.0, 40.0, 28.0, 11.0, 11.0, 8.0, 11.0, 14.0])?;
     page.head(&words::CHECKS, 0)?;
-    let rows: Vec<(&Method, &Check)> = results
-        .methods
-        .iter()
-        .flat_map(|m| m.checks.iter().map(move |c| (m, c)))
-        .collect();
+    let rows: Vec<(&Method, &Check)> =
+        results.methods.iter().flat_map(|m| m.checks.iter().map(move |c| (m, c))).collect();
     for (method, check) in rows {
         let scale = Scale::single(check.dimension, [check.demand, check.capacity].into_iter().flatten());
         let number = |value: Option<f64>| value.map(|v| Cell::Number(scale.convert(v)));
@@ -343,9 +300,7 @@ fn history(results: &Results, id: &str, values: &[f64]) -> (String, Scale) {
         let prefix = if i == 0 { "" } else { run.engine.prefix() };
         run.histories.iter().map(move |info: &SeriesInfo| (prefix, info))
     });
-    let known = with_prefix
-        .into_iter()
-        .find(|(prefix, info)| id.strip_prefix(prefix) == Some(info.id.as_str()));
+    let known = with_prefix.into_iter().find(|(prefix, info)| id.strip_prefix(prefix) == Some(info.id.as_str()));
     match known {
         Some((prefix, info)) => {
             let engine = prefix.trim_end_matches('_');
@@ -355,20 +310,13 @@ fn history(results: &Results, id: &str, values: &[f64]) -> (String, Scale) {
             };
             (title, Scale::single(info.dimension, values.iter().copied()))
         }
-        None => (
-            id.to_owned(),
-            Scale::single(Dimension::Dimensionless, values.iter().copied()),
-        ),
+        None => (id.to_owned(), Scale::single(Dimension::Dimensionless, values.iter().copied())),
     }
 }
 
 fn histories(page: &mut Page, results: &Results, series: &Series) -> Result<(), XlsxError> {
-    let columns: Vec<(String, Scale)> = series
-        .ids
-        .iter()
-        .zip(&series.columns)
-        .map(|(id, values)| history(results, id, values))
-        .collect();
+    let columns: Vec<(String, Scale)> =
+        series.ids.iter().zip(&series.columns).map(|(id, values)| history(results, id, values)).collect();
     let heads: Vec<String> = columns
         .iter()
         .map(|(title, scale)| match scale.symbol() {
@@ -377,10 +325,7 @@ fn histories(page: &mut Page, results: &Results, series: &Series) -> Result<(), 
         })
         .collect();
     let time = format!("{} [s]", words::TIME);
-    let heads: Vec<&str> = [time.as_str()]
-        .into_iter()
-        .chain(heads.iter().map(String::as_str))
-        .collect();
+    let heads: Vec<&str> = [time.as_str()].into_iter().chain(heads.iter().map(String::as_str)).collect();
     page.head(&heads, 1)?;
     for column in 0..columns.len() {
         page.sheet.set_column_width((column + 1) as u16, 15.0)?;

@@ -18,11 +18,7 @@ fn between(html: &str, open: &str, close: &str) -> Vec<String> {
         .map(|text| {
             let mut out = String::new();
             for (i, piece) in text.split('<').enumerate() {
-                out.push_str(if i == 0 {
-                    piece
-                } else {
-                    piece.split_once('>').map_or("", |(_, rest)| rest)
-                });
+                out.push_str(if i == 0 { piece } else { piece.split_once('>').map_or("", |(_, rest)| rest) });
             }
             out.trim().to_owned()
         })
@@ -37,20 +33,12 @@ fn figures_say_what_they_show_and_tables_differ() {
         let figures = between(&html, "<figcaption>", "</figcaption>");
         for caption in &figures {
             let (number, rest) = caption.split_once(". ").unwrap_or((caption, ""));
-            assert!(
-                number.starts_with("Figure") && rest.trim().len() > 3,
-                "{place}: {caption}"
-            );
+            assert!(number.starts_with("Figure") && rest.trim().len() > 3, "{place}: {caption}");
         }
         let tables = between(&html, "<caption>", "</caption>");
-        let titles: Vec<&str> = (tables.iter())
-            .map(|c| c.split_once(". ").map_or("", |c| c.1))
-            .collect();
+        let titles: Vec<&str> = (tables.iter()).map(|c| c.split_once(". ").map_or("", |c| c.1)).collect();
         let distinct: BTreeSet<&str> = titles.iter().copied().collect();
-        let twice: Vec<&&str> = titles
-            .iter()
-            .filter(|t| titles.iter().filter(|u| u == t).count() > 1)
-            .collect();
+        let twice: Vec<&&str> = titles.iter().filter(|t| titles.iter().filter(|u| u == t).count() > 1).collect();
         assert_eq!(distinct.len(), titles.len(), "{place}: {twice:?}");
     }
 }

@@ -27,10 +27,7 @@ fn show(name: &str, text: &str) {
 
 #[test]
 fn no_english_is_left() {
-    let _wish = style::wish(Wish {
-        language: Some(Language::German),
-        units: None,
-    });
+    let _wish = style::wish(Wish { language: Some(Language::German), units: None });
     let mut missing = BTreeSet::new();
     for name in kept::names() {
         let page = kept::page(&name, Level::Full);
@@ -56,12 +53,7 @@ fn no_english_is_left() {
     missing.retain(|text| !names.contains(text.as_str()));
     let list: Vec<String> = missing.into_iter().collect();
     show("missing.txt", &list.join("\n"));
-    assert!(
-        list.is_empty(),
-        "{} texts without German:\n{}",
-        list.len(),
-        list.join("\n")
-    );
+    assert!(list.is_empty(), "{} texts without German:\n{}", list.len(), list.join("\n"));
 }
 
 /// Texts of a page that have English words, for entries that let a part of a sentence through.
@@ -70,27 +62,17 @@ fn english(html: &str) -> Vec<String> {
         "the", "of", "and", "with", "is", "are", "not", "from", "which", "by", "to", "base", "site", "record", "shell",
         "weight", "wall", "annex", "table", "that", "for", "its", "than",
     ];
-    let has = |line: &&str| {
-        line.split([' ', ',', '.', ';', ':', '(', ')'])
-            .any(|w| words.contains(&w))
-    };
+    let has = |line: &&str| line.split([' ', ',', '.', ';', ':', '(', ')']).any(|w| words.contains(&w));
     let shown = plain(html);
     // Sources and remarks of measured values are those of the tank file.
-    let found = shown
-        .lines()
-        .map(str::trim)
-        .filter(has)
-        .filter(|l| !l.contains("Brüggemann"));
+    let found = shown.lines().map(str::trim).filter(has).filter(|l| !l.contains("Brüggemann"));
     found.map(|line| format!("English: {line}")).collect()
 }
 
 /// Symbols of SI that no number of a US report stands in front of.
 #[test]
 fn us_units_reach_every_number() {
-    let _wish = style::wish(Wish {
-        language: None,
-        units: Some(System::Us),
-    });
+    let _wish = style::wish(Wish { language: None, units: Some(System::Us) });
     let mut all = Vec::new();
     for name in kept::names() {
         let page = kept::page(&name, Level::Full);
@@ -117,9 +99,7 @@ fn us_units_reach_every_number() {
             }
         }
         // Units of several factors of which one was converted.
-        for half in [
-            "kip m", "lbf m", "klb m", "lb m", "kip s/m", "lbf s/m", "kip·m", "lbf·m",
-        ] {
+        for half in ["kip m", "lbf m", "klb m", "lb m", "kip s/m", "lbf s/m", "kip·m", "lbf·m"] {
             left.extend(shown.contains(half).then(|| half.to_owned()));
         }
         all.extend(left.into_iter().map(|text| format!("{name}: {text:?}")));
@@ -160,10 +140,7 @@ fn plain(html: &str) -> String {
 /// In the system of both, each value has its second one, once.
 #[test]
 fn both_systems_side_by_side() {
-    let _wish = style::wish(Wish {
-        language: None,
-        units: Some(System::Both),
-    });
+    let _wish = style::wish(Wish { language: None, units: Some(System::Both) });
     let page = kept::page("05_oil_tank", Level::Standard);
     show("both.html", &page.html);
     let shown = plain(&page.html);

@@ -130,10 +130,7 @@ fn texts(template: &str) -> Vec<String> {
 fn templates_have_no_sentences() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../templates");
     let mut found = Vec::new();
-    for file in sources(&root)
-        .iter()
-        .filter(|f| f.extension().is_some_and(|e| e == "html"))
-    {
+    for file in sources(&root).iter().filter(|f| f.extension().is_some_and(|e| e == "html")) {
         let template = std::fs::read_to_string(file).expect("text");
         let sentences = texts(&template).into_iter().filter(|text| words(text) >= SENTENCE);
         found.extend(sentences.map(|text| format!("{}: {text}", file.display())));

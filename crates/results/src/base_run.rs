@@ -244,10 +244,7 @@ impl BaseSpread {
     /// Largest of the spreads of rotation, toe stress and shear, over the larger value.
     pub fn relative(&self) -> f64 {
         let spread = |[low, high]: [f64; 2]| if high > 0.0 { (high - low) / high } else { 0.0 };
-        [self.base_rotation, self.toe_axial_stress, self.base_shear]
-            .map(spread)
-            .into_iter()
-            .fold(0.0, f64::max)
+        [self.base_rotation, self.toe_axial_stress, self.base_shear].map(spread).into_iter().fold(0.0, f64::max)
     }
 
     /// Whether the runs agree.

@@ -104,10 +104,7 @@ fn by_id(checks: &[Check]) -> BTreeMap<(String, usize), Ending> {
         .map(|check| {
             let count = seen.entry(&check.id).or_default();
             *count += 1;
-            let ending = Ending {
-                status: check.status,
-                utilisation: check.utilisation,
-            };
+            let ending = Ending { status: check.status, utilisation: check.utilisation };
             ((check.id.clone(), *count), ending)
         })
         .collect()
@@ -146,9 +143,7 @@ impl Changes {
             let value = |e: Option<Ending>| e.and_then(|e| e.utilisation).unwrap_or(0.0);
             (value(c.new) - value(c.old)).abs()
         };
-        found
-            .checks
-            .sort_by(|a, b| b.turned().cmp(&a.turned()).then(step(b).total_cmp(&step(a))));
+        found.checks.sort_by(|a, b| b.turned().cmp(&a.turned()).then(step(b).total_cmp(&step(a))));
         found
     }
 
@@ -181,12 +176,7 @@ impl Changes {
                     continue;
                 }
             }
-            self.checks.push(MovedCheck {
-                method: name.into(),
-                id: id.0.clone(),
-                old: one,
-                new: other,
-            });
+            self.checks.push(MovedCheck { method: name.into(), id: id.0.clone(), old: one, new: other });
         }
     }
 

@@ -201,10 +201,7 @@ impl Channel {
         Channel::BaseShear,
         Channel::BaseMoment,
         Channel::OverturningMoment,
-        Channel::Largest {
-            what: OnWall::Hoop,
-            z: 0.0,
-        },
+        Channel::Largest { what: OnWall::Hoop, z: 0.0 },
         Channel::Base(OnWall::Axial),
         Channel::Base(OnWall::Bending),
     ];
@@ -262,22 +259,9 @@ impl Channel {
     pub fn from_id(id: &str) -> Option<Channel> {
         let plain = Channel::plain().find(|channel| channel.id() == id);
         let number = |prefix: &str| id.strip_prefix(prefix)?.parse().ok();
-        let wave = || {
-            Some(Channel::WaveAt {
-                r: number(&format!("{WAVE_HEIGHT}_r_"))?,
-            })
-        };
-        let at = |&what: &OnWall| {
-            Some(Channel::At {
-                what,
-                z: number(&format!("{}_z_", what.id()))?,
-            })
-        };
-        let around = || {
-            Some(Channel::WaveAround {
-                degrees: number(&format!("{WAVE_HEIGHT}{ANGLE}"))?,
-            })
-        };
+        let wave = || Some(Channel::WaveAt { r: number(&format!("{WAVE_HEIGHT}_r_"))? });
+        let at = |&what: &OnWall| Some(Channel::At { what, z: number(&format!("{}_z_", what.id()))? });
+        let around = || Some(Channel::WaveAround { degrees: number(&format!("{WAVE_HEIGHT}{ANGLE}"))? });
         let at_angle = |&what: &OnWall| {
             let (before, degrees) = id.split_once(ANGLE)?;
             let degrees = degrees.parse().ok()?;
@@ -314,9 +298,7 @@ impl Channel {
             ]
         });
         let across = Ground::ALL.map(Channel::GroundY);
-        let on_base = OnBase::ALL
-            .into_iter()
-            .flat_map(|what| [Channel::Y(what), Channel::Resultant(what)]);
+        let on_base = OnBase::ALL.into_iter().flat_map(|what| [Channel::Y(what), Channel::Resultant(what)]);
         let others = [
             Channel::WaveLargest,
             Channel::BaseShear,
@@ -336,12 +318,7 @@ impl Channel {
             Channel::FoundationTranslation,
             Channel::FoundationRotation,
         ];
-        ground
-            .chain(on_wall)
-            .chain(sides)
-            .chain(others)
-            .chain(across)
-            .chain(on_base)
+        ground.chain(on_wall).chain(sides).chain(others).chain(across).chain(on_base)
     }
 
     /// Title.
@@ -361,11 +338,9 @@ impl Channel {
             Channel::BaseShear => "Base shear".into(),
             Channel::BaseMoment => "Moment above the base plate".into(),
             Channel::OverturningMoment => "Moment below the base plate".into(),
-            Channel::Largest { what, z } => format!(
-                "{} at z = {} (largest over the height)",
-                what.title(),
-                display(z, Dimension::Length)
-            ),
+            Channel::Largest { what, z } => {
+                format!("{} at z = {} (largest over the height)", what.title(), display(z, Dimension::Length))
+            }
             Channel::At { what, z } => format!("{} at z = {z} m", what.title()),
             Channel::AtAngle { what, z, degrees } => format!("{} at z = {z} m, θ = {degrees}°", what.title()),
             Channel::BaseAtAngle { what, degrees } => format!("{} at the base, θ = {degrees}°", what.title()),
@@ -423,10 +398,7 @@ impl Channel {
 
     /// Whether it is a wave height.
     pub fn is_wave(self) -> bool {
-        matches!(
-            self,
-            Channel::Wave(_) | Channel::WaveAt { .. } | Channel::WaveAround { .. } | Channel::WaveLargest
-        )
+        matches!(self, Channel::Wave(_) | Channel::WaveAt { .. } | Channel::WaveAround { .. } | Channel::WaveLargest)
     }
 
     /// Its value of the wall, if it is one.

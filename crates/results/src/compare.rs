@@ -37,9 +37,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
     // Under the spectrum of the site its own column of the engine, where there is one: both sides then see the same action.
     let fe = |excitation: Excitation| methods.iter().find(|m| m.id == FE && m.excitation == excitation);
     let reference = |m: &Method| match m.excitation {
-        Excitation::Site => fe(Excitation::Site)
-            .filter(|fe| !fe.quantities.is_empty())
-            .or(fe(Excitation::Record)),
+        Excitation::Site => fe(Excitation::Site).filter(|fe| !fe.quantities.is_empty()).or(fe(Excitation::Record)),
         Excitation::Record => fe(Excitation::Record),
     };
     let rows: Vec<ComparisonRow> = Quantity::ALL
@@ -68,13 +66,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
         })
         .collect();
     let differences = attribution::attribute(methods, &rows, context);
-    Comparison {
-        rows,
-        differences,
-        attribution: context.attribution.clone(),
-        published,
-        ..Comparison::default()
-    }
+    Comparison { rows, differences, attribution: context.attribution.clone(), published, ..Comparison::default() }
 }
 
 /// Facts for the attribution of differences, in addition to the methods' values.
@@ -116,10 +108,7 @@ mod tests {
         Method {
             quantities: BTreeMap::from([(
                 "base_shear".to_string(),
-                Value {
-                    value: shear,
-                    dimension: Dimension::Force,
-                },
+                Value { value: shear, dimension: Dimension::Force },
             )]),
             ..Method::new(id, id, Excitation::Record)
         }
@@ -127,11 +116,7 @@ mod tests {
 
     #[test]
     fn ratios_refer_to_the_finite_element_column() {
-        let comparison = compare(
-            &[method("housner", 30.0), method("fe", 40.0)],
-            &Context::default(),
-            vec![],
-        );
+        let comparison = compare(&[method("housner", 30.0), method("fe", 40.0)], &Context::default(), vec![]);
         assert_eq!(comparison.rows.len(), 1);
         assert_eq!(comparison.rows[0].cells[0].and_then(|c| c.ratio), Some(0.75));
         assert_eq!(comparison.rows[0].cells[1].and_then(|c| c.ratio), Some(1.0));
@@ -140,16 +125,8 @@ mod tests {
     /// A code under the site's spectrum is compared with the engine under it, or with the history where there is none.
     #[test]
     fn each_excitation_has_its_reference() {
-        let site = |id: &str, shear: f64| Method {
-            excitation: Excitation::Site,
-            ..method(id, shear)
-        };
-        let both = [
-            method("code", 30.0),
-            site("code", 10.0),
-            method("fe", 40.0),
-            site("fe", 20.0),
-        ];
+        let site = |id: &str, shear: f64| Method { excitation: Excitation::Site, ..method(id, shear) };
+        let both = [method("code", 30.0), site("code", 10.0), method("fe", 40.0), site("fe", 20.0)];
         let ratios = |methods: &[Method]| -> Vec<f64> {
             let row = &compare(methods, &Context::default(), vec![]).rows[0];
             row.cells.iter().filter_map(|c| c.as_ref()?.ratio).collect()
@@ -162,10 +139,7 @@ mod tests {
     /// Results of earlier versions state causes that were guessed; they are read and not shown.
     #[test]
     fn withdrawn_causes_are_read() {
-        for text in [
-            r#"{ "kind": "sloshing-depth" }"#,
-            r#"{ "kind": "rigid-wall", "amplification": 2.3 }"#,
-        ] {
+        for text in [r#"{ "kind": "sloshing-depth" }"#, r#"{ "kind": "rigid-wall", "amplification": 2.3 }"#] {
             let reason: Reason = serde_json::from_str(text).expect("a cause");
             assert_eq!(reason, Reason::Withdrawn);
         }
@@ -178,12 +152,7 @@ mod tests {
         let comparison = compare(&[method("housner", 30.0)], &Context::default(), vec![]);
         assert_eq!(
             comparison.rows[0].cells[0],
-            Some(Cell {
-                value: 30.0,
-                ratio: None,
-                unusable: false,
-                outside: false,
-            })
+            Some(Cell { value: 30.0, ratio: None, unusable: false, outside: false })
         );
     }
 }

@@ -68,10 +68,7 @@ fn named(value: &(impl Serialize + ?Sized), name: impl Fn(&str) -> String) -> Re
     let mut walk = Walk { place: Vec::new() };
     match value.serialize(&mut walk) {
         Ok(()) => Ok(()),
-        Err(Stop::NotFinite(value)) => Err(Error::NotFinite {
-            quantity: name(&walk.path()),
-            value,
-        }),
+        Err(Stop::NotFinite(value)) => Err(Error::NotFinite { quantity: name(&walk.path()), value }),
         Err(Stop::Other(reason)) => Err(Error::Report(reason)),
     }
 }
@@ -225,11 +222,7 @@ impl<'w> Serializer for &'w mut Walk {
 
 impl<'w> Members<'w> {
     fn of(walk: &'w mut Walk) -> Members<'w> {
-        Members {
-            walk,
-            index: 0,
-            key: String::new(),
-        }
+        Members { walk, index: 0, key: String::new() }
     }
 
     fn next(&mut self, value: &(impl Serialize + ?Sized)) -> Result<(), Stop> {
@@ -317,51 +310,29 @@ mod tests {
     fn absent_is_not_nan() {
         assert_eq!(message(&(1.0, None::<f64>, "NaN", [f64::MAX; 3])), "");
         assert_eq!(message(&f64::NAN), "the computation gave NaN for it");
-        assert_eq!(
-            message(&(1, Some(f64::INFINITY))),
-            "the computation gave inf for it, `[1]`"
-        );
-        let map = BTreeMap::from([
-            ("a", vec![(0.0, 1.0)]),
-            ("b", vec![(0.0, 1.0), (0.0, f64::NEG_INFINITY)]),
-        ]);
+        assert_eq!(message(&(1, Some(f64::INFINITY))), "the computation gave inf for it, `[1]`");
+        let map = BTreeMap::from([("a", vec![(0.0, 1.0)]), ("b", vec![(0.0, 1.0), (0.0, f64::NEG_INFINITY)])]);
         assert_eq!(message(&map), "the computation gave -inf for it, `b[1][1]`");
     }
 
     #[test]
     fn every_number_of_a_method_is_looked_at() {
         let method = |value| Method {
-            quantities: BTreeMap::from([(
-                "base_shear".to_string(),
-                Value {
-                    value,
-                    dimension: Dimension::Force,
-                },
-            )]),
+            quantities: BTreeMap::from([("base_shear".to_string(), Value { value, dimension: Dimension::Force })]),
             ..Method::new("housner", "", Excitation::Record)
         };
         assert_eq!(message(&method(1.0)), "");
-        assert_eq!(
-            message(&method(f64::NAN)),
-            "the computation gave NaN for it, `quantities.base_shear.value`"
-        );
+        assert_eq!(message(&method(f64::NAN)), "the computation gave NaN for it, `quantities.base_shear.value`");
     }
 
     #[test]
     fn histories_name_column_and_time() {
-        let mut series = Series {
-            time: vec![0.0, 0.5],
-            ids: vec!["base_shear".into()],
-            columns: vec![vec![0.0, 1.0]],
-        };
+        let mut series = Series { time: vec![0.0, 0.5], ids: vec!["base_shear".into()], columns: vec![vec![0.0, 1.0]] };
         assert!(check_series("fe", &series).is_ok());
         series.columns[0][1] = f64::NAN;
         let error = check_series("fe", &series).unwrap_err();
         assert_eq!(error.exit_code(), files::error::EXIT_COMPUTATION);
         let text = error.to_string();
-        assert!(
-            text.contains("NaN") && text.contains("`base_shear`") && text.contains("at 0.500 s"),
-            "{text}"
-        );
+        assert!(text.contains("NaN") && text.contains("`base_shear`") && text.contains("at 0.500 s"), "{text}");
     }
 }

@@ -179,11 +179,7 @@ pub fn write_ida(path: &Path, ida: &Ida) -> Result<(), Error> {
 /// The runs as a table: head with units, one line a run.
 pub fn ida_csv(ida: &Ida) -> String {
     use std::fmt::Write;
-    let per = if ida.moment == Dimension::LineMoment {
-        "_per_m"
-    } else {
-        ""
-    };
+    let per = if ida.moment == Dimension::LineMoment { "_per_m" } else { "" };
     let mut text = format!(
         "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm{per},first_crack_time_s,\
          first_crack_moment_nm{per},highest_crack_m,largest_crack,plastic_strain,bar_stress_pa,bar_plastic_strain,wall_damping,\
@@ -253,16 +249,8 @@ mod tests {
                 base_moment: 5e4,
                 section_moment: Some(4.9e4),
                 moment_parts: None,
-                first_crack: Some(FirstCrack {
-                    time: 2.5,
-                    height: 0.1,
-                    base_moment: 5.3e4,
-                }),
-                parting: Some(LiquidParting {
-                    time: 3.1,
-                    height: 4.6,
-                    open: false,
-                }),
+                first_crack: Some(FirstCrack { time: 2.5, height: 0.1, base_moment: 5.3e4 }),
+                parting: Some(LiquidParting { time: 3.1, height: 4.6, open: false }),
                 limits: Vec::new(),
                 open_share: None,
                 extremes: Vec::new(),

@@ -39,15 +39,9 @@ pub fn group(modes: &[(f64, f64)]) -> Option<(usize, Vec<usize>)> {
 /// The impulsive mode of a response mode by mode, and its group by ascending frequency.
 pub fn among(modal: &[ModalPart]) -> Option<(&ModalPart, Vec<&ModalPart>)> {
     let structural: Vec<&ModalPart> = modal.iter().filter(|p| p.kind == "structural").collect();
-    let pairs: Vec<(f64, f64)> = structural
-        .iter()
-        .map(|p| (std::f64::consts::TAU / p.period, p.total.shear))
-        .collect();
+    let pairs: Vec<(f64, f64)> = structural.iter().map(|p| (std::f64::consts::TAU / p.period, p.total.shear)).collect();
     let (dominant, members) = group(&pairs)?;
-    Some((
-        structural[dominant],
-        members.into_iter().map(|i| structural[i]).collect(),
-    ))
+    Some((structural[dominant], members.into_iter().map(|i| structural[i]).collect()))
 }
 
 #[cfg(test)]
@@ -62,10 +56,7 @@ mod tests {
             period: std::f64::consts::TAU / omega,
             damping: 0.05,
             wave: 0.0,
-            total: Inertia {
-                shear: mass,
-                ..Inertia::default()
-            },
+            total: Inertia { shear: mass, ..Inertia::default() },
             structure: None,
             stress: None,
         }

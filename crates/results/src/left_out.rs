@@ -56,10 +56,7 @@ pub struct LeftOut {
 impl LeftOut {
     /// The words for a part.
     pub fn of(part: Omittable) -> LeftOut {
-        LeftOut {
-            part,
-            text: part.text().into(),
-        }
+        LeftOut { part, text: part.text().into() }
     }
 
     /// Names of parts in one line.
@@ -75,10 +72,9 @@ impl Results {
             Omittable::MeshError => !run.mesh_error.is_empty(),
             Omittable::Envelopes => !run.envelopes.is_empty(),
             Omittable::Histories => !run.histories.is_empty(),
-            Omittable::Grounds => run
-                .base
-                .as_ref()
-                .is_some_and(|base| !base.band.is_empty() || !base.missed.is_empty()),
+            Omittable::Grounds => {
+                run.base.as_ref().is_some_and(|base| !base.band.is_empty() || !base.missed.is_empty())
+            }
         })
     }
 
@@ -111,13 +107,7 @@ impl Results {
     }
 
     fn forget_errors(&mut self) {
-        let Verdict {
-            counts,
-            governing,
-            missing,
-            record,
-            ..
-        } = &mut self.verdict;
+        let Verdict { counts, governing, missing, record, .. } = &mut self.verdict;
         counts.within_error = 0;
         if let Some(aside) = record.as_mut() {
             aside.counts.within_error = 0;

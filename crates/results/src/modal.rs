@@ -37,10 +37,9 @@ pub struct ModalStress {
 impl ModalStress {
     /// What remains of a total without other parts.
     pub fn without(self, parts: &[ModalStress]) -> ModalStress {
-        parts.iter().fold(self, |rest, part| ModalStress {
-            hoop: rest.hoop - part.hoop,
-            axial: rest.axial - part.axial,
-        })
+        parts
+            .iter()
+            .fold(self, |rest, part| ModalStress { hoop: rest.hoop - part.hoop, axial: rest.axial - part.axial })
     }
 }
 

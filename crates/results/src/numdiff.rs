@@ -34,10 +34,7 @@ impl Default for Options {
     /// 1e-6: the engine's results differ by about 1e-9 between processors (other vector widths, other order of sums),
     /// and no method is accurate to 1e-6.
     fn default() -> Self {
-        Options {
-            rtol: 1e-6,
-            time_tolerance: 0.02,
-        }
+        Options { rtol: 1e-6, time_tolerance: 0.02 }
     }
 }
 
@@ -125,24 +122,13 @@ pub fn values(old: &Value, new: &Value, options: &Options) -> Report {
     let mut peaks = BTreeMap::new();
     collect_peaks(old, &mut String::new(), &mut peaks);
     let mut report = Report::default();
-    walk(
-        old,
-        new,
-        &mut String::new(),
-        &Scale {
-            peaks: &peaks,
-            options: *options,
-        },
-        &mut report,
-    );
+    walk(old, new, &mut String::new(), &Scale { peaks: &peaks, options: *options }, &mut report);
     sort(&mut report);
     report
 }
 
 fn sort(report: &mut Report) {
-    report
-        .moved
-        .sort_by(|a, b| b.change.total_cmp(&a.change).then_with(|| a.path.cmp(&b.path)));
+    report.moved.sort_by(|a, b| b.change.total_cmp(&a.change).then_with(|| a.path.cmp(&b.path)));
 }
 
 struct Scale<'a> {
@@ -226,12 +212,7 @@ fn walk(old: &Value, new: &Value, path: &mut String, scale: &Scale, report: &mut
         }
         (Value::Array(a), Value::Array(b)) => {
             if a.len() != b.len() {
-                push(
-                    report,
-                    path,
-                    &format!("{} entries", a.len()),
-                    &format!("{} entries", b.len()),
-                );
+                push(report, path, &format!("{} entries", a.len()), &format!("{} entries", b.len()));
                 return;
             }
             for (i, (x, y)) in a.iter().zip(b).enumerate() {
@@ -284,23 +265,13 @@ fn number(report: &mut Report, path: &str, (a, b): (f64, f64), allowed: f64, pea
         report.drifted += 1;
         report.largest_drift = report.largest_drift.max(change);
     } else {
-        report.moved.push(Difference {
-            path: path.into(),
-            old: format!("{a}"),
-            new: format!("{b}"),
-            change,
-        });
+        report.moved.push(Difference { path: path.into(), old: format!("{a}"), new: format!("{b}"), change });
     }
 }
 
 fn push(report: &mut Report, path: &str, old: &str, new: &str) {
     report.compared += 1;
-    report.moved.push(Difference {
-        path: path.into(),
-        old: old.into(),
-        new: new.into(),
-        change: f64::INFINITY,
-    });
+    report.moved.push(Difference { path: path.into(), old: old.into(), new: new.into(), change: f64::INFINITY });
 }
 
 /// Whether two texts are equal but for numbers that agree within `rtol` or one unit of their last printed digit.
@@ -359,30 +330,18 @@ fn last_digit(text: &str) -> f64 {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().unwrap_or(0)),
         None => (text, 0),
     };
-    let decimals = mantissa
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len() as i32);
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len() as i32);
     10f64.powi(exponent - decimals)
 }
 
 fn series(old: &results::Series, new: &results::Series, options: &Options, report: &mut Report) {
     let file = results::SERIES_FILE;
     if old.ids != new.ids {
-        push(
-            report,
-            &format!("{file}: columns"),
-            &old.ids.join(","),
-            &new.ids.join(","),
-        );
+        push(report, &format!("{file}: columns"), &old.ids.join(","), &new.ids.join(","));
         return;
     }
     if old.time.len() != new.time.len() {
-        push(
-            report,
-            &format!("{file}: rows"),
-            &old.time.len().to_string(),
-            &new.time.len().to_string(),
-        );
+        push(report, &format!("{file}: rows"), &old.time.len().to_string(), &new.time.len().to_string());
         return;
     }
     let mut column = |id: &str, a: &[f64], b: &[f64]| {
@@ -404,11 +363,7 @@ mod tests {
     use super::*;
 
     fn moved(old: Value, new: Value) -> Vec<String> {
-        values(&old, &new, &Options::default())
-            .moved
-            .into_iter()
-            .map(|d| d.path)
-            .collect()
+        values(&old, &new, &Options::default()).moved.into_iter().map(|d| d.path).collect()
     }
 
     #[test]
@@ -420,33 +375,20 @@ mod tests {
 
     #[test]
     fn volatile_fields_are_skipped() {
-        assert!(
-            moved(
-                json!({"volatile": {"created": "1"}}),
-                json!({"volatile": {"created": "2"}})
-            )
-            .is_empty()
-        );
+        assert!(moved(json!({"volatile": {"created": "1"}}), json!({"volatile": {"created": "2"}})).is_empty());
     }
 
     #[test]
     fn array_entries_are_compared_at_the_scale_of_the_peak() {
         // 1e-5 is 100 % of the small entry but 1e-7 of the peak.
-        let report = values(
-            &json!({"p": [100.0, 0.0]}),
-            &json!({"p": [100.0, 1e-5]}),
-            &Options::default(),
-        );
+        let report = values(&json!({"p": [100.0, 0.0]}), &json!({"p": [100.0, 1e-5]}), &Options::default());
         assert_eq!((report.moved.len(), report.drifted), (0, 1));
         assert_eq!(moved(json!({"p": [100.0, 0.0]}), json!({"p": [100.0, 1e-3]})), ["p[1]"]);
     }
 
     #[test]
     fn scalars_are_compared_at_their_own_scale() {
-        assert_eq!(
-            moved(json!({"a": 1e9, "b": 1.0}), json!({"a": 1e9, "b": 1.00001})),
-            ["b"]
-        );
+        assert_eq!(moved(json!({"a": 1e9, "b": 1.0}), json!({"a": 1e9, "b": 1.00001})), ["b"]);
     }
 
     #[test]

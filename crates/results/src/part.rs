@@ -198,25 +198,15 @@ impl Block {
 
     /// Sentences without facts, `<subject>-<id>`.
     pub fn list(subject: &str, ids: &[&str]) -> Block {
-        Block::List {
-            items: ids.iter().map(|id| Message::new(&format!("{subject}-{id}"))).collect(),
-        }
+        Block::List { items: ids.iter().map(|id| Message::new(&format!("{subject}-{id}"))).collect() }
     }
 }
 
 impl Table {
     /// A table of columns by id, dimension and form.
     pub fn new(id: &str, columns: &[(&str, Dimension, Form)], rows: Vec<Vec<Fact>>) -> Table {
-        let column = |&(id, unit, form): &(&str, Dimension, Form)| Column {
-            id: id.into(),
-            unit,
-            form,
-        };
-        Table {
-            id: id.into(),
-            columns: columns.iter().map(column).collect(),
-            rows,
-        }
+        let column = |&(id, unit, form): &(&str, Dimension, Form)| Column { id: id.into(), unit, form };
+        Table { id: id.into(), columns: columns.iter().map(column).collect(), rows }
     }
 
     /// Energies by id [J], each with its share of the first, the input.

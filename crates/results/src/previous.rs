@@ -34,9 +34,7 @@ pub(crate) fn convert(mut results: Value) -> Value {
     }
     parts::standing(map);
     let tank = map.get("tank").cloned().unwrap_or_default();
-    let height = serde_json::from_value::<super::TankSummary>(tank)
-        .ok()
-        .map(|found| found.tank.wall_height());
+    let height = serde_json::from_value::<super::TankSummary>(tank).ok().map(|found| found.tank.wall_height());
     let runs = map.get_mut("runs").and_then(Value::as_array_mut);
     let runs = runs.into_iter().flatten().filter_map(Value::as_object_mut);
     runs.for_each(|run| parts::collect(run, height));
@@ -144,9 +142,7 @@ mod tests {
         });
         let new = convert(json!({ "format": FORMATS[2], "runs": [{ "tilt": tilt, "transfer": transfer }] }));
         let parts: Vec<crate::Part> = serde_json::from_value(new["runs"][0]["parts"].clone()).unwrap();
-        let [transfer, tilt] = &parts[..] else {
-            panic!("{parts:?}")
-        };
+        let [transfer, tilt] = &parts[..] else { panic!("{parts:?}") };
         assert_eq!(transfer.cell("peaks", "base_shear", "static"), Some(-2.0));
         assert_eq!(transfer.cell("peaks", "base_shear", "amplification"), Some(4.0));
         assert_eq!(transfer.cell("modes", "sloshing", "frequency"), Some(0.6));

@@ -199,11 +199,8 @@ impl PushBase {
 impl PushJoint {
     /// The joint along the path of `shell`; `None` of a tank without a lifting base.
     pub fn of(shell: &PushShell, limit: f64, source: &str) -> Option<PushJoint> {
-        let states: Vec<(f64, f64)> = shell
-            .path
-            .iter()
-            .filter_map(|p| Some((p.acceleration, p.base?.joint_rotation())))
-            .collect();
+        let states: Vec<(f64, f64)> =
+            shell.path.iter().filter_map(|p| Some((p.acceleration, p.base?.joint_rotation()))).collect();
         states.first()?;
         Some(PushJoint {
             source: source.into(),

@@ -74,18 +74,11 @@ impl Standing {
         let moments = self.moments(methods);
         let governing = moments.iter().find(|(method, _)| method.id == self.method);
         let label = governing.map_or(self.method.as_str(), |(method, _)| method.label.as_str());
-        let id = if self.weight.is_some() {
-            "standing-with-weight"
-        } else {
-            "standing-moment"
-        };
+        let id = if self.weight.is_some() { "standing-with-weight" } else { "standing-moment" };
         let about = Message::new(id)
             .with("moment", Amount::new(self.moment, Dimension::Moment))
             .with("method", Message::verbatim(label))
-            .with(
-                "weight",
-                self.weight.map(|weight| Amount::new(weight, Dimension::LineForce)),
-            );
+            .with("weight", self.weight.map(|weight| Amount::new(weight, Dimension::LineForce)));
         let plate = self.plate.iter().flat_map(|plate| [plate.lifted(), plate.pressed()]);
         let first = [
             Block::Text(Message::new("standing-about")),
@@ -93,10 +86,7 @@ impl Standing {
             Block::Table(self.table()),
             Block::Chart(self.turning(&moments)),
         ];
-        Part {
-            id: "standing".into(),
-            blocks: first.into_iter().chain(plate.map(Block::Chart)).collect(),
-        }
+        Part { id: "standing".into(), blocks: first.into_iter().chain(plate.map(Block::Chart)).collect() }
     }
 
     /// The procedures with a moment, under the excitation of the largest.
@@ -105,9 +95,7 @@ impl Standing {
         let largest = |m: &&Method| m.id == self.method && value(m) == Some(self.moment);
         let excitation = methods.iter().find(largest).map(|m| m.excitation);
         let clauses = |m: &Method| m.steps.iter().any(|s| !s.clause.is_empty());
-        let procedures = methods
-            .iter()
-            .filter(|m| Some(m.excitation) == excitation && clauses(m));
+        let procedures = methods.iter().filter(|m| Some(m.excitation) == excitation && clauses(m));
         procedures.filter_map(|m| Some((m, value(m)?))).collect()
     }
 
@@ -127,14 +115,9 @@ impl Standing {
                 false => Message::new("standing-information").with("ground", modulus).into(),
             };
             let values = match &ground.values {
-                Some(v) => [
-                    v.rotation,
-                    v.uplift,
-                    v.lifted_width,
-                    v.plastic_rotation,
-                    v.toe_axial_stress,
-                ]
-                .map(Fact::from),
+                Some(v) => {
+                    [v.rotation, v.uplift, v.lifted_width, v.plastic_rotation, v.toe_axial_stress].map(Fact::from)
+                }
                 None => ["not-held"; 5].map(Fact::from),
             };
             std::iter::once(name).chain(values).collect()
@@ -152,11 +135,7 @@ impl Standing {
         });
         let codes = moments.iter().map(|(method, moment)| {
             let look = Look::Method(method.figure_key.clone());
-            Line::new(
-                Message::verbatim(&method.label),
-                look,
-                vec![[0.0, *moment], [end, *moment]],
-            )
+            Line::new(Message::verbatim(&method.label), look, vec![[0.0, *moment], [end, *moment]])
         });
         // Between the first three, k/3, k and 3k.
         let area = match self.grounds.as_slice() {
@@ -187,10 +166,7 @@ impl StandingPlate {
             let label = (i == 0).then_some("yielded");
             Line::new(label, Look::Yielded, points.iter().filter(inside).copied().collect())
         });
-        let first = [
-            Line::new("level", Look::Level, level),
-            Line::new("plate", Look::Main, points.clone()),
-        ];
+        let first = [Line::new("level", Look::Level, level), Line::new("plate", Look::Main, points.clone())];
         let modulus = Amount::new(self.modulus, Dimension::Subgrade);
         let x = Axis::new("distance", Dimension::Length, Scale::Zero);
         let y = Axis::new("deflection", Dimension::Length, Scale::Zero);

@@ -28,12 +28,8 @@ pub const FIGURES_FOLDER: &str = "figures";
 pub const OUTPUT: [&str; 5] = [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, REPORT_FILE, FIGURES_FOLDER];
 
 /// Results of a verification.
-pub const COMPARE: Kind = Kind {
-    id: "compare",
-    option: "--out",
-    names: |name| OUTPUT.contains(&name),
-    keeps: |_| false,
-};
+pub const COMPARE: Kind =
+    Kind { id: "compare", option: "--out", names: |name| OUTPUT.contains(&name), keeps: |_| false };
 
 /// Other forms of a report that may stand next to it: for print, for a text processor, for a spreadsheet.
 pub const FORMS: [&str; 3] = ["report.pdf", "report.docx", "report.xlsx"];
@@ -51,11 +47,7 @@ pub const COMPARE_REPORT: Kind = Kind {
 /// Errors: missing or unreadable file, text that is not JSON, another format version.
 pub fn read(folder: &Path) -> Result<Results, Error> {
     let path = folder.join(RESULTS_FILE);
-    let fault = |what: String| Error::File {
-        code: Code::NotResults,
-        path: path.clone(),
-        what,
-    };
+    let fault = |what: String| Error::File { code: Code::NotResults, path: path.clone(), what };
     let _reading = settle(folder);
     if !folder.is_dir() {
         return Err(Error::File {
@@ -90,10 +82,9 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             let value = serde_json::from_str(&text).map_err(no_results)?;
             serde_json::from_value(previous::convert(value)).map_err(no_results)
         }
-        other => Err(fault(format!(
-            "format `{other}`, this version reads `{FORMAT}`, `{}`",
-            previous::FORMATS.join("`, `")
-        ))),
+        other => {
+            Err(fault(format!("format `{other}`, this version reads `{FORMAT}`, `{}`", previous::FORMATS.join("`, `"))))
+        }
     }
 }
 
@@ -103,33 +94,22 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
     if !path.exists() {
         return Ok(Series::default());
     }
-    let fault = |what: String| Error::File {
-        code: Code::NotResults,
-        path: path.clone(),
-        what,
-    };
+    let fault = |what: String| Error::File { code: Code::NotResults, path: path.clone(), what };
     let bytes = files::read(&path).map_err(|e| fault(e.to_string()))?;
     // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
     let mut reader = csv::ReaderBuilder::new().quoting(false).from_reader(bytes.as_slice());
     let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
     if header.get(0) != Some("time_s") {
-        return Err(fault(format!(
-            "first column is `{}`, expected `time_s`",
-            header.get(0).unwrap_or("")
-        )));
+        return Err(fault(format!("first column is `{}`, expected `time_s`", header.get(0).unwrap_or(""))));
     }
-    let mut series = Series {
-        ids: header.iter().skip(1).map(|head| id_of(head).to_owned()).collect(),
-        ..Series::default()
-    };
+    let mut series =
+        Series { ids: header.iter().skip(1).map(|head| id_of(head).to_owned()).collect(), ..Series::default() };
     series.columns = vec![Vec::new(); series.ids.len()];
     for row in reader.records() {
         let row = row.map_err(|e| fault(e.to_string()))?;
         let line = row.position().map_or(0, |p| p.line());
-        let number = |text: &str| {
-            text.parse::<f64>()
-                .map_err(|_| fault(format!("line {line}: `{text}` is not a number")))
-        };
+        let number =
+            |text: &str| text.parse::<f64>().map_err(|_| fault(format!("line {line}: `{text}` is not a number")));
         series.time.push(number(row.get(0).unwrap_or(""))?);
         for (column, text) in series.columns.iter_mut().zip(row.iter().skip(1)) {
             column.push(number(text)?);
@@ -154,10 +134,7 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     if series.time.is_empty() {
         return Ok(());
     }
-    put(
-        &folder.join(SERIES_FILE),
-        series_csv(series, &units(results)).as_bytes(),
-    )
+    put(&folder.join(SERIES_FILE), series_csv(series, &units(results)).as_bytes())
 }
 
 /// Symbols of the units of the columns by id, of all runs and of the ground.
@@ -217,11 +194,7 @@ fn series_csv(series: &Series, units: &BTreeMap<String, &'static str>) -> String
 ///
 /// Errors: an unreadable file, text that is not JSON, another format version.
 pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what: &str) -> Result<T, Error> {
-    let fault = |what: String| Error::File {
-        code: Code::NotResults,
-        path: path.into(),
-        what,
-    };
+    let fault = |what: String| Error::File { code: Code::NotResults, path: path.into(), what };
     let text = files::read_text(path).map_err(|e| Error::unreadable(path, &e))?;
     let value: serde_json::Value =
         serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
@@ -237,10 +210,7 @@ pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what
 ///
 /// Errors: [`Error::Unwritten`].
 pub fn put(path: &Path, text: &[u8]) -> Result<(), Error> {
-    std::fs::write(path, text).map_err(|e| Error::Unwritten {
-        path: path.into(),
-        what: describe(&e),
-    })
+    std::fs::write(path, text).map_err(|e| Error::Unwritten { path: path.into(), what: describe(&e) })
 }
 
 /// Writes a JSON document to `path`, whole or not at all; 10 significant digits.
@@ -262,9 +232,8 @@ fn round_numbers(value: &mut serde_json::Value, digits: usize) {
     use serde_json::Value;
     match value {
         Value::Number(number) if number.is_f64() => {
-            if let Some(rounded) = number
-                .as_f64()
-                .and_then(|x| serde_json::Number::from_f64(round_significant(x, digits)))
+            if let Some(rounded) =
+                number.as_f64().and_then(|x| serde_json::Number::from_f64(round_significant(x, digits)))
             {
                 *number = rounded;
             }
@@ -272,11 +241,7 @@ fn round_numbers(value: &mut serde_json::Value, digits: usize) {
         Value::Array(items) => items.iter_mut().for_each(|item| round_numbers(item, digits)),
         Value::Object(map) => {
             for (key, member) in map {
-                let own = if key == "attribution" {
-                    DIGITS_OF_FACTORS
-                } else {
-                    digits
-                };
+                let own = if key == "attribution" { DIGITS_OF_FACTORS } else { digits };
                 round_numbers(member, own);
             }
         }
@@ -300,14 +265,8 @@ mod tests {
     fn heads_have_units_and_old_heads_none() {
         let units = BTreeMap::from([("base_shear".to_owned(), "N"), ("open_share".to_owned(), "")]);
         assert_eq!(head("base_shear", &units), "base_shear [N]");
-        assert_eq!(
-            (head("open_share", &units), head("other", &units)),
-            ("open_share".into(), "other".into())
-        );
-        assert_eq!(
-            (id_of("base_shear [N]"), id_of("base_shear")),
-            ("base_shear", "base_shear")
-        );
+        assert_eq!((head("open_share", &units), head("other", &units)), ("open_share".into(), "other".into()));
+        assert_eq!((id_of("base_shear [N]"), id_of("base_shear")), ("base_shear", "base_shear"));
     }
 
     /// A quotation mark is part of its column's name; the lines after it are still read.
@@ -317,9 +276,6 @@ mod tests {
         std::fs::write(folder.path().join(SERIES_FILE), "time_s,\"a,b\n0,1,2\n0.5,3,4\n").expect("writable");
         let series = read_series(folder.path()).expect("readable");
         assert_eq!(series.ids, ["\"a", "b"]);
-        assert_eq!(
-            (series.time, series.columns),
-            (vec![0.0, 0.5], vec![vec![1.0, 3.0], vec![2.0, 4.0]])
-        );
+        assert_eq!((series.time, series.columns), (vec![0.0, 0.5], vec![vec![1.0, 3.0], vec![2.0, 4.0]]));
     }
 }

@@ -77,19 +77,12 @@ impl Transfer {
         let mut blocks = vec![Block::Note(Message::new("transfer-meaning"))];
         let charts = self.functions.iter().filter_map(|function| self.chart(function));
         blocks.extend(charts.map(Block::Chart));
-        let rows = self
-            .functions
-            .iter()
-            .filter_map(|function| self.peak(function))
-            .collect();
+        let rows = self.functions.iter().filter_map(|function| self.peak(function)).collect();
         blocks.push(Block::Table(Table::new("peaks", &peaks, rows)));
         blocks.push(Block::Note(Message::new("transfer-linear")));
         blocks.push(Block::Series(self.series()));
         blocks.push(Block::Series(Table::new("modes", &of_modes, modes.collect())));
-        Part {
-            id: "transfer".into(),
-            blocks,
-        }
+        Part { id: "transfer".into(), blocks }
     }
 
     /// Amplification by frequency [Hz], point by point.
@@ -115,18 +108,11 @@ impl Transfer {
             FrequencyDamping::Hysteretic => "hysteretic",
         };
         let x = Axis::new("frequency", Dimension::Frequency, Scale::Log);
-        let y = Axis::new(
-            &format!("ratio-{id}"),
-            Dimension::Dimensionless,
-            Scale::Decades(DECADES),
-        );
+        let y = Axis::new(&format!("ratio-{id}"), Dimension::Dimensionless, Scale::Decades(DECADES));
         (!points.is_empty()).then(|| Chart {
             caption: Some(
                 Message::new("transfer-caption")
-                    .with(
-                        "static",
-                        Amount::ratio(function.static_value.abs()).form(Form::Significant(4)),
-                    )
+                    .with("static", Amount::ratio(function.static_value.abs()).form(Form::Significant(4)))
                     .with("unit", function.unit.as_str())
                     .with("damping", damping),
             ),
@@ -153,10 +139,7 @@ impl Transfer {
             heads.push(format!("{}_magnitude_{}", function.id, function.unit));
             heads.push(format!("{}_phase_rad", function.id));
         }
-        let columns: Vec<_> = heads
-            .iter()
-            .map(|head| (head.as_str(), Dimension::Dimensionless, Form::Usual))
-            .collect();
+        let columns: Vec<_> = heads.iter().map(|head| (head.as_str(), Dimension::Dimensionless, Form::Usual)).collect();
         let row = |i: usize| {
             let own = self.functions.iter().flat_map(|f| [f.magnitude[i], f.phase[i]]);
             std::iter::once(self.frequency[i]).chain(own).map(Fact::from).collect()

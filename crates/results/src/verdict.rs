@@ -209,10 +209,7 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
         governing,
         missing: of_status(CheckStatus::NotChecked),
         accepted: of_status(CheckStatus::Accepted),
-        record: (of_record.compared() > 0).then_some(Aside {
-            counts: of_record,
-            governing: worst,
-        }),
+        record: (of_record.compared() > 0).then_some(Aside { counts: of_record, governing: worst }),
         unstated: Vec::new(),
         overruled: Vec::new(),
         deciding,
@@ -222,11 +219,7 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
 }
 
 fn named(method: &Method, check: &Check) -> Governing {
-    Governing {
-        method: method.id.clone(),
-        excitation: method.excitation,
-        check: check.clone(),
-    }
+    Governing { method: method.id.clone(), excitation: method.excitation, check: check.clone() }
 }
 
 /// Number of checks by status, and the one with the largest utilisation.
@@ -259,27 +252,17 @@ mod tests {
     }
 
     fn missing(status: CheckStatus) -> Check {
-        let state = LimitState {
-            id: "sliding",
-            name: "Sliding",
-            clause: String::new(),
-            requirement: Requirement::Required,
-        };
+        let state =
+            LimitState { id: "sliding", name: "Sliding", clause: String::new(), requirement: Requirement::Required };
         Check::without_comparison(&state, status, "no friction", None)
     }
 
     fn method(id: &str, excitation: Excitation, checks: Vec<Check>) -> Method {
-        Method {
-            checks,
-            ..Method::new(id, id, excitation)
-        }
+        Method { checks, ..Method::new(id, id, excitation) }
     }
 
     fn decides(id: &str) -> Vec<Deciding> {
-        vec![Deciding {
-            method: id.into(),
-            excitation: Excitation::Site,
-        }]
+        vec![Deciding { method: id.into(), excitation: Excitation::Site }]
     }
 
     fn status(checks: Vec<Check>, unfinished: bool) -> VerdictStatus {
@@ -294,10 +277,7 @@ mod tests {
         assert_eq!(status(vec![fine(), check("axial", 1.1)], false), VerdictStatus::Fails);
         let gap = missing(CheckStatus::NotChecked);
         assert_eq!(status(vec![fine(), gap.clone()], false), VerdictStatus::Incomplete);
-        assert_eq!(
-            status(vec![check("axial", 1.1), gap.clone()], false),
-            VerdictStatus::Fails
-        );
+        assert_eq!(status(vec![check("axial", 1.1), gap.clone()], false), VerdictStatus::Fails);
         assert_eq!(status(vec![gap], false), VerdictStatus::NotAssessed);
         assert_eq!(status(vec![], false), VerdictStatus::NotAssessed);
         for harmless in [CheckStatus::Accepted, CheckStatus::NotApplicable] {
@@ -324,13 +304,7 @@ mod tests {
         // A table read from a file may say "holds" of a run that stopped.
         let methods = [method("code", Excitation::Site, vec![fine()])];
         let held = verdict(&methods, decides("code"), false, None);
-        assert!(
-            !Verdict {
-                unfinished: true,
-                ..held.clone()
-            }
-            .complete()
-        );
+        assert!(!Verdict { unfinished: true, ..held.clone() }.complete());
         assert!(held.decides(&methods[0]) && !held.decides(&method("code", Excitation::Record, vec![])));
         assert_eq!(held.record, None);
     }
@@ -339,15 +313,9 @@ mod tests {
     #[test]
     fn a_deciding_method_without_checks_leaves_the_verdict_open() {
         let checked = method("code", Excitation::Site, vec![check("hoop", 0.5)]);
-        let engine = Deciding {
-            method: "fe".into(),
-            excitation: Excitation::Record,
-        };
+        let engine = Deciding { method: "fe".into(), excitation: Excitation::Record };
         let deciding = [decides("code"), vec![engine.clone()]].concat();
-        for methods in [
-            vec![checked.clone()],
-            vec![checked, method("fe", Excitation::Record, vec![])],
-        ] {
+        for methods in [vec![checked.clone()], vec![checked, method("fe", Excitation::Record, vec![])]] {
             let found = verdict(&methods, deciding.clone(), false, None);
             assert_eq!(found.status, VerdictStatus::Incomplete);
             assert_eq!(found.silent, std::slice::from_ref(&engine));
@@ -359,11 +327,7 @@ mod tests {
     fn others_stand_aside() {
         let methods = [
             method("code", Excitation::Site, vec![check("hoop", 0.5), check("axial", 0.8)]),
-            method(
-                "code",
-                Excitation::Record,
-                vec![check("hoop", 1.5), check("axial", 0.7)],
-            ),
+            method("code", Excitation::Record, vec![check("hoop", 1.5), check("axial", 0.7)]),
             method("old", Excitation::Site, vec![check("hoop", 9.0)]),
         ];
         let found = verdict(&methods, decides("code"), false, None);
@@ -376,11 +340,7 @@ mod tests {
 
     #[test]
     fn what_was_not_checked_is_listed() {
-        let methods = [method(
-            "code",
-            Excitation::Site,
-            vec![check("hoop", 0.5), missing(CheckStatus::NotChecked)],
-        )];
+        let methods = [method("code", Excitation::Site, vec![check("hoop", 0.5), missing(CheckStatus::NotChecked)])];
         let found = verdict(&methods, decides("code"), false, None);
         assert_eq!(found.missing.len(), 1);
         assert_eq!(found.missing[0].check.reason, "no friction");
@@ -402,11 +362,7 @@ mod tests {
     /// A capacity of zero has no utilisation and governs; of equal ones the first does.
     #[test]
     fn without_a_capacity_a_check_governs() {
-        let methods = [method(
-            "code",
-            Excitation::Site,
-            vec![check("hoop", 0.5), check("axial", 0.5)],
-        )];
+        let methods = [method("code", Excitation::Site, vec![check("hoop", 0.5), check("axial", 0.5)])];
         let found = verdict(&methods, decides("code"), false, None);
         assert_eq!(found.governing.map(|g| g.check.id), Some("hoop".into()));
         let nothing = Check::new("anchors", "anchors", 1.0, 0.0, Dimension::Force, "", "");

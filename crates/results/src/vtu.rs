@@ -24,19 +24,12 @@ const QUAD: u8 = 9;
 const HEXAHEDRON: u8 = 12;
 
 /// The folder of the files.
-pub const FOLDER: Kind = Kind {
-    id: "compare --vtu",
-    option: "--vtu",
-    names: owns,
-    keeps: |_| false,
-};
+pub const FOLDER: Kind = Kind { id: "compare --vtu", option: "--vtu", names: owns, keeps: |_| false };
 
 /// Whether we write files of this name.
 fn owns(name: &str) -> bool {
     let stem = name.strip_suffix(".vtu").unwrap_or("");
-    let number = ["liquid_", "wall_", "bottom_"]
-        .iter()
-        .find_map(|part| stem.strip_prefix(part));
+    let number = ["liquid_", "wall_", "bottom_"].iter().find_map(|part| stem.strip_prefix(part));
     name == COLLECTION || number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
@@ -66,14 +59,7 @@ pub fn write(folder: &Path, snapshots: &Snapshots) -> Result<(), Error> {
 }
 
 fn liquid(snapshots: &Snapshots, state: &Snapshot) -> String {
-    grid(
-        snapshots,
-        state,
-        HEXAHEDRON,
-        &snapshots.liquid,
-        None,
-        &[("pressure [Pa]", state.pressure.clone())],
-    )
+    grid(snapshots, state, HEXAHEDRON, &snapshots.liquid, None, &[("pressure [Pa]", state.pressure.clone())])
 }
 
 fn bottom(snapshots: &Snapshots, state: &Snapshot) -> String {
@@ -146,12 +132,7 @@ fn grid<const N: usize>(
         array("Int64", "connectivity", 1, connectivity.flat_map(i64::to_le_bytes)),
         array("Int64", "offsets", 1, offsets.flat_map(i64::to_le_bytes)),
         array("UInt8", "types", 1, std::iter::repeat_n(kind, cells.len())),
-        array(
-            "Float64",
-            "displacement [m]",
-            3,
-            displacement.flat_map(f64::to_le_bytes)
-        ),
+        array("Float64", "displacement [m]", 3, displacement.flat_map(f64::to_le_bytes)),
         scalar.map_or_else(String::new, |(name, values)| {
             let own = used.iter().flat_map(|&n| values[n].to_le_bytes());
             format!("\n        {}", array("Float64", name, 1, own))

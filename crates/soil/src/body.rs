@@ -112,18 +112,10 @@ pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> 
     let rows = |m: &Mode| [m.translation, m.rotation, 0.0];
     let rate = |m: &Mode| 1.0 / (1.0 + 2.0 * n.a7 * m.damping * m.omega + m.omega * m.omega / n.a0);
     let damper = cones.rocking_dashpot;
-    let c = [
-        [cones.horizontal_dashpot, 0.0, 0.0],
-        [0.0, damper, -damper],
-        [0.0, -damper, damper],
-    ];
+    let c = [[cones.horizontal_dashpot, 0.0, 0.0], [0.0, damper, -damper], [0.0, -damper, damper]];
     let mass = [
         [body.mass + body.slab_mass, body.first_moment, 0.0],
-        [
-            body.first_moment,
-            body.second_moment + body.slab_inertia + cones.trapped_inertia,
-            0.0,
-        ],
+        [body.first_moment, body.second_moment + body.slab_inertia + cones.trapped_inertia, 0.0],
         [0.0, 0.0, cones.internal_inertia],
     ];
     let share = |f: &dyn Fn(&Mode) -> f64| body.modes.iter().map(f).sum::<f64>();
@@ -140,10 +132,7 @@ pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> 
     let mut base = [[0.0; 3]; 3];
     base[0][2] = -ground.first().copied().unwrap_or(0.0);
     let mut modes: Vec<Point> = vec![[0.0; 3]; body.modes.len()];
-    let mut out = History {
-        modes: vec![Vec::new(); modes.len()],
-        ..History::default()
-    };
+    let mut out = History { modes: vec![Vec::new(); modes.len()], ..History::default() };
     out.push(ground.first().copied().unwrap_or(0.0), &base, &modes);
     for pair in ground.windows(2) {
         let mut load = pair[0];
@@ -157,12 +146,7 @@ pub fn march(body: &Body, disc: &Disc, ground: &[f64], h: f64, parts: usize) -> 
             let mut rhs = [0.0; 3];
             for i in 0..3 {
                 rhs[i] = -carried[i][0] * load - k[i] * predicted[i][0] - dot(c[i], predicted.map(|p| p[1]));
-                rhs[i] -= body
-                    .modes
-                    .iter()
-                    .zip(&modes)
-                    .map(|(m, p)| rows(m)[i] * own(m, p))
-                    .sum::<f64>();
+                rhs[i] -= body.modes.iter().zip(&modes).map(|(m, p)| rows(m)[i] * own(m, p)).sum::<f64>();
             }
             let a = solve(system, rhs);
             for (m, p) in body.modes.iter().zip(&mut modes) {

@@ -58,12 +58,7 @@ impl Chain {
             arm: h,
             seed: on.effective(Impedance::Cone)?,
         };
-        let inertia = [
-            on.structure.mass,
-            slab[0],
-            slab[1] + cones.trapped_inertia,
-            cones.internal_inertia,
-        ];
+        let inertia = [on.structure.mass, slab[0], slab[1] + cones.trapped_inertia, cones.internal_inertia];
         for i in 0..N {
             chain.mass[i][i] = inertia[i];
             for j in 0..N {
@@ -126,16 +121,9 @@ impl Chain {
         }
         if change.is_nan() || change > 1e-9 {
             let what = "complex mode of the structure on cones";
-            return Err(SoilError::Iteration {
-                what,
-                steps: STEPS,
-                change,
-            });
+            return Err(SoilError::Iteration { what, steps: STEPS, change });
         }
-        Ok(Effective {
-            period: TAU / s.norm(),
-            damping: -s.re / s.norm(),
-        })
+        Ok(Effective { period: TAU / s.norm(), damping: -s.re / s.norm() })
     }
 
     fn determinant(&self, s: C64) -> C64 {

@@ -150,12 +150,7 @@ impl Disc {
 
     /// Cones with the static stiffness of the disc; those of a layer radiate at all frequencies.
     pub fn cones(&self) -> Cones {
-        let Soil {
-            density,
-            shear_wave_velocity,
-            poisson_ratio: nu,
-            ..
-        } = self.soil;
+        let Soil { density, shear_wave_velocity, poisson_ratio: nu, .. } = self.soil;
         let (r, c) = (self.radius, self.soil.cone_velocity());
         let (area, second) = (PI * r * r, PI * r.powi(4) / 4.0);
         let apex = 9.0 * PI / 32.0 * (1.0 - nu) * (c / shear_wave_velocity).powi(2) * r;
@@ -235,12 +230,8 @@ const B2: f64 = 0.8;
 
 /// Constants of Veletsos & Verbic 1973, linear between their values of ν: b₁ of translation, b₁ and b₃ of rocking.
 fn veletsos(nu: f64) -> (f64, f64, f64) {
-    const TABLE: [[f64; 4]; 4] = [
-        [0.0, 0.775, 0.525, 0.0],
-        [1.0 / 3.0, 0.65, 0.5, 0.0],
-        [0.45, 0.60, 0.45, 0.023],
-        [0.5, 0.60, 0.40, 0.027],
-    ];
+    const TABLE: [[f64; 4]; 4] =
+        [[0.0, 0.775, 0.525, 0.0], [1.0 / 3.0, 0.65, 0.5, 0.0], [0.45, 0.60, 0.45, 0.023], [0.5, 0.60, 0.40, 0.027]];
     let i = TABLE.iter().rposition(|row| row[0] <= nu).unwrap_or(0).min(2);
     let (low, high) = (TABLE[i], TABLE[i + 1]);
     let f = (nu - low[0]) / (high[0] - low[0]);
@@ -253,13 +244,7 @@ mod tests {
     use super::*;
 
     fn soil(poisson_ratio: f64) -> Soil {
-        Soil {
-            density: 1900.0,
-            shear_wave_velocity: 250.0,
-            poisson_ratio,
-            damping: 0.0,
-            depth: None,
-        }
+        Soil { density: 1900.0, shear_wave_velocity: 250.0, poisson_ratio, damping: 0.0, depth: None }
     }
 
     /// The rocking spring of a disc of R = 13.9 m at V_s = 250 m/s is 1.3e12 N m/rad.
@@ -276,13 +261,8 @@ mod tests {
     /// By hand: G = 2·10⁷ Pa, R = 2 m, ν = 0.25 on a layer of 4 m, R/d = 1/2.
     #[test]
     fn springs_of_a_layer() {
-        let layer = Soil {
-            density: 2000.0,
-            shear_wave_velocity: 100.0,
-            poisson_ratio: 0.25,
-            damping: 0.0,
-            depth: Some(4.0),
-        };
+        let layer =
+            Soil { density: 2000.0, shear_wave_velocity: 100.0, poisson_ratio: 0.25, damping: 0.0, depth: Some(4.0) };
         let found = Disc::new(2.0, layer).unwrap().stiffness();
         close(found.horizontal, 3.2e8 / 1.75 * 1.25);
         close(found.rocking, 1.28e9 / 2.25 * 13.0 / 12.0);
@@ -295,11 +275,7 @@ mod tests {
     #[test]
     fn cones_by_hand() {
         let cones = |poisson_ratio| {
-            let soil = Soil {
-                density: 2000.0,
-                shear_wave_velocity: 100.0,
-                ..soil(poisson_ratio)
-            };
+            let soil = Soil { density: 2000.0, shear_wave_velocity: 100.0, ..soil(poisson_ratio) };
             (Disc::new(2.0, soil).unwrap().cones(), soil.cone_velocity())
         };
         // z₀ = 9π/32 (1 − ν) (c/V_s)² R.
@@ -334,10 +310,7 @@ mod tests {
             let disc = Disc::new(10.0, soil(nu)).unwrap();
             let omega = 1.25 * 25.0;
             let found = disc.horizontal(omega, Impedance::Veletsos) / disc.stiffness().horizontal;
-            assert!(
-                (found - C64::new(1.0, 1.25 * translation)).norm() < 1e-12,
-                "{nu}: {found}"
-            );
+            assert!((found - C64::new(1.0, 1.25 * translation)).norm() < 1e-12, "{nu}: {found}");
             let found = disc.rocking(omega, Impedance::Veletsos) / disc.stiffness().rocking;
             let wanted = C64::new(1.0 - 0.5 * rocking - 1.5625 * third, 0.5 * rocking);
             assert!((found - wanted).norm() < 1e-12, "{nu}: {found} {wanted}");
@@ -348,10 +321,7 @@ mod tests {
     /// where the disc turns fast. Hysteresis turns the impedance by 2 ξ_g.
     #[test]
     fn a_layer_radiates_above_its_cut_off_only() {
-        let layer = Soil {
-            depth: Some(20.0),
-            ..soil(0.3)
-        };
+        let layer = Soil { depth: Some(20.0), ..soil(0.3) };
         let disc = Disc::new(10.0, layer).unwrap();
         let cones = disc.cones();
         type Function = fn(&Disc, f64) -> C64;
@@ -371,17 +341,11 @@ mod tests {
                 assert!(f(&disc, 1.01 * cut_off).im > 0.0);
             }
         }
-        close(
-            disc.horizontal(100.0, Impedance::Cone).im,
-            100.0 * cones.horizontal_dashpot,
-        );
+        close(disc.horizontal(100.0, Impedance::Cone).im, 100.0 * cones.horizontal_dashpot);
         close(disc.vertical(100.0).im, 100.0 * cones.vertical_dashpot);
         let fast = disc.rocking(1e6, Impedance::Cone).im / (1e6 * cones.rocking_dashpot);
         assert!((fast - 1.0).abs() < 1e-6, "{fast}");
-        let turned = Disc {
-            soil: Soil { damping: 0.1, ..layer },
-            ..disc
-        };
+        let turned = Disc { soil: Soil { damping: 0.1, ..layer }, ..disc };
         let (a, b) = (disc.vertical(100.0), turned.vertical(100.0));
         assert!((b / a - C64::new(1.0, 0.2)).norm() < 1e-12);
     }
@@ -391,15 +355,6 @@ mod tests {
         assert!(Disc::new(0.0, soil(0.3)).is_err());
         assert!(Disc::new(10.0, soil(0.5)).is_err());
         assert!(Disc::new(f64::NAN, soil(0.3)).is_err());
-        assert!(
-            Disc::new(
-                10.0,
-                Soil {
-                    depth: Some(-1.0),
-                    ..soil(0.3)
-                }
-            )
-            .is_err()
-        );
+        assert!(Disc::new(10.0, Soil { depth: Some(-1.0), ..soil(0.3) }).is_err());
     }
 }

@@ -146,10 +146,7 @@ pub fn march(run: &Run<'_>) -> Result<History, SoilError> {
     state.modes.iter_mut().for_each(|m| m.a = [0.0; 2]);
     // At rest with no force in the isolators the base keeps still in space: d̈ = −a_g, A = 0, ÿ = 0.
     state.base.a = first.map(|a| -a);
-    let mut history = History {
-        modes: vec![Vec::new(); run.modes.len()],
-        ..History::default()
-    };
+    let mut history = History { modes: vec![Vec::new(); run.modes.len()], ..History::default() };
     let mut last = Instant::at_rest(first);
     history.push(&state, &last);
     for (i, pair) in run.ground.windows(2).enumerate() {
@@ -211,10 +208,7 @@ struct Instant {
 
 impl Instant {
     fn at_rest(ground: [f64; 2]) -> Instant {
-        Instant {
-            ground,
-            force: [0.0; 2],
-        }
+        Instant { ground, force: [0.0; 2] }
     }
 }
 
@@ -225,10 +219,7 @@ impl History {
         self.force.push(now.force);
         self.acceleration.push(base);
         for (mode, point) in self.modes.iter_mut().zip(&state.modes) {
-            mode.push(ModeState {
-                displacement: point.u,
-                acceleration: [0, 1].map(|c| base[c] + point.a[c]),
-            });
+            mode.push(ModeState { displacement: point.u, acceleration: [0, 1].map(|c| base[c] + point.a[c]) });
         }
     }
 }
@@ -250,12 +241,7 @@ fn advance(
     };
     let carried = run.mass - run.modes.iter().map(|m| m.mass * rate(m)).sum::<f64>();
     let inertia = [0, 1].map(|c| {
-        let modal: f64 = run
-            .modes
-            .iter()
-            .zip(&state.modes)
-            .map(|(m, p)| m.mass * own(m, p, c))
-            .sum();
+        let modal: f64 = run.modes.iter().zip(&state.modes).map(|(m, p)| m.mass * own(m, p, c)).sum();
         carried * ground[c] + modal
     });
     let start = [0, 1].map(|c| state.base.predict(n, c));
@@ -292,11 +278,7 @@ fn advance(
     }
     if change.is_nan() || change > 1e-4 {
         let what = "isolator that depends on the velocity";
-        return Err(SoilError::Iteration {
-            what,
-            steps: STEPS,
-            change,
-        });
+        return Err(SoilError::Iteration { what, steps: STEPS, change });
     }
     let v = velocity(d);
     let force = resist(laws, &mut state.slips, (d, v), speed, press);
@@ -327,8 +309,7 @@ fn resist(laws: &[Parts], slips: &mut [[f64; 2]], (d, v): ([f64; 2], [f64; 2]), 
 
 /// Secant of a damper at a speed; below a micrometre a second that of this speed.
 fn secant(law: &Parts, speed: f64) -> f64 {
-    law.damper
-        .map_or(0.0, |(c, alpha)| c * speed.max(1e-6).powf(alpha - 1.0))
+    law.damper.map_or(0.0, |(c, alpha)| c * speed.max(1e-6).powf(alpha - 1.0))
 }
 
 /// Stiffness of a pendulum follows the weight.

@@ -115,26 +115,16 @@ impl Isolator {
     /// Errors: a value outside its range, K₁ not above K₂, μ_min above μ_max.
     pub fn check(&self) -> Result<(), SoilError> {
         match *self {
-            Isolator::LeadRubber {
-                strength,
-                initial_stiffness,
-                yielded_stiffness,
-            } => {
+            Isolator::LeadRubber { strength, initial_stiffness, yielded_stiffness } => {
                 positive("strength of the lead [N]", strength)?;
                 positive("stiffness after yielding [N/m]", yielded_stiffness)?;
-                positive(
-                    "stiffness before yielding less that after it [N/m]",
-                    initial_stiffness - yielded_stiffness,
-                )
+                positive("stiffness before yielding less that after it [N/m]", initial_stiffness - yielded_stiffness)
             }
             Isolator::FrictionPendulum { radius, friction, slip } => {
                 positive("radius of the concave surface [m]", radius)?;
                 positive("elastic slip [m]", slip)?;
                 positive("friction coefficient", friction.slow)?;
-                not_negative(
-                    "friction coefficient of fast sliding less that at rest",
-                    friction.fast - friction.slow,
-                )?;
+                not_negative("friction coefficient of fast sliding less that at rest", friction.fast - friction.slow)?;
                 not_negative("rate of the friction [s/m]", friction.rate)
             }
             Isolator::Elastomer { stiffness, damping } => {
@@ -157,23 +147,13 @@ impl Isolator {
     pub fn effective(&self, amplitude: f64, weight: f64, omega: f64, beside: f64) -> EffectiveLinear {
         let d = amplitude;
         match *self {
-            Isolator::LeadRubber {
-                strength: q,
-                initial_stiffness,
-                yielded_stiffness,
-            } => {
+            Isolator::LeadRubber { strength: q, initial_stiffness, yielded_stiffness } => {
                 let yields = q / (initial_stiffness - yielded_stiffness);
                 if d <= yields {
-                    return EffectiveLinear {
-                        stiffness: initial_stiffness,
-                        damping: 0.0,
-                    };
+                    return EffectiveLinear { stiffness: initial_stiffness, damping: 0.0 };
                 }
                 let stiffness = yielded_stiffness + q / d;
-                EffectiveLinear {
-                    stiffness,
-                    damping: 2.0 * q * (d - yields) / (PI * stiffness * d * d),
-                }
+                EffectiveLinear { stiffness, damping: 2.0 * q * (d - yields) / (PI * stiffness * d * d) }
             }
             Isolator::FrictionPendulum { radius, friction, .. } => {
                 let mu = friction.fast;
@@ -185,29 +165,16 @@ impl Isolator {
             Isolator::Elastomer { stiffness, damping } => EffectiveLinear { stiffness, damping },
             Isolator::Damper { coefficient, exponent } => {
                 let work = coefficient * omega.powf(exponent) * d.powf(1.0 + exponent) * cycle(exponent);
-                EffectiveLinear {
-                    stiffness: 0.0,
-                    damping: work / (2.0 * PI * beside * d * d),
-                }
+                EffectiveLinear { stiffness: 0.0, damping: work / (2.0 * PI * beside * d * d) }
             }
         }
     }
 
     /// Its parts, carrying the mass `mass` [kg] under gravity `gravity` [m/s²].
     pub(crate) fn parts(&self, mass: f64, gravity: f64) -> Parts {
-        let still = Parts {
-            linear: 0.0,
-            viscous: 0.0,
-            stick: 0.0,
-            yields: Yield::Constant(0.0),
-            damper: None,
-        };
+        let still = Parts { linear: 0.0, viscous: 0.0, stick: 0.0, yields: Yield::Constant(0.0), damper: None };
         match *self {
-            Isolator::LeadRubber {
-                strength,
-                initial_stiffness,
-                yielded_stiffness,
-            } => Parts {
+            Isolator::LeadRubber { strength, initial_stiffness, yielded_stiffness } => Parts {
                 linear: yielded_stiffness,
                 stick: initial_stiffness - yielded_stiffness,
                 yields: Yield::Constant(strength),
@@ -219,15 +186,10 @@ impl Isolator {
                 yields: Yield::Friction(friction, mass * gravity),
                 ..still
             },
-            Isolator::Elastomer { stiffness, damping } => Parts {
-                linear: stiffness,
-                viscous: 2.0 * damping * (stiffness * mass).sqrt(),
-                ..still
-            },
-            Isolator::Damper { coefficient, exponent } => Parts {
-                damper: Some((coefficient, exponent)),
-                ..still
-            },
+            Isolator::Elastomer { stiffness, damping } => {
+                Parts { linear: stiffness, viscous: 2.0 * damping * (stiffness * mass).sqrt(), ..still }
+            }
+            Isolator::Damper { coefficient, exponent } => Parts { damper: Some((coefficient, exponent)), ..still },
         }
     }
 }
@@ -237,9 +199,7 @@ pub fn cycle(exponent: f64) -> f64 {
     // The midpoint rule of a periodic function; its kinks at ±π/2 leave an error of (2π/n)^{2+α}.
     const PARTS: usize = 40_000;
     let width = 2.0 * PI / PARTS as f64;
-    (0..PARTS)
-        .map(|i| ((i as f64 + 0.5) * width).cos().abs().powf(1.0 + exponent) * width)
-        .sum()
+    (0..PARTS).map(|i| ((i as f64 + 0.5) * width).cos().abs().powf(1.0 + exponent) * width).sum()
 }
 
 /// Moves the yielding part to displacement `d`: its force [N] and its new slip. Radial return to the circle of radius `strength`.
@@ -276,43 +236,26 @@ mod tests {
     /// A cycle loses 4 Q (D − d_y) in lead and 4 μ N D in friction, ξ_eff is that over 2π K_eff D²; within d_y lead loses nothing. By hand.
     #[test]
     fn a_cycle_loses_what_its_loop_encloses() {
-        let rubber = Isolator::LeadRubber {
-            strength: 2.0,
-            initial_stiffness: 11.0,
-            yielded_stiffness: 1.0,
-        };
-        let pendulum = Isolator::FrictionPendulum {
-            radius: 4.0,
-            friction: Friction::constant(0.05),
-            slip: 1e-3,
-        };
+        let rubber = Isolator::LeadRubber { strength: 2.0, initial_stiffness: 11.0, yielded_stiffness: 1.0 };
+        let pendulum = Isolator::FrictionPendulum { radius: 4.0, friction: Friction::constant(0.05), slip: 1e-3 };
         // K_eff = 1 + 2/0.8; 100/4 + 0.05·100/0.5.
-        for (isolator, amplitude, stiffness, work) in [
-            (rubber, 0.8, 3.5, 8.0 * 0.6),
-            (rubber, 0.2, 11.0, 0.0),
-            (pendulum, 0.5, 35.0, 4.0 * 5.0 * 0.5),
-        ] {
+        for (isolator, amplitude, stiffness, work) in
+            [(rubber, 0.8, 3.5, 8.0 * 0.6), (rubber, 0.2, 11.0, 0.0), (pendulum, 0.5, 35.0, 4.0 * 5.0 * 0.5)]
+        {
             let found = isolator.effective(amplitude, 100.0, 0.0, 0.0);
             let wanted = work / (2.0 * PI * stiffness * amplitude * amplitude);
             assert!((found.stiffness - stiffness).abs() < 1e-12, "{found:?}");
             assert!((found.damping - wanted).abs() < 1e-12, "{found:?} {wanted}");
         }
         // A linear damper c beside K: ξ = c ω/(2 K), at any amplitude.
-        let damper = Isolator::Damper {
-            coefficient: 3.0,
-            exponent: 1.0,
-        };
+        let damper = Isolator::Damper { coefficient: 3.0, exponent: 1.0 };
         assert!((damper.effective(0.7, 0.0, 5.0, 40.0).damping - 0.1875).abs() < 1e-9);
     }
 
     /// Half of the difference is left where a |v| = ln 2.
     #[test]
     fn friction_grows_with_speed() {
-        let friction = Friction {
-            fast: 0.1,
-            slow: 0.04,
-            rate: 20.0,
-        };
+        let friction = Friction { fast: 0.1, slow: 0.04, rate: 20.0 };
         assert!((friction.at(0.0) - 0.04).abs() < 1e-15);
         assert!((friction.at(2.0_f64.ln() / 20.0) - 0.07).abs() < 1e-15);
         assert!((friction.at(9.0) - 0.1).abs() < 1e-15);
@@ -320,17 +263,11 @@ mod tests {
 
     #[test]
     fn impossible_isolators_are_errors() {
-        let rubber = |initial_stiffness| Isolator::LeadRubber {
-            strength: 1.0,
-            initial_stiffness,
-            yielded_stiffness: 1.0,
-        };
+        let rubber =
+            |initial_stiffness| Isolator::LeadRubber { strength: 1.0, initial_stiffness, yielded_stiffness: 1.0 };
         assert!(rubber(10.0).check().is_ok());
         assert!(rubber(0.5).check().is_err());
-        let damper = |exponent| Isolator::Damper {
-            coefficient: 1.0,
-            exponent,
-        };
+        let damper = |exponent| Isolator::Damper { coefficient: 1.0, exponent };
         assert!(damper(0.3).check().is_ok());
         assert!(damper(2.5).check().is_err());
     }

@@ -109,17 +109,10 @@ impl OnSoil {
         }
         if change.is_nan() || change > 1e-10 {
             let what = "effective period on soil";
-            return Err(SoilError::Iteration {
-                what,
-                steps: STEPS,
-                change,
-            });
+            return Err(SoilError::Iteration { what, steps: STEPS, change });
         }
         let s = self.complex_stiffness(omega, kind);
-        Ok(Effective {
-            period: TAU / omega,
-            damping: s.im / (2.0 * s.re),
-        })
+        Ok(Effective { period: TAU / omega, damping: s.im / (2.0 * s.re) })
     }
 
     /// Damping ratio without the structure's own share, ξ̃ − ξ (T/T̃)³.
@@ -165,9 +158,6 @@ impl OnSoil {
             return None;
         }
         let square = 0.5 * (1.0 - (1.0 - inverse).sqrt());
-        Some(Effective {
-            period: TAU / (x * fixed) * (1.0 - 2.0 * square).sqrt(),
-            damping: square.sqrt(),
-        })
+        Some(Effective { period: TAU / (x * fixed) * (1.0 - 2.0 * square).sqrt(), damping: square.sqrt() })
     }
 }

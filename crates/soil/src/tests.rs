@@ -6,11 +6,7 @@ mod ground;
 use crate::isolated::{History, Mode, Run, march, peak};
 use crate::isolator::{Friction, Isolator};
 
-const MODES: [Mode; 1] = [Mode {
-    mass: 6e5,
-    omega: 25.0,
-    damping: 0.02,
-}];
+const MODES: [Mode; 1] = [Mode { mass: 6e5, omega: 25.0, damping: 0.02 }];
 
 /// A pulse that decays, 10 s at 10 ms, along both axes.
 fn ground() -> Vec<[f64; 2]> {
@@ -37,19 +33,11 @@ fn run(isolators: &[Isolator], vertical: &[f64]) -> Result<History, crate::SoilE
 }
 
 fn rubber(share: f64) -> Isolator {
-    Isolator::LeadRubber {
-        strength: 5e5 * share,
-        initial_stiffness: 6e7 * share,
-        yielded_stiffness: 6e6 * share,
-    }
+    Isolator::LeadRubber { strength: 5e5 * share, initial_stiffness: 6e7 * share, yielded_stiffness: 6e6 * share }
 }
 
 fn pendulum(slow: f64, rate: f64) -> Isolator {
-    Isolator::FrictionPendulum {
-        radius: 2.0,
-        friction: Friction { fast: 0.06, slow, rate },
-        slip: 1e-3,
-    }
+    Isolator::FrictionPendulum { radius: 2.0, friction: Friction { fast: 0.06, slow, rate }, slip: 1e-3 }
 }
 
 fn apart(a: &History, b: &History) -> f64 {
@@ -71,10 +59,7 @@ fn two_halves_are_a_whole() {
 fn a_linear_damper_is_a_dashpot() {
     let stiffness = 6e6;
     let elastomer = |damping| Isolator::Elastomer { stiffness, damping };
-    let damper = Isolator::Damper {
-        coefficient: 0.2 * (stiffness * 1e6_f64).sqrt(),
-        exponent: 1.0,
-    };
+    let damper = Isolator::Damper { coefficient: 0.2 * (stiffness * 1e6_f64).sqrt(), exponent: 1.0 };
     let one = run(&[elastomer(0.1)], &[]).unwrap();
     let two = run(&[elastomer(0.0), damper], &[]).unwrap();
     assert!(apart(&one, &two) < 1e-12);
@@ -83,10 +68,7 @@ fn a_linear_damper_is_a_dashpot() {
 /// The secants of dampers and of friction leave the balance of energy at rounding: forces of a step are those of its equation.
 #[test]
 fn isolators_that_depend_on_the_velocity_keep_the_balance() {
-    let damper = |exponent| Isolator::Damper {
-        coefficient: 3e5,
-        exponent,
-    };
+    let damper = |exponent| Isolator::Damper { coefficient: 3e5, exponent };
     for isolators in [
         vec![rubber(1.0), damper(0.5)],
         vec![rubber(1.0), damper(1.7)],
@@ -95,11 +77,7 @@ fn isolators_that_depend_on_the_velocity_keep_the_balance() {
     ] {
         let found = run(&isolators, &[]).unwrap();
         // The iterated speed is settled to 1e-10 of a step.
-        assert!(
-            found.energy.deviation().abs() < 1e-7,
-            "{isolators:?} {:?}",
-            found.energy
-        );
+        assert!(found.energy.deviation().abs() < 1e-7, "{isolators:?} {:?}", found.energy);
         assert!(peak(&found.displacement) > 0.01);
     }
 }

@@ -142,27 +142,19 @@ const MAPPED: Limits = Limits::from(0.0).to(5.0);
 const FACTOR: Limits = Limits::from(0.4).to(6.0).clause("ASCE 7-16 tables 11.4-1 and 11.4-2");
 /// Importance factor: 0.8, 1, 1.2 and 1.6 are recommended, the least and largest national values known are 0.65 and 1.95 (Portugal,
 /// recalled). With k = 3, 0.6 and 2 stand for return periods of 100 and 3800 years beside 475.
-const IMPORTANCE: Limits = Limits::from(0.6)
-    .to(2.0)
-    .usual(0.8, 1.6)
-    .clause("EN 1998-4:2006 2.1.4, classes I to IV");
+const IMPORTANCE: Limits = Limits::from(0.6).to(2.0).usual(0.8, 1.6).clause("EN 1998-4:2006 2.1.4, classes I to IV");
 /// Share of damage limitation: 0.5 and 0.4 are recommended; a return period of 95 in place of 475 years gives 0.2 with k = 1.
 const REDUCTION: Limits = Limits::from(0.2).to(1.0).usual(0.4, 0.5).clause("EN 1998-1:2004 2.2.3");
 /// Ground under a tank, from soft clay to rock.
 const GROUND: Limits = Limits::from(1e3).to(1e8).usual(50e3, 3e6);
 /// From the mapped to the design earthquake: 2/3 of ASCE 7, 1 of maps of the design earthquake; 0.66 is 2/3 rounded.
-const SCALING: Limits = Limits::from(0.66)
-    .to(1.0)
-    .clause("API 650 E.4.6.1: 2/3 with ASCE 7 maps, 1 with others");
+const SCALING: Limits = Limits::from(0.66).to(1.0).clause("API 650 E.4.6.1: 2/3 with ASCE 7 maps, 1 with others");
 /// Long-period transition; the maps of ASCE 7 have 4 to 16 s.
 const LONG: Limits = Limits::from(1.0).to(30.0).usual(4.0, 16.0).clause("ASCE 7 maps of T_L");
 /// Design pressure: annex F ends at 18 kPa (2.5 psi).
 const PRESSURE: Limits = Limits::from(0.0).to(18e3).clause("API 650 annex F");
 /// Joint efficiency: 0.85 and 1, 0.7 of annex A; old lap joints of API 653 have at least 0.35.
-const JOINT: Limits = Limits::from(0.35)
-    .to(1.0)
-    .usual(0.7, 1.0)
-    .clause("API 650 5.6, annex A; API 653 table 4.2");
+const JOINT: Limits = Limits::from(0.35).to(1.0).usual(0.7, 1.0).clause("API 650 5.6, annex A; API 653 table 4.2");
 
 keys! {
     /// Site data of Eurocode 8. Without it the Eurocode procedures run on the record's spectrum only.
@@ -372,11 +364,7 @@ keys! {
 
 impl ConcreteOptions {
     /// The defaults.
-    pub const DEFAULT: ConcreteOptions = ConcreteOptions {
-        gamma_c: 1.5,
-        gamma_s: 1.15,
-        tightness_class: 1,
-    };
+    pub const DEFAULT: ConcreteOptions = ConcreteOptions { gamma_c: 1.5, gamma_s: 1.15, tightness_class: 1 };
 }
 
 impl Default for ConcreteOptions {

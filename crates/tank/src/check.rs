@@ -387,12 +387,9 @@ pub fn complete(states: &[LimitState], mut checks: Vec<Check>) -> Vec<Check> {
                 let reason = format!("`{input}` is missing");
                 Check::without_comparison(state, CheckStatus::NotChecked, &reason, Some(input))
             }
-            Requirement::Required => Check::without_comparison(
-                state,
-                CheckStatus::NotChecked,
-                "the procedure gives no value for it",
-                None,
-            ),
+            Requirement::Required => {
+                Check::without_comparison(state, CheckStatus::NotChecked, "the procedure gives no value for it", None)
+            }
         });
     }
     checks.sort_by(|a, b| {

@@ -175,11 +175,7 @@ impl Demands {
     pub fn part(&self, instants: Range<usize>) -> Part<'_> {
         let along = States::Of(&self.states, instants.start);
         let transverse = States::Of(&self.transverse, instants.start);
-        Part {
-            count: instants.len(),
-            along,
-            transverse: (!self.transverse.is_empty()).then_some(transverse),
-        }
+        Part { count: instants.len(), along, transverse: (!self.transverse.is_empty()).then_some(transverse) }
     }
 }
 
@@ -273,24 +269,14 @@ impl States<'_> {
             let most = from.len().min(instants);
             values[first + state * stride..][..most].copy_from_slice(&from[..most]);
         }
-        States::Gathered(Gathered {
-            values,
-            first,
-            count,
-            stride,
-        })
+        States::Gathered(Gathered { values, first, count, stride })
     }
 }
 
 /// Σ c_k s_k at some instants, summed in the order of the terms: on every machine the same bits.
 fn combined(terms: &[&Terms], states: &States<'_>, count: usize) -> Vec<Vec<f64>> {
     let mut sums = vec![vec![0.0; count]; terms.len()];
-    pulp::Arch::new().dispatch(Combine {
-        terms,
-        states,
-        sums: &mut sums,
-        count,
-    });
+    pulp::Arch::new().dispatch(Combine { terms, states, sums: &mut sums, count });
     sums
 }
 
@@ -317,21 +303,12 @@ impl pulp::WithSimd for Combine<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) {
-        let Combine {
-            terms,
-            states,
-            sums,
-            count,
-        } = self;
+        let Combine { terms, states, sums, count } = self;
         let width = REGISTERS * S::F64_LANES;
         let shortest = match states {
             States::Gathered(states) => states.count,
             States::Of(..) => {
-                let lengths = terms
-                    .iter()
-                    .copied()
-                    .flatten()
-                    .map(|&(state, _)| states.get(state).len());
+                let lengths = terms.iter().copied().flatten().map(|&(state, _)| states.get(state).len());
                 lengths.min().unwrap_or_default()
             }
         };
@@ -357,9 +334,7 @@ impl pulp::WithSimd for Combine<'_> {
                 }
                 for (k, sum) in (first..).zip(sums) {
                     let at = |state: usize| states.get(state).get(k).copied().unwrap_or(0.0);
-                    *sum = terms
-                        .iter()
-                        .fold(0.0, |sum, &(state, factor)| factor.mul_add(at(state), sum));
+                    *sum = terms.iter().fold(0.0, |sum, &(state, factor)| factor.mul_add(at(state), sum));
                 }
             }
         }
@@ -390,11 +365,8 @@ mod tests {
 
     #[test]
     fn a_history_is_the_combination_of_its_states() {
-        let demands = Demands {
-            times: vec![0.0, 1.0],
-            states: vec![vec![1.0, 2.0], vec![-3.0, 5.0]],
-            ..Demands::default()
-        };
+        let demands =
+            Demands { times: vec![0.0, 1.0], states: vec![vec![1.0, 2.0], vec![-3.0, 5.0]], ..Demands::default() };
         assert_eq!(demands.history(&vec![(0, 2.0), (1, 10.0)]), [-28.0, 54.0]);
         assert_eq!(demands.history(&Terms::new()), [0.0, 0.0]);
     }
@@ -414,10 +386,7 @@ mod tests {
         for start in [4080, count - 1, count] {
             assert_eq!(demands.part(start..count).history(&terms), found[start..]);
             assert_eq!(demands.part(start..count).gathered().history(&terms), found[start..]);
-            let both = demands
-                .part(start..count)
-                .gathered()
-                .histories(&[&Terms::new(), &terms]);
+            let both = demands.part(start..count).gathered().histories(&[&Terms::new(), &terms]);
             assert_eq!(both, [vec![0.0; count - start], found[start..].to_vec()]);
         }
     }

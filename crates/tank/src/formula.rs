@@ -70,11 +70,7 @@ impl Formula {
     /// Errors: [`FormulaError::Unexpected`] and [`FormulaError::TooDeep`].
     pub fn parse(text: &str) -> Result<Formula, FormulaError> {
         let (tree, symbols) = parse::formula(text)?;
-        Ok(Formula {
-            text: text.into(),
-            tree,
-            symbols,
-        })
+        Ok(Formula { text: text.into(), tree, symbols })
     }
 
     /// The formula of a text, parsed at the first call in each thread: sheets evaluate the same few hundred texts for
@@ -128,10 +124,7 @@ const CACHED: usize = 2000;
 
 /// The value of a formula for plain numbers in SI; NaN if the text is not a formula or a symbol lacks a number.
 pub fn evaluate(text: &str, numbers: &[(&str, f64)]) -> f64 {
-    let terms: Vec<Term> = numbers
-        .iter()
-        .map(|&(symbol, value)| (symbol, value, Dimension::Dimensionless))
-        .collect();
+    let terms: Vec<Term> = numbers.iter().map(|&(symbol, value)| (symbol, value, Dimension::Dimensionless)).collect();
     let value = Formula::cached(text).and_then(|formula| formula.value(&terms));
     debug_assert!(value.is_ok(), "{value:?}");
     value.unwrap_or(f64::NAN)

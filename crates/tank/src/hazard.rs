@@ -117,9 +117,7 @@ impl SpectrumTable {
     /// Period [s] and acceleration [m/s²] of the first largest row.
     pub fn largest(&self) -> (f64, f64) {
         let first = (0.0, self.peak());
-        self.rows
-            .iter()
-            .fold(first, |best, row| if row[1] > best.1 { (row[0], row[1]) } else { best })
+        self.rows.iter().fold(first, |best, row| if row[1] > best.1 { (row[0], row[1]) } else { best })
     }
 
     /// Longest period of the table [s].
@@ -162,10 +160,7 @@ mod tests {
             let found = table.at(period).unwrap();
             assert!((found - value).abs() < 1e-15, "{period}: {found}");
         }
-        assert_eq!(
-            (table.at(2.0 + 1e-9), table.at(-0.1), table.at(f64::NAN)),
-            (None, None, None)
-        );
+        assert_eq!((table.at(2.0 + 1e-9), table.at(-0.1), table.at(f64::NAN)), (None, None, None));
         assert_eq!((table.peak(), table.largest(), table.longest()), (1.0, (0.2, 3.0), 2.0));
     }
 

@@ -106,18 +106,10 @@ impl Profile {
 
 impl Table {
     fn at(&self, theta: f64, z: f64) -> Deviation {
-        let along: Vec<[f64; 2]> = self
-            .w
-            .iter()
-            .map(|w| cubic(&self.theta, &|i| w[i], theta, Some(TAU)))
-            .collect();
+        let along: Vec<[f64; 2]> = self.w.iter().map(|w| cubic(&self.theta, &|i| w[i], theta, Some(TAU))).collect();
         let [w, along_z] = cubic(&self.z, &|i| along[i][0], z, None);
         let [along_theta, _] = cubic(&self.z, &|i| along[i][1], z, None);
-        Deviation {
-            w,
-            along_theta,
-            along_z,
-        }
+        Deviation { w, along_theta, along_z }
     }
 }
 
@@ -234,9 +226,7 @@ impl Imperfections {
     /// Fourier coefficients of the deviation at a height: of cos nθ and of sin nθ for n = 0 … `most` [m].
     pub fn harmonics(&self, z: f64, height: f64, most: u32) -> Vec<[f64; 2]> {
         let count = (4 * most as usize + 4).max(128);
-        let values: Vec<f64> = (0..count)
-            .map(|k| self.at(TAU * k as f64 / count as f64, z, height).w)
-            .collect();
+        let values: Vec<f64> = (0..count).map(|k| self.at(TAU * k as f64 / count as f64, z, height).w).collect();
         (0..=most)
             .map(|n| {
                 let factor = if n == 0 { 1.0 } else { 2.0 } / count as f64;
@@ -256,9 +246,7 @@ impl Imperfections {
                 Imperfection::Wave(wave) if wave.amplitude != 0.0 => all.push(wave.n),
                 Imperfection::Wave(_) => {}
                 Imperfection::Table(table) => {
-                    let alone = Imperfections {
-                        parts: vec![part.clone()],
-                    };
+                    let alone = Imperfections { parts: vec![part.clone()] };
                     let most = (table.theta.len() / 2) as u32;
                     let least = COUNTS * alone.largest(height).0;
                     for &z in &table.z {
@@ -293,38 +281,21 @@ mod tests {
     use super::*;
 
     fn wave(n: u32, profile: Profile, phase: f64) -> Imperfections {
-        Imperfections {
-            parts: vec![Imperfection::Wave(Wave {
-                n,
-                amplitude: 0.01,
-                profile,
-                phase,
-            })],
-        }
+        Imperfections { parts: vec![Imperfection::Wave(Wave { n, amplitude: 0.01, profile, phase })] }
     }
 
     /// A table sampled from cos 3(θ − 0.2) z: exact along z, where it is linear, and to the fourth order along θ.
     fn sampled(count: usize) -> Imperfections {
         let theta: Vec<f64> = (0..count).map(|k| TAU * k as f64 / count as f64).collect();
         let z = vec![0.0, 1.0, 3.0, 4.0];
-        let w = z
-            .iter()
-            .map(|z| theta.iter().map(|t| 0.01 * z / 4.0 * (3.0 * (t - 0.2)).cos()).collect())
-            .collect();
-        Imperfections {
-            parts: vec![Imperfection::Table(Table { theta, z, w })],
-        }
+        let w = z.iter().map(|z| theta.iter().map(|t| 0.01 * z / 4.0 * (3.0 * (t - 0.2)).cos()).collect()).collect();
+        Imperfections { parts: vec![Imperfection::Table(Table { theta, z, w })] }
     }
 
     #[test]
     fn slopes_are_derivatives() {
         let points = Profile::Points(vec![[0.0, 0.0], [1.0, 0.4], [2.5, 1.0], [4.0, -0.3]]);
-        for own in [
-            wave(3, Profile::Linear, 0.3),
-            wave(5, Profile::Sine(2), 0.0),
-            wave(2, points, 1.0),
-            sampled(48),
-        ] {
+        for own in [wave(3, Profile::Linear, 0.3), wave(5, Profile::Sine(2), 0.0), wave(2, points, 1.0), sampled(48)] {
             for (theta, z) in [(0.1, 0.6), (2.0, 1.7), (5.9, 3.3)] {
                 let (d, h) = (own.at(theta, z, 4.0), 1e-6);
                 let along =

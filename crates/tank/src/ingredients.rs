@@ -58,19 +58,13 @@ pub struct Rung {
 impl Ingredients {
     /// The quantity as a response.
     pub fn response(quantity: Quantity, response: Response) -> Ingredients {
-        Ingredients {
-            quantity,
-            recipe: Recipe::Response(Box::new(response)),
-        }
+        Ingredients { quantity, recipe: Recipe::Response(Box::new(response)) }
     }
 
     /// The quantity as a ladder.
     pub fn ladder(quantity: Quantity, rungs: &[(Factor, f64)]) -> Ingredients {
         let rung = |&(factor, value): &(Factor, f64)| Rung { factor, value };
-        Ingredients {
-            quantity,
-            recipe: Recipe::Ladder(rungs.iter().map(rung).collect()),
-        }
+        Ingredients { quantity, recipe: Recipe::Ladder(rungs.iter().map(rung).collect()) }
     }
 
     /// Another quantity that is this response times a constant; `None` for what is no response.
@@ -130,16 +124,8 @@ fn combined(combination: Combination, a: f64, b: f64) -> f64 {
 impl Response {
     /// A hoop stress: stresses per acceleration of both parts [Pa·s²/m].
     pub fn hoop(impulsive: (Ordinate, f64), convective: (Ordinate, f64), combination: Combination) -> Response {
-        let part = |(ordinate, scale)| Part {
-            scale,
-            ..Part::liquid(ordinate, Share::new(1.0, 1.0))
-        };
-        Response {
-            impulsive: Some(part(impulsive)),
-            convective: Some(part(convective)),
-            combination,
-            vertical: None,
-        }
+        let part = |(ordinate, scale)| Part { scale, ..Part::liquid(ordinate, Share::new(1.0, 1.0)) };
+        Response { impulsive: Some(part(impulsive)), convective: Some(part(convective)), combination, vertical: None }
     }
 
     /// The same with the stresses per acceleration of both parts at other heights.
@@ -268,31 +254,18 @@ pub struct Ordinate {
 impl Ordinate {
     /// An ordinate of a record's spectrum: period [s], damping ratio, acceleration [m/s²].
     pub fn at(period: f64, damping: f64, base: f64) -> Ordinate {
-        Ordinate {
-            rule: Rule::At,
-            period: Some(period),
-            damping,
-            base,
-            factors: Vec::new(),
-        }
+        Ordinate { rule: Rule::At, period: Some(period), damping, base, factors: Vec::new() }
     }
 
     /// The acceleration of the ground [m/s²], which no damping changes.
     pub fn ground(base: f64) -> Ordinate {
-        Ordinate {
-            rule: Rule::Ground,
-            ..Ordinate::at(0.0, 0.0, base)
-        }
+        Ordinate { rule: Rule::Ground, ..Ordinate::at(0.0, 0.0, base) }
     }
 
     /// The same acceleration with factors taken out of its base: what they do not explain stays in the base.
     pub fn split(self, factors: &[(Factor, f64)]) -> Ordinate {
         let product: f64 = factors.iter().map(|f| f.1).product();
-        Ordinate {
-            base: self.base / product,
-            factors: factors.to_vec(),
-            ..self
-        }
+        Ordinate { base: self.base / product, factors: factors.to_vec(), ..self }
     }
 
     /// A factor; 1 if it has none of this kind.
@@ -317,10 +290,7 @@ mod tests {
             Ordinate::at(0.2, 0.05, 2.5).split(&[(Factor::Importance, 1.5), (Factor::BehaviourFactor, 1.0 / 1.2)]);
         assert!((ordinate.base - 2.0).abs() < 1e-12);
         let mut response = Response {
-            impulsive: Some(Part {
-                wall: Share::new(1.0, 4.0),
-                ..Part::liquid(ordinate, Share::new(3.0, 2.0))
-            }),
+            impulsive: Some(Part { wall: Share::new(1.0, 4.0), ..Part::liquid(ordinate, Share::new(3.0, 2.0)) }),
             convective: Some(Part::liquid(Ordinate::at(4.0, 0.005, 1.0), Share::new(4.0, 1.5))),
             combination: Combination::Abs,
             vertical: None,
@@ -337,23 +307,11 @@ mod tests {
         let mut response = Response::hoop(at(3.0), at(-4.0), Combination::Srss);
         assert!((response.value() - 10.0).abs() < 1e-12);
         for (combination, expected) in [(Combination::Abs, 12.0), (Combination::Srss, 90.0_f64.sqrt())] {
-            response.vertical = Some(Vertical {
-                horizontal: 0.3,
-                value: 9.0,
-                combination,
-            });
+            response.vertical = Some(Vertical { horizontal: 0.3, value: 9.0, combination });
             assert!((response.value() - expected).abs() < 1e-12);
         }
-        let moment = Ingredients::response(
-            Quantity::BaseMoment,
-            Response {
-                vertical: None,
-                ..response
-            },
-        );
-        let axial = moment
-            .scaled(Quantity::AxialMembraneStress, 0.25)
-            .and_then(|i| i.value());
+        let moment = Ingredients::response(Quantity::BaseMoment, Response { vertical: None, ..response });
+        let axial = moment.scaled(Quantity::AxialMembraneStress, 0.25).and_then(|i| i.value());
         assert!((axial.unwrap() - 2.5).abs() < 1e-12);
     }
 

@@ -52,11 +52,7 @@ pub enum Absent<T> {
 
 /// A default that the report does not list.
 pub const fn default<T: Copy>(value: T) -> Absent<T> {
-    Absent::Value {
-        value,
-        shown: "",
-        why: "",
-    }
+    Absent::Value { value, shown: "", why: "" }
 }
 
 /// No value; the report states the meaning of its absence.
@@ -118,11 +114,7 @@ impl Limits {
 
     /// Greater than this.
     pub const fn above(low: f64) -> Limits {
-        Limits {
-            low,
-            low_allowed: false,
-            ..Limits::ANY
-        }
+        Limits { low, low_allowed: false, ..Limits::ANY }
     }
 
     /// This or greater.
@@ -137,19 +129,12 @@ impl Limits {
 
     /// And less than this.
     pub const fn below(self, high: f64) -> Limits {
-        Limits {
-            high,
-            high_allowed: false,
-            ..self
-        }
+        Limits { high, high_allowed: false, ..self }
     }
 
     /// Usual from this to this.
     pub const fn usual(self, least: f64, most: f64) -> Limits {
-        Limits {
-            usual: (least, most),
-            ..self
-        }
+        Limits { usual: (least, most), ..self }
     }
 
     /// With the clause or reason of the range.
@@ -197,10 +182,7 @@ impl Limits {
 
     /// A list with so many items.
     pub const fn items(self, fewest: usize, most: usize) -> Limits {
-        Limits {
-            items: (fewest, most),
-            ..self
-        }
+        Limits { items: (fewest, most), ..self }
     }
 
     /// Whether a value lies in the range.
@@ -281,9 +263,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
 /// A value in SI as a user writes it: as short as possible, with an engineer's unit.
 pub fn written(value: f64, dimension: Dimension) -> String {
     // Angles are written in degrees.
-    let degrees = (dimension == Dimension::Angle)
-        .then(|| Unit::find("deg", dimension))
-        .flatten();
+    let degrees = (dimension == Dimension::Angle).then(|| Unit::find("deg", dimension)).flatten();
     let unit = degrees.unwrap_or_else(|| unit_for(value, dimension));
     let number = in_unit(value, unit);
     let number = match degrees {

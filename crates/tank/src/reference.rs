@@ -10,23 +10,13 @@ pub const GRAVITY: f64 = 9.81;
 /// `manos_clough_broad` [B02, 8.1], tested by Manos & Clough (1982); liquid of this density [kg/m³], 1.525 m deep.
 pub fn broad(density: f64) -> Case {
     let aluminium = material(69e9, 0.32, 2750.0);
-    case(
-        Shape::Cylinder { radius: 1.83 },
-        &[(0.915, 2.03e-3), (0.915, 1.27e-3)],
-        &aluminium,
-        (density, 1.525),
-    )
+    case(Shape::Cylinder { radius: 1.83 }, &[(0.915, 2.03e-3), (0.915, 1.27e-3)], &aluminium, (density, 1.525))
 }
 
 /// `slender_steel` [B02, 8.3]: wall 5.5 m, 2 mm; liquid of this density [kg/m³] and depth [m].
 pub fn slender(density: f64, depth: f64) -> Case {
     let steel = material(210e9, 0.3, 7850.0);
-    case(
-        Shape::Cylinder { radius: 1.83 },
-        &[(5.5, 2e-3)],
-        &steel,
-        (density, depth),
-    )
+    case(Shape::Cylinder { radius: 1.83 }, &[(5.5, 2e-3)], &steel, (density, depth))
 }
 
 /// A material without strengths: E [Pa], ν, ρ_s [kg/m³].
@@ -68,16 +58,10 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             pressure: Default::default(),
             pipes: None,
         },
-        liquid: Liquid {
-            density: liquid.0,
-            fill_height: liquid.1,
-        },
+        liquid: Liquid { density: liquid.0, fill_height: liquid.1 },
         gravity: GRAVITY,
         ground_motion: None,
-        damping: Damping {
-            sloshing: 0.005,
-            impulsive: 0.02,
-        },
+        damping: Damping { sloshing: 0.005, impulsive: 0.02 },
         site: Site::default(),
         procedures: ProcedureOptions::default(),
         measured: Vec::new(),

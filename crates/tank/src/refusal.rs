@@ -53,13 +53,7 @@ pub struct Refusal {
 impl Refusal {
     /// Without found value and help.
     pub fn new(place: Place, message: impl Into<String>, allowed: impl Into<String>) -> Refusal {
-        Refusal {
-            place,
-            message: message.into(),
-            found: String::new(),
-            allowed: allowed.into(),
-            help: String::new(),
-        }
+        Refusal { place, message: message.into(), found: String::new(), allowed: allowed.into(), help: String::new() }
     }
 
     /// With the value found.

@@ -351,10 +351,7 @@ impl Tank {
     /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across
     /// the shaking and, unless it is a strip, the two along it.
     pub fn wall_mass(&self) -> f64 {
-        self.courses
-            .iter()
-            .map(|c| self.perimeter() * c.height * c.thickness * c.material.density)
-            .sum()
+        self.courses.iter().map(|c| self.perimeter() * c.height * c.thickness * c.material.density).sum()
     }
 
     /// Height of the wall's centre of mass [m].
@@ -395,14 +392,8 @@ impl Tank {
     pub fn perimeter(&self) -> f64 {
         match self.shape {
             Shape::Cylinder { radius } => 2.0 * std::f64::consts::PI * radius,
-            Shape::Rectangle {
-                breadth, strip: true, ..
-            } => 2.0 * breadth,
-            Shape::Rectangle {
-                length,
-                breadth,
-                strip: false,
-            } => 2.0 * (length + breadth),
+            Shape::Rectangle { breadth, strip: true, .. } => 2.0 * breadth,
+            Shape::Rectangle { length, breadth, strip: false } => 2.0 * (length + breadth),
         }
     }
 }

@@ -204,18 +204,11 @@ impl Dimension {
             return "a number without a unit such as 0.02, or a percentage such as \"2 %\"".into();
         }
         let units: Vec<&str> = self.units().map(|u| u.text).collect();
-        format!(
-            "{} such as \"{}\" (units: {})",
-            self.noun(),
-            self.example(),
-            units.join(", ")
-        )
+        format!("{} such as \"{}\" (units: {})", self.noun(), self.example(), units.join(", "))
     }
 
     /// The SI unit of this dimension.
     pub fn si_unit(self) -> &'static Unit {
-        self.units()
-            .find(|u| u.factor() == 1.0)
-            .expect("each dimension has its SI unit in the table")
+        self.units().find(|u| u.factor() == 1.0).expect("each dimension has its SI unit in the table")
     }
 }

@@ -50,8 +50,7 @@ fn measure(name: &str, tank: &Assembled, setup: f64, steps: usize) -> Answer<()>
     let mut evaluate = |want| {
         milliseconds(5, || {
             let found =
-                tank.assembler
-                    .respond_into(&tank.model, &mut state, want, Some(&linear), &mut tangent, &mut forces);
+                tank.assembler.respond_into(&tank.model, &mut state, want, Some(&linear), &mut tangent, &mut forces);
             Ok(found.map_err(|(_, e)| e)?)
         })
     };
@@ -59,12 +58,7 @@ fn measure(name: &str, tank: &Assembled, setup: f64, steps: usize) -> Answer<()>
     let grid = Grid::new(h, steps as f64 * h, 0.0, h);
     let a: Vec<f64> = (0..=steps).map(|i| 3.0 * (0.3 * i as f64).sin()).collect();
     let load = Load::ground(0, Motion::sampled(h, &a, &grid));
-    let problem = Problem {
-        model: &tank.model,
-        assembler: &tank.assembler,
-        symbolic: &tank.symbolic,
-        system: &system,
-    };
+    let problem = Problem { model: &tank.model, assembler: &tank.assembler, symbolic: &tank.symbolic, system: &system };
     for modified in [true, false] {
         let mut settings = Settings::new(grid);
         settings.newton.modified = modified;

@@ -35,9 +35,7 @@ fn run(tank: &Tank, division: &Division, steps: usize, wet: bool) -> Result<(Tra
     let dofs = model.model.dofs();
     if !wet {
         // Without the blocks that join wall and liquid.
-        model.mass = model
-            .assembler
-            .mass_of(&model.model, |e| model.model.elements()[e].kind() != "wet_face");
+        model.mass = model.assembler.mass_of(&model.model, |e| model.model.elements()[e].kind() != "wet_face");
     }
     let node = model.rows[model.rows.len() - 1][0];
     let mut force = vec![0.0; dofs.len()];
@@ -61,26 +59,11 @@ fn run(tank: &Tank, division: &Division, steps: usize, wet: bool) -> Result<(Tra
     let symbolic = Arc::new(Symbolic::new(pattern.clone(), &order(&model.model, &pattern))?);
     let scalars = [Observable::displacement(&model.model, node, Dof::Ux)];
     let response = |steps: usize| {
-        let grid = Grid {
-            dt: STEP,
-            sub_steps: 1,
-            samples: steps + 1,
-        };
+        let grid = Grid { dt: STEP, sub_steps: 1, samples: steps + 1 };
         let ramp: Vec<f64> = (0..=steps).map(|i| i as f64 * STEP / RAMP).collect();
         let ramp = Motion::sampled(STEP, &ramp, &grid);
-        let load = Load {
-            forces: vec![(force.clone(), ramp)],
-            ..Load::default()
-        };
-        integrate(
-            &system,
-            &symbolic,
-            &[load],
-            &Settings::new(grid),
-            &scalars,
-            &[],
-            &Silent,
-        )
+        let load = Load { forces: vec![(force.clone(), ramp)], ..Load::default() };
+        integrate(&system, &symbolic, &[load], &Settings::new(grid), &scalars, &[], &Silent)
     };
     // Assembly, ordering, symbolic phase, factor and twenty steps; then the steps alone, as a difference.
     let first = response(SHOWN)?.remove(0);
@@ -118,16 +101,10 @@ fn main() -> Result<(), Failure> {
     };
     let (wet, set_up, step, unknowns) = run(&tank, &division, steps, true)?;
     let (dry, ..) = run(&tank, &division, 1, false)?;
-    let locked = Division {
-        membrane_shear: MembraneShear::Full,
-        ..division
-    };
+    let locked = Division { membrane_shear: MembraneShear::Full, ..division };
     let (plain, ..) = run(&tank, &locked, 1, false)?;
     let first = |t: &Transient| {
-        let values: Vec<String> = t.observed.scalars[0].values[1..=SHOWN]
-            .iter()
-            .map(|v| format!("{v:.8e}"))
-            .collect();
+        let values: Vec<String> = t.observed.scalars[0].values[1..=SHOWN].iter().map(|v| format!("{v:.8e}")).collect();
         values.join(", ")
     };
     println!("{{");

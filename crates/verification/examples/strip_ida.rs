@@ -43,10 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let ratio = get("ratio", 0.022);
     let damping = match get("damping", 0.0) as usize {
         0 => StripDamping::Rayleigh(Rayleigh::mass_proportional(2.3863, ratio)),
-        1 => StripDamping::ByGroup {
-            wall: ratio,
-            sloshing: 0.005,
-        },
+        1 => StripDamping::ByGroup { wall: ratio, sloshing: 0.005 },
         _ => StripDamping::Rayleigh(Rayleigh::fit((2.39, 0.01), (3.53, 0.01), false)?),
     };
     let path = arguments.first().ok_or("no record given")?;
@@ -58,10 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         get("elements", 15.0) as usize,
         get("layers", 30.0) as usize,
         get("softening", 3e-4),
-        Options {
-            points,
-            second_order: false,
-        },
+        Options { points, second_order: false },
     )?;
     let strip = StripModel::new(&tank, damping)?;
     println!(
@@ -72,13 +66,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let mut quake = StripQuake::new(record, get("step", 2.5e-3));
     quake.until = Some(get("until", 12.0));
-    quake.scheme = TimeScheme::GeneralizedAlpha {
-        radius: get("radius", 0.9),
-    };
-    let scales: Vec<f64> = scales
-        .iter()
-        .map(|s| s.parse::<f64>().map(|s| s / 100.0))
-        .collect::<Result<_, _>>()?;
+    quake.scheme = TimeScheme::GeneralizedAlpha { radius: get("radius", 0.9) };
+    let scales: Vec<f64> = scales.iter().map(|s| s.parse::<f64>().map(|s| s / 100.0)).collect::<Result<_, _>>()?;
     println!(
         "  scale  top mm  wave m  base kNm  bar MPa  crack to m  first crack: t s, z m, kNm  cuts  steps  imbalance"
     );
@@ -88,9 +77,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     for level in &levels {
         let d = level.demand();
-        let first = d.first_crack.map_or("-".to_owned(), |c| {
-            format!("{:.3}, {:.3}, {:.2}", c.time, c.height, c.base_moment / 1e3)
-        });
+        let first = d
+            .first_crack
+            .map_or("-".to_owned(), |c| format!("{:.3}, {:.3}, {:.2}", c.time, c.height, c.base_moment / 1e3));
         let steps: u64 = level.walls.iter().map(|w| w.steps).sum();
         println!(
             "{:6.0} %  {:6.3}  {:.4}  {:8.2}  {:7.1}  {:10.3}  {first:>26}  {:5}  {steps:6}  {:.1e}",

@@ -22,44 +22,26 @@ use oscillator::record::Record;
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let get = |name: &str, default: f64| -> f64 {
-        let found = arguments
-            .iter()
-            .find_map(|o| o.strip_prefix(name)?.strip_prefix('=')?.parse().ok());
+        let found = arguments.iter().find_map(|o| o.strip_prefix(name)?.strip_prefix('=')?.parse().ok());
         found.unwrap_or(default)
     };
     let text = std::fs::read_to_string(arguments.first().ok_or("no record given")?)?;
     let scale = get("scale", 9.80665);
     let value = |line: &str| line.split(',').nth(1).unwrap_or("").trim().parse::<f64>();
     let acceleration: Result<Vec<f64>, _> = text.lines().skip(1).map(|l| value(l).map(|a| a * scale)).collect();
-    let record = Record {
-        name: "record".into(),
-        dt: 0.02,
-        acceleration: acceleration?,
-        processing: Vec::new(),
-    };
+    let record = Record { name: "record".into(), dt: 0.02, acceleration: acceleration?, processing: Vec::new() };
     let (elements, fracture_energy) = (get("elements", 40.0), get("gf", 0.0));
     let softening = match fracture_energy > 0.0 {
-        true => Softening::Energy {
-            fracture_energy,
-            size: 3.0 / elements,
-        },
+        true => Softening::Energy { fracture_energy, size: 3.0 / elements },
         false => Softening::Brittle,
     };
-    let tension = Tension {
-        strength: 3.5e6,
-        softening,
-        stiffening: None,
-        bond: None,
-    };
+    let tension = Tension { strength: 3.5e6, softening, stiffening: None, bond: None };
     let concrete = UniaxialConcrete::new(3.4e10 / 0.96, Compression::Plastic { strength: 35e6 }, Some(tension))?;
     let area = get("as", 7e-4);
     let section = FibreSection::new(2540.0 * 0.3)?
         .with_attached_mass(123.0)?
         .rectangle(Arc::new(concrete), [1.0, 0.3], 0.0, 20)?
-        .bars(
-            Arc::new(Bar::new(2.1e11, 5e8, 2.1e9)?),
-            &[[-0.115, area], [0.115, area]],
-        )?;
+        .bars(Arc::new(Bar::new(2.1e11, 5e8, 2.1e9)?), &[[-0.115, area], [0.115, area]])?;
     let wet = (2.57 / 3.0 * elements).round() as usize;
     let dry = (elements as usize - wet).max(1);
     let opening = get("opening", 0.0) > 0.0;
@@ -72,38 +54,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         liquid: StripLiquid::new(2.5, 2.57, 1019.4),
         sloshing: 12,
         contact: match opening {
-            true => Contact::Joined {
-                opens: true,
-                penalty: None,
-            },
+            true => Contact::Joined { opens: true, penalty: None },
             false => Contact::Bonded,
         },
     };
     let damping = match get("damping", 0.0) > 0.0 {
-        true => StripDamping::ByGroup {
-            wall: get("ratio", 0.05),
-            sloshing: 0.005,
-        },
+        true => StripDamping::ByGroup { wall: get("ratio", 0.05), sloshing: 0.005 },
         false => StripDamping::Rayleigh(Rayleigh::mass_proportional(2.39, get("ratio", 0.022))),
     };
     let strip = StripModel::new(&tank, damping)?;
     let mut quake = StripQuake::new(record, get("step", 2.5e-3));
     quake.until = Some(get("until", 8.0));
-    quake.scheme = TimeScheme::GeneralizedAlpha {
-        radius: get("radius", 0.9),
-    };
+    quake.scheme = TimeScheme::GeneralizedAlpha { radius: get("radius", 0.9) };
     if opening {
         quake.newton = newton::Options::for_contact();
     }
     for side in Side::BOTH {
         let run = strip.single(&quake, side, &Silent)?;
         let history = &run.history;
-        let most = |scalar| -> f64 {
-            history
-                .scalar(scalar)
-                .iter()
-                .fold(0.0, |most, x: &f64| most.max(x.abs()))
-        };
+        let most = |scalar| -> f64 { history.scalar(scalar).iter().fold(0.0, |most, x: &f64| most.max(x.abs())) };
         let bars = history.cells.iter().map(|c| c.bar_stress).fold(0.0, f64::max);
         println!(
             "{side:?}: to {:.3} s, {} halvings, top {:.1} mm, bars {:.0} MPa, acceleration {:.0} m/s², reaction {:.2}, section {:.2} kNm/m",

@@ -67,17 +67,7 @@ const fn sample(
     [yield_stress, young_modulus]: [f64; 2],
     weight: f64,
 ) -> Sample {
-    Sample {
-        name,
-        radius,
-        fill,
-        density,
-        wall,
-        plate,
-        yield_stress,
-        young_modulus,
-        weight,
-    }
+    Sample { name, radius, fill, density, wall, plate, yield_stress, young_modulus, weight }
 }
 
 impl Sample {
@@ -88,10 +78,7 @@ impl Sample {
     /// Anchored, without ground motion: the upper of two courses is so thick that the wall has its weight.
     pub(crate) fn case(&self) -> Case {
         const DENSITY: f64 = 7850.0;
-        let steel = Material {
-            yield_strength: Some(self.yield_stress),
-            ..material(self.young_modulus, 0.3, DENSITY)
-        };
+        let steel = Material { yield_strength: Some(self.yield_stress), ..material(self.young_modulus, 0.3, DENSITY) };
         let (lower, upper) = (0.3 * self.fill, 0.75 * self.fill);
         let section = self.weight / (DENSITY * GRAVITY);
         let courses = [(lower, self.wall), (upper, (section - lower * self.wall) / upper)];

@@ -66,11 +66,7 @@ mod tests {
         for (i, benchmark) in ALL.iter().enumerate() {
             let name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
             assert!(benchmark.id.chars().all(name), "{}", benchmark.id);
-            assert!(
-                ALL[..i].iter().all(|other| other.id != benchmark.id),
-                "{}",
-                benchmark.id
-            );
+            assert!(ALL[..i].iter().all(|other| other.id != benchmark.id), "{}", benchmark.id);
             let described = [benchmark.title, benchmark.model].iter().all(|text| !text.is_empty());
             assert!(described && !benchmark.parts.is_empty(), "{}", benchmark.id);
         }

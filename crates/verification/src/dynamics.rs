@@ -19,11 +19,7 @@ const SHEET: &str = "amplification matrix worked out apart (after Chung & Hulber
 
 /// A row whose tolerance is given in the unit of its value.
 fn row(id: &str, what: String, reference: f64, computed: f64, absolute: f64) -> Row {
-    let tolerance = if reference == 0.0 {
-        absolute
-    } else {
-        absolute / reference.abs()
-    };
+    let tolerance = if reference == 0.0 { absolute } else { absolute / reference.abs() };
     let reference = (reference, SHEET, Reference::SecondFormulation);
     Row::new(id, what, reference, computed, (tolerance, ""))
 }

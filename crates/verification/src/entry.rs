@@ -77,16 +77,10 @@ pub struct Entry {
 pub(crate) const KINDS: [(&str, &str); 6] = [
     ("closed form", "a formula or a convergent series"),
     ("published", "numbers of a published benchmark"),
-    (
-        "second formulation",
-        "another formulation or program of this project, written independently",
-    ),
+    ("second formulation", "another formulation or program of this project, written independently"),
     ("dissertation", "numbers printed in the dissertation"),
     ("experiment", "a measurement"),
-    (
-        "regression",
-        "earlier output of this program: guards against change, does not verify",
-    ),
+    ("regression", "earlier output of this program: guards against change, does not verify"),
 ];
 
 /// A kind in words.
@@ -128,11 +122,7 @@ impl Entry {
     /// Deviation: relative to the reference, absolute if the reference is 0; not a number without a value.
     pub fn error(&self) -> f64 {
         let difference = self.computed.map_or(f64::NAN, |c| c - self.reference);
-        if self.reference == 0.0 {
-            difference
-        } else {
-            difference / self.reference.abs()
-        }
+        if self.reference == 0.0 { difference } else { difference / self.reference.abs() }
     }
 
     /// Whether the row is for comparison only: it has no tolerance and cannot fail.
@@ -161,11 +151,7 @@ impl Entry {
         let (Some(old), Some(new)) = (self.computed, fresh.computed) else {
             return self.computed == fresh.computed;
         };
-        let size = if self.reference == 0.0 {
-            1.0
-        } else {
-            self.reference.abs()
-        };
+        let size = if self.reference == 0.0 { 1.0 } else { self.reference.abs() };
         // Residuals of patch tests are rounding: only their tolerance applies.
         let slack = self.tolerance.map_or(1e-3, |t| if t < 1e-5 { t } else { 1e-3 * t });
         (old - new).abs() <= size * slack.max(1e-6)

@@ -44,12 +44,7 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
             all().map(|p| p.0),
             5,
         ),
-        Axis::linear(
-            "log₁₀ of the relative error",
-            Dimension::Dimensionless,
-            all().map(|p| p.1),
-            7,
-        ),
+        Axis::linear("log₁₀ of the relative error", Dimension::Dimensionless, all().map(|p| p.1), 7),
     );
     chart.lines = lines;
     let chart = chart.with_plot_height(240.0);
@@ -74,11 +69,7 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
         description: format!(
             "Relative error over the mesh of {} studies: {}.{left_out}",
             studies.len(),
-            studies
-                .iter()
-                .map(|(what, _)| what.as_str())
-                .collect::<Vec<_>>()
-                .join("; ")
+            studies.iter().map(|(what, _)| what.as_str()).collect::<Vec<_>>().join("; ")
         ),
         size: chart.size,
         markup: chart.draw()?,
@@ -157,11 +148,8 @@ pub fn html(found: &Manual) -> Result<String, Error> {
     let version = env!("CARGO_PKG_VERSION");
     let subtitle = format!("tankcheck {version}: computed values next to references from outside the program");
     page.insert("subtitle", &subtitle);
-    let not_run: Vec<String> = found
-        .not_run
-        .iter()
-        .map(|n| format!("{}: {} (needs {})", n.id, n.what, n.needs))
-        .collect();
+    let not_run: Vec<String> =
+        found.not_run.iter().map(|n| format!("{}: {} (needs {})", n.id, n.what, n.needs)).collect();
     page.insert("not_run", &not_run);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));

@@ -96,11 +96,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<u8, Error> {
     let pattern = args.pattern.as_deref().map(pattern).transpose()?;
     let records = records(args)?;
-    let choice = Choice {
-        pattern: pattern.as_ref(),
-        slow: args.slow,
-        records: records.as_ref(),
-    };
+    let choice = Choice { pattern: pattern.as_ref(), slow: args.slow, records: records.as_ref() };
     if args.list {
         print(&output::list(choice, args.format)?)?;
         return Ok(EXIT_OK);
@@ -126,10 +122,7 @@ fn run(args: &Args) -> Result<u8, Error> {
 /// Writes to standard output. A reader that closes early (`| head`) is not a failure.
 fn print(text: &str) -> Result<(), Error> {
     let mut out = std::io::stdout().lock();
-    match out
-        .write_all(files::text::printed(text).as_bytes())
-        .and_then(|()| out.flush())
-    {
+    match out.write_all(files::text::printed(text).as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(files::error::Error::Output(files::error::describe(&error)).into())
         }

@@ -102,9 +102,7 @@ pub fn cells(row: &Entry) -> [String; 7] {
     [
         row.id.clone(),
         row.what.clone(),
-        format!("{} {}", significant(row.reference), unit(&row.unit))
-            .trim_end()
-            .to_owned(),
+        format!("{} {}", significant(row.reference), unit(&row.unit)).trim_end().to_owned(),
         row.computed.map_or("none".into(), significant),
         deviation(row, row.error(), true),
         row.tolerance.map_or("–".into(), |t| deviation(row, t, false)),
@@ -139,9 +137,7 @@ fn significant(x: f64) -> String {
 
 /// The fewest digits that agree to three.
 fn significant_short(x: f64) -> String {
-    format!("{x:.2e}")
-        .parse::<f64>()
-        .map_or_else(|_| x.to_string(), |v| v.to_string())
+    format!("{x:.2e}").parse::<f64>().map_or_else(|_| x.to_string(), |v| v.to_string())
 }
 
 /// Text in a cell of a Markdown table.
@@ -180,12 +176,7 @@ fn page(page: &Page, figure: bool) -> String {
         text.push_str("| what | number of elements or mesh size: relative error |\n|---|---|\n");
         for row in page.rows.iter().filter(|r| r.convergence.len() > 1) {
             let study = row.convergence.iter().map(|(n, e)| format!("{n}: {e:.2e}"));
-            let _ = writeln!(
-                text,
-                "| {} | {} |",
-                cell(&row.what),
-                study.collect::<Vec<_>>().join(", ")
-            );
+            let _ = writeln!(text, "| {} | {} |", cell(&row.what), study.collect::<Vec<_>>().join(", "));
         }
     }
     text
@@ -257,13 +248,7 @@ fn index_line(page: &Page) -> String {
         .filter_map(|r| Some((r.error().abs(), r.tolerance?)))
         .map(|(e, t)| if e == 0.0 { 0.0 } else { e / t })
         .fold(0.0, f64::max);
-    format!(
-        "| [{}]({}.md) | {} | {} | {worst:.2} |\n",
-        cell(page.title),
-        page.id,
-        page.rows.len(),
-        kinds.join(", ")
-    )
+    format!("| [{}]({}.md) | {} | {} | {worst:.2} |\n", cell(page.title), page.id, page.rows.len(), kinds.join(", "))
 }
 
 /// The letters that begin ids.
@@ -274,10 +259,8 @@ laws. S: shells. All others are named after the table, figure or example of thei
 
 /// The table of ids: letter, then number, then all others.
 fn ids() -> String {
-    let mut all: Vec<_> = ALL
-        .iter()
-        .flat_map(|benchmark| benchmark.ids.iter().map(move |&(id, what)| (id, what, *benchmark)))
-        .collect();
+    let mut all: Vec<_> =
+        ALL.iter().flat_map(|benchmark| benchmark.ids.iter().map(move |&(id, what)| (id, what, *benchmark))).collect();
     all.sort_by_key(|(id, ..)| {
         let number = id.get(1..).and_then(|digits| digits.parse::<u32>().ok());
         let letter = number.and(id.chars().next());
@@ -285,13 +268,7 @@ fn ids() -> String {
     });
     let mut text = String::from(SERIES);
     for (id, what, benchmark) in all {
-        let _ = writeln!(
-            text,
-            "| {id} | {} | [{}]({}.md) |",
-            cell(what),
-            cell(benchmark.title),
-            benchmark.id
-        );
+        let _ = writeln!(text, "| {id} | {} | [{}]({}.md) |", cell(what), cell(benchmark.title), benchmark.id);
     }
     text
 }
@@ -317,13 +294,8 @@ pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
 pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
     settle(folder);
     let path = folder.join(ROWS);
-    let fault = |what: String| {
-        Error::Files(files::error::Error::File {
-            code: Code::NotResults,
-            path: path.clone(),
-            what,
-        })
-    };
+    let fault =
+        |what: String| Error::Files(files::error::Error::File { code: Code::NotResults, path: path.clone(), what });
     let text = std::fs::read_to_string(&path).map_err(|e| files::error::Error::unreadable(&path, &e))?;
     serde_json::from_str(&text).map_err(|e| fault(format!("not the rows of a verification manual: {e}")))
 }
@@ -333,12 +305,7 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
 pub fn merge(fresh: &[Entry], kept: &[Entry], ran: impl Fn(&str, Pace) -> bool) -> Vec<Entry> {
     let old = kept.iter().filter(|row| !ran(&row.page, row.pace));
     let place = |row: &Entry| ALL.iter().position(|benchmark| benchmark.id == row.page);
-    let mut rows: Vec<Entry> = fresh
-        .iter()
-        .chain(old)
-        .filter(|r| place(r).is_some())
-        .cloned()
-        .collect();
+    let mut rows: Vec<Entry> = fresh.iter().chain(old).filter(|r| place(r).is_some()).cloned().collect();
     // Stable: rows keep their order within a page.
     rows.sort_by_key(place);
     rows
@@ -396,15 +363,9 @@ mod tests {
             [true, true, false, false],
             "a row for comparison is never counted as within its tolerance"
         );
-        assert_eq!(
-            rows.iter().map(Entry::fails).collect::<Vec<_>>(),
-            [false, false, false, true]
-        );
+        assert_eq!(rows.iter().map(Entry::fails).collect::<Vec<_>>(), [false, false, false, true]);
         let text = index(&rows);
-        assert!(
-            text.contains("\n2 rows count as verification") && text.contains("1 rows are outside"),
-            "{text}"
-        );
+        assert!(text.contains("\n2 rows count as verification") && text.contains("1 rows are outside"), "{text}");
         assert!(page(&pages(&rows)[0], true).contains("a \\| b"));
     }
 
@@ -414,9 +375,7 @@ mod tests {
         let old = entry("fluid-rank", Reference::ClosedForm, 2.5, 0.01, Pace::Fast);
         let new = entry("fluid-rank", Reference::ClosedForm, 2.0, 0.01, Pace::Fast);
         let gone = entry("a-benchmark-of-the-past", Reference::Published, 2.0, 0.01, Pace::Slow);
-        let rows = merge(std::slice::from_ref(&new), &[old, gone, slow.clone()], |_, pace| {
-            pace == Pace::Fast
-        });
+        let rows = merge(std::slice::from_ref(&new), &[old, gone, slow.clone()], |_, pace| pace == Pace::Fast);
         // In the order of the registry: the shell comes first.
         assert_eq!(rows, [slow, new]);
     }

@@ -130,11 +130,7 @@ impl Jointed {
             }
         }
         if !(h > 0.0 && h.is_finite()) {
-            return Err(AnalysisError::Option {
-                option: "time step",
-                found: format!("{h} s"),
-                allowed: "> 0".into(),
-            });
+            return Err(AnalysisError::Option { option: "time step", found: format!("{h} s"), allowed: "> 0".into() });
         }
         let mut base = self.mass.clone();
         for ((m, c), k) in base.data.iter_mut().zip(&self.damping.data).zip(&self.stiffness.data) {
@@ -151,18 +147,13 @@ impl Jointed {
             let half: Vec<f64> = x.iter().zip(&v).map(|(x, v)| x + 0.25 * h * v).collect();
             let (elastic, viscous, momentum) =
                 (self.stiffness.times(&half), self.damping.times(&v), self.mass.times(&v));
-            let right: Vec<f64> = (0..n)
-                .map(|i| momentum[i] + h * (p[i] - elastic[i] - 0.5 * viscous[i]))
-                .collect();
+            let right: Vec<f64> = (0..n).map(|i| momentum[i] + h * (p[i] - elastic[i] - 0.5 * viscous[i])).collect();
             let pressed: Vec<f64> = self.joints.iter().map(|j| j.preload + dot(&j.relief, &x)).collect();
             let before = open.clone();
             let (tried, (x1, v1, mut contact)) =
                 self.close(&base, h, time, [&x, &v], &right, &pressed, &mut open, &mut factor)?;
             if !x1.iter().chain(&v1).all(|u| u.is_finite()) {
-                return Err(AnalysisError::NotFinite {
-                    time,
-                    cause: "the load, or a stiffness that is not positive",
-                });
+                return Err(AnalysisError::NotFinite { time, cause: "the load, or a stiffness that is not positive" });
             }
             (x, v) = (x1, v1);
             for (force, &is_open) in contact.iter_mut().zip(&open) {
@@ -173,23 +164,13 @@ impl Jointed {
             report.most_sets = report.most_sets.max(tried);
             report.steps_open += usize::from(open.contains(&true));
             report.changes += usize::from(before != open);
-            each(Moment {
-                step,
-                time,
-                displacement: &x,
-                velocity: &v,
-                contact: &contact,
-                open: &open,
-            });
+            each(Moment { step, time, displacement: &x, velocity: &v, contact: &contact, open: &open });
         }
         Ok(report)
     }
 
     /// End of a step, x₁ and v₁ with the force of each joint, on the set of open joints that repeats; the number of sets tried.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "the step's own values, with which its caller continues"
-    )]
+    #[expect(clippy::too_many_arguments, reason = "the step's own values, with which its caller continues")]
     fn close(
         &self,
         base: &Matrix,
@@ -253,10 +234,8 @@ impl Jointed {
                 }
             }
         }
-        Cholesky::factor(&a).map_err(|source| AnalysisError::Linalg {
-            what: "the effective matrix of a step with joints",
-            source,
-        })
+        Cholesky::factor(&a)
+            .map_err(|source| AnalysisError::Linalg { what: "the effective matrix of a step with joints", source })
     }
 }
 
@@ -276,12 +255,7 @@ mod tests {
             mass: scalar(2.0),
             damping: scalar(0.0),
             stiffness: scalar(0.0),
-            joints: vec![Joint {
-                closing: vec![(0, 1.0)],
-                stiffness: k,
-                preload,
-                relief: Vec::new(),
-            }],
+            joints: vec![Joint { closing: vec![(0, 1.0)], stiffness: k, preload, relief: Vec::new() }],
             opening: Opening::Unilateral,
         }
     }
@@ -303,11 +277,7 @@ mod tests {
                     let (x, v) = (m.displacement[0], m.velocity[0]);
                     highest = highest.max(-x);
                     if m.time > 0.2 + h {
-                        let spring = if m.open[0] {
-                            0.0
-                        } else {
-                            0.5 * k * (x + weight / k).powi(2)
-                        };
+                        let spring = if m.open[0] { 0.0 } else { 0.5 * k * (x + weight / k).powi(2) };
                         let energy = v * v - weight * x + spring;
                         assert!(energy <= after + 1e-9 * weight, "k {k:e} h {h}: {energy} after {after}");
                         after = energy;
@@ -325,10 +295,7 @@ mod tests {
             // The release is damped by ω h or, unresolved, not seen: its speed moves the height by 0.3 s times as much. The top
             // of the flight falls between two steps: ½ g (h/2)².
             let allowed = 0.35 * speed * (omega * h).min(1.0) + 1.3 * h * h;
-            assert!(
-                (highest - exact).abs() < allowed,
-                "k {k:e} h {h}: {highest} {exact} {allowed}"
-            );
+            assert!((highest - exact).abs() < allowed, "k {k:e} h {h}: {highest} {exact} {allowed}");
             assert!(report.steps_open > 0 && report.changes > 0);
         }
     }

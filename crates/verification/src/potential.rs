@@ -24,10 +24,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("F9", "first wall mode, liquid on hexahedra and by harmonics"),
         ("F11", "effective mass of the first wall mode"),
         ("sectors", "share of the sectors in the error"),
-        (
-            "three fields",
-            "direct integration in three fields against all condensed modes",
-        ),
+        ("three fields", "direct integration in three fields against all condensed modes"),
         ("vertical", "vertical acceleration of a rigid box"),
         ("solvers", "two solvers of a wall with the harmonic liquid"),
     ],
@@ -69,22 +66,9 @@ pub fn potential_slow() -> Answer {
         let what = format!("8.3, H = {depth} m");
         rows.extend(bulging_rows(&what, &Tank::slender(depth, 1e4 / 9.81), omega, true)?);
     }
-    let uniform = Tank {
-        courses: vec![(1.83, 2.03e-3)],
-        ..Tank::broad()
-    };
-    rows.extend(bulging_rows(
-        "8.1 with 2.03 mm throughout, m = 0",
-        &uniform,
-        175.8,
-        false,
-    )?);
-    rows.extend(bulging_rows(
-        "8.3, H = 5 m, ρ = 1 t/m³, m = 0",
-        &Tank::slender(5.0, 1000.0),
-        105.2,
-        false,
-    )?);
+    let uniform = Tank { courses: vec![(1.83, 2.03e-3)], ..Tank::broad() };
+    rows.extend(bulging_rows("8.1 with 2.03 mm throughout, m = 0", &uniform, 175.8, false)?);
+    rows.extend(bulging_rows("8.3, H = 5 m, ρ = 1 t/m³, m = 0", &Tank::slender(5.0, 1000.0), 105.2, false)?);
     Ok(rows)
 }
 
@@ -164,31 +148,17 @@ fn cylinder_rows() -> Answer {
     let mut found: Vec<(f64, Vec<Sloshing>, f64, f64)> = Vec::new();
     for k in [1, 2, 3] {
         let tank = RigidTank::cylinder(radius, depth, 6 * k, 8 * k, 6 * k)?;
-        found.push((
-            (6 * k) as f64,
-            tank.excited(14)?,
-            tank.total_mass()? / liquid,
-            tank.impulsive_mass()? / liquid,
-        ));
+        found.push(((6 * k) as f64, tank.excited(14)?, tank.total_mass()? / liquid, tank.impulsive_mass()? / liquid));
     }
     let mut rows = Vec::new();
     let mut add = |id: &str, what: &str, unit: &'static str, exact: f64, values: Vec<f64>, tolerance: f64| {
-        let convergence: Vec<(f64, f64)> = found
-            .iter()
-            .zip(&values)
-            .map(|((n, ..), v)| (*n, v / exact - 1.0))
-            .collect();
+        let convergence: Vec<(f64, f64)> =
+            found.iter().zip(&values).map(|((n, ..), v)| (*n, v / exact - 1.0)).collect();
         let observed = order(&convergence);
         rows.push(Row {
             unit,
             convergence: convergence.clone(),
-            ..row(
-                id,
-                what,
-                (exact, SERIES, Reference::ClosedForm),
-                values[values.len() - 1],
-                tolerance,
-            )
+            ..row(id, what, (exact, SERIES, Reference::ClosedForm), values[values.len() - 1], tolerance)
         });
         // Order 2; the weak singularity where surface and wall meet disturbs it a little in the masses.
         rows.push(row(
@@ -203,22 +173,8 @@ fn cylinder_rows() -> Answer {
     let share = |j: usize| found.iter().map(|f| f.1[j].mass / liquid).collect::<Vec<_>>();
     // Tolerances on 18 × 24 × 18: less than twice the leading error of the sectors, (mΔ)²/24 = 0.29 %, and of r and z,
     // (λh/R)²/24 each.
-    add(
-        "F1",
-        "tank 8.1, first sloshing frequency",
-        "rad/s",
-        sloshing(LAMBDA_1[0], radius, depth),
-        mode(0),
-        0.0025,
-    );
-    add(
-        "F1",
-        "tank 8.1, second sloshing frequency",
-        "rad/s",
-        sloshing(LAMBDA_1[1], radius, depth),
-        mode(1),
-        0.006,
-    );
+    add("F1", "tank 8.1, first sloshing frequency", "rad/s", sloshing(LAMBDA_1[0], radius, depth), mode(0), 0.0025);
+    add("F1", "tank 8.1, second sloshing frequency", "rad/s", sloshing(LAMBDA_1[1], radius, depth), mode(1), 0.006);
     add(
         "F7",
         "tank 8.1, first convective mass over liquid mass",
@@ -227,22 +183,8 @@ fn cylinder_rows() -> Answer {
         share(0),
         0.007,
     );
-    add(
-        "F6",
-        "tank 8.1, liquid mass in translation over ρπR²H",
-        "",
-        1.0,
-        found.iter().map(|f| f.2).collect(),
-        0.005,
-    );
-    add(
-        "F8",
-        "tank 8.1, impulsive mass over liquid mass",
-        "",
-        impulsive,
-        found.iter().map(|f| f.3).collect(),
-        0.005,
-    );
+    add("F6", "tank 8.1, liquid mass in translation over ρπR²H", "", 1.0, found.iter().map(|f| f.2).collect(), 0.005);
+    add("F8", "tank 8.1, impulsive mass over liquid mass", "", impulsive, found.iter().map(|f| f.3).collect(), 0.005);
     Ok(rows)
 }
 
@@ -281,11 +223,7 @@ fn sector_rows() -> Answer {
         rows.push(row(
             "sectors",
             format!("liquid mass in translation over ρπR²H with {sectors} sectors, r extrapolated"),
-            (
-                numerov * numerov / (consistent * nu),
-                "[(5 + cos Δ)/6]²/[ν (2 + cos Δ)/3]",
-                Reference::ClosedForm,
-            ),
+            (numerov * numerov / (consistent * nu), "[(5 + cos Δ)/6]²/[ν (2 + cos Δ)/3]", Reference::ClosedForm),
             fine + (fine - coarse) / 3.0,
             5e-5,
         ));
@@ -294,11 +232,7 @@ fn sector_rows() -> Answer {
     rows.push(row(
         "sectors",
         "tank 8.1, share of 16 sectors in the error of the first sloshing frequency",
-        (
-            0.0025,
-            "rounded estimate, shown for comparison",
-            Reference::SecondFormulation,
-        ),
+        (0.0025, "rounded estimate, shown for comparison", Reference::SecondFormulation),
         shift,
         f64::INFINITY,
     ));
@@ -365,10 +299,7 @@ fn transient_rows() -> Answer {
         .into_iter()
         .map(|(what, direct, modal)| {
             let peak = modal.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            let apart = direct
-                .iter()
-                .zip(&modal)
-                .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            let apart = direct.iter().zip(&modal).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
             // Trapezoidal rule: phase ω t (ωh)²/12 = 0.1 % of the first wall mode at the end, more of the higher ones.
             row(
                 "three fields",
@@ -412,11 +343,7 @@ fn solver_rows() -> Answer {
     let load = model.inertia(along_x);
     let step: f64 = 2e-3;
     let s = 4.0 / (step * step);
-    let mut dense = Matrix {
-        rows: load.len(),
-        cols: 1,
-        data: load.clone(),
-    };
+    let mut dense = Matrix { rows: load.len(), cols: 1, data: load.clone() };
     pencil.shifted(s)?.solve(&mut dense)?;
     let (iterated, _) = WallSolver::new(&pencil, s, 1e-10)?.solve(&load, &vec![0.0; load.len()])?;
     let (k, m) = (pencil.stiffness(&dense), pencil.mass(&dense)?);
@@ -434,16 +361,8 @@ fn solver_rows() -> Answer {
     };
     Ok(vec![
         // The dense block passes through C⁻¹, whose condition is some 10⁶.
-        check(
-            "residual of the dense wet block over the load",
-            size(&residual) / size(&load),
-            1e-8,
-        ),
+        check("residual of the dense wet block over the load", size(&residual) / size(&load), 1e-8),
         // Tolerance of the iteration 10⁻¹⁰ in the norm of the preconditioner.
-        check(
-            "conjugate gradients against the dense wet block",
-            size(&apart) / size(&dense.data),
-            1e-7,
-        ),
+        check("conjugate gradients against the dense wet block", size(&apart) / size(&dense.data), 1e-7),
     ])
 }

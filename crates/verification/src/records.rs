@@ -51,18 +51,12 @@ impl Records {
 
 /// The record of a table; lines that begin with `#` are comments.
 fn record(name: &str, text: &str) -> Option<Record> {
-    let mut lines = text
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
     let head: String = lines.next()?.chars().filter(|c| !c.is_whitespace()).collect();
     let mut samples = Vec::new();
     for line in lines {
         let (time, acceleration) = line.split_once(',')?;
-        samples.push((
-            time.trim().parse::<f64>().ok()?,
-            acceleration.trim().parse::<f64>().ok()?,
-        ));
+        samples.push((time.trim().parse::<f64>().ok()?, acceleration.trim().parse::<f64>().ok()?));
     }
     let (first, last) = (samples.first()?.0, samples.last()?.0);
     // Times are printed with three decimals or so; their mean step has no more than nine.
@@ -83,11 +77,8 @@ mod tests {
 
     #[test]
     fn a_table_of_equal_steps_is_a_record_and_no_other_is() {
-        let found = record(
-            "a.csv",
-            "# Caltech\ntime_s, acceleration_m_s2\n0,0\n0.02,-1.5\n0.04,2\n",
-        )
-        .expect("a record");
+        let found =
+            record("a.csv", "# Caltech\ntime_s, acceleration_m_s2\n0,0\n0.02,-1.5\n0.04,2\n").expect("a record");
         assert_eq!((found.name.as_str(), found.dt), ("a", 0.02));
         assert_eq!(found.acceleration, [0.0, -1.5, 2.0]);
         for other in [

@@ -65,11 +65,7 @@ impl Row {
 
     /// Deviation: relative to the reference, absolute if the reference is 0.
     pub fn error(&self) -> f64 {
-        if self.reference == 0.0 {
-            self.computed
-        } else {
-            (self.computed - self.reference) / self.reference.abs()
-        }
+        if self.reference == 0.0 { self.computed } else { (self.computed - self.reference) / self.reference.abs() }
     }
 
     /// Whether the computed value is a number within the tolerance.
@@ -96,8 +92,7 @@ impl Row {
 /// Asserts that all rows hold, and prints them.
 #[cfg(test)]
 pub(crate) fn assert_held(rows: &[Row]) {
-    rows.iter()
-        .for_each(|row| println!("{} {:?}", row.line(), row.convergence));
+    rows.iter().for_each(|row| println!("{} {:?}", row.line(), row.convergence));
     assert!(rows.iter().all(Row::holds), "run with --nocapture");
 }
 

@@ -50,8 +50,7 @@ impl Pattern {
 
 /// Ids of rows and pages.
 fn names() -> impl Iterator<Item = &'static str> {
-    ALL.iter()
-        .flat_map(|benchmark| benchmark.ids.iter().map(|id| id.0).chain([benchmark.id]))
+    ALL.iter().flat_map(|benchmark| benchmark.ids.iter().map(|id| id.0).chain([benchmark.id]))
 }
 
 /// The ids and pages nearest to a misspelt one, three at most; the words of a page count, too.
@@ -60,15 +59,10 @@ pub fn nearest(text: &str) -> Vec<&'static str> {
     let length = text.chars().count();
     let distance = |name: &str| {
         let words = name.split('-').chain([name]);
-        words
-            .map(|word| strsim::damerau_levenshtein(&text, &word.to_lowercase()))
-            .min()
-            .unwrap_or(usize::MAX)
+        words.map(|word| strsim::damerau_levenshtein(&text, &word.to_lowercase())).min().unwrap_or(usize::MAX)
     };
-    let mut near: Vec<(usize, &str)> = names()
-        .map(|name| (distance(name), name))
-        .filter(|(distance, _)| distance * 3 <= length)
-        .collect();
+    let mut near: Vec<(usize, &str)> =
+        names().map(|name| (distance(name), name)).filter(|(distance, _)| distance * 3 <= length).collect();
     near.sort_unstable();
     near.dedup();
     near.into_iter().take(3).map(|(_, name)| name).collect()
@@ -163,21 +157,15 @@ pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
     for benchmark in choice.benchmarks() {
         for part in benchmark.parts {
             if let Some(needs) = choice.needs(part.pace()) {
-                let lacking = NotRun {
-                    id: benchmark.id.into(),
-                    what: benchmark.title.into(),
-                    needs,
-                };
+                let lacking = NotRun { id: benchmark.id.into(), what: benchmark.title.into(), needs };
                 if !manual.not_run.contains(&lacking) {
                     manual.not_run.push(lacking);
                 }
                 continue;
             }
             begin(benchmark.title);
-            let rows = rows(part, choice.records).map_err(|what| Error::Benchmark {
-                benchmark: benchmark.id.into(),
-                what: what.to_string(),
-            })?;
+            let rows = rows(part, choice.records)
+                .map_err(|what| Error::Benchmark { benchmark: benchmark.id.into(), what: what.to_string() })?;
             let entries = rows.iter().map(|row| Entry::of(row, benchmark.id, part.pace()));
             manual.rows.extend(entries);
         }
@@ -203,10 +191,7 @@ mod tests {
 
     fn chosen(pattern: &str) -> Vec<&'static str> {
         let pattern = Pattern::new(pattern);
-        let choice = Choice {
-            pattern: pattern.as_ref(),
-            ..Choice::default()
-        };
+        let choice = Choice { pattern: pattern.as_ref(), ..Choice::default() };
         match pattern {
             Some(_) => choice.benchmarks().map(|benchmark| benchmark.id).collect(),
             None => Vec::new(),
@@ -228,10 +213,7 @@ mod tests {
     #[test]
     fn what_lacks_an_option_is_listed_once() {
         let pattern = Pattern::new("C8").expect("an id");
-        let choice = Choice {
-            pattern: Some(&pattern),
-            ..Choice::default()
-        };
+        let choice = Choice { pattern: Some(&pattern), ..Choice::default() };
         let manual = run(choice, &|_| {}).expect("nothing runs");
         assert!(manual.rows.is_empty());
         assert_eq!(manual.not_run.len(), 1);

@@ -99,11 +99,7 @@ impl Grid {
 }
 
 fn surface<'a>(cells: &[[usize; 4]], section: &Arc<dyn Section>) -> ShellSurface<'a> {
-    let cell = |&nodes: &[usize; 4]| ShellCell {
-        nodes,
-        section: section.clone(),
-        group: "shell".to_owned(),
-    };
+    let cell = |&nodes: &[usize; 4]| ShellCell { nodes, section: section.clone(), group: "shell".to_owned() };
     ShellSurface::new(cells.iter().map(cell).collect())
 }
 
@@ -143,15 +139,8 @@ fn solve(builder: Builder, placed: PlacedShell, loads: &NodalLoads, acceleration
         *f += b;
     }
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree)?);
-    let u = symbolic
-        .factor(&assembler.stiffness(&model)?, Kind::Definite)?
-        .solve_vector(&f)?;
-    Ok(Solution {
-        model,
-        assembler,
-        u,
-        placed,
-    })
+    let u = symbolic.factor(&assembler.stiffness(&model)?, Kind::Definite)?.solve_vector(&f)?;
+    Ok(Solution { model, assembler, u, placed })
 }
 
 /// Id, source and unit of several rows.
@@ -183,13 +172,7 @@ impl Case {
     ) -> Vec<Row> {
         let mut rows = Vec::new();
         if let Some(&(n, value)) = values.last() {
-            let mut row = self.row(
-                format!("{what}, {n} elements"),
-                Reference::Published,
-                reference,
-                value,
-                tolerance,
-            );
+            let mut row = self.row(format!("{what}, {n} elements"), Reference::Published, reference, value, tolerance);
             row.convergence = values.iter().map(|&(n, v)| (n as f64, v / reference - 1.0)).collect();
             rows.push(row);
         }

@@ -38,23 +38,12 @@ fn failure(error: SoilError) -> Failure {
 
 /// Soil without hysteresis; ρ_s = 1900 kg/m³.
 fn soil(shear_wave_velocity: f64, poisson_ratio: f64) -> Soil {
-    Soil {
-        density: 1900.0,
-        shear_wave_velocity,
-        poisson_ratio,
-        damping: 0.0,
-        depth: None,
-    }
+    Soil { density: 1900.0, shear_wave_velocity, poisson_ratio, damping: 0.0, depth: None }
 }
 
 /// A tank on a half-space with ν = 1/3; wall 2 %.
 fn on_soil(radius: f64, [mass, height, period]: [f64; 3], shear_wave_velocity: f64) -> Result<OnSoil, Failure> {
     let disc = Disc::new(radius, soil(shear_wave_velocity, 1.0 / 3.0)).map_err(failure)?;
-    let structure = Structure {
-        mass,
-        height,
-        period,
-        damping: 0.02,
-    };
+    let structure = Structure { mass, height, period, damping: 0.02 };
     OnSoil::new(structure, disc).map_err(failure)
 }

@@ -63,10 +63,7 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
         shells: None,
         options,
         base_spring: None,
-        liquid: StripLiquid {
-            gravity: G,
-            ..StripLiquid::new(HALF_WIDTH, DEPTH, 1e4 / G)
-        },
+        liquid: StripLiquid { gravity: G, ..StripLiquid::new(HALF_WIDTH, DEPTH, 1e4 / G) },
         sloshing: SLOSHING,
         contact: Contact::Bonded,
     })
@@ -87,9 +84,12 @@ pub fn reinforced_tank(
 
 /// A wall of one law, without bars, in `layers` layers.
 fn plain_section(law: Arc<dyn Law<1>>, layers: usize) -> Result<FibreSection, StripError> {
-    Ok(FibreSection::new(CONCRETE * THICKNESS)?
-        .with_attached_mass(ATTACHED)?
-        .rectangle(law, [1.0, THICKNESS], 0.0, layers)?)
+    Ok(FibreSection::new(CONCRETE * THICKNESS)?.with_attached_mass(ATTACHED)?.rectangle(
+        law,
+        [1.0, THICKNESS],
+        0.0,
+        layers,
+    )?)
 }
 
 fn law_error(source: LawError) -> StripError {

@@ -53,9 +53,7 @@ fn check(benchmark: &Benchmark, kept: &[Entry]) -> Result<(), Failed> {
         .filter(|row| row.fails())
         .map(|row| format!("outside its tolerance: {row:?}, error {:+.2e}", row.error()))
         .collect();
-    let kept = kept
-        .iter()
-        .filter(|row| row.page == benchmark.id && row.pace.is_tested());
+    let kept = kept.iter().filter(|row| row.page == benchmark.id && row.pace.is_tested());
     faults.extend(differences(&fresh, &kept.collect::<Vec<_>>()));
     match faults.is_empty() {
         true => Ok(()),

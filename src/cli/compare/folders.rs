@@ -37,14 +37,8 @@ impl Folders {
             None => OutputFolder::prepare,
         };
         let out = prepare(&args.out, results::COMPARE)?;
-        let vtu = args
-            .vtu
-            .as_ref()
-            .map(|target| OutputFolder::prepare(target, vtu::FOLDER));
-        Ok(Folders {
-            out,
-            vtu: vtu.transpose()?,
-        })
+        let vtu = args.vtu.as_ref().map(|target| OutputFolder::prepare(target, vtu::FOLDER));
+        Ok(Folders { out, vtu: vtu.transpose()? })
     }
 
     /// Writes results, report and states; returns the names of [`OutputFolder::stale`].
@@ -52,11 +46,7 @@ impl Folders {
         if !args.no_report {
             pipeline::draw(job, &mut outcome.results)?;
         }
-        let Outcome {
-            results,
-            series,
-            snapshots,
-        } = outcome;
+        let Outcome { results, series, snapshots } = outcome;
         results::write(&self.out.path(), results, series)?;
         if !args.no_report {
             report::render(&self.out.path(), args.templates.as_deref(), args.level.level())?;
@@ -85,12 +75,7 @@ pub(super) fn announce_loss(out: &Path, folder: &OutputFolder, job: &Job) {
     let parts = job.without.iter().filter(|part| earlier.has(**part));
     lost.extend(parts.map(|part| part.name().to_owned()));
     // Nothing is written yet, so that these are all that the earlier run owns.
-    lost.extend(
-        folder
-            .stale()
-            .into_iter()
-            .filter(|name| results::FORMS.contains(&name.as_str())),
-    );
+    lost.extend(folder.stale().into_iter().filter(|name| results::FORMS.contains(&name.as_str())));
     if lost.is_empty() {
         return;
     }

@@ -19,13 +19,7 @@ use crate::cli::{checks, style};
 /// Quantity × method for one excitation, values with their ratio to the engine.
 pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     let shown = |m: &Method| m.excitation == excitation && !m.quantities.is_empty();
-    let columns: Vec<usize> = results
-        .methods
-        .iter()
-        .enumerate()
-        .filter(|(_, m)| shown(m))
-        .map(|(i, _)| i)
-        .collect();
+    let columns: Vec<usize> = results.methods.iter().enumerate().filter(|(_, m)| shown(m)).map(|(i, _)| i).collect();
     if columns.is_empty() {
         return String::new();
     }
@@ -45,11 +39,7 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
             Some(cell) => {
                 let nonlinear = results.methods[i].id == EngineId::Nonlinear.beside();
                 let later = |l: &Later| nonlinear && l.peaks.contains_key(&row.quantity);
-                let mark = if later_peaks.as_ref().is_some_and(later) {
-                    "*"
-                } else {
-                    ""
-                };
+                let mark = if later_peaks.as_ref().is_some_and(later) { "*" } else { "" };
                 let value = units::significant(units::in_unit(cell.value, unit), 3);
                 let ratio = cell.ratio.map_or(String::new(), |ratio| format!(" ({ratio:.2})"));
                 let mark = match divides(row.dimension) && !divided(results, &results.methods[i]).is_empty() {
@@ -66,9 +56,7 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     }
     let mut text = format!("{}\n", table.fitted(stream::width()));
     marks(&mut text, results, excitation, &columns);
-    let together = results
-        .reference()
-        .and_then(|run| terminal::components(&run.directions));
+    let together = results.reference().and_then(|run| terminal::components(&run.directions));
     if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
         let _ = writeln!(text, "{line}");
     }
@@ -107,10 +95,7 @@ fn marks(text: &mut String, results: &Results, excitation: Excitation, columns: 
     // The column of the engine under the site's spectrum has no checks that give the reason.
     let plates = results.tank.tank.bends_as_plates();
     let alone = |why: &Outside| excitation == Excitation::Site && plates == (*why == Outside::Plates);
-    for why in Outside::ALL
-        .into_iter()
-        .filter(|why| marked(|c| c.outside) && (open(why) || alone(why)))
-    {
+    for why in Outside::ALL.into_iter().filter(|why| marked(|c| c.outside) && (open(why) || alone(why))) {
         let _ = writeln!(text, "{}", terminal::outside(why));
     }
 }
@@ -157,11 +142,7 @@ pub(super) fn csv(results: &Results) -> String {
             let usable = if cell.unusable || cell.outside { "no" } else { "yes" };
             let unit = style::unit(results, cell.value, row.dimension);
             let (value, unit) = style::in_csv(cell.value, unit);
-            let _ = writeln!(
-                text,
-                "{},{excitation},{},{value:?},{unit},{ratio},{usable}",
-                method.id, row.quantity
-            );
+            let _ = writeln!(text, "{},{excitation},{},{value:?},{unit},{ratio},{usable}", method.id, row.quantity);
         }
     }
     text.push_str(&checks::csv(results));
@@ -179,11 +160,7 @@ pub(super) fn accepted(results: &Results) -> String {
     for gap in gaps {
         let check = &gap.check;
         let approval = words::verdict::approval(check, &results.volatile.created);
-        let _ = writeln!(
-            text,
-            "  {} ({}), {approval}: {}",
-            check.limit_state, gap.method, check.reason
-        );
+        let _ = writeln!(text, "  {} ({}), {approval}: {}", check.limit_state, gap.method, check.reason);
     }
     style::sentence(&text) + "\n"
 }
@@ -221,11 +198,7 @@ fn sentences(results: &Results) -> String {
     if let Some(aside) = &verdict.record {
         let governing = aside.governing.as_ref().map(terminal::governing);
         let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();
-        let _ = writeln!(
-            text,
-            "{}{governing}",
-            words::verdict::record(aside, results.record_set.is_some())
-        );
+        let _ = writeln!(text, "{}{governing}", words::verdict::record(aside, results.record_set.is_some()));
     }
     // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();

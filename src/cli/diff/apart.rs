@@ -21,11 +21,7 @@ impl Apart {
     pub(super) fn between(old: &Results, new: &Results) -> Option<Apart> {
         let of_tank = |path: &str| OF_TANK.iter().any(|part| path.starts_with(part));
         let values = differing(old, new).iter().filter(|(path, _)| of_tank(path)).count();
-        (values > 0 || old.name != new.name).then(|| Apart {
-            old: old.name.clone(),
-            new: new.name.clone(),
-            values,
-        })
+        (values > 0 || old.name != new.name).then(|| Apart { old: old.name.clone(), new: new.name.clone(), values })
     }
 
     /// In a sentence.
@@ -52,7 +48,5 @@ pub(super) fn differing(old: &Results, new: &Results) -> BTreeMap<String, [Optio
     let (old, new) = (map(old), map(new));
     let paths: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
     let moved = paths.into_iter().filter(|path| old.get(*path) != new.get(*path));
-    moved
-        .map(|path| (path.clone(), [old.get(path).cloned(), new.get(path).cloned()]))
-        .collect()
+    moved.map(|path| (path.clone(), [old.get(path).cloned(), new.get(path).cloned()])).collect()
 }

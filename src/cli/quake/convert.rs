@@ -42,17 +42,11 @@ impl Convert {
         if let Some(path) = out.filter(|path| path.exists()) {
             return Err(Error::input(
                 Code::FileTaken,
-                format!(
-                    "--out: found `{}`, which exists, expected the name of a new file",
-                    path.display()
-                ),
+                format!("--out: found `{}`, which exists, expected the name of a new file", path.display()),
             ));
         }
         let read = records::read(&self.record, &self.reading.options())?;
-        let source = self
-            .record
-            .file_name()
-            .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let source = self.record.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let text = csv(&read, &source, self.to);
         match out {
             Some(path) => Ok(write_whole(path, text.as_bytes())?),
@@ -83,9 +77,7 @@ fn csv(read: &ReadRecord, source: &str, unit: AccelerationUnit) -> String {
     let _ = writeln!(said, "time_s,acceleration_{}", unit.to_string().replace('/', "_"));
     for (k, a) in read.record.acceleration.iter().enumerate() {
         // Twelve digits of the time are more than its origin has, and hide the rounding of the product.
-        let time: f64 = format!("{:.11e}", k as f64 * read.record.dt)
-            .parse()
-            .unwrap_or_default();
+        let time: f64 = format!("{:.11e}", k as f64 * read.record.dt).parse().unwrap_or_default();
         let _ = writeln!(said, "{time},{}", a / unit.si());
     }
     said

@@ -57,11 +57,7 @@ impl Harmonic {
             return print(&text);
         };
         if path.exists() {
-            return refuse(
-                "--out",
-                &format!("`{}`, which exists", path.display()),
-                "the name of a new file",
-            );
+            return refuse("--out", &format!("`{}`, which exists", path.display()), "the name of a new file");
         }
         write_whole(path, text.as_bytes()).map_err(Error::Files)
     }
@@ -104,10 +100,7 @@ impl Harmonic {
 }
 
 fn refuse<T>(option: &str, found: &str, allowed: &str) -> Result<T, Error> {
-    Err(Error::input(
-        Code::OptionValue,
-        format!("{option}: found {found}, expected {allowed}"),
-    ))
+    Err(Error::input(Code::OptionValue, format!("{option}: found {found}, expected {allowed}")))
 }
 
 #[cfg(test)]
@@ -115,14 +108,7 @@ mod tests {
     use super::*;
 
     fn harmonic(amplitude: &str, ramp: f64) -> Harmonic {
-        Harmonic {
-            amplitude: amplitude.into(),
-            frequency: 0.5,
-            duration: 60.0,
-            ramp,
-            dt: None,
-            out: None,
-        }
+        Harmonic { amplitude: amplitude.into(), frequency: 0.5, duration: 60.0, ramp, dt: None, out: None }
     }
 
     fn samples(text: &str) -> Vec<(f64, f64)> {
@@ -152,12 +138,7 @@ mod tests {
 
     #[test]
     fn values_out_of_range_are_refused() {
-        for wrong in [
-            harmonic("0.1", 4.0),
-            harmonic("-1g", 4.0),
-            harmonic("0.1g", 31.0),
-            harmonic("0.1g", f64::NAN),
-        ] {
+        for wrong in [harmonic("0.1", 4.0), harmonic("-1g", 4.0), harmonic("0.1g", 31.0), harmonic("0.1g", f64::NAN)] {
             assert!(wrong.record().is_err());
         }
     }

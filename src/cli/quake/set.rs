@@ -117,18 +117,11 @@ struct OfPeriod {
 impl Set {
     /// Prints the outcome; returns the exit code.
     pub(super) fn run(&self) -> Result<u8, Error> {
-        let given = self
-            .period
-            .iter()
-            .map(|text| period(text))
-            .collect::<Result<Vec<f64>, Error>>()?;
+        let given = self.period.iter().map(|text| period(text)).collect::<Result<Vec<f64>, Error>>()?;
         let target = Target::read(&self.target, &self.reading)?;
         let wanted = self.wanted(&target, &given)?;
         let code = self.rule.code();
-        let name = self
-            .target
-            .file_name()
-            .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        let name = self.target.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         let nowhere = Site::default();
         let question = Question {
             code,
@@ -144,11 +137,7 @@ impl Set {
         for path in &self.records {
             match records::read(path, &self.reading.options()) {
                 Ok(read) => {
-                    rows.push(OfRecord {
-                        name: read.record.name.clone(),
-                        pga: read.record.pga(),
-                        sha256: read.sha256,
-                    });
+                    rows.push(OfRecord { name: read.record.name.clone(), pga: read.record.pga(), sha256: read.sha256 });
                     set.push(read.record);
                 }
                 Err(error) => broken.push(error),
@@ -186,10 +175,7 @@ impl Set {
             Format::Human => print(&human(&found))?,
             Format::Json => print(&json(&found)?)?,
             Format::Csv => {
-                return Err(Error::input(
-                    Code::OptionConflict,
-                    "--format: found csv, expected human or json".into(),
-                ));
+                return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
             }
         }
         Ok(if found.holds { EXIT_OK } else { EXIT_CHECK_FAILED })
@@ -199,15 +185,8 @@ impl Set {
     ///
     /// Errors: none given and no tank; a tank without them.
     fn wanted(&self, target: &Target, given: &[f64]) -> Result<Vec<Wanted>, Error> {
-        let mut wanted: Vec<Wanted> = given
-            .iter()
-            .map(|&period| Wanted {
-                which: "given",
-                period,
-                damping: FIVE,
-                of: "",
-            })
-            .collect();
+        let mut wanted: Vec<Wanted> =
+            given.iter().map(|&period| Wanted { which: "given", period, damping: FIVE, of: "" }).collect();
         match target {
             Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(&tank.case, &tank.decision)?,
             Target::Table(_) if wanted.is_empty() => {
@@ -237,10 +216,7 @@ fn period(given: &str) -> Result<f64, Error> {
 fn human(found: &Found) -> String {
     let mut records = Table::new(["record", "peak [g]"]);
     for record in &found.records {
-        records.row([
-            text::line(&record.name).into_owned(),
-            format!("{:.4}", record.pga / STANDARD_GRAVITY),
-        ]);
+        records.row([text::line(&record.name).into_owned(), format!("{:.4}", record.pga / STANDARD_GRAVITY)]);
     }
     let mut periods = Table::new(["period", "T [s]", "of", "damping", "smallest mean/target", "at [s]", ""]);
     for period in &found.periods {
@@ -256,11 +232,7 @@ fn human(found: &Found) -> String {
     }
     let mut said = format!("{records}\n{periods}\n");
     let few = found.records.len() < found.fewest_records;
-    said.push_str(&format!(
-        "{}: {}\n",
-        found.clause,
-        if found.holds { "holds" } else { "does not hold" }
-    ));
+    said.push_str(&format!("{}: {}\n", found.clause, if found.holds { "holds" } else { "does not hold" }));
     said.push_str(&format!(
         "  records            {}, at least {}{}\n",
         found.records.len(),
@@ -270,13 +242,7 @@ fn human(found: &Found) -> String {
     if let Some(zero) = found.mean_zero_period_ratio {
         said.push_str(&format!("  mean peak/target   {zero:.4}, at least 1\n"));
     }
-    said.push_str(&format!(
-        "  mean/target        {:.4}, at least {}\n",
-        found.smallest_ratio, found.share
-    ));
-    said.push_str(&format!(
-        "  factor of the set  {:.4}, with which the rule just holds\n",
-        found.factor
-    ));
+    said.push_str(&format!("  mean/target        {:.4}, at least {}\n", found.smallest_ratio, found.share));
+    said.push_str(&format!("  factor of the set  {:.4}, with which the rule just holds\n", found.factor));
     said
 }

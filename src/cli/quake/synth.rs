@@ -81,18 +81,14 @@ impl Synth {
     pub(super) fn run(&self) -> Result<u8, Error> {
         let within = |option: &str, value: f64, low: f64, high: f64| match value >= low && value <= high {
             true => Ok(value),
-            false => Err(Error::input(
-                Code::OptionValue,
-                format!("{option}: found `{value}`, expected {low} to {high}"),
-            )),
+            false => {
+                Err(Error::input(Code::OptionValue, format!("{option}: found `{value}`, expected {low} to {high}")))
+            }
         };
         let duration = within("--duration", self.duration, 1.0, 1000.0)?;
         let strong = within("--strong", self.strong, 0.1, 0.95 * duration)?;
         let dt = within("--dt", self.dt, duration / MOST_SAMPLES, 0.05)?;
-        let reading = Reading {
-            units: self.units,
-            ..Reading::default()
-        };
+        let reading = Reading { units: self.units, ..Reading::default() };
         let target = Target::read(&self.target, &reading)?;
         let covered = target.longest().min(0.5 * duration);
         let longest = match self.longest {
@@ -104,21 +100,11 @@ impl Synth {
         let mut said = String::new();
         let mut set = Vec::new();
         for k in 0..self.n {
-            let wanted = Wanted {
-                duration,
-                strong,
-                dt,
-                damping: DAMPING,
-                longest,
-                steps: 12,
-            };
+            let wanted = Wanted { duration, strong, dt, damping: DAMPING, longest, steps: 12 };
             let mut draw = Draw::new(self.seed.wrapping_add(u64::from(k)));
             let name = format!("synthetic-{:03}", k + 1);
             let mut record = synthetic(&name, &wanted, &curve, || draw.unit()).ok_or_else(|| {
-                Error::input(
-                    Code::OptionValue,
-                    "--target: a spectrum that is not positive everywhere".into(),
-                )
+                Error::input(Code::OptionValue, "--target: a spectrum that is not positive everywhere".into())
             })?;
             record.acceleration.iter_mut().for_each(|a| *a = rounded(*a));
             results::put(&folder.path().join(format!("{name}.csv")), csv(&record).as_bytes())?;
@@ -151,20 +137,9 @@ impl Synth {
         let Ok(wanted) = rule::periods(&tank.case, &tank.decision) else {
             return Ok(None);
         };
-        let name = self
-            .target
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = self.target.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let horizontal: Vec<Horizontal<'_>> = set.iter().map(Horizontal::from).collect();
-        let question = Question {
-            code: CODE,
-            table: None,
-            target: &name,
-            site: &tank.case.site,
-            wanted: &wanted,
-        };
+        let question = Question { code: CODE, table: None, target: &name, site: &tank.case.site, wanted: &wanted };
         let answer = rule::answer(&question, &horizontal)?;
         Ok(Some((answer, name)))
     }
@@ -181,10 +156,7 @@ impl Synth {
         let longest = answer.periods.iter().filter(failing).map(|(wanted, _)| wanted.period);
         let needed = 5.0 * (CYCLES * longest.fold(0.0, f64::max) / 5.0).ceil();
         if needed > self.duration {
-            ways.push(format!(
-                "use --duration {needed}; in {} s the longest period does not build up",
-                self.duration
-            ));
+            ways.push(format!("use --duration {needed}; in {} s the longest period does not build up", self.duration));
         }
         match ways.is_empty() {
             true => format!(

@@ -16,10 +16,7 @@ const PRINTED: usize = 50;
 
 pub(super) fn check(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
     if args.format == Format::Csv {
-        return Err(Error::input(
-            Code::OptionConflict,
-            "--format: found csv, expected human or json".into(),
-        ));
+        return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
     }
     let (plan, tasks) = folder::read(&args.folder)?;
     let watch = Watch::new(global, "checking");
@@ -42,28 +39,15 @@ fn human(name: &str, found: &Checked) -> String {
         ("sound", found.sound, "read whole, and the rows of the plan"),
         ("missing", found.missing, ""),
         ("failed", found.failed, "`study run --retry` computes them again"),
-        (
-            "damaged",
-            found.damaged.len(),
-            "`study run` computes results again, `study merge` tables",
-        ),
-        (
-            "earlier",
-            found.of_earlier_plans,
-            "results of no task of this plan, which nothing reads",
-        ),
+        ("damaged", found.damaged.len(), "`study run` computes results again, `study merge` tables"),
+        ("earlier", found.of_earlier_plans, "results of no task of this plan, which nothing reads"),
     ] {
         let remark = if count > 0 { remark } else { "" };
         let _ = writeln!(said, "  {}", format!("{what:<9}{count:>9}  {remark}").trim_end());
     }
     for damage in found.damaged.iter().take(PRINTED) {
         let task = damage.task.map_or(String::new(), |task| format!("task {task}: "));
-        let _ = writeln!(
-            said,
-            "  {task}{} {}",
-            text::line(&damage.file),
-            text::line(&damage.what)
-        );
+        let _ = writeln!(said, "  {task}{} {}", text::line(&damage.file), text::line(&damage.what));
     }
     if found.damaged.len() > PRINTED {
         let _ = writeln!(said, "  and {} more", found.damaged.len() - PRINTED);

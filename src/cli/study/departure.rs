@@ -30,10 +30,7 @@ impl Departure {
             Departure::Changed(what) => changes::changed_since(what),
             Departure::Faulty(_) => Error::input(
                 Code::StudyChanged,
-                format!(
-                    "{}\n  help: correct the file; `tankcheck study plan` lists all faults",
-                    self.clause()
-                ),
+                format!("{}\n  help: correct the file; `tankcheck study plan` lists all faults", self.clause()),
             ),
         }
     }

@@ -66,18 +66,10 @@ pub(super) fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
         }
     }
     if found.missing > 0 {
-        let _ = writeln!(
-            said,
-            "  {} tasks have no result: the curves are of the others, with bounds",
-            found.missing
-        );
+        let _ = writeln!(said, "  {} tasks have no result: the curves are of the others, with bounds", found.missing);
     }
     if found.damaged > 0 {
-        let _ = writeln!(
-            said,
-            "  {} of them have a damaged one, which `study check` names",
-            found.damaged
-        );
+        let _ = writeln!(said, "  {} of them have a damaged one, which `study check` names", found.damaged);
     }
     let (mut all, mut fitted) = (0, 0);
     for (title, [own, of]) in CURVES.into_iter().zip(curves(&found)) {
@@ -118,10 +110,7 @@ fn curves(found: &merged::Merged) -> [[usize; 2]; 2] {
         [fitted.count(), curves.len()]
     };
     let study = found.study.as_ref();
-    [
-        study.map_or([0; 2], |study| count(&study.curves)),
-        study.map_or([0; 2], |study| count(&study.system)),
-    ]
+    [study.map_or([0; 2], |study| count(&study.curves)), study.map_or([0; 2], |study| count(&study.system))]
 }
 
 /// Runs the worst row of each tank again, with all that `compare` writes.
@@ -134,10 +123,7 @@ fn keep_worst(folder: &Path, plan: &Plan, found: &merged::Merged, global: &Globa
         outcome.results.volatile = stamp(started);
         let home = folder.join(KEPT);
         std::fs::create_dir_all(&home).map_err(|e| {
-            Error::Files(files::error::Error::Unwritten {
-                path: home.clone(),
-                what: files::error::describe(&e),
-            })
+            Error::Files(files::error::Error::Unwritten { path: home.clone(), what: files::error::describe(&e) })
         })?;
         let out = OutputFolder::prepare(&home.join(keep::folder(plan, tank)), results::COMPARE)?;
         results::write(&out.path(), &outcome.results, &outcome.series)?;

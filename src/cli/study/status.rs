@@ -81,20 +81,14 @@ pub(super) fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         Format::Json => print(&json(&found)?)?,
         Format::Human => print(&human(&plan, &found))?,
         Format::Csv => {
-            return Err(Error::input(
-                Code::OptionConflict,
-                "--format: found csv, expected human or json".into(),
-            ));
+            return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
         }
     }
     Ok(EXIT_OK)
 }
 
 fn failure(folder: &Path, task: &Task) -> Option<store::Failure> {
-    store::failure(folder, &task.key).map(|failure| store::Failure {
-        task: task.task,
-        ..failure
-    })
+    store::failure(folder, &task.key).map(|failure| store::Failure { task: task.task, ..failure })
 }
 
 fn human(plan: &Plan, found: &Status) -> String {
@@ -103,11 +97,7 @@ fn human(plan: &Plan, found: &Status) -> String {
         let _ = writeln!(said, "  {name:<9}{count:>9}  {remark}");
     };
     row("tasks", found.tasks, "");
-    row(
-        "done",
-        found.done,
-        &format!("{} of {} rows", found.rows_done, found.rows),
-    );
+    row("done", found.done, &format!("{} of {} rows", found.rows_done, found.rows));
     let elsewhere = found.running_elsewhere;
     let marked = [
         (found.running > 0).then(|| format!("{} of them running", found.running)),
@@ -116,11 +106,7 @@ fn human(plan: &Plan, found: &Status) -> String {
     let marked: Vec<String> = marked.into_iter().flatten().collect();
     row("missing", found.missing, &marked.join(", "));
     if found.damaged > 0 {
-        row(
-            "damaged",
-            found.damaged,
-            "`study check` names them, `study run` computes them again",
-        );
+        row("damaged", found.damaged, "`study check` names them, `study run` computes them again");
     }
     if found.failed > 0 {
         row("failed", found.failed, "`study run --retry` computes them again");
@@ -128,26 +114,15 @@ fn human(plan: &Plan, found: &Status) -> String {
     let earlier = found.bytes.saturating_sub(found.bytes_of_plan);
     let remark = match earlier {
         0 => String::new(),
-        _ => format!(
-            "{} of it not of this plan: earlier plans, or half-written",
-            size(earlier as f64)
-        ),
+        _ => format!("{} of it not of this plan: earlier plans, or half-written", size(earlier as f64)),
     };
     let _ = writeln!(said, "  disk     {:>9}  {remark}", size(found.bytes as f64));
     if let Some(clause) = &found.changed {
-        let _ = writeln!(
-            said,
-            "  {clause}\n  `merge` refuses it, and so do tasks without a result"
-        );
+        let _ = writeln!(said, "  {clause}\n  `merge` refuses it, and so do tasks without a result");
     }
     for failure in found.failures.iter().take(10) {
         let message = text::line(&failure.message);
-        let _ = writeln!(
-            said,
-            "  task {} on {}: {message}",
-            failure.task,
-            text::line(&failure.host)
-        );
+        let _ = writeln!(said, "  task {} on {}: {message}", failure.task, text::line(&failure.host));
     }
     said
 }

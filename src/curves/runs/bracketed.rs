@@ -50,16 +50,10 @@ pub(super) fn capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<
         all.push(found);
     }
     notes.extend(not_bracketed(&below, lowest));
-    let beyond = all
-        .iter()
-        .flatten()
-        .filter(|c| matches!(c, Capacity::Beyond(_)))
-        .count();
+    let beyond = all.iter().flatten().filter(|c| matches!(c, Capacity::Beyond(_))).count();
     if beyond > 0 {
         let of = all.iter().map(Vec::len).sum::<usize>();
-        notes.push(format!(
-            "{beyond} of {of} records do not reach the state: the capacity is somewhere above"
-        ));
+        notes.push(format!("{beyond} of {of} records do not reach the state: the capacity is somewhere above"));
     }
     if across > 0 {
         notes.push(match across {
@@ -73,10 +67,7 @@ pub(super) fn capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Vec<
             _ => format!("{stepped} capacities are the last intensities before runs without a finite demand"),
         });
     }
-    let crossed = all
-        .iter()
-        .flatten()
-        .filter(|capacity| matches!(capacity, Capacity::At(_)));
+    let crossed = all.iter().flatten().filter(|capacity| matches!(capacity, Capacity::At(_)));
     if between.len() == 1 && crossed.count() > 1 {
         notes.push(
             "all capacities that were found lie between the same two levels, where demands are interpolated; levels between them would confirm the scatter"
@@ -121,7 +112,5 @@ fn not_bracketed(below: &[f64], lowest: f64) -> Vec<String> {
 fn crossing(before: &Seen, after: &Seen) -> Option<f64> {
     let (low, high) = (before.ratio.filter(|r| *r > 0.0)?, after.ratio?);
     let share = -low.ln() / (high / low).ln();
-    (0.0..=1.0)
-        .contains(&share)
-        .then(|| before.im * (after.im / before.im).powf(share))
+    (0.0..=1.0).contains(&share).then(|| before.im * (after.im / before.im).powf(share))
 }

@@ -35,11 +35,7 @@ fn shows_file_line_column_path_found_expected_help() {
 
 #[test]
 fn colours_only_when_asked() {
-    assert!(
-        Faults::from(fault())
-            .render(&Source::new("t", TANK), true)
-            .contains("\u{1b}[")
-    );
+    assert!(Faults::from(fault()).render(&Source::new("t", TANK), true).contains("\u{1b}["));
 }
 
 #[test]
@@ -62,12 +58,8 @@ fn lines_of_records() {
     assert_eq!(source.line_span(4), 8..12);
     assert_eq!(source.line_span(9), 12..12);
     assert_eq!(source.line_column(4), (2, 2));
-    let text = Faults::from(
-        Fault::new(Code::OutOfRange, "no number")
-            .at(source.line_span(2))
-            .found("bcd"),
-    )
-    .render(&source, false);
+    let text = Faults::from(Fault::new(Code::OutOfRange, "no number").at(source.line_span(2)).found("bcd"))
+        .render(&source, false);
     assert!(text.contains("r.csv:2:1") && text.contains("2 | bcd"), "{text}");
 }
 
@@ -81,17 +73,10 @@ fn of_many_faults_the_first_of_the_file_are_shown_and_all_counted() {
     assert_eq!((faults.count(), faults.list().len() < 2 * KEPT_FAULTS), (9_000, true));
     let text = faults.render(&Source::new("t", text), false);
     for i in 0..SHOWN_FAULTS {
-        assert_eq!(
-            text.matches(&format!("error[T0215]: fault {i} of many")).count(),
-            1,
-            "{i}"
-        );
+        assert_eq!(text.matches(&format!("error[T0215]: fault {i} of many")).count(), 1, "{i}");
     }
     assert!(!text.contains("fault 50 of many"));
-    assert!(
-        text.contains("9000 faults in t, the first 50 shown, 8950 more; nothing was computed"),
-        "{text}"
-    );
+    assert!(text.contains("9000 faults in t, the first 50 shown, 8950 more; nothing was computed"), "{text}");
 }
 
 #[test]
@@ -100,10 +85,7 @@ fn long_and_hostile_lines_keep_their_place() {
     let text = Faults::from(Fault::new(Code::OutOfRange, "m").at(6_001..6_006).found("WRONG"))
         .render(&Source::new("t.json", format!("\n{long}")), false);
     assert!(text.contains("--> t.json:2:3001"), "{text}");
-    assert!(
-        text.contains("éWRONGyyy") && text.contains("^^^^^ found WRONG"),
-        "{text}"
-    );
+    assert!(text.contains("éWRONGyyy") && text.contains("^^^^^ found WRONG"), "{text}");
     assert!(!text.contains(":::") && text.lines().count() == 8, "{text}");
     let hostile = "{ \"a\u{1b}[31m\u{202e}\u{9b}b\": 17 }";
     let at = hostile.find("17").unwrap();
@@ -119,17 +101,8 @@ fn long_and_hostile_lines_keep_their_place() {
 fn hostile_text_and_spans_are_harmless() {
     let text = format!("{}é{}\u{1b}[31m", "x".repeat(100_000), "y".repeat(100_000));
     let source = Source::new("bad\u{1b}[2Jname", &text);
-    for span in [
-        0..5,
-        100_000..100_002,
-        100_001..100_001,
-        200_000..300_000,
-        9_999_999..10_000_000,
-    ] {
-        let fault = Fault::new(Code::OutOfRange, "m\u{1b}[31m\nm")
-            .at(span)
-            .found("z".repeat(100_000))
-            .path("p\r\n");
+    for span in [0..5, 100_000..100_002, 100_001..100_001, 200_000..300_000, 9_999_999..10_000_000] {
+        let fault = Fault::new(Code::OutOfRange, "m\u{1b}[31m\nm").at(span).found("z".repeat(100_000)).path("p\r\n");
         let text = Faults::from(fault).render(&source, false);
         assert!(!text.chars().any(text::hostile));
         assert!(text.len() < 4_000, "{}", text.len());

@@ -16,10 +16,7 @@ fn read(text: &str) -> Result<ReadRecord, String> {
 }
 
 fn with(text: &str, channel: Option<&str>) -> Result<ReadRecord, String> {
-    let options = ReadOptions {
-        channel: channel.map(String::from),
-        ..ReadOptions::default()
-    };
+    let options = ReadOptions { channel: channel.map(String::from), ..ReadOptions::default() };
     read_bytes(text.as_bytes(), Path::new("record.txt"), &options).map_err(|e| e.to_string())
 }
 
@@ -37,11 +34,7 @@ fn esm_ascii() {
     assert_eq!(found.unit, AccelerationUnit::Gal);
     assert_eq!(found.low_cut_frequency, Some(0.2));
     assert!((found.usable_period().unwrap() - 5.0).abs() < 1e-12);
-    assert!(
-        found.notes.iter().any(|n| n == "licence: CC BY 4.0"),
-        "{:?}",
-        found.notes
-    );
+    assert!(found.notes.iter().any(|n| n == "licence: CC BY 4.0"), "{:?}", found.notes);
     assert_eq!(found.record.name, "SOMEWHERE, XX ABC HNN");
     assert!(changed(ESM, "TYPE: ACCELERATION", "TYPE: VELOCITY").contains("not an acceleration"));
     assert!(changed(ESM, "NDATA: 4", "NDATA: 5").contains("4 of 5 numbers"));
@@ -90,13 +83,7 @@ fn usgs_smc_with_fields_that_touch() {
 /// A file that was cut off names its last line.
 #[test]
 fn cut_off_files_name_their_last_line() {
-    for (text, keep, line) in [
-        (ESM, 66, 66),
-        (SMC, 28, 28),
-        (COSMOS, 10, 10),
-        (CSMIP, 9, 9),
-        (KNET, 18, 18),
-    ] {
+    for (text, keep, line) in [(ESM, 66, 66), (SMC, 28, 28), (COSMOS, 10, 10), (CSMIP, 9, 9), (KNET, 18, 18)] {
         let cut: Vec<&str> = text.lines().take(keep).collect();
         let error = read(&format!("{}\n", cut.join("\n"))).unwrap_err();
         assert!(error.contains(&format!("record.txt:{line}")), "{line}: {error}");
@@ -113,10 +100,7 @@ fn cosmos_v1() {
     assert!(changed(COSMOS, "       2       1       4", "       2       1       5").contains("unit 5"));
     assert!(changed(COSMOS, "    .00001\n", "\n").contains("8 of 9 numbers"));
     let unknown = changed(COSMOS, "    .00019\n", "-999.0000\n");
-    assert!(
-        unknown.contains("not known") && unknown.contains("sample 8 of 9"),
-        "{unknown}"
-    );
+    assert!(unknown.contains("not known") && unknown.contains("sample 8 of 9"), "{unknown}");
     // Real 62, the second of the eleventh line, is the step in milliseconds, and goes before that of the recorder.
     let unknown = "  -999.000000".repeat(6);
     let lines: Vec<usize> = COSMOS.match_indices(&unknown).map(|(at, _)| at).collect();
@@ -129,20 +113,13 @@ fn cosmos_v1() {
     assert!(found.notes.is_empty(), "{:?}", found.notes);
     let found = read(&COSMOS.replace("over  3.3 secs", "over  14.5 secs")).unwrap();
     assert_eq!(found.low_cut_frequency, Some(0.3));
-    assert!(
-        found.notes[0].contains("3.333 s") && found.notes[0].contains("14.5 s"),
-        "{:?}",
-        found.notes
-    );
+    assert!(found.notes[0].contains("3.333 s") && found.notes[0].contains("14.5 s"), "{:?}", found.notes);
 }
 
 #[test]
 fn csmip_channels() {
     let several = read(CSMIP).unwrap_err();
-    assert!(
-        several.contains("1: CHAN 1: 90 DEG; 2: CHAN 2: UP") && several.contains("--channel"),
-        "{several}"
-    );
+    assert!(several.contains("1: CHAN 1: 90 DEG; 2: CHAN 2: UP") && several.contains("--channel"), "{several}");
     let (one, two) = (with(CSMIP, Some("1")).unwrap(), with(CSMIP, Some("up")).unwrap());
     assert!((one.record.pga() - 0.03038).abs() < 1e-12 && (two.record.pga() - 0.3).abs() < 1e-12);
     assert_eq!((one.record.dt, one.record.acceleration.len()), (0.02, 3));

@@ -40,11 +40,7 @@ fn header_end(text: &str) -> Option<usize> {
     })?;
     let mut after = text.lines().skip(place + 1).filter(|line| !line.trim().is_empty());
     let numbers = |line: Option<&str>| -> Option<Vec<f64>> {
-        Separator::Spaces
-            .cells(line?)
-            .iter()
-            .map(|(_, cell)| parse(cell).ok())
-            .collect()
+        Separator::Spaces.cells(line?).iter().map(|(_, cell)| parse(cell).ok()).collect()
     };
     let first = after.next();
     // Times beside the accelerations: a table under a header of words.
@@ -66,12 +62,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (start, line) = header.last().copied().unwrap_or((0, ""));
     let at = |fault: Fault| fault.at(start..start + line.len());
     let (samples, leading) = counts(line).map_err(at)?;
-    let dt = match header
-        .iter()
-        .rev()
-        .find_map(|(_, line)| dt_of(line))
-        .or(leading.map(Step::Bare))
-    {
+    let dt = match header.iter().rev().find_map(|(_, line)| dt_of(line)).or(leading.map(Step::Bare)) {
         None => None,
         Some(Step::Seconds(dt)) => Some(dt),
         Some(Step::Bare(dt)) if dt <= 0.0 => Some(dt),
@@ -111,9 +102,7 @@ fn dt_of(line: &str) -> Option<Step> {
     };
     let at = upper.match_indices("DT").map(|(at, _)| at).find(alone)?;
     let rest = upper.get(at + 2..)?.trim_start();
-    let bracketed = rest
-        .strip_prefix(['(', '['])
-        .and_then(|rest| rest.split_once([')', ']']));
+    let bracketed = rest.strip_prefix(['(', '[']).and_then(|rest| rest.split_once([')', ']']));
     let (unit, rest) = bracketed.map_or((None, rest), |(unit, rest)| (Some(unit), rest));
     match (step(rest.trim_start_matches([' ', '=', ':', '\t'])), unit) {
         (Some(Step::Bare(value)), Some(unit)) => Some(with_unit(value, unit.trim())),
@@ -128,22 +117,15 @@ fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
         let rest = rest.trim_start_matches([' ', '=', ':', '\t']);
         parse(rest.split([' ', ',', ';', '\t']).next()?).ok()
     });
-    let mut leading = upper
-        .split([' ', ',', ';', '\t'])
-        .filter(|t| !t.is_empty())
-        .map_while(|t| parse(t).ok());
+    let mut leading = upper.split([' ', ',', ';', '\t']).filter(|t| !t.is_empty()).map_while(|t| parse(t).ok());
     let (npts, dt) = match behind {
         Some(npts) => (Some(npts), None),
         None => (leading.next(), leading.next()),
     };
     let shape = "`NPTS= 4000, DT= .01000 SEC` or `4000 .01000 NPTS, DT`";
     let fault = |code: Code, what: &str| Fault::new(code, what).found(line.trim()).allowed(shape);
-    let npts = npts.ok_or_else(|| {
-        fault(
-            Code::RecordLength,
-            "the line with NPTS does not contain the number of points",
-        )
-    })?;
+    let npts =
+        npts.ok_or_else(|| fault(Code::RecordLength, "the line with NPTS does not contain the number of points"))?;
     if npts.fract() != 0.0 || npts < 2.0 {
         return Err(fault(Code::RecordLength, "NPTS must be a whole number of at least 2"));
     }
@@ -181,21 +163,13 @@ fn unit_of(header: &[(usize, &str)]) -> Result<Option<(AccelerationUnit, String)
             (None, false) => None,
         };
         let Some(mut rest) = said else { continue };
-        while let Some(shorter) = ["OF ", "ARE ", "IS ", "IN ", " ", "=", ":", "(", "[", "\t"]
-            .iter()
-            .find_map(|word| rest.strip_prefix(word))
+        while let Some(shorter) =
+            ["OF ", "ARE ", "IS ", "IN ", " ", "=", ":", "(", "[", "\t"].iter().find_map(|word| rest.strip_prefix(word))
         {
             rest = shorter;
         }
-        let words: Vec<&str> = rest
-            .split([',', ';', ')', ']'])
-            .next()
-            .unwrap_or("")
-            .split_whitespace()
-            .collect();
-        let unit = (1..=words.len().min(3))
-            .rev()
-            .find_map(|n| AccelerationUnit::parse(&words[..n].join(" ")));
+        let words: Vec<&str> = rest.split([',', ';', ')', ']']).next().unwrap_or("").split_whitespace().collect();
+        let unit = (1..=words.len().min(3)).rev().find_map(|n| AccelerationUnit::parse(&words[..n].join(" ")));
         match (unit, words.first()) {
             (Some(unit), _) => return Ok(Some((unit, format!("header, line {} (`{}`)", i + 1, printable(line))))),
             (None, Some(word)) => return Err(unknown_unit(word).at(*start..start + line.len())),
@@ -249,13 +223,11 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
     }
     faults.finish()?;
     if let Some(span) = surplus {
-        return Err(
-            Fault::new(Code::RecordLength, "the file contains more values than NPTS")
-                .at(span)
-                .found(format!("a value after the {expected} of NPTS"))
-                .help("correct NPTS, or delete the lines after the record")
-                .into(),
-        );
+        return Err(Fault::new(Code::RecordLength, "the file contains more values than NPTS")
+            .at(span)
+            .found(format!("a value after the {expected} of NPTS"))
+            .help("correct NPTS, or delete the lines after the record")
+            .into());
     }
     if values.len() < expected {
         return Err(Fault::new(Code::CutOff, "the file ends before NPTS values were read")

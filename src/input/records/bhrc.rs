@@ -23,11 +23,7 @@ fn begins(line: &str) -> bool {
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    begins(text)
-        && text
-            .lines()
-            .nth(6)
-            .is_some_and(|line| line.to_ascii_uppercase().starts_with("COMP"))
+    begins(text) && text.lines().nth(6).is_some_and(|line| line.to_ascii_uppercase().starts_with("COMP"))
 }
 
 /// Reads the text; call [`sniff`] before.
@@ -57,16 +53,11 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             .into());
     };
     let whole = |dt: f64| ((dt * 1e6).round() * 1e-6 - dt).abs() < MICRO * dt;
-    let step = [duration / samples, duration / (samples - 1.0)]
-        .into_iter()
-        .find(|dt| whole(*dt));
+    let step = [duration / samples, duration / (samples - 1.0)].into_iter().find(|dt| whole(*dt));
     let dt = settle_dt(step, options)?.ok_or_else(|| {
-        Fault::new(
-            Code::TimeStep,
-            "the duration of this BHRC file is not a whole number of steps",
-        )
-        .at(place(counts))
-        .allowed("--dt")
+        Fault::new(Code::TimeStep, "the duration of this BHRC file is not a whole number of steps")
+            .at(place(counts))
+            .allowed("--dt")
     })?;
     let units = at(start, 11);
     let upper = units.1.to_ascii_uppercase();
@@ -74,19 +65,10 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let unit = AccelerationUnit::parse(text).ok_or_else(|| unknown_unit(units.1).at(place(units)))?;
     let (unit, unit_source) = settle_unit(Some((unit, format!("header, `{}`", printable(units.1)))), options, "")?;
     let (values, places, _) = fields(&lines, start + HEADER, (samples as usize, WIDTH), "an acceleration")?;
-    let station = at(start, 7)
-        .1
-        .split("Station")
-        .next()
-        .map(printable)
-        .unwrap_or_default();
+    let station = at(start, 7).1.split("Station").next().map(printable).unwrap_or_default();
     Ok(Draft {
         title: Some(format!("{station} {}", names[wanted])),
-        format: format!(
-            "BHRC volume 1 (channel {} of {}, {samples} samples)",
-            wanted + 1,
-            names.len()
-        ),
+        format: format!("BHRC volume 1 (channel {} of {}, {samples} samples)", wanted + 1, names.len()),
         channel: (names.len() > 1).then(|| names[wanted].clone()),
         unit,
         unit_source,

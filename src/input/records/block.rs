@@ -109,17 +109,13 @@ pub(super) fn after(line: &str, word: &str) -> Option<f64> {
     let upper = line.to_ascii_uppercase();
     let rest = upper.get(upper.find(word)? + word.len()..)?;
     let token = rest.trim_start_matches([' ', '=', ':', '\t']);
-    let end = token
-        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+')))
-        .unwrap_or(token.len());
+    let end = token.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(token.len());
     parse(token.get(..end)?.trim_end_matches('.')).ok()
 }
 
 /// A whole number of a header within a range.
 pub(super) fn whole(value: f64, range: RangeInclusive<usize>) -> Option<usize> {
-    (value >= 0.0 && value.fract() == 0.0)
-        .then_some(value as usize)
-        .filter(|n| range.contains(n))
+    (value >= 0.0 && value.fract() == 0.0).then_some(value as usize).filter(|n| range.contains(n))
 }
 
 /// Count and width of a Fortran format such as `(8F10.5)`.

@@ -128,12 +128,7 @@ fn is_row(line: &str) -> bool {
 
 /// Whether the header names one column, and none a table.
 fn one_column(titles: &[Title], options: &ReadOptions) -> bool {
-    let found = |columns: usize| {
-        matches!(
-            header::layout(titles, Separator::Semicolon, columns, options),
-            Ok(Some(_))
-        )
-    };
+    let found = |columns: usize| matches!(header::layout(titles, Separator::Semicolon, columns, options), Ok(Some(_)));
     options.columns.is_none() && found(1) && !titles.iter().any(|title| title.text.contains(',')) && !found(2)
 }
 
@@ -148,13 +143,11 @@ fn whole(titles: &[Title], separator: Separator, columns: usize) -> Result<(), F
     let Some(title) = damaged else { return Ok(()) };
     let cells = separator.cells(title.text);
     let cell = cells.iter().find(|c| !number(c.1)).copied().unwrap_or((0, title.text));
-    Err(
-        Fault::new(Code::NotANumber, "a number before the record is not a number")
-            .at(title.start + cell.0..title.start + cell.0 + cell.1.len())
-            .found(cell.1)
-            .allowed("finite numbers; lines of text must begin with `#`")
-            .help("correct the number, or skip the lines before the record with --skip-lines"),
-    )
+    Err(Fault::new(Code::NotANumber, "a number before the record is not a number")
+        .at(title.start + cell.0..title.start + cell.0 + cell.1.len())
+        .found(cell.1)
+        .allowed("finite numbers; lines of text must begin with `#`")
+        .help("correct the number, or skip the lines before the record with --skip-lines"))
 }
 
 /// Finds the meaning of the columns.
@@ -177,18 +170,12 @@ fn layout(
     }
     if options.columns.is_some() && options.channel.is_some() {
         return Err(
-            Fault::new(Code::OptionConflict, "--columns and --channel name the same thing").help("give one of them"),
+            Fault::new(Code::OptionConflict, "--columns and --channel name the same thing").help("give one of them")
         );
     }
     if options.columns == Some(Columns::All) {
-        let unit = header::layout(titles, Separator::Semicolon, 1, options)
-            .ok()
-            .flatten()
-            .and_then(|l| l.unit);
-        return Ok(Layout {
-            unit,
-            ..Layout::plain(None, Values::All, columns)
-        });
+        let unit = header::layout(titles, Separator::Semicolon, 1, options).ok().flatten().and_then(|l| l.unit);
+        return Ok(Layout { unit, ..Layout::plain(None, Values::All, columns) });
     }
     if let Some(named) = header::layout(titles, separator, columns, options)? {
         return Ok(named);
@@ -208,10 +195,7 @@ fn layout(
     }
     // The name of all columns.
     let unit = header::layout(titles, Separator::Semicolon, 1, options)?.and_then(|l| l.unit);
-    Ok(Layout {
-        unit,
-        ..Layout::plain(None, Values::All, columns)
-    })
+    Ok(Layout { unit, ..Layout::plain(None, Values::All, columns) })
 }
 
 /// What to do about three or more columns without a header that are not values in reading order; none where they are.
@@ -276,17 +260,11 @@ fn draft(
         notes.push("the time column names no unit; this format takes it in seconds".to_string());
     }
     if let Some(first) = table.stamps.first().filter(|s| s.time != 0.0) {
-        notes.push(format!(
-            "the time column begins at {} s; the record is taken to begin at 0",
-            first.time
-        ));
+        notes.push(format!("the time column begins at {} s; the record is taken to begin at 0", first.time));
     }
     let dt = settle_dt(named_dt, options)?.ok_or_else(|| {
-        Fault::new(
-            Code::TimeStep,
-            "accelerations without a column of times do not have a time step",
-        )
-        .allowed("--dt SECONDS, or a first column with the time")
+        Fault::new(Code::TimeStep, "accelerations without a column of times do not have a time step")
+            .allowed("--dt SECONDS, or a first column with the time")
     })?;
     let example = "a header such as `time_s,acceleration_m_s2` or `t [s]; a [g]`";
     if let (Some((unit, source)), Some((other, line))) = (&layout.unit, &said.unit)
@@ -312,27 +290,17 @@ fn draft(
 
 /// The format in words.
 fn format(separator: Separator, layout: &Layout) -> String {
-    let kind = if matches!(separator, Separator::Semicolon | Separator::Comma) {
-        "CSV"
-    } else {
-        "text"
-    };
+    let kind = if matches!(separator, Separator::Semicolon | Separator::Comma) { "CSV" } else { "text" };
     let columns = match (layout.values, layout.time, layout.columns) {
         (Values::All, ..) => format!("values in reading order, {} a line", layout.columns),
         (Values::Column(_), None, 1) => "acceleration".into(),
         (Values::Column(_), Some(_), 2) => format!("time and acceleration separated by {}", separator.name()),
-        (Values::Column(a), Some(t), n) => format!(
-            "columns {} and {} of {n} separated by {}",
-            t + 1,
-            a + 1,
-            separator.name()
-        ),
+        (Values::Column(a), Some(t), n) => {
+            format!("columns {} and {} of {n} separated by {}", t + 1, a + 1, separator.name())
+        }
         (Values::Column(a), None, n) => format!("column {} of {n} separated by {}", a + 1, separator.name()),
     };
-    let header = layout
-        .header
-        .as_ref()
-        .map_or("no header".into(), |h| format!("header `{h}`"));
+    let header = layout.header.as_ref().map_or("no header".into(), |h| format!("header `{h}`"));
     format!("{kind}, {columns}, {header}")
 }
 
@@ -355,11 +323,7 @@ impl Table {
             return Err(Fault::new(Code::RecordFormat, "the line does not match the others")
                 .at(line.0..line.0 + line.1.len())
                 .found(format!("{} column(s)", cells.len()))
-                .allowed(format!(
-                    "{} column(s) separated by {}",
-                    layout.columns,
-                    separator.name()
-                )));
+                .allowed(format!("{} column(s) separated by {}", layout.columns, separator.name())));
         }
         let columns = match layout.values {
             Values::Column(column) => column..column + 1,
@@ -373,11 +337,7 @@ impl Table {
                 let unit = layout.time_unit.unwrap_or(1.0);
                 let time = self.number(line.0, cell, separator, "the time")? * unit;
                 let rounding = 0.5 * unit * resolution(&cell.1.replace(',', "."));
-                self.stamps.push(Stamp {
-                    time,
-                    rounding,
-                    place: place(line.0 + cell.0),
-                });
+                self.stamps.push(Stamp { time, rounding, place: place(line.0 + cell.0) });
             }
             self.values.push(value);
             self.places.push(place(line.0 + cells[column].0));
@@ -388,27 +348,17 @@ impl Table {
     fn number(&mut self, start: usize, cell: (usize, &str), separator: Separator, what: &str) -> Result<f64, Fault> {
         let span = start + cell.0..start + cell.0 + cell.1.len();
         let comma = separator != Separator::Comma && cell.1.contains(',');
-        let mark = if comma {
-            Some(true)
-        } else {
-            cell.1.contains('.').then_some(false)
-        };
+        let mark = if comma { Some(true) } else { cell.1.contains('.').then_some(false) };
         if let (Some(mark), Some(known)) = (mark, self.comma)
             && mark != known
         {
-            return Err(
-                Fault::new(Code::RecordFormat, "decimal point and decimal comma in the same file")
-                    .at(span)
-                    .found(cell.1)
-                    .allowed("one decimal mark, no thousands separators"),
-            );
+            return Err(Fault::new(Code::RecordFormat, "decimal point and decimal comma in the same file")
+                .at(span)
+                .found(cell.1)
+                .allowed("one decimal mark, no thousands separators"));
         }
         self.comma = self.comma.or(mark);
-        let parsed = if comma {
-            parse(&cell.1.replace(',', "."))
-        } else {
-            parse(cell.1)
-        };
+        let parsed = if comma { parse(&cell.1.replace(',', ".")) } else { parse(cell.1) };
         parsed.map_err(|wrong| {
             Fault::new(wrong.code(), wrong.message(what))
                 .at(span)

@@ -59,16 +59,11 @@ impl Head {
 /// Reads the header of the channel that begins at a line.
 fn head(lines: &[Line], start: usize) -> Result<Head, Faults> {
     let first = line(lines, start, "its first line")?;
-    let texts = after(first.1, "WITH")
-        .filter(|n| *n >= 1.0 && *n <= 100.0)
-        .ok_or_else(|| {
-            Fault::new(
-                Code::RecordFormat,
-                "the first line does not give the number of text lines",
-            )
+    let texts = after(first.1, "WITH").filter(|n| *n >= 1.0 && *n <= 100.0).ok_or_else(|| {
+        Fault::new(Code::RecordFormat, "the first line does not give the number of text lines")
             .at(place(first))
             .found(printable(first.1))
-        })? as usize;
+    })? as usize;
     let block = |number: usize, what: &str| -> Result<(Vec<f64>, usize), Faults> {
         let head = line(lines, number, what)?;
         let count = head.1.split_whitespace().next().and_then(|n| n.parse::<usize>().ok());
@@ -86,13 +81,7 @@ fn head(lines: &[Line], start: usize) -> Result<Head, Faults> {
     };
     let (integers, next) = block(start + texts, "the integers of the header")?;
     let (reals, next) = block(next, "the reals of the header")?;
-    Ok(Head {
-        start,
-        next,
-        texts,
-        integers,
-        reals,
-    })
+    Ok(Head { start, next, texts, integers, reals })
 }
 
 /// The unit of integer 3.
@@ -140,22 +129,13 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let starts = (0..lines.len()).filter(|i| begins(lines[*i].1));
     let heads: Vec<Head> = starts.map(|start| head(&lines, start)).collect::<Result<_, Faults>>()?;
     if !heads.iter().any(Head::is_acceleration) {
-        let kind = heads
-            .first()
-            .and_then(|h| h.integers.get(1))
-            .copied()
-            .unwrap_or_default();
+        let kind = heads.first().and_then(|h| h.integers.get(1)).copied().unwrap_or_default();
         let fault = Fault::new(Code::NotAcceleration, "this is not an acceleration record")
             .found(format!("physical parameter {kind}"));
         return Err(fault.allowed("1, acceleration").into());
     }
     let heads: Vec<Head> = heads.into_iter().filter(Head::is_acceleration).collect();
-    let name = |head: &Head| {
-        lines
-            .get(head.start + CHANNEL)
-            .map(|l| printable(l.1))
-            .unwrap_or_default()
-    };
+    let name = |head: &Head| lines.get(head.start + CHANNEL).map(|l| printable(l.1)).unwrap_or_default();
     let names: Vec<String> = heads.iter().map(name).collect();
     let wanted = choose(&names, options)?;
     let channel = &heads[wanted];
@@ -163,12 +143,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (head, samples, width) = data_head(&lines, channel)?;
     let named = unit_of(&channel.integers)?;
     let (unit, unit_source) = settle_unit(named, options, "integer 3 of the header")?;
-    let positive = |place: usize, scale: f64| {
-        reals
-            .get(place)
-            .map(|dt| dt * scale)
-            .filter(|dt| *dt > 0.0 && *dt < 10.0)
-    };
+    let positive =
+        |place: usize, scale: f64| reals.get(place).map(|dt| dt * scale).filter(|dt| *dt > 0.0 && *dt < 10.0);
     let step = positive(STEP, 1e-3).or_else(|| positive(RECORDED, 1.0));
     let dt = settle_dt(step, options)?.ok_or_else(|| {
         Fault::new(Code::TimeStep, "the header does not give a time step")
@@ -196,15 +172,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             format!("the header says filtered below {corner} Hz, which is {:.3} s, and periods over {period} s; the corner counts", 1.0 / corner)
         });
     Ok(Draft {
-        title: lines
-            .get(channel.start + 4)
-            .map(|l| printable(l.1))
-            .filter(|t| !t.is_empty()),
-        format: format!(
-            "COSMOS (channel {} of {}, {samples} samples, interval {dt} s)",
-            wanted + 1,
-            names.len()
-        ),
+        title: lines.get(channel.start + 4).map(|l| printable(l.1)).filter(|t| !t.is_empty()),
+        format: format!("COSMOS (channel {} of {}, {samples} samples, interval {dt} s)", wanted + 1, names.len()),
         channel: (names.len() > 1).then(|| names[wanted].clone()),
         unit,
         unit_source,

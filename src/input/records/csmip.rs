@@ -53,12 +53,7 @@ fn channels<'a>(lines: &[Line<'a>]) -> Vec<Channel<'a>> {
         }
         low_cut = corner(head.1).or(low_cut);
         if KINDS.iter().any(|kind| upper.contains(kind)) {
-            all.push(Channel {
-                number,
-                head,
-                name: name.clone(),
-                low_cut: low_cut.take(),
-            });
+            all.push(Channel { number, head, name: name.clone(), low_cut: low_cut.take() });
         }
     }
     all
@@ -86,23 +81,14 @@ fn other_volume(lines: &[Line]) -> Fault {
         .help("take the corrected file of the record, volume 2, or interpolate it to a CSV file with the header `time_s,acceleration_m_s2`");
     }
     Fault::new(Code::CutOff, "the file has no line before its accelerations")
-        .at(place(
-            lines
-                .iter()
-                .rev()
-                .find(|l| !l.1.trim().is_empty())
-                .copied()
-                .unwrap_or(first),
-        ))
+        .at(place(lines.iter().rev().find(|l| !l.1.trim().is_empty()).copied().unwrap_or(first)))
         .allowed("`3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.`")
 }
 
 /// The unit after `UNITS OF`, `UNITS:`, `UNITS` or `in`.
 fn unit_text(upper: &str) -> Option<&str> {
     let behind = |word: &str| upper.split_once(word).map(|(_, rest)| rest);
-    let rest = behind("UNITS OF")
-        .or_else(|| behind("UNITS"))
-        .or_else(|| behind(" IN "))?;
+    let rest = behind("UNITS OF").or_else(|| behind("UNITS")).or_else(|| behind(" IN "))?;
     let rest = rest.trim_start_matches([':', ' ', '(']);
     let end = rest.split(['(', ')', ',']).next()?.split("FORMAT").next()?;
     Some(end.trim().trim_end_matches('.').trim()).filter(|unit| !unit.is_empty())
@@ -140,10 +126,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let width = fortran(at.1).map_or(WIDTH, |(_, width)| width);
     let (values, places, _) = fields(&lines, channel.number + 1, (samples, width), "an acceleration")?;
     let uncorrected = upper.contains(KINDS[1]);
-    let station = lines
-        .get(if uncorrected { 5 } else { 6 })
-        .map(|l| printable(l.1))
-        .unwrap_or_default();
+    let station = lines.get(if uncorrected { 5 } else { 6 }).map(|l| printable(l.1)).unwrap_or_default();
     let notes = match uncorrected {
         true => vec!["volume 1 is not corrected: its mean and drift are those of the instrument".into()],
         false => Vec::new(),
@@ -152,11 +135,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         title: Some(format!("{station}, {}", channel.name)),
         format: format!(
             "{} volume {} (channel {} of {}, {samples} samples)",
-            if channel.name.starts_with("COMP") {
-                "USC"
-            } else {
-                "CSMIP"
-            },
+            if channel.name.starts_with("COMP") { "USC" } else { "CSMIP" },
             if uncorrected { 1 } else { 2 },
             wanted + 1,
             channels.len()

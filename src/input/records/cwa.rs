@@ -16,32 +16,19 @@ use files::code::Code;
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    let begins = |line: &str| {
-        line.get(..15)
-            .is_some_and(|key| key.eq_ignore_ascii_case("#AmplitudeUnit:"))
-    };
+    let begins = |line: &str| line.get(..15).is_some_and(|key| key.eq_ignore_ascii_case("#AmplitudeUnit:"));
     text.starts_with('#') && text.lines().take(40).any(begins)
 }
 
 /// Reads the text; call [`sniff`] before.
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let lines = lines(text);
-    let header = Keyed {
-        lines: &lines,
-        what: "CWA",
-    };
+    let header = Keyed { lines: &lines, what: "CWA" };
     let (at, sequence) = header.get("DataSequence")?;
-    let names: Vec<String> = sequence
-        .split([';', ' '])
-        .map(printable)
-        .filter(|n| !n.is_empty())
-        .collect();
+    let names: Vec<String> = sequence.split([';', ' ']).map(printable).filter(|n| !n.is_empty()).collect();
     if names.first().is_none_or(|first| !first.eq_ignore_ascii_case("time")) || names.len() < 2 {
         let fault = Fault::new(Code::RecordFormat, "the columns of this CWA file are not read").at(place(at));
-        return Err(fault
-            .found(printable(sequence))
-            .allowed("`Time U(+); N(+); E(+)`")
-            .into());
+        return Err(fault.found(printable(sequence)).allowed("`Time U(+); N(+); E(+)`").into());
     }
     let wanted = choose(&names[1..], options)? + 1;
     let rate = header.positive("SampleRate(Hz)", |v| v)?;

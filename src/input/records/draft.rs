@@ -29,9 +29,7 @@ pub(super) struct Draft {
 /// Bytes of the number or word that begins at `start`.
 pub(super) fn token_at(text: &str, start: usize) -> std::ops::Range<usize> {
     let rest = text.get(start..).unwrap_or_default();
-    let end = rest
-        .find(|c: char| c.is_whitespace() || c == ',' || c == ';')
-        .unwrap_or(rest.len());
+    let end = rest.find(|c: char| c.is_whitespace() || c == ',' || c == ';').unwrap_or(rest.len());
     start..start + end
 }
 
@@ -52,10 +50,7 @@ impl Collector {
         if self.faults.list().len() < MAX_FAULTS {
             return false;
         }
-        self.faults.push(Fault::new(
-            Code::RecordFormat,
-            format!("reading stopped after {MAX_FAULTS} faults"),
-        ));
+        self.faults.push(Fault::new(Code::RecordFormat, format!("reading stopped after {MAX_FAULTS} faults")));
         true
     }
 
@@ -64,11 +59,7 @@ impl Collector {
     }
 
     pub(crate) fn finish(self) -> Result<(), Faults> {
-        if self.faults.is_empty() {
-            Ok(())
-        } else {
-            Err(self.faults)
-        }
+        if self.faults.is_empty() { Ok(()) } else { Err(self.faults) }
     }
 }
 
@@ -87,14 +78,9 @@ pub(super) fn settle_unit(
             .allowed("one unit")
             .help("remove --units, or correct the header")),
         (None, Some(given)) => Ok((given, format!("--units {given}"))),
-        (None, None) => Err(
-            Fault::new(Code::RecordUnit, "the file does not give the unit of acceleration")
-                .allowed(format!(
-                    "{example}, or --units with one of {}",
-                    AccelerationUnit::ALLOWED
-                ))
-                .help("give the unit; it is never guessed from the size of the numbers"),
-        ),
+        (None, None) => Err(Fault::new(Code::RecordUnit, "the file does not give the unit of acceleration")
+            .allowed(format!("{example}, or --units with one of {}", AccelerationUnit::ALLOWED))
+            .help("give the unit; it is never guessed from the size of the numbers")),
     }
 }
 
@@ -103,11 +89,7 @@ pub(super) fn settle_unit(
 /// Errors: several without a choice; a choice that is none of them, or more than one.
 pub(super) fn choose(names: &[String], options: &ReadOptions) -> Result<usize, Fault> {
     let listed = || {
-        let all: Vec<String> = names
-            .iter()
-            .enumerate()
-            .map(|(i, name)| format!("{}: {name}", i + 1))
-            .collect();
+        let all: Vec<String> = names.iter().enumerate().map(|(i, name)| format!("{}: {name}", i + 1)).collect();
         all.join("; ")
     };
     let Some(wanted) = &options.channel else {
@@ -117,11 +99,7 @@ pub(super) fn choose(names: &[String], options: &ReadOptions) -> Result<usize, F
         let fault = Fault::new(Code::RecordChannel, "the file has several channels").found(listed());
         return Err(fault.allowed("--channel with the number or the name of one of them, or FILE#CHANNEL"));
     };
-    let number = wanted
-        .parse::<usize>()
-        .ok()
-        .and_then(|n| n.checked_sub(1))
-        .filter(|i| *i < names.len());
+    let number = wanted.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).filter(|i| *i < names.len());
     let folded = |text: &str| printable(text).to_lowercase();
     let all = |fits: &dyn Fn(&str) -> bool| -> Vec<usize> {
         (0..names.len()).filter(|i| fits(&folded(&names[*i]))).collect()
@@ -131,9 +109,7 @@ pub(super) fn choose(names: &[String], options: &ReadOptions) -> Result<usize, F
     // A number is a whole word of the name, `360` of `Chan 1: 360 Deg`, not a part of `m/s2`.
     let digits = wanted_name.bytes().all(|b| b.is_ascii_digit());
     let within = all(&|name| match digits {
-        true => name
-            .split(|c: char| !c.is_alphanumeric())
-            .any(|word| word == wanted_name),
+        true => name.split(|c: char| !c.is_alphanumeric()).any(|word| word == wanted_name),
         false => name.contains(&wanted_name),
     });
     match (number, equal.as_slice(), within.as_slice()) {
@@ -163,9 +139,7 @@ pub(super) fn settle_dt(named: Option<f64>, options: &ReadOptions) -> Result<Opt
 
 /// Without control characters and surplus spaces.
 pub(super) fn printable(text: &str) -> String {
-    let words: Vec<&str> = text
-        .split(|c: char| c.is_whitespace() || c.is_control())
-        .filter(|w| !w.is_empty())
-        .collect();
+    let words: Vec<&str> =
+        text.split(|c: char| c.is_whitespace() || c.is_control()).filter(|w| !w.is_empty()).collect();
     words.join(" ")
 }

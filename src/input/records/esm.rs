@@ -16,8 +16,7 @@ const HEADER: usize = 64;
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    text.get(..11)
-        .is_some_and(|key| key.eq_ignore_ascii_case("EVENT_NAME:"))
+    text.get(..11).is_some_and(|key| key.eq_ignore_ascii_case("EVENT_NAME:"))
 }
 
 /// Reads the text; call [`sniff`] before.
@@ -27,10 +26,7 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     let find = |key: &str| {
         let of = |&(start, line): &(usize, &'t str)| -> Option<(Line<'t>, &'t str)> {
             let (found, value) = line.split_once(':')?;
-            found
-                .trim()
-                .eq_ignore_ascii_case(key)
-                .then_some(((start, line), value.trim()))
+            found.trim().eq_ignore_ascii_case(key).then_some(((start, line), value.trim()))
         };
         header.iter().find_map(of)
     };
@@ -52,11 +48,9 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
     let (unit, unit_source) = settle_unit(unit, options, "a header line `UNITS: cm/s^2`")?;
     let dt = settle_dt(Some(number("SAMPLING_INTERVAL_S")?), options)?.unwrap_or_default();
     if dt <= 0.0 {
-        return Err(
-            Fault::new(Code::TimeStep, "the sampling interval must be greater than 0")
-                .found(format!("{dt} s"))
-                .into(),
-        );
+        return Err(Fault::new(Code::TimeStep, "the sampling interval must be greater than 0")
+            .found(format!("{dt} s"))
+            .into());
     }
     let said = number("NDATA")?;
     let count = whole(said, 2..=MAX_SAMPLES).ok_or_else(|| {
@@ -68,20 +62,13 @@ pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Fa
         let more = lines[next..].iter().filter(|l| !l.1.trim().is_empty()).count();
         if more > 0 {
             let fault = Fault::new(Code::RecordLength, "more numbers than NDATA says").at(place(extra));
-            return Err(fault
-                .found(format!("{} numbers", count + more))
-                .allowed(format!("{count}"))
-                .into());
+            return Err(fault.found(format!("{} numbers", count + more)).allowed(format!("{count}")).into());
         }
     }
     let text_of = |key: &str| find(key).map(|(_, v)| printable(v)).filter(|v| !v.is_empty());
     choose(&[text_of("STREAM").unwrap_or_default()], options)?;
     let corner = number("LOW_CUT_FREQUENCY_HZ").ok().filter(|f| *f > 0.0);
-    let notes = [
-        ("BASELINE_CORRECTION", "baseline"),
-        ("DATA_LICENSE", "licence"),
-        ("DATA_CITATION", "citation"),
-    ];
+    let notes = [("BASELINE_CORRECTION", "baseline"), ("DATA_LICENSE", "licence"), ("DATA_CITATION", "citation")];
     let notes = (notes.into_iter()).filter_map(|(key, words)| Some(format!("{words}: {}", text_of(key)?)));
     let station = [text_of("NETWORK"), text_of("STATION_CODE"), text_of("STREAM")];
     let station: Vec<String> = station.into_iter().flatten().collect();

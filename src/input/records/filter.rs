@@ -35,9 +35,7 @@ pub(super) fn corner(line: &str) -> Option<f64> {
 /// The number at the beginning of a text, and what follows it.
 fn number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim_start_matches([' ', '=', ':', '\t']);
-    let end = text
-        .find(|c: char| !(c.is_ascii_digit() || c == '.'))
-        .unwrap_or(text.len());
+    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(text.len());
     Some((parse(text.get(..end)?).ok()?, text.get(end..)?))
 }
 
@@ -46,27 +44,12 @@ mod tests {
     #[test]
     fn corners_as_written() {
         for (line, expected) in [
-            (
-                "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.2 Hz LP=15.0 Hz",
-                Some(0.2),
-            ),
+            ("ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.2 Hz LP=15.0 Hz", Some(0.2)),
             ("Record filtered below  0.10 Hz (periods over 10.00 secs)", Some(0.1)),
-            (
-                "ACCELEROGRAM BANDPASS FILTERED WITH RAMPS AT .050- .100 AND 23.00-25.00 CYC/SEC",
-                Some(0.1),
-            ),
-            (
-                "ACCELEROGRAM IS BAND-PASS FILTERED BETWEEN  .225- .325 AND 25.00-27.00 HZ.",
-                Some(0.325),
-            ),
-            (
-                "Band-pass filter transition bands are .10-.25 Hz and 24.50-25.50 Hz",
-                Some(0.25),
-            ),
-            (
-                "Accelerogram bandpass filtered with 3 dB pts at   .10 and 40.00 cyc/sec",
-                Some(0.1),
-            ),
+            ("ACCELEROGRAM BANDPASS FILTERED WITH RAMPS AT .050- .100 AND 23.00-25.00 CYC/SEC", Some(0.1)),
+            ("ACCELEROGRAM IS BAND-PASS FILTERED BETWEEN  .225- .325 AND 25.00-27.00 HZ.", Some(0.325)),
+            ("Band-pass filter transition bands are .10-.25 Hz and 24.50-25.50 Hz", Some(0.25)),
+            ("Accelerogram bandpass filtered with 3 dB pts at   .10 and 40.00 cyc/sec", Some(0.1)),
             ("Frequency range: 0.07-50.0 Hz", Some(0.07)),
             (" low-cut filter: 0.2 Hz", Some(0.2)),
             ("FILTER POINTS: HP=Null LP=Null", None),

@@ -16,11 +16,7 @@ const COUNTS: &str = "its samples are counts: remove the response with ObsPy or 
 const UNPACK: &str = "unpack it and give the record in it";
 
 const FOREIGN: &[Foreign] = &[
-    Foreign {
-        name: "a miniSEED volume",
-        looks: is_mini_seed,
-        help: COUNTS,
-    },
+    Foreign { name: "a miniSEED volume", looks: is_mini_seed, help: COUNTS },
     Foreign {
         name: "a SEED volume",
         looks: |b| {
@@ -48,50 +44,20 @@ const FOREIGN: &[Foreign] = &[
         looks: |b| b.starts_with(b"PK\x03\x04"),
         help: "unpack it, or save the sheet as CSV",
     },
-    Foreign {
-        name: "an Excel workbook",
-        looks: |b| b.starts_with(b"\xd0\xcf\x11\xe0"),
-        help: "save the sheet as CSV",
-    },
-    Foreign {
-        name: "a gzip archive",
-        looks: |b| b.starts_with(b"\x1f\x8b"),
-        help: UNPACK,
-    },
-    Foreign {
-        name: "an HDF5 file (ASDF)",
-        looks: |b| b.starts_with(b"\x89HDF"),
-        help: CSV,
-    },
-    Foreign {
-        name: "a MATLAB file",
-        looks: |b| b.starts_with(b"MATLAB 5.0"),
-        help: CSV,
-    },
-    Foreign {
-        name: "a NumPy array",
-        looks: |b| b.starts_with(b"\x93NUMPY"),
-        help: CSV,
-    },
-    Foreign {
-        name: "a PDF document",
-        looks: |b| b.starts_with(b"%PDF"),
-        help: CSV,
-    },
+    Foreign { name: "an Excel workbook", looks: |b| b.starts_with(b"\xd0\xcf\x11\xe0"), help: "save the sheet as CSV" },
+    Foreign { name: "a gzip archive", looks: |b| b.starts_with(b"\x1f\x8b"), help: UNPACK },
+    Foreign { name: "an HDF5 file (ASDF)", looks: |b| b.starts_with(b"\x89HDF"), help: CSV },
+    Foreign { name: "a MATLAB file", looks: |b| b.starts_with(b"MATLAB 5.0"), help: CSV },
+    Foreign { name: "a NumPy array", looks: |b| b.starts_with(b"\x93NUMPY"), help: CSV },
+    Foreign { name: "a PDF document", looks: |b| b.starts_with(b"%PDF"), help: CSV },
     Foreign {
         name: "a web page or an XML document",
         looks: |b| {
-            [&b"<!DOCTYPE"[..], b"<!doctype", b"<html", b"<HTML", b"<?xml"]
-                .iter()
-                .any(|begin| b.starts_with(begin))
+            [&b"<!DOCTYPE"[..], b"<!doctype", b"<html", b"<HTML", b"<?xml"].iter().any(|begin| b.starts_with(begin))
         },
         help: "download the record itself",
     },
-    Foreign {
-        name: "a JSON document",
-        looks: |b| b.starts_with(b"{"),
-        help: CSV,
-    },
+    Foreign { name: "a JSON document", looks: |b| b.starts_with(b"{"), help: CSV },
 ];
 
 /// Version 2: six digits or blanks, then the quality; version 3: its letters.
@@ -105,12 +71,9 @@ fn is_mini_seed(b: &[u8]) -> bool {
 pub fn recognise(bytes: &[u8]) -> Option<Fault> {
     let foreign = FOREIGN.iter().find(|f| (f.looks)(bytes))?;
     Some(
-        Fault::new(
-            Code::RecordFormat,
-            format!("this is {}, which is not supported", foreign.name),
-        )
-        .allowed(FORMATS)
-        .help(foreign.help),
+        Fault::new(Code::RecordFormat, format!("this is {}, which is not supported", foreign.name))
+            .allowed(FORMATS)
+            .help(foreign.help),
     )
 }
 

@@ -27,9 +27,7 @@ fn begins(line: &str) -> bool {
 pub(super) fn sniff(text: &str) -> bool {
     let mut lines = text.lines();
     begins(lines.next().unwrap_or_default())
-        && lines
-            .next()
-            .is_some_and(|l| l.to_ascii_lowercase().starts_with("site "))
+        && lines.next().is_some_and(|l| l.to_ascii_lowercase().starts_with("site "))
 }
 
 /// The time step [s] of a line such as `… data at 0.010 sec intervals`.
@@ -41,9 +39,7 @@ fn time_step(said: Line<'_>) -> Result<f64, Fault> {
         _ => {
             let message = "the header of this GeoNet file does not give a time step";
             let fault = Fault::new(Code::TimeStep, message).at(place(said));
-            Err(fault
-                .found(printable(said.1))
-                .allowed("`… data at 0.010 sec intervals`"))
+            Err(fault.found(printable(said.1)).allowed("`… data at 0.010 sec intervals`"))
         }
     }
 }
@@ -54,21 +50,13 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let starts: Vec<usize> = (0..lines.len()).filter(|i| begins(lines[*i].1)).collect();
     let component = |start: &usize| -> String {
         let text = lines.get(start + 12).map_or("", |l| l.1.trim());
-        printable(
-            text.get(9..)
-                .filter(|_| text.to_ascii_lowercase().starts_with("component"))
-                .unwrap_or(text),
-        )
+        printable(text.get(9..).filter(|_| text.to_ascii_lowercase().starts_with("component")).unwrap_or(text))
     };
     let names: Vec<String> = starts.iter().map(component).collect();
     let wanted = choose(&names, options)?;
     let header = starts.get(wanted).copied().unwrap_or_default();
     let at = |offset: usize| line(&lines, header + offset, "its header");
-    let volume = if lines[header].1.to_ascii_lowercase().contains("uncorrected") {
-        1
-    } else {
-        2
-    };
+    let volume = if lines[header].1.to_ascii_lowercase().contains("uncorrected") { 1 } else { 2 };
     let (counts, ..) = fields(&lines, header + TEXT + 3, FIELDS, "an integer of the header")?;
     let counted = counts[if volume == 1 { 0 } else { 3 }];
     let Some(samples) = whole(counted, 2..=MAX_SAMPLES) else {
@@ -87,23 +75,13 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         .find_map(AccelerationUnit::parse)
         .ok_or_else(|| unknown_unit(peak.1).at(place(peak)))?;
     let (unit, unit_source) = settle_unit(Some((unit, format!("header, `{}`", printable(peak.1)))), options, "")?;
-    let factor = if volume == 1 {
-        after(said.1, "UNITS OF").unwrap_or(1.0)
-    } else {
-        1.0
-    };
+    let factor = if volume == 1 { after(said.1, "UNITS OF").unwrap_or(1.0) } else { 1.0 };
     let (mut values, places, _) = fields(&lines, header + HEADER, (samples, FIELDS.1), "an acceleration")?;
     values.iter_mut().for_each(|v| *v *= factor);
-    let filter: Option<f64> = lines[header..(header + TEXT).min(lines.len())]
-        .iter()
-        .find_map(|l: &Line| corner(l.1));
+    let filter: Option<f64> = lines[header..(header + TEXT).min(lines.len())].iter().find_map(|l: &Line| corner(l.1));
     Ok(Draft {
         title: Some(format!("{}, {}", printable(at(2)?.1), names[wanted])),
-        format: format!(
-            "GeoNet volume {volume} (channel {} of {}, {samples} samples)",
-            wanted + 1,
-            names.len()
-        ),
+        format: format!("GeoNet volume {volume} (channel {} of {}, {samples} samples)", wanted + 1, names.len()),
         channel: (names.len() > 1).then(|| names[wanted].clone()),
         unit,
         unit_source,

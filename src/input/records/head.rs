@@ -112,9 +112,7 @@ pub(crate) fn head(cell: &str) -> Head {
         _ => {}
     }
     // The longest unit wins: `acceleration_m_s2` is `m_s2`, not `s2`.
-    let separators = cell
-        .char_indices()
-        .filter(|(_, c)| matches!(c, '_' | ' ' | '/' | '-' | ':' | ','));
+    let separators = cell.char_indices().filter(|(_, c)| matches!(c, '_' | ' ' | '/' | '-' | ':' | ','));
     for (i, c) in separators {
         let (name, unit) = (cell[..i].trim(), cell[i + c.len_utf8()..].trim());
         let unit = unit.strip_prefix("in ").unwrap_or(unit).trim();
@@ -143,11 +141,7 @@ pub(crate) fn head(cell: &str) -> Head {
 
 /// What may be a unit behind a name: one word, or words with a mark of units; other words only say more of the column.
 fn left_over(cell: &str) -> Option<String> {
-    let rest: Vec<&str> = cell
-        .split([' ', '_'])
-        .skip(1)
-        .filter(|word| !is_plain_word(word))
-        .collect();
+    let rest: Vec<&str> = cell.split([' ', '_']).skip(1).filter(|word| !is_plain_word(word)).collect();
     let marked = rest.iter().any(|word| word.contains(['/', '^', '²', '%', '*']));
     (rest.len() == 1 || marked).then(|| rest.join(" "))
 }
@@ -178,10 +172,7 @@ fn bracketed(cell: &str) -> Option<(&str, &str)> {
     let close = cell.rfind([']', ')'])?;
     // The last bracket, `a(t) (g)`, where it holds a unit.
     let within = |open: &usize| *open < close && Unit::of(cell[open + 1..close].trim()).is_some();
-    let open = cell
-        .rfind(['[', '('])
-        .filter(within)
-        .or_else(|| cell.find(['[', '(']).filter(|open| *open < close))?;
+    let open = cell.rfind(['[', '(']).filter(within).or_else(|| cell.find(['[', '(']).filter(|open| *open < close))?;
     let name = cell[..open].trim().trim_end_matches(['/', ',', '_', ':']);
     let unit = cell[open + 1..close].trim();
     // `a/(m/s²)` and `acc. in [g]`.
@@ -192,19 +183,8 @@ const TIME: [&str; 6] = ["time", "zeit", "temps", "tiempo", "tempo", "zaman"];
 const ACCELERATION: [&str; 5] = ["acc", "besch", "acel", "ivme", "bodenbeschl"];
 const MOTION: [&str; 8] = ["vel", "disp", "geschw", "weg", "despl", "depl", "vitesse", "versch"];
 /// Words of spectra, whose columns are not those of a record.
-const SPECTRUM: [&str; 11] = [
-    "period",
-    "frequency",
-    "freq",
-    "sa",
-    "psa",
-    "sd",
-    "sv",
-    "psv",
-    "spectral",
-    "spectrum",
-    "hz",
-];
+const SPECTRUM: [&str; 11] =
+    ["period", "frequency", "freq", "sa", "psa", "sd", "sv", "psv", "spectral", "spectrum", "hz"];
 /// Words of values that are not columns.
 const FACTS: [&str; 17] = [
     "peak",
@@ -227,19 +207,13 @@ const FACTS: [&str; 17] = [
 ];
 
 fn name_of(name: &str) -> Name {
-    let words: Vec<&str> = name
-        .split(|c: char| !(c.is_alphanumeric() || c == '.'))
-        .filter(|w| !w.is_empty())
-        .collect();
+    let words: Vec<&str> = name.split(|c: char| !(c.is_alphanumeric() || c == '.')).filter(|w| !w.is_empty()).collect();
     let Some(first) = words.first() else { return Name::None };
     let starts = |word: &str, list: &[&str]| list.iter().any(|w| word.starts_with(w));
     if starts(first, &TIME) || name == "t" {
         return Name::Time;
     }
-    if words
-        .iter()
-        .any(|w| FACTS.contains(w) || (w.contains('.') && w.parse::<f64>().is_ok()))
-    {
+    if words.iter().any(|w| FACTS.contains(w) || (w.contains('.') && w.parse::<f64>().is_ok())) {
         return Name::Fact;
     }
     if is_component(name) {
@@ -296,14 +270,10 @@ fn is_component(name: &str) -> bool {
         "trans",
         "transverse",
     ];
-    let numbered = ["chan", "channel", "canal", "ch", "comp", "component", "komponente"]
-        .iter()
-        .any(|word| {
-            let rest = compact.strip_prefix(word);
-            rest.is_some_and(|rest| {
-                rest.is_empty() || NAMES.contains(&rest) || rest.bytes().all(|b| b.is_ascii_digit())
-            })
-        });
+    let numbered = ["chan", "channel", "canal", "ch", "comp", "component", "komponente"].iter().any(|word| {
+        let rest = compact.strip_prefix(word);
+        rest.is_some_and(|rest| rest.is_empty() || NAMES.contains(&rest) || rest.bytes().all(|b| b.is_ascii_digit()))
+    });
     let bytes = compact.as_bytes();
     let azimuth = bytes.len() > 2
         && matches!(bytes[0], b'n' | b's')
@@ -311,11 +281,7 @@ fn is_component(name: &str) -> bool {
         && bytes[1..bytes.len() - 1].iter().all(u8::is_ascii_digit);
     let code = matches!(
         bytes,
-        [
-            b'b' | b'e' | b'h' | b's' | b'l',
-            b'n' | b'h' | b'l' | b'g',
-            b'e' | b'n' | b'z' | b'1' | b'2' | b'3'
-        ]
+        [b'b' | b'e' | b'h' | b's' | b'l', b'n' | b'h' | b'l' | b'g', b'e' | b'n' | b'z' | b'1' | b'2' | b'3']
     );
     NAMES.contains(&compact.as_str()) || numbered || azimuth || code
 }

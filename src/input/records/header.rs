@@ -54,15 +54,7 @@ pub(super) struct Layout {
 impl Layout {
     /// Without a header.
     pub(super) fn plain(time: Option<usize>, values: Values, columns: usize) -> Layout {
-        Layout {
-            time,
-            values,
-            columns,
-            time_unit: None,
-            unit: None,
-            header: None,
-            channel: None,
-        }
+        Layout { time, values, columns, time_unit: None, unit: None, header: None, channel: None }
     }
 }
 
@@ -76,10 +68,7 @@ pub(super) struct Stated {
 /// Key and value of a line such as `dt = 0.01 s`.
 fn statement(piece: &str) -> Option<(String, Option<&str>, &str)> {
     let lower = piece.trim_start().to_lowercase();
-    if let Some(start) = ["units are ", "the units are ", "units in "]
-        .iter()
-        .find(|start| lower.starts_with(**start))
-    {
+    if let Some(start) = ["units are ", "the units are ", "units in "].iter().find(|start| lower.starts_with(**start)) {
         return Some(("units".into(), None, piece.trim_start().get(start.len()..)?.trim()));
     }
     let (key, value) = piece.split_once([':', '='])?;
@@ -87,10 +76,7 @@ fn statement(piece: &str) -> Option<(String, Option<&str>, &str)> {
         Some((name, unit)) => (name, Some(unit.trim_end_matches([')', ']', ' ']))),
         None => (key, None),
     };
-    let words: Vec<&str> = name
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|w| !w.is_empty())
-        .collect();
+    let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect();
     Some((words.join(" ").to_lowercase(), unit, value.trim()))
 }
 
@@ -215,13 +201,10 @@ pub(super) const MILLISECONDS: f64 = 0.5;
 pub(super) fn plain_step(dt: f64) -> Result<f64, Fault> {
     match dt > 0.0 && dt < MILLISECONDS {
         true => Ok(dt),
-        false => Err(Fault::new(
-            Code::TimeStep,
-            "the time step does not have a unit, and does not look like seconds",
-        )
-        .found(format!("a step of {dt}"))
-        .allowed("steps below 0.5 s without a unit; usual values are 0.002 to 0.02 s")
-        .help("give the unit behind the step: SEC, MSEC or HZ")),
+        false => Err(Fault::new(Code::TimeStep, "the time step does not have a unit, and does not look like seconds")
+            .found(format!("a step of {dt}"))
+            .allowed("steps below 0.5 s without a unit; usual values are 0.002 to 0.02 s")
+            .help("give the unit behind the step: SEC, MSEC or HZ")),
     }
 }
 
@@ -290,9 +273,7 @@ fn find<'t>(
                         return Err(Fault::new(Code::RecordFormat, "the header does not match the numbers")
                             .at(title.span())
                             .found(printable(title.text))
-                            .allowed(format!(
-                                "{columns} name(s), as there are {columns} column(s) of numbers"
-                            )));
+                            .allowed(format!("{columns} name(s), as there are {columns} column(s) of numbers")));
                     }
                     continue;
                 }
@@ -338,11 +319,7 @@ fn ways(line: &str, separator: Separator) -> Vec<Vec<String>> {
             _ => words.push(word.to_string()),
         }
     }
-    let closed = line
-        .split_inclusive([')', ']'])
-        .map(|c| c.trim().to_string())
-        .filter(|c| !c.is_empty())
-        .collect();
+    let closed = line.split_inclusive([')', ']']).map(|c| c.trim().to_string()).filter(|c| !c.is_empty()).collect();
     ways.insert(usize::from(separator != Separator::Spaces) * ways.len(), words);
     ways.push(closed);
     // The whole line is the last way but for a single column, of which it is the name.
@@ -355,12 +332,7 @@ fn unit_of(title: &Title, cells: &[String], column: usize) -> Option<(Accelerati
     match head(cells.get(column)?) {
         Head::Acceleration(Some(unit)) | Head::Component(Some(unit)) => Some((
             unit,
-            format!(
-                "header, line {}, column {} (`{}`)",
-                title.number,
-                column + 1,
-                printable(&cells[column])
-            ),
+            format!("header, line {}, column {} (`{}`)", title.number, column + 1, printable(&cells[column])),
         )),
         _ => None,
     }
@@ -372,10 +344,9 @@ fn named(title: &Title, cells: &[String], options: &ReadOptions) -> Result<Layou
     let heads: Vec<Head> = cells.iter().map(|c| head(c)).collect();
     let those = |which: fn(&Head) -> bool| -> Vec<usize> { (0..heads.len()).filter(|i| which(&heads[*i])).collect() };
     if let Some(Head::UnknownUnit(unit)) = heads.iter().find(|h| matches!(h, Head::UnknownUnit(_))) {
-        return Err(unknown_unit(unit).at(title.span()).allowed(format!(
-            "of time: s, ms; of acceleration: {}",
-            AccelerationUnit::ALLOWED
-        )));
+        return Err(unknown_unit(unit)
+            .at(title.span())
+            .allowed(format!("of time: s, ms; of acceleration: {}", AccelerationUnit::ALLOWED)));
     }
     let times = those(|h| matches!(h, Head::Time(_)));
     if times.len() > 1 {
@@ -419,23 +390,20 @@ fn chosen(
     (time, acceleration): (Option<usize>, usize),
 ) -> Result<Layout, Fault> {
     if let Some(beyond) = [Some(acceleration), time].into_iter().flatten().find(|c| *c >= columns) {
-        return Err(
-            Fault::new(Code::OptionValue, "--columns names a column that is not there")
-                .found(format!("column {} of {columns}", beyond + 1))
-                .allowed(format!("1 to {columns}")),
-        );
+        return Err(Fault::new(Code::OptionValue, "--columns names a column that is not there")
+            .found(format!("column {} of {columns}", beyond + 1))
+            .allowed(format!("1 to {columns}")));
     }
     let plain = Layout::plain(time, Values::Column(acceleration), columns);
     let Some((title, cells)) = found else { return Ok(plain) };
     let of_time = time.and_then(|t| cells.get(t)).map_or(Head::Unknown, |cell| head(cell));
     match (head(&cells[acceleration]), of_time) {
         (Head::UnknownUnit(unit), _) | (_, Head::UnknownUnit(unit)) => Err(unknown_unit(&unit).at(title.span())),
-        (Head::Time(_) | Head::OtherMotion, _) => Err(Fault::new(
-            Code::NotAcceleration,
-            "--columns names a column that is not an acceleration",
-        )
-        .at(title.span())
-        .found(printable(&cells[acceleration]))),
+        (Head::Time(_) | Head::OtherMotion, _) => {
+            Err(Fault::new(Code::NotAcceleration, "--columns names a column that is not an acceleration")
+                .at(title.span())
+                .found(printable(&cells[acceleration])))
+        }
         (_, of_time) => Ok(Layout {
             time_unit: match of_time {
                 Head::Time(unit) => unit,

@@ -27,11 +27,8 @@ impl<'a> Keyed<'a, '_> {
             Some((*line, value.trim()))
         });
         found.ok_or_else(|| {
-            Fault::new(
-                Code::CutOff,
-                format!("the header of this {} file has no `{key}`", self.what),
-            )
-            .help("the file may have been cut off")
+            Fault::new(Code::CutOff, format!("the header of this {} file has no `{key}`", self.what))
+                .help("the file may have been cut off")
         })
     }
 
@@ -83,14 +80,10 @@ impl<'a> Keyed<'a, '_> {
         if values.len() as f64 != samples || values.len() > MAX_SAMPLES {
             let fault = Fault::new(
                 Code::RecordLength,
-                format!(
-                    "another number of samples than the header of this {} file says",
-                    self.what
-                ),
+                format!("another number of samples than the header of this {} file says", self.what),
             );
-            let fault = fault
-                .found(format!("{} samples", values.len()))
-                .allowed(format!("{samples}, at most {MAX_SAMPLES}"));
+            let fault =
+                fault.found(format!("{} samples", values.len())).allowed(format!("{samples}, at most {MAX_SAMPLES}"));
             return Err(fault.help("the file may have been cut off").into());
         }
         Ok((values, places))

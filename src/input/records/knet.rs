@@ -24,8 +24,7 @@ const KEY: usize = 18;
 
 /// Whether the text is one.
 pub(super) fn sniff(text: &str) -> bool {
-    text.get(..11)
-        .is_some_and(|key| key.eq_ignore_ascii_case("Origin Time"))
+    text.get(..11).is_some_and(|key| key.eq_ignore_ascii_case("Origin Time"))
 }
 
 /// The lines of the header.
@@ -38,9 +37,7 @@ impl<'t> Header<'t> {
         let found = self.0.iter().find(is);
         let missing =
             || Fault::new(Code::CutOff, format!("the header has no `{key}`")).help("the file may have been cut off");
-        found
-            .map(|l| (*l, l.1.get(KEY..).unwrap_or_default().trim()))
-            .ok_or_else(missing)
+        found.map(|l| (*l, l.1.get(KEY..).unwrap_or_default().trim())).ok_or_else(missing)
     }
 
     /// A positive number with its unit.
@@ -95,19 +92,14 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             .found(written)
             .allowed("2000(gal)/8388608")
     })?;
-    let source = (
-        AccelerationUnit::Gal,
-        format!("header, `Scale Factor {}`", printable(written)),
-    );
+    let source = (AccelerationUnit::Gal, format!("header, `Scale Factor {}`", printable(written)));
     let (unit, unit_source) = settle_unit(Some(source), options, "a scale factor in gal")?;
     let (mut values, places) = counts(data, scale)?;
     let expected = (duration * rate).round();
     if values.len() as f64 != expected || values.len() > MAX_SAMPLES {
         let message = "another number of samples than duration times frequency";
         let fault = Fault::new(Code::RecordLength, message);
-        let fault = fault
-            .found(format!("{} samples", values.len()))
-            .allowed(format!("{expected} samples"));
+        let fault = fault.found(format!("{} samples", values.len())).allowed(format!("{expected} samples"));
         return Err(at_end(fault, &lines).help("the file may have been cut off").into());
     }
     let mean = values.iter().sum::<f64>() / values.len() as f64;

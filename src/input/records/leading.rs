@@ -26,13 +26,12 @@ impl Leading {
     pub(super) fn fits(&self, values: usize, first: Line) -> Result<(), Fault> {
         match self.count.filter(|count| *count != values) {
             None => Ok(()),
-            Some(count) => Err(Fault::new(
-                Code::RecordLength,
-                "the first line of numbers gives another number of values",
-            )
-            .at(first.0..first.0 + first.1.len())
-            .found(format!("{values} values, {count} in the first line"))
-            .help("correct the first line, or skip it with --skip-lines and give --dt")),
+            Some(count) => {
+                Err(Fault::new(Code::RecordLength, "the first line of numbers gives another number of values")
+                    .at(first.0..first.0 + first.1.len())
+                    .found(format!("{values} values, {count} in the first line"))
+                    .help("correct the first line, or skip it with --skip-lines and give --dt"))
+            }
         }
     }
 }
@@ -45,9 +44,7 @@ fn count(cell: &str) -> Option<usize> {
 
 /// A time step in seconds.
 fn step(cell: &str) -> Option<f64> {
-    parse(cell)
-        .ok()
-        .filter(|dt| *dt > 0.0 && *dt < MILLISECONDS && count(cell).is_none())
+    parse(cell).ok().filter(|dt| *dt > 0.0 && *dt < MILLISECONDS && count(cell).is_none())
 }
 
 /// Whether only the first number is written without a point.
@@ -59,9 +56,7 @@ fn stands_out(rows: &[Line]) -> bool {
 /// goes back, tells them apart.
 pub(super) fn leading(rows: &[Line]) -> Leading {
     let cells = |row: usize| -> Vec<&str> {
-        rows.get(row).map_or_else(Vec::new, |row| {
-            Separator::of(row.1).cells(row.1).iter().map(|c| c.1).collect()
-        })
+        rows.get(row).map_or_else(Vec::new, |row| Separator::of(row.1).cells(row.1).iter().map(|c| c.1).collect())
     };
     let (first, second) = (cells(0), cells(1));
     let following = rows.len().saturating_sub(1);

@@ -14,11 +14,7 @@ use files::error::Error;
 
 /// Reads the file, or standard input for `-`.
 pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Error> {
-    let fail = |code: Code, what: String| Error::File {
-        code,
-        path: path.into(),
-        what,
-    };
+    let fail = |code: Code, what: String| Error::File { code, path: path.into(), what };
     if path == Path::new("-") {
         return read_limited(stdin::take()?, path);
     }
@@ -43,18 +39,11 @@ fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let outcome = reader.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     let (code, what) = match outcome {
-        Err(e) => (
-            Code::FileUnreadable,
-            format!("cannot read the record: {}", files::error::describe(&e)),
-        ),
+        Err(e) => (Code::FileUnreadable, format!("cannot read the record: {}", files::error::describe(&e))),
         Ok(n) if n as u64 > MAX_BYTES => (Code::TooLarge, too_large(n as u64)),
         Ok(_) => return Ok(bytes),
     };
-    Err(Error::File {
-        code,
-        path: path.into(),
-        what,
-    })
+    Err(Error::File { code, path: path.into(), what })
 }
 
 fn too_large(bytes: u64) -> String {
@@ -85,11 +74,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
             .allowed("CSV, two-column text or PEER .AT2"));
     }
     if bytes.iter().all(|b| b.is_ascii_whitespace() || *b == 0x1a) {
-        let found = if bytes.is_empty() {
-            "0 bytes".into()
-        } else {
-            format!("{} bytes of white space", bytes.len())
-        };
+        let found = if bytes.is_empty() { "0 bytes".into() } else { format!("{} bytes of white space", bytes.len()) };
         return Err(Fault::new(Code::EmptyFile, "the file is empty")
             .found(found)
             .allowed("CSV, two-column text or PEER .AT2"));
@@ -97,11 +82,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
     // Old Macintosh line ends and the DOS mark are replaced byte for byte, so that places stay valid.
     let plain = |text: String| {
         let text = text.replace('\u{1a}', " ");
-        if text.contains('\n') {
-            text
-        } else {
-            text.replace('\r', "\n")
-        }
+        if text.contains('\n') { text } else { text.replace('\r', "\n") }
     };
     Ok(match std::str::from_utf8(bytes) {
         Ok(text) => plain(text.into()),

@@ -37,11 +37,7 @@ impl NotANumber {
 pub(crate) fn parse(text: &str) -> Result<f64, NotANumber> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
-        return if value.is_finite() {
-            Ok(value)
-        } else {
-            Err(NotANumber::NotFinite)
-        };
+        return if value.is_finite() { Ok(value) } else { Err(NotANumber::NotFinite) };
     }
     if !text.is_empty() && text.chars().all(|c| c == '*') {
         return Err(NotANumber::Overflow);
@@ -85,11 +81,9 @@ pub(crate) fn begins_like_number(text: &str) -> bool {
     let lower: String = bare.chars().take(9).collect::<String>().to_ascii_lowercase();
     bare.starts_with(|c: char| c.is_ascii_digit())
         || bare.starts_with("***")
-        || ["nan", "inf", "infinity"].iter().any(|w| {
-            lower
-                .strip_prefix(w)
-                .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
-        })
+        || ["nan", "inf", "infinity"]
+            .iter()
+            .any(|w| lower.strip_prefix(w).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric())))
 }
 
 /// Splits Fortran fields that touch: a sign that follows a digit or a point begins the next number, unless it belongs to
@@ -98,11 +92,7 @@ pub(crate) fn split_glued(token: &str) -> Vec<(usize, &str)> {
     let signed = split_signs(token);
     signed
         .into_iter()
-        .flat_map(|(start, part)| {
-            split_decimals(part)
-                .into_iter()
-                .map(move |(at, number)| (start + at, number))
-        })
+        .flat_map(|(start, part)| split_decimals(part).into_iter().map(move |(at, number)| (start + at, number)))
         .collect()
 }
 
@@ -110,10 +100,7 @@ pub(crate) fn split_glued(token: &str) -> Vec<(usize, &str)> {
 /// not such a row.
 fn split_decimals(part: &str) -> Vec<(usize, &str)> {
     let whole = vec![(0, part)];
-    let digits = part
-        .trim_start_matches(['+', '-'])
-        .bytes()
-        .all(|b| b.is_ascii_digit() || b == b'.');
+    let digits = part.trim_start_matches(['+', '-']).bytes().all(|b| b.is_ascii_digit() || b == b'.');
     let decimals = part.rfind('.').map_or(0, |point| part.len() - point - 1);
     if !digits || decimals == 0 || part.matches('.').count() < 2 {
         return whole;
@@ -121,9 +108,7 @@ fn split_decimals(part: &str) -> Vec<(usize, &str)> {
     let (mut numbers, mut start) = (Vec::new(), 0);
     while start < part.len() {
         let rest = &part[start..];
-        let end = rest
-            .find('.')
-            .map_or(usize::MAX, |point| point.saturating_add(decimals + 1));
+        let end = rest.find('.').map_or(usize::MAX, |point| point.saturating_add(decimals + 1));
         match rest.get(..end) {
             Some(number)
                 if number.matches('.').count() == 1 && !number.trim_start_matches(['+', '-']).starts_with('.') =>
@@ -147,10 +132,7 @@ fn split_signs(token: &str) -> Vec<(usize, &str)> {
             continue;
         }
         // The next number of a Fortran field contains a point; an exponent of three digits does not.
-        let end = bytes[i + 1..]
-            .iter()
-            .position(|b| matches!(b, b'+' | b'-'))
-            .map_or(bytes.len(), |n| i + 1 + n);
+        let end = bytes[i + 1..].iter().position(|b| matches!(b, b'+' | b'-')).map_or(bytes.len(), |n| i + 1 + n);
         let digits = &bytes[i + 1..end];
         if digits.len() == 3 && digits.iter().all(u8::is_ascii_digit) && token[start..i].contains('.') {
             continue;
@@ -179,10 +161,7 @@ mod tests {
     #[test]
     fn fields_that_touch() {
         for (token, numbers) in [
-            (
-                "613.648091920.419783227.25209",
-                &["613.64809", "1920.41978", "3227.25209"][..],
-            ),
+            ("613.648091920.419783227.25209", &["613.64809", "1920.41978", "3227.25209"][..]),
             ("-123.45678-123.45678", &["-123.45678", "-123.45678"]),
             ("-1.5E-02-.25E-01", &["-1.5E-02", "-.25E-01"]),
             ("1.2.3", &["1.2.3"]),
@@ -208,9 +187,7 @@ mod tests {
         ] {
             assert_eq!(parse(text), Ok(value), "{text}");
         }
-        for text in [
-            "nan", "NaN", "-inf", "Infinity", "1e999", "1.#INF", "-1.#IND", "nan(0x8)",
-        ] {
+        for text in ["nan", "NaN", "-inf", "Infinity", "1e999", "1.#INF", "-1.#IND", "nan(0x8)"] {
             assert_eq!(parse(text), Err(NotANumber::NotFinite), "{text}");
         }
         assert_eq!(parse("*******"), Err(NotANumber::Overflow));
@@ -232,13 +209,7 @@ mod tests {
 
     #[test]
     fn printed_resolution() {
-        for (text, expected) in [
-            ("12.34", 0.01),
-            ("2.0000000e-002", 1e-9),
-            ("5", 1.0),
-            ("1.", 1.0),
-            ("1e3", 1000.0),
-        ] {
+        for (text, expected) in [("12.34", 0.01), ("2.0000000e-002", 1e-9), ("5", 1.0), ("1.", 1.0), ("1e3", 1000.0)] {
             assert!((resolution(text) / expected - 1.0).abs() < 1e-12, "{text}");
         }
     }

@@ -63,19 +63,13 @@ impl std::str::FromStr for Columns {
         if text.eq_ignore_ascii_case("all") {
             return Ok(Columns::All);
         }
-        let numbers: Option<Vec<usize>> = text
-            .split(',')
-            .map(|n| n.trim().parse::<usize>().ok()?.checked_sub(1))
-            .collect();
+        let numbers: Option<Vec<usize>> =
+            text.split(',').map(|n| n.trim().parse::<usize>().ok()?.checked_sub(1)).collect();
         match numbers.ok_or_else(wrong)?.as_slice() {
-            [acceleration] => Ok(Columns::Table {
-                time: None,
-                acceleration: *acceleration,
-            }),
-            [time, acceleration] if time != acceleration => Ok(Columns::Table {
-                time: Some(*time),
-                acceleration: *acceleration,
-            }),
+            [acceleration] => Ok(Columns::Table { time: None, acceleration: *acceleration }),
+            [time, acceleration] if time != acceleration => {
+                Ok(Columns::Table { time: Some(*time), acceleration: *acceleration })
+            }
             _ => Err(wrong()),
         }
     }

@@ -34,13 +34,10 @@ pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(
             ),
         ));
     }
-    let peak = record
-        .acceleration
-        .iter()
-        .fold(0.0, |most: f64, a| match a.is_finite() {
-            true => most.max(a.abs()),
-            false => f64::INFINITY,
-        });
+    let peak = record.acceleration.iter().fold(0.0, |most: f64, a| match a.is_finite() {
+        true => most.max(a.abs()),
+        false => f64::INFINITY,
+    });
     check_peak(peak, origin, allow_implausible)
 }
 
@@ -116,12 +113,7 @@ mod tests {
     fn record(dt: f64, peak: f64, samples: usize) -> Record {
         let mut acceleration = vec![0.0; samples];
         acceleration[samples / 2] = -peak;
-        Record {
-            name: "r".into(),
-            dt,
-            acceleration,
-            processing: vec![],
-        }
+        Record { name: "r".into(), dt, acceleration, processing: vec![] }
     }
 
     #[test]
@@ -136,10 +128,7 @@ mod tests {
         assert!(refused(5.001 * g, true).is_none() && refused(1000.0 * g, true).is_none());
         for peak in [1001.0 * g, 1e300, f64::INFINITY, f64::NAN] {
             let text = refused(peak, true).unwrap().to_string();
-            assert!(
-                text.contains("at most 1000 g") && !text.contains("implausible"),
-                "{text}"
-            );
+            assert!(text.contains("at most 1000 g") && !text.contains("implausible"), "{text}");
         }
         assert!(
             check(&record(10.1, 1.0, 20), "", true).is_err() && check(&record(f64::NAN, 1.0, 20), "", true).is_err()
@@ -151,16 +140,10 @@ mod tests {
         let plain = Processing::default();
         assert!(doubts(&record(0.1, 1.0, 10), &plain).is_empty());
         let two = doubts(&record(0.02, 1.0, 2), &plain);
-        assert!(
-            two.len() == 1 && two[0].contains("2 samples") && two[0].contains("usual"),
-            "{two:?}"
-        );
+        assert!(two.len() == 1 && two[0].contains("2 samples") && two[0].contains("usual"), "{two:?}");
         let slow = doubts(&record(0.11, 1.0, 10), &plain);
         assert!(slow.len() == 1 && slow[0].contains("0.11 s"), "{slow:?}");
-        let reversed = Processing {
-            scale_by: Some(-1.0),
-            ..plain
-        };
+        let reversed = Processing { scale_by: Some(-1.0), ..plain };
         assert!(doubts(&record(0.02, 1.0, 10), &reversed)[0].contains("negative"));
     }
 }

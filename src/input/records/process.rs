@@ -23,9 +23,7 @@ pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error
     if let Some(factor) = processing.scale_by {
         check("scale_by", factor, factor != 0.0, "a factor other than 0")?;
         scale(&mut record, factor);
-        record
-            .processing
-            .push(format!("scaled by the factor {}", number(factor)));
+        record.processing.push(format!("scaled by the factor {}", number(factor)));
     }
     if let Some(peak) = processing.scale_to {
         check("scale_to", peak, peak > 0.0, "an acceleration greater than 0")?;
@@ -33,12 +31,7 @@ pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error
         check("scale_to", factor, factor > 0.0, "a record with motion")?;
         scale(&mut record, factor);
         let g = peak / STANDARD_GRAVITY;
-        let words = format!(
-            "scaled to a peak of {} g ({} m/s²), factor {}",
-            number(g),
-            number(peak),
-            number(factor)
-        );
+        let words = format!("scaled to a peak of {} g ({} m/s²), factor {}", number(g), number(peak), number(factor));
         record.processing.push(words);
     }
     if let Some(factor) = processing.time_factor {
@@ -66,10 +59,7 @@ fn check(name: &str, value: f64, holds: bool, allowed: &str) -> Result<(), Error
     if value.is_finite() && holds {
         return Ok(());
     }
-    Err(Error::Input(
-        Code::OutOfRange,
-        format!("{name}: found {value}, expected {allowed}"),
-    ))
+    Err(Error::Input(Code::OutOfRange, format!("{name}: found {value}, expected {allowed}")))
 }
 
 fn scale(record: &mut Record, factor: f64) {
@@ -118,12 +108,7 @@ mod tests {
     use super::*;
 
     fn record() -> Record {
-        Record {
-            name: "r".into(),
-            dt: 0.02,
-            acceleration: vec![0.0, 1.0, -2.0, 0.5],
-            processing: vec![],
-        }
+        Record { name: "r".into(), dt: 0.02, acceleration: vec![0.0, 1.0, -2.0, 0.5], processing: vec![] }
     }
 
     #[test]
@@ -138,25 +123,16 @@ mod tests {
         assert!((r.pga() - 4.903325).abs() < 1e-12 && r.acceleration[1] < 0.0);
         assert_eq!((r.dt, r.acceleration.len()), (0.01, 4));
         assert_eq!(r.processing.len(), 3);
-        assert_eq!(
-            r.processing[1],
-            "scaled to a peak of 0.5 g (4.9033 m/s²), factor 0.81722"
-        );
+        assert_eq!(r.processing[1], "scaled to a peak of 0.5 g (4.9033 m/s²), factor 0.81722");
     }
 
     #[test]
     fn resampled() {
-        let finer = Processing {
-            resample: Some(0.01),
-            ..Processing::default()
-        };
+        let finer = Processing { resample: Some(0.01), ..Processing::default() };
         let r = process(&record(), &finer).unwrap();
         assert_eq!(r.acceleration, [0.0, 0.5, 1.0, -0.5, -2.0, -0.75, 0.5]);
         assert_eq!(r.processing, ["resampled linearly from 0.02 s to 0.01 s"]);
-        let coarser = Processing {
-            resample: Some(0.025),
-            ..Processing::default()
-        };
+        let coarser = Processing { resample: Some(0.025), ..Processing::default() };
         let r = process(&record(), &coarser).unwrap();
         // 0, 0.025, 0.05: between the samples 1 and −2, and −2 and 0.5.
         assert_eq!(r.acceleration.len(), 3);
@@ -167,47 +143,11 @@ mod tests {
     #[test]
     fn inadmissible_values_are_refused() {
         let bad = |p: Processing| process(&record(), &p).unwrap_err().to_string();
-        assert!(
-            bad(Processing {
-                scale_to: Some(-1.0),
-                ..Processing::default()
-            })
-            .contains("scale_to: found -1")
-        );
-        assert!(
-            bad(Processing {
-                scale_by: Some(0.0),
-                ..Processing::default()
-            })
-            .contains("other than 0")
-        );
-        assert!(
-            bad(Processing {
-                scale_by: Some(f64::NAN),
-                ..Processing::default()
-            })
-            .contains("found NaN")
-        );
-        assert!(
-            bad(Processing {
-                time_factor: Some(0.0),
-                ..Processing::default()
-            })
-            .contains("greater than 0")
-        );
-        assert!(
-            bad(Processing {
-                resample: Some(1e-12),
-                ..Processing::default()
-            })
-            .contains("samples")
-        );
-        assert!(
-            bad(Processing {
-                resample: Some(1.0),
-                ..Processing::default()
-            })
-            .contains("samples")
-        );
+        assert!(bad(Processing { scale_to: Some(-1.0), ..Processing::default() }).contains("scale_to: found -1"));
+        assert!(bad(Processing { scale_by: Some(0.0), ..Processing::default() }).contains("other than 0"));
+        assert!(bad(Processing { scale_by: Some(f64::NAN), ..Processing::default() }).contains("found NaN"));
+        assert!(bad(Processing { time_factor: Some(0.0), ..Processing::default() }).contains("greater than 0"));
+        assert!(bad(Processing { resample: Some(1e-12), ..Processing::default() }).contains("samples"));
+        assert!(bad(Processing { resample: Some(1.0), ..Processing::default() }).contains("samples"));
     }
 }

@@ -37,11 +37,7 @@ struct Head {
 fn words(bytes: &[u8], little: bool) -> impl Iterator<Item = [u8; 4]> {
     bytes.chunks_exact(4).map(move |word| {
         let word = [word[0], word[1], word[2], word[3]];
-        if little {
-            [word[3], word[2], word[1], word[0]]
-        } else {
-            word
-        }
+        if little { [word[3], word[2], word[1], word[0]] } else { word }
     })
 }
 
@@ -49,9 +45,7 @@ fn words(bytes: &[u8], little: bool) -> impl Iterator<Item = [u8; 4]> {
 fn order(bytes: &[u8]) -> Option<bool> {
     let at = 4 * (REALS + VERSION);
     let version = bytes.get(at..at + 4).filter(|_| bytes.len() >= HEADER)?;
-    [true, false]
-        .into_iter()
-        .find(|little| words(version, *little).all(|w| matches!(i32::from_be_bytes(w), 6 | 7)))
+    [true, false].into_iter().find(|little| words(version, *little).all(|w| matches!(i32::from_be_bytes(w), 6 | 7)))
 }
 
 /// Whether the bytes are a binary file.
@@ -78,15 +72,11 @@ pub(super) fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Draft, F
     let integers = bytes.get(4 * REALS..4 * (REALS + INTEGERS)).unwrap_or_default();
     let head = Head {
         reals: words(bytes, little).take(REALS).map(real).collect(),
-        integers: words(integers, little)
-            .map(|w| f64::from(i32::from_be_bytes(w)))
-            .collect(),
+        integers: words(integers, little).map(|w| f64::from(i32::from_be_bytes(w))).collect(),
         // Word 1, and word 21 behind the long second one.
         names: (name(440, 8), name(600, 8)),
     };
-    let values: Vec<f64> = words(bytes.get(HEADER..).unwrap_or_default(), little)
-        .map(real)
-        .collect();
+    let values: Vec<f64> = words(bytes.get(HEADER..).unwrap_or_default(), little).map(real).collect();
     let places = vec![0; values.len()];
     record(&head, (values, places), options)
 }
@@ -97,16 +87,10 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (reals, ..) = fields(&lines, 0, (REALS, 15), "a real of the header")?;
     let (integers, ..) = fields(&lines, LINES.0, (INTEGERS, 10), "an integer of the header")?;
     let word = |line: usize, from: usize| {
-        let text = lines
-            .get(LINES.0 + LINES.1 + line)
-            .and_then(|l| l.1.get(from..(from + 8).min(l.1.len())));
+        let text = lines.get(LINES.0 + LINES.1 + line).and_then(|l| l.1.get(from..(from + 8).min(l.1.len())));
         printable(text.unwrap_or_default().replace("-12345", "").trim())
     };
-    let head = Head {
-        reals,
-        integers,
-        names: (word(0, 0), word(6, 16)),
-    };
+    let head = Head { reals, integers, names: (word(0, 0), word(6, 16)) };
     let samples = head.integers[SAMPLES].clamp(0.0, MAX_SAMPLES as f64) as usize;
     let (values, places, _) = fields(&lines, LINES.0 + LINES.1 + LINES.2, (samples, 15), "a sample")?;
     record(&head, (values, places), options)
@@ -120,28 +104,20 @@ fn record(head: &Head, (mut values, mut places): (Vec<f64>, Vec<u32>), options: 
             .found(format!("kind {}", head.integers[KIND]));
         return Err(fault.allowed("1 (ITIME)").into());
     }
-    if let Some(what) = [(6.0, "displacement"), (7.0, "velocity")]
-        .iter()
-        .find(|(k, _)| *k == head.integers[VARIABLE])
-    {
+    if let Some(what) = [(6.0, "displacement"), (7.0, "velocity")].iter().find(|(k, _)| *k == head.integers[VARIABLE]) {
         let fault = Fault::new(Code::NotAcceleration, "this SAC file is not an acceleration record");
         return Err(fault.found(what.1).allowed("acceleration").into());
     }
     if head.integers[EVEN] == 0.0 {
-        return Err(
-            Fault::new(Code::TimeStep, "this SAC file has uneven steps, which are not read")
-                .help("interpolate it to equal steps")
-                .into(),
-        );
+        return Err(Fault::new(Code::TimeStep, "this SAC file has uneven steps, which are not read")
+            .help("interpolate it to equal steps")
+            .into());
     }
     if !(2.0..=MAX_SAMPLES as f64).contains(&samples) || (values.len() as f64) < samples {
         let message = "another number of samples than the header of this SAC file says";
         let fault = Fault::new(Code::RecordLength, message);
         let fault = fault.found(format!("{} samples, {samples} in the header", values.len()));
-        return Err(fault
-            .allowed(format!("2 to {MAX_SAMPLES}"))
-            .help("the file may have been cut off")
-            .into());
+        return Err(fault.allowed(format!("2 to {MAX_SAMPLES}")).help("the file may have been cut off").into());
     }
     values.truncate(samples as usize);
     places.truncate(samples as usize);
@@ -157,11 +133,7 @@ fn record(head: &Head, (mut values, mut places): (Vec<f64>, Vec<u32>), options: 
     }
     // The step was stored in single precision.
     let exact = (step * 1e6).round() * 1e-6;
-    let step = if (exact - step).abs() <= 1e-7 * step {
-        exact
-    } else {
-        step
-    };
+    let step = if (exact - step).abs() <= 1e-7 * step { exact } else { step };
     let dt = settle_dt(Some(step), options)?.unwrap_or(step);
     let (unit, unit_source) = settle_unit(None, options, "a text file with a header")?;
     choose(std::slice::from_ref(&head.names.1), options)?;

@@ -47,12 +47,7 @@ impl Separator {
         let cells: Vec<(usize, &str)> = match self {
             Separator::Semicolon => line.split(';').map(place).collect(),
             Separator::Comma => line.split(',').map(place).collect(),
-            Separator::Tab => line
-                .trim()
-                .split('\t')
-                .filter(|c| !c.trim().is_empty())
-                .map(place)
-                .collect(),
+            Separator::Tab => line.trim().split('\t').filter(|c| !c.trim().is_empty()).map(place).collect(),
             Separator::Spaces => return line.split_whitespace().map(place).flat_map(unglued).collect(),
         };
         let first = cells.iter().position(|c| !c.1.is_empty());

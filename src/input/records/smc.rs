@@ -35,9 +35,7 @@ fn kind(line: &str) -> Option<&str> {
     let (digit, kind) = line.trim().split_once(' ')?;
     digit.parse::<u8>().ok()?;
     let upper = kind.to_ascii_uppercase();
-    let known = ["ACCELEROGRAM", "VELOCITY", "DISPLACEMENT", "SPECTR"]
-        .iter()
-        .any(|word| upper.contains(word));
+    let known = ["ACCELEROGRAM", "VELOCITY", "DISPLACEMENT", "SPECTR"].iter().any(|word| upper.contains(word));
     known.then_some(kind.trim())
 }
 
@@ -55,9 +53,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let integer = |i: usize, what: &str, most: usize| -> Result<usize, Fault> {
         whole(integers[i], 0..=most).ok_or_else(|| {
             let message = format!("integer {} of the header, {what}, is out of range", i + 1);
-            Fault::new(Code::RecordLength, message)
-                .found(format!("{}", integers[i]))
-                .allowed(format!("0 to {most}"))
+            Fault::new(Code::RecordLength, message).found(format!("{}", integers[i])).allowed(format!("0 to {most}"))
         })
     };
     let comments = integer(COMMENTS, "the number of comments", 10_000)?;
@@ -66,20 +62,13 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     if rate >= NO_RATE || rate == reals[UNKNOWN] {
         let message = "the record was digitised at uneven times, which is not read";
         let fault = Fault::new(Code::TimeStep, message).at(place(first));
-        let fault = fault
-            .found(printable(first.1))
-            .allowed("a corrected record, which has a sampling rate");
-        return Err(fault
-            .help("take the corrected file of the same record, or interpolate it to equal steps")
-            .into());
+        let fault = fault.found(printable(first.1)).allowed("a corrected record, which has a sampling rate");
+        return Err(fault.help("take the corrected file of the same record, or interpolate it to equal steps").into());
     }
     if rate <= 0.0 || rate.is_nan() {
         let message = "real 2 of the header, the sampling rate, is out of range";
         let fault = Fault::new(Code::TimeStep, message);
-        return Err(fault
-            .found(format!("{rate}"))
-            .allowed("samples a second greater than 0")
-            .into());
+        return Err(fault.found(format!("{rate}")).allowed("samples a second greater than 0").into());
     }
     let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
     for number in next..next + comments {
@@ -96,10 +85,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (values, places, _) = fields(&lines, next + comments, (samples, 10), "an acceleration")?;
     let corner = reals[LOW_CUT];
     let told = corner > 0.0 && corner < 0.5 * rate && corner != reals[UNKNOWN];
-    let title = lines
-        .get(5)
-        .map(|l| printable(l.1))
-        .filter(|t| !t.is_empty() && t != "*");
+    let title = lines.get(5).map(|l| printable(l.1)).filter(|t| !t.is_empty() && t != "*");
     Ok(Draft {
         title,
         format: format!("USGS SMC ({samples} samples at {rate} a second)"),

@@ -22,11 +22,7 @@ fn fault(text: &str, parts: &[&str]) {
 }
 
 fn gal() -> ReadOptions {
-    ReadOptions {
-        unit: Some(AccelerationUnit::Gal),
-        dt: Some(0.02),
-        ..ReadOptions::default()
-    }
+    ReadOptions { unit: Some(AccelerationUnit::Gal), dt: Some(0.02), ..ReadOptions::default() }
 }
 
 #[test]
@@ -65,23 +61,11 @@ fn at2_in_its_dialects() {
         assert_eq!((read.record.acceleration.len(), read.record.dt), (7, 0.01));
         assert!((read.record.acceleration[4] + 0.05 * tank::STANDARD_GRAVITY).abs() < 1e-15);
         assert_eq!(read.unit, AccelerationUnit::G);
-        fault(
-            &text.replace("7,", "9,").replace("   7 ", "   9 "),
-            &["file ends", "NPTS = 9"],
-        );
-        fault(
-            &text.replace("7,", "6,").replace("   7 ", "   6 "),
-            &["more values than NPTS"],
-        );
+        fault(&text.replace("7,", "9,").replace("   7 ", "   9 "), &["file ends", "NPTS = 9"]);
+        fault(&text.replace("7,", "6,").replace("   7 ", "   6 "), &["more values than NPTS"]);
     }
-    fault(
-        "X\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
-        &["not an acceleration"],
-    );
-    fault(
-        "X\nY\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
-        &["does not give the unit", "--units"],
-    );
+    fault("X\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 2, DT= .01 SEC\n1. 2.\n", &["not an acceleration"]);
+    fault("X\nY\nNPTS= 2, DT= .01 SEC\n1. 2.\n", &["does not give the unit", "--units"]);
 }
 
 #[test]
@@ -91,31 +75,13 @@ fn faults_name_line_found_and_allowed() {
     fault(" \n\n", &["empty"]);
     fault("time_s,acceleration_m_s2\n", &["does not contain numbers"]);
     fault(&format!("{head}0,1\n"), &["two samples"]);
-    fault(
-        &format!("{head}0,1\n0.02,nan\n0.04,1\n"),
-        &["quake.csv:3", "not a finite number", "nan"],
-    );
-    fault(
-        &format!("{head}0,1\n0.02,inf\n"),
-        &["quake.csv:3", "not a finite number"],
-    );
+    fault(&format!("{head}0,1\n0.02,nan\n0.04,1\n"), &["quake.csv:3", "not a finite number", "nan"]);
+    fault(&format!("{head}0,1\n0.02,inf\n"), &["quake.csv:3", "not a finite number"]);
     fault(&format!("{head}0,1\n0.02,1e999\n"), &["not a finite number"]);
-    fault(
-        &format!("{head}0,1\n0.02,x\n0.04\n"),
-        &["quake.csv:3", "not a number", "quake.csv:4", "does not match"],
-    );
-    fault(
-        &format!("{head}0,1\n0.02,2\n0.01,2\n"),
-        &["quake.csv:4", "does not increase"],
-    );
-    fault(
-        &format!("{head}0,1\n0.02,2\n0.06,2\n0.08,1\n"),
-        &["quake.csv:4", "not uniform"],
-    );
-    fault(
-        &format!("{head}0,1\n0.02,60\n"),
-        &["implausible", "--allow-implausible"],
-    );
+    fault(&format!("{head}0,1\n0.02,x\n0.04\n"), &["quake.csv:3", "not a number", "quake.csv:4", "does not match"]);
+    fault(&format!("{head}0,1\n0.02,2\n0.01,2\n"), &["quake.csv:4", "does not increase"]);
+    fault(&format!("{head}0,1\n0.02,2\n0.06,2\n0.08,1\n"), &["quake.csv:4", "not uniform"]);
+    fault(&format!("{head}0,1\n0.02,60\n"), &["implausible", "--allow-implausible"]);
     fault(&format!("{head}0,0\n0.02,0\n"), &["zero"]);
     fault("0 1\n0.02 2\n", &["does not give the unit", "--units"]);
     fault("t,a_g\n0,1\n0.02,2\n", &["does not give the unit"]);
@@ -127,15 +93,8 @@ fn faults_name_line_found_and_allowed() {
     fault("UNCORRECTED ACCELEROGRAM\n", &["volume 1", "not supported"]);
     assert!(with(b"\x00\x01\x02", &gal()).unwrap_err().contains("not text"));
     assert!(with(b"\xff\xfe1\x00", &gal()).unwrap_err().contains("UTF-16"));
-    assert!(
-        with(b"time_s,acceleration_m_s2\n0,1\n0.01,2\n", &gal())
-            .unwrap_err()
-            .contains("disagree")
-    );
-    let allowed = ReadOptions {
-        allow_implausible: true,
-        ..ReadOptions::default()
-    };
+    assert!(with(b"time_s,acceleration_m_s2\n0,1\n0.01,2\n", &gal()).unwrap_err().contains("disagree"));
+    let allowed = ReadOptions { allow_implausible: true, ..ReadOptions::default() };
     assert!(with(format!("{head}0,1\n0.02,60\n").as_bytes(), &allowed).is_ok());
 }
 

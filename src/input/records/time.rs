@@ -62,30 +62,15 @@ pub(crate) fn uniform_step(stamps: &[Stamp], text: &str, given: Option<f64>) -> 
 /// most digits of another stamp tell it.
 fn rounded(stamps: &[Stamp]) -> Vec<Stamp> {
     let written = |s: &&Stamp| s.rounding > 0.0;
-    let finest = stamps
-        .iter()
-        .filter(written)
-        .map(|s| s.rounding)
-        .fold(f64::INFINITY, f64::min);
+    let finest = stamps.iter().filter(written).map(|s| s.rounding).fold(f64::INFINITY, f64::min);
     let magnitude = |time: f64| (time.abs() * (1.0 + 1e-12)).log10().floor() + 1.0;
     let digits = |s: &Stamp| magnitude(s.time) - (2.0 * s.rounding).log10().round();
-    let most = stamps
-        .iter()
-        .filter(written)
-        .filter(|s| s.time != 0.0)
-        .map(digits)
-        .fold(1.0, f64::max);
+    let most = stamps.iter().filter(written).filter(|s| s.time != 0.0).map(digits).fold(1.0, f64::max);
     let of = |s: &Stamp| match s.time == 0.0 {
         true => finest,
         false => finest.max(0.5 * 10f64.powf(magnitude(s.time) - most)),
     };
-    stamps
-        .iter()
-        .map(|s| Stamp {
-            rounding: s.rounding.min(of(s)),
-            ..*s
-        })
-        .collect()
+    stamps.iter().map(|s| Stamp { rounding: s.rounding.min(of(s)), ..*s }).collect()
 }
 
 /// The uniform step of the stamps [s], each with a relative error beside its rounding; and whether the printed digits hold it exactly.
@@ -129,11 +114,7 @@ fn step_within(stamps: &[Stamp], text: &str, relative: f64) -> Result<(f64, bool
         + 2.0 * relative * last.time.abs() / count;
     // The finest printed digit: trailing zeros may have been dropped, so that `0.1` appears between `0.08` and
     // `0.12`.
-    let finest = stamps
-        .iter()
-        .map(|s| s.rounding)
-        .filter(|r| *r > 0.0)
-        .fold(f64::INFINITY, f64::min);
+    let finest = stamps.iter().map(|s| s.rounding).filter(|r| *r > 0.0).fold(f64::INFINITY, f64::min);
     let digit = if finest.is_finite() { 2.0 * finest } else { 0.0 };
     let printable = |dt: f64| digit > 0.0 && ((dt / digit).round() * digit - dt).abs() < 1e-6 * dt;
     let close = if relative > 0.0 { uncertainty } else { 1e-9 * mean };
@@ -143,28 +124,17 @@ fn step_within(stamps: &[Stamp], text: &str, relative: f64) -> Result<(f64, bool
     };
     let printed_exactly = printable(dt);
     let allowed = |p: &[Stamp]| {
-        let rounding = if printed_exactly {
-            0.0
-        } else {
-            p[0].rounding + p[1].rounding
-        };
+        let rounding = if printed_exactly { 0.0 } else { p[0].rounding + p[1].rounding };
         rounding * (1.0 + 1e-6) + (1e-9 + 2.0 * relative) * p[1].time.abs() + 1e-6 * median
     };
     let odd = |p: &&[Stamp]| ((p[1].time - p[0].time) - median).abs() > allowed(p);
     let mut strays = stamps.windows(2).filter(odd);
     if let Some(pair) = strays.next() {
         let more = strays.count();
-        let others = if more == 0 {
-            String::new()
-        } else {
-            format!(" (and {more} more such steps)")
-        };
+        let others = if more == 0 { String::new() } else { format!(" (and {more} more such steps)") };
         return Err(Fault::new(Code::TimeStep, "the time step is not uniform")
             .at(token_at(text, pair[1].place as usize))
-            .found(format!(
-                "a step of {:.6} s among steps of {median:.6} s{others}",
-                pair[1].time - pair[0].time
-            ))
+            .found(format!("a step of {:.6} s among steps of {median:.6} s{others}", pair[1].time - pair[0].time))
             .allowed("equal steps")
             .help("resample the record, or correct the missing or displaced samples"));
     }
@@ -188,14 +158,8 @@ mod tests {
     use crate::input::records::number::resolution;
 
     fn step(times: &[&str]) -> Result<f64, String> {
-        let stamps: Vec<Stamp> = times
-            .iter()
-            .map(|t| Stamp {
-                time: t.parse().unwrap(),
-                rounding: 0.5 * resolution(t),
-                place: 0,
-            })
-            .collect();
+        let stamps: Vec<Stamp> =
+            times.iter().map(|t| Stamp { time: t.parse().unwrap(), rounding: 0.5 * resolution(t), place: 0 }).collect();
         uniform_step(&stamps, "", None).map_err(|f| f.message)
     }
 
@@ -214,17 +178,12 @@ mod tests {
     /// 0.005 k in single precision, as a dump of SAC prints it; and times that were rounded to 0.01 s, for which the step is given.
     #[test]
     fn single_precision_and_rounded_times() {
-        let times: Vec<String> = (0..80_000)
-            .map(|k| format!("{}", (f64::from(k) * 0.005) as f32))
-            .collect();
+        let times: Vec<String> = (0..80_000).map(|k| format!("{}", (f64::from(k) * 0.005) as f32)).collect();
         assert_eq!(step(&times.iter().map(String::as_str).collect::<Vec<_>>()), Ok(0.005));
         let printed = |decimals: usize, shift: f64| -> Vec<Stamp> {
             let text = |k: i32| format!("{:.decimals$}", f64::from(k) * 0.005 + shift);
-            let stamp = |k: i32| Stamp {
-                time: text(k).parse().unwrap(),
-                rounding: 0.5 * resolution(&text(k)),
-                place: 0,
-            };
+            let stamp =
+                |k: i32| Stamp { time: text(k).parse().unwrap(), rounding: 0.5 * resolution(&text(k)), place: 0 };
             (0..5000).map(stamp).collect()
         };
         assert_eq!(uniform_step(&printed(2, 0.0), "", Some(0.005)).unwrap(), 0.005);
@@ -240,20 +199,8 @@ mod tests {
         assert!(step(&["0.00"]).unwrap_err().contains("two samples"));
         assert!(step(&["0.00", "0.02", "0.02"]).unwrap_err().contains("not increase"));
         assert!(step(&["0.00", "0.02", "0.01"]).unwrap_err().contains("not increase"));
-        assert!(
-            step(&["0.00", "0.02", "0.04", "0.08", "0.10"])
-                .unwrap_err()
-                .contains("not uniform")
-        );
-        assert!(
-            step(&["0.00", "0.01", "0.02", "0.04", "0.05", "0.06"])
-                .unwrap_err()
-                .contains("not uniform")
-        );
-        assert!(
-            step(&["0.000", "0.020", "0.040", "0.070", "0.080"])
-                .unwrap_err()
-                .contains("not uniform")
-        );
+        assert!(step(&["0.00", "0.02", "0.04", "0.08", "0.10"]).unwrap_err().contains("not uniform"));
+        assert!(step(&["0.00", "0.01", "0.02", "0.04", "0.05", "0.06"]).unwrap_err().contains("not uniform"));
+        assert!(step(&["0.000", "0.020", "0.040", "0.070", "0.080"]).unwrap_err().contains("not uniform"));
     }
 }

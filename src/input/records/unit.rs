@@ -124,17 +124,7 @@ pub(crate) enum Step {
 }
 
 /// Words behind a step that are not its unit.
-const OTHER_WORDS: [&str; 9] = [
-    "npts",
-    "file",
-    "format",
-    "points",
-    "pts",
-    "and",
-    "units",
-    "acceleration",
-    "dt",
-];
+const OTHER_WORDS: [&str; 9] = ["npts", "file", "format", "points", "pts", "and", "units", "acceleration", "dt"];
 
 /// The step at the beginning of a text: `.0100SEC`, `5.0 MSEC`, `200 HZ`, `.01`.
 pub(crate) fn step(text: &str) -> Option<Step> {
@@ -144,9 +134,7 @@ pub(crate) fn step(text: &str) -> Option<Step> {
         .or_else(|_| parse(text.get(..end).unwrap_or("")))
         .ok()?;
     let rest = text.get(end..)?.trim_start_matches([' ', '\t', '(', '[']);
-    let stop = rest
-        .find(|c: char| !(c.is_alphabetic() || matches!(c, '/' | 'µ')))
-        .unwrap_or(rest.len());
+    let stop = rest.find(|c: char| !(c.is_alphabetic() || matches!(c, '/' | 'µ'))).unwrap_or(rest.len());
     Some(with_unit(value, rest.get(..stop)?))
 }
 
@@ -217,9 +205,7 @@ mod tests {
             assert_eq!(AccelerationUnit::parse(text), Some(unit), "{text}");
             assert_eq!(AccelerationUnit::parse(&unit.to_string()), Some(unit), "{unit}");
         }
-        for text in [
-            "", "m/s", "mm/s", "kg", "s", "m", "grad", "counts", "mgal", "g10", "km/s2",
-        ] {
+        for text in ["", "m/s", "mm/s", "kg", "s", "m", "grad", "counts", "mgal", "g10", "km/s2"] {
             assert_eq!(AccelerationUnit::parse(text), None, "{text}");
         }
         // 1 in = 25.4 mm and 1 ft = 0.3048 m by definition; g by the third CGPM.

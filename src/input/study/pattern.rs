@@ -31,11 +31,7 @@ pub(super) fn is_pattern(text: &str) -> bool {
 ///
 /// Errors: a faulty or unbounded pattern.
 pub(super) fn files(folder: &Path, text: &str) -> Result<Vec<PathBuf>, Refused> {
-    let mut walk = Walk {
-        parts: Vec::new(),
-        entries: 0,
-        found: Vec::new(),
-    };
+    let mut walk = Walk { parts: Vec::new(), entries: 0, found: Vec::new() };
     let mut from = folder.to_path_buf();
     for part in Path::new(text).components() {
         let name = part.as_os_str().to_string_lossy();
@@ -109,11 +105,7 @@ impl Walk {
 
     /// Names in a folder, and whether each is a folder itself, not a link to one.
     fn list(&mut self, folder: &Path) -> Result<Vec<(String, bool)>, Refused> {
-        let folder = if folder.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            folder
-        };
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         let mut names = Vec::new();
         self.entries += 1;
         for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -152,10 +144,7 @@ mod tests {
         assert_eq!(names(home, "[!a].*"), ["b.csv", "b.txt"]);
         assert_eq!(names(home, "*/c.csv"), ["sub/c.csv"]);
         assert_eq!(names(home, "sub/../?.txt").len(), 1);
-        assert_eq!(
-            names(home, "**/*.csv"),
-            ["a.csv", "b.csv", "sub/c.csv", "sub/deep/d.csv"]
-        );
+        assert_eq!(names(home, "**/*.csv"), ["a.csv", "b.csv", "sub/c.csv", "sub/deep/d.csv"]);
         assert_eq!(names(home, "**/deep/*"), ["sub/deep/d.csv"]);
         assert!(matches!(files(home, "[a"), Err(Refused::Faulty(_))));
     }

@@ -64,11 +64,7 @@ impl Shaking {
     pub fn processed(&self, processing: &Processing) -> Result<Shaking, Error> {
         let along = records::process(&self.along, processing)?;
         let factor = along.pga() / self.along.pga().max(f64::MIN_POSITIVE);
-        let other = Processing {
-            scale_to: None,
-            scale_by: Some(factor),
-            ..*processing
-        };
+        let other = Processing { scale_to: None, scale_by: Some(factor), ..*processing };
         let other = |record: &Option<Record>| record.as_ref().map(|r| records::process(r, &other)).transpose();
         Ok(Shaking {
             across: other(&self.across)?,
@@ -86,11 +82,8 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
     r.sized(field, "items");
     for item in field.value.iter().flatten() {
         let Some(given) = &item.value else { continue };
-        let options = ReadOptions {
-            unit: record_unit(r, &given.units),
-            dt: r.optional(&given.dt),
-            ..ReadOptions::default()
-        };
+        let options =
+            ReadOptions { unit: record_unit(r, &given.units), dt: r.optional(&given.dt), ..ReadOptions::default() };
         let paths = matching(r, &given.files, folder);
         let components = given.components.value();
         let parts = components.map(|c| Parts::of(r, c));
@@ -106,13 +99,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
                 r.faults.push(fault.found("{ … }"));
                 continue;
             }
-            all.push(RecordEntry {
-                id,
-                along,
-                across,
-                up,
-                options: options.clone(),
-            });
+            all.push(RecordEntry { id, along, across, up, options: options.clone() });
         }
     }
     all
@@ -150,11 +137,7 @@ fn components_of(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts
             name.push(part);
             name.into()
         };
-        return Some((
-            channel(&parts.along),
-            parts.across.as_ref().map(channel),
-            parts.up.as_ref().map(channel),
-        ));
+        return Some((channel(&parts.along), parts.across.as_ref().map(channel), parts.up.as_ref().map(channel)));
     }
     let name = path.file_name()?.to_string_lossy().into_owned();
     if !name.contains(&parts.along) {

@@ -68,14 +68,11 @@ impl Sampling {
                 false => sobol_burley::sample(sample, dimension, self.seed),
             };
             // In the middle of the cell of a single-precision number: neither 0 nor 1.
-            let x = parameter
-                .distribution
-                .quantile(f64::from(u) + f64::from(f32::EPSILON) / 4.0);
+            let x = parameter.distribution.quantile(f64::from(u) + f64::from(f32::EPSILON) / 4.0);
             format!("{x:.9e} {}", parameter.unit).trim_end().to_owned()
         };
         let all = (0..).zip(&self.parameters);
-        all.map(|(dimension, parameter)| (parameter, text(dimension, parameter)))
-            .collect()
+        all.map(|(dimension, parameter)| (parameter, text(dimension, parameter))).collect()
     }
 }
 
@@ -140,22 +137,12 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
         }
         parameters.push(found);
     }
-    Some(Some(Sampling {
-        n: n?,
-        seed,
-        latin: method == keys::SampleMethod::Latin,
-        parameters,
-    }))
+    Some(Some(Sampling { n: n?, seed, latin: method == keys::SampleMethod::Latin, parameters }))
 }
 
 fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Parameter) -> Option<Sampled> {
     let path = r.text(&given.path)?;
-    let all = (
-        given.uniform.value(),
-        given.normal.value(),
-        given.lognormal.value(),
-        given.beta.value(),
-    );
+    let all = (given.uniform.value(), given.normal.value(), given.lognormal.value(), given.beta.value());
     let (distribution, unit) = match all {
         (Some(range), None, None, None) => {
             let (low, unit) = measured(r, &range.low)?;
@@ -189,12 +176,7 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
             return None;
         }
     };
-    Some(Sampled {
-        path,
-        distribution,
-        unit,
-        place: given.path.span.clone(),
-    })
+    Some(Sampled { path, distribution, unit, place: given.path.span.clone() })
 }
 
 /// A reference value times a share of a beta distribution, and the unit.
@@ -260,11 +242,7 @@ mod tests {
             latin: false,
             parameters: vec![
                 parameter("liquid.fill_height", Distribution::Uniform([8.0, 14.0]), "m"),
-                parameter(
-                    "materials.a.yield_strength",
-                    Distribution::Lognormal([250.0, 0.07]),
-                    "MPa",
-                ),
+                parameter("materials.a.yield_strength", Distribution::Lognormal([250.0, 0.07]), "MPa"),
             ],
         }
     }
@@ -308,11 +286,7 @@ mod tests {
     #[test]
     fn a_latin_hypercube_that_grows() {
         for seed in 0..8 {
-            let all = Sampling {
-                seed,
-                latin: true,
-                ..sampling(256)
-            };
+            let all = Sampling { seed, latin: true, ..sampling(256) };
             let share = |i: u32| (number(&all.draw(i)[0].1) - 8.0) / 6.0;
             for k in 0..=8 {
                 let n = 1_u32 << k;
@@ -326,10 +300,7 @@ mod tests {
             assert!((product / 256.0).abs() < 0.25, "{product} with the seed {seed}");
         }
         let sobol = sampling(256);
-        let latin = Sampling {
-            latin: true,
-            ..sampling(256)
-        };
+        let latin = Sampling { latin: true, ..sampling(256) };
         assert_ne!(latin.draw(5), sobol.draw(5));
         assert_eq!(latin.draw(5), Sampling { n: 9, ..latin.clone() }.draw(5));
     }

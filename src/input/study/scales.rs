@@ -67,25 +67,14 @@ impl Axis {
 
     /// Whether it needs periods of the tank.
     pub fn of_the_tank(self) -> bool {
-        matches!(
-            self,
-            Axis::Spectral {
-                period: Period::Impulsive | Period::Sloshing,
-                ..
-            }
-        )
+        matches!(self, Axis::Spectral { period: Period::Impulsive | Period::Sloshing, .. })
     }
 
     /// The measure for a tank.
     ///
     /// * `periods`: impulsive and sloshing period [s], where known
     pub fn intensity(self, periods: [Option<f64>; 2]) -> Option<Intensity> {
-        let Axis::Spectral {
-            period,
-            damping,
-            average,
-        } = self
-        else {
+        let Axis::Spectral { period, damping, average } = self else {
             let Axis::Plain(plain) = self else { return None };
             return Some(plain);
         };
@@ -126,17 +115,9 @@ impl Axis {
         let period = match period.trim() {
             "Ti" => Period::Impulsive,
             "Tc" => Period::Sloshing,
-            given => Period::Given(
-                units::parse(given, Dimension::Time)
-                    .ok()
-                    .filter(|t| *t > 0.0 && *t <= 100.0)?,
-            ),
+            given => Period::Given(units::parse(given, Dimension::Time).ok().filter(|t| *t > 0.0 && *t <= 100.0)?),
         };
-        (0.0..1.0).contains(&damping).then_some(Axis::Spectral {
-            period,
-            damping,
-            average,
-        })
+        (0.0..1.0).contains(&damping).then_some(Axis::Spectral { period, damping, average })
     }
 }
 
@@ -207,11 +188,7 @@ fn ascending<T>(r: &mut Resolver<'_>, item: &crate::input::tank::read::Field<T>,
 pub(super) fn admit(r: &mut Resolver<'_>, option: &Opt<keys::Scales>, engine: Option<EngineId>) {
     let field = option.value().and_then(|scales| scales.im.given.as_ref());
     if let Some(field) = field
-        && field
-            .value
-            .as_ref()
-            .and_then(|text| Axis::parse(text))
-            .is_some_and(Axis::of_the_tank)
+        && field.value.as_ref().and_then(|text| Axis::parse(text)).is_some_and(Axis::of_the_tank)
         && engine != Some(EngineId::Harmonic)
     {
         let message = "Ti and Tc are periods of the harmonic engine";
@@ -226,13 +203,7 @@ mod tests {
 
     #[test]
     fn measures() {
-        let sa = |period, damping, average| {
-            Some(Axis::Spectral {
-                period,
-                damping,
-                average,
-            })
-        };
+        let sa = |period, damping, average| Some(Axis::Spectral { period, damping, average });
         assert_eq!(Axis::parse("pgv"), Some(Axis::Plain(Intensity::Pgv)));
         assert_eq!(Axis::parse("Sa(0.3 s)"), sa(Period::Given(0.3), 0.05, false));
         assert_eq!(Axis::parse("Sa(Tc, 0.5 %)"), sa(Period::Sloshing, 0.005, false));

@@ -77,9 +77,7 @@ impl TankEntry {
         };
         let cells = table.head.iter().zip(&table.rows[*row]);
         let filled = cells.filter(|(_, cell)| !cell.text.is_empty());
-        filled
-            .map(|(head, cell)| (head.text.clone(), cell.text.clone()))
-            .collect()
+        filled.map(|(head, cell)| (head.text.clone(), cell.text.clone())).collect()
     }
 
     /// Where it is in its table: `farm.csv:3`; none for a file.
@@ -102,10 +100,7 @@ impl TankEntry {
         for (parameter, text) in drawn {
             let span = moved(&parameter.place, |at| at + source.text.len() + 1);
             let known = head.iter().position(|cell| cell.text == parameter.path);
-            let cell = |text: String| Cell {
-                text,
-                span: span.clone(),
-            };
+            let cell = |text: String| Cell { text, span: span.clone() };
             match known {
                 Some(column) => {
                     head[column] = cell(parameter.path.clone());
@@ -117,11 +112,7 @@ impl TankEntry {
                 }
             }
         }
-        let table = Table {
-            source,
-            head,
-            rows: Vec::new(),
-        };
+        let table = Table { source, head, rows: Vec::new() };
         variant(&self.base, &table, &row).map_err(|faults| Box::new((faults, table.source)))
     }
 }
@@ -176,9 +167,7 @@ pub(super) fn tanks(
             if let Some(other) = all.iter().find(|other| other.id == tank.id) {
                 let places = match (other.place(), tank.place()) {
                     (Some(first), Some(second)) => format!(": {first} and {second}"),
-                    (first, second) => first
-                        .or(second)
-                        .map_or_else(String::new, |place| format!(", one at {place}")),
+                    (first, second) => first.or(second).map_or_else(String::new, |place| format!(", one at {place}")),
                 };
                 let message = format!("two tanks are named `{}`{places}", tank.id);
                 let fault = range_fault(Code::Repeated, item, &message, "a different name for each tank");
@@ -198,12 +187,7 @@ fn from_files(r: &mut Resolver<'_>, files: &Field<String>, folder: &Path, broken
     let mut all = Vec::new();
     for path in matching(r, files, folder) {
         match read_tank(&path) {
-            Ok(base) => all.push(TankEntry {
-                id: name_of(&path, folder),
-                base: Arc::new(base),
-                row: None,
-                start: 0,
-            }),
+            Ok(base) => all.push(TankEntry { id: name_of(&path, folder), base: Arc::new(base), row: None, start: 0 }),
             Err(error) => broken.push(error),
         }
     }
@@ -214,11 +198,7 @@ fn from_files(r: &mut Resolver<'_>, files: &Field<String>, folder: &Path, broken
 /// read it again.
 fn irregular(files: &[PathBuf]) -> Option<Error> {
     let found = files.iter().find(|file| file.exists() && !file.is_file())?;
-    Some(Error::File {
-        code: Code::FileUnreadable,
-        path: found.clone(),
-        what: "is not a regular file".into(),
-    })
+    Some(Error::File { code: Code::FileUnreadable, path: found.clone(), what: "is not a regular file".into() })
 }
 
 fn from_table(
@@ -253,41 +233,22 @@ fn from_table(
         }
         found
     };
-    let id = given
-        .id
-        .given
-        .as_ref()
-        .and_then(|field| column(field, field.value.as_ref()?));
+    let id = given.id.given.as_ref().and_then(|field| column(field, field.value.as_ref()?));
     // The columns that are used, each with its path.
     let used: Vec<(usize, String)> = match given.columns.value() {
         Some(columns) => {
             let path_of = |(name, field): &(String, Field<String>)| Some((column(field, name)?, field.value.clone()?));
             columns.0.iter().filter_map(path_of).collect()
         }
-        None => (0..names.len())
-            .filter(|&i| Some(i) != id)
-            .map(|i| (i, names[i].to_owned()))
-            .collect(),
+        None => (0..names.len()).filter(|&i| Some(i) != id).map(|i| (i, names[i].to_owned())).collect(),
     };
     let pick = |row: &[Cell]| -> Vec<Cell> { used.iter().map(|(i, _)| row[*i].clone()).collect() };
-    let head = used
-        .iter()
-        .map(|(i, path)| Cell {
-            text: path.clone(),
-            span: raw.head[*i].span.clone(),
-        })
-        .collect();
-    let table = Arc::new(Table {
-        source: raw.source.clone(),
-        head,
-        rows: raw.rows.iter().map(|row| pick(row)).collect(),
-    });
+    let head = used.iter().map(|(i, path)| Cell { text: path.clone(), span: raw.head[*i].span.clone() }).collect();
+    let table =
+        Arc::new(Table { source: raw.source.clone(), head, rows: raw.rows.iter().map(|row| pick(row)).collect() });
     let base = Arc::new(base);
     let entry = |(number, row): (usize, &Vec<Cell>)| TankEntry {
-        id: id.map_or_else(
-            || format!("{}-{}", name_of(&path, folder), number + 1),
-            |i| row[i].text.clone(),
-        ),
+        id: id.map_or_else(|| format!("{}-{}", name_of(&path, folder), number + 1), |i| row[i].text.clone()),
         base: Arc::clone(&base),
         row: Some((Arc::clone(&table), number)),
         start: csv::span(row).start,

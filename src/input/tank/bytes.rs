@@ -15,11 +15,7 @@ pub(in crate::input) const MAX_BYTES: u64 = 1 << 20;
 
 /// Reads the file (`-`: standard input) and returns its text without a byte-order mark, and its SHA-256.
 pub(in crate::input) fn read(path: &Path) -> Result<(Source, String), Error> {
-    let file = |code: Code, what: String| Error::File {
-        code,
-        path: path.into(),
-        what,
-    };
+    let file = |code: Code, what: String| Error::File { code, path: path.into(), what };
     let fail = |what: String| file(Code::FileUnreadable, what);
     let mut bytes = Vec::new();
     if path == Path::new("-") {
@@ -50,10 +46,7 @@ fn missing(path: &Path, error: &std::io::Error) -> String {
     if error.kind() != std::io::ErrorKind::NotFound {
         return format!("cannot be read ({error})");
     }
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {
         return format!("no such file (folder {} does not exist)", folder.display());
     }

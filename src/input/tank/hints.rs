@@ -105,14 +105,9 @@ const GRAVITY: f64 = 20.0;
 ///
 /// * `path`: its key
 pub(super) fn specific_gravity(number: &str, path: &str) -> Option<String> {
-    let gravity = number
-        .parse::<f64>()
-        .ok()
-        .filter(|g| path.ends_with("density") && *g > 0.0 && *g < GRAVITY)?;
+    let gravity = number.parse::<f64>().ok().filter(|g| path.ends_with("density") && *g > 0.0 && *g < GRAVITY)?;
     let density = (1e6 * gravity).round() / 1e3;
-    Some(format!(
-        "a specific gravity of {number} is a density of \"{density} kg/m3\""
-    ))
+    Some(format!("a specific gravity of {number} is a density of \"{density} kg/m3\""))
 }
 
 /// Help for a key that is missing in an object, where another way is likelier than to add it.

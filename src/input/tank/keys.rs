@@ -83,12 +83,8 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let analysis = file.analysis.value();
     let fe = linear::analysis(&mut r, analysis, tank.as_ref(), damping);
     let mut solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
-    let mut nonlinear = nonlinear::nonlinear(
-        &mut r,
-        analysis.and_then(|a| a.nonlinear.value()),
-        tank.as_ref(),
-        damping,
-    );
+    let mut nonlinear =
+        nonlinear::nonlinear(&mut r, analysis.and_then(|a| a.nonlinear.value()), tank.as_ref(), damping);
     let imperfect = imperfections::imperfections(&mut r, analysis, tank.as_ref(), folder);
     solid.imperfections.clone_from(&imperfect);
     nonlinear.imperfections = imperfect;

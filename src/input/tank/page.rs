@@ -39,10 +39,7 @@ pub fn markdown() -> String {
     for dimension in dimensions(&book) {
         let units: Vec<&str> = dimension.units().map(|u| u.text).collect();
         let noun = dimension.noun().split_once(' ').map_or("", |(_, noun)| noun);
-        row(
-            &mut page,
-            &[noun, &units.join(", "), &format!("`\"{}\"`", dimension.example())],
-        );
+        row(&mut page, &[noun, &units.join(", "), &format!("`\"{}\"`", dimension.example())]);
     }
     for section in &sections {
         write_section(&mut page, section, &book, &sections);
@@ -86,10 +83,7 @@ fn walk<'b>(shape: &Shape, path: &str, book: &'b Book, sections: &mut Vec<Sectio
             let Some(object) = book.objects.iter().find(|o| o.name == *name) else {
                 return;
             };
-            sections.push(Section {
-                object,
-                paths: vec![path.to_owned()],
-            });
+            sections.push(Section { object, paths: vec![path.to_owned()] });
             for key in &object.keys {
                 walk(&key.shape, &below(key.name), book, sections);
             }
@@ -109,11 +103,7 @@ fn dimensions(book: &Book) -> Vec<Dimension> {
         })
     };
     let with_unit = |d: &Dimension| *d != Dimension::Dimensionless;
-    Dimension::ALL
-        .into_iter()
-        .filter(with_unit)
-        .filter(|d| used(*d))
-        .collect()
+    Dimension::ALL.into_iter().filter(with_unit).filter(|d| used(*d)).collect()
 }
 
 fn write_section(page: &mut String, section: &Section<'_>, book: &Book, sections: &[Section<'_>]) {
@@ -136,16 +126,7 @@ fn write_section(page: &mut String, section: &Section<'_>, book: &Book, sections
             true => "**required**".to_owned(),
             false => key.otherwise.clone(),
         };
-        row(
-            page,
-            &[
-                &name,
-                &example(key),
-                &value(key, sections),
-                &otherwise,
-                &meaning(key, book),
-            ],
-        );
+        row(page, &[&name, &example(key), &value(key, sections), &otherwise, &meaning(key, book)]);
     }
 }
 
@@ -212,20 +193,14 @@ fn meaning(key: &KeyInfo, book: &Book) -> String {
 }
 
 fn without_article(noun: &str) -> String {
-    let noun = noun
-        .strip_prefix("a ")
-        .or_else(|| noun.strip_prefix("an "))
-        .unwrap_or(noun);
+    let noun = noun.strip_prefix("a ").or_else(|| noun.strip_prefix("an ")).unwrap_or(noun);
     noun.to_owned()
 }
 
 /// The name under which Markdown renderers find a heading.
 fn anchor(title: &str) -> String {
-    let kept = title
-        .chars()
-        .filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
-    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() })
-        .collect()
+    let kept = title.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
 }
 
 fn row(page: &mut String, cells: &[&str]) {

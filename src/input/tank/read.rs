@@ -96,14 +96,7 @@ impl<T: FromNode> Field<T> {
 impl<T> Field<T> {
     /// A key that is missing at this place.
     pub(crate) fn missing(span: Range<usize>, path: String) -> Field<T> {
-        Field {
-            value: None,
-            span,
-            path,
-            text: String::new(),
-            limits: Limits::ANY,
-            example: "",
-        }
+        Field { value: None, span, path, text: String::new(), limits: Limits::ANY, example: "" }
     }
 
     /// The place alone.
@@ -186,10 +179,7 @@ pub(in crate::input) trait Property: Sized {
 
 /// The unit of an example such as `8 mm`.
 pub(in crate::input) fn unit_of(example: &str) -> Option<&str> {
-    example
-        .split_once(' ')
-        .map(|(_, unit)| unit)
-        .filter(|unit| !unit.is_empty())
+    example.split_once(' ').map(|(_, unit)| unit).filter(|unit| !unit.is_empty())
 }
 
 fn read_member<T: FromNode, K>(member: &Member, key: &Key<K>, faults: &mut Faults) -> Field<T> {
@@ -209,11 +199,7 @@ fn read_member<T: FromNode, K>(member: &Member, key: &Key<K>, faults: &mut Fault
             faults.help_last(Code::UnitMissing, &node.path, &help);
         }
     }
-    Field {
-        limits: key.limits,
-        example: key.example,
-        ..field
-    }
+    Field { limits: key.limits, example: key.example, ..field }
 }
 
 impl<T: FromNode> Property for Field<T> {
@@ -258,11 +244,7 @@ impl<T: FromNode, K> Opt<T, K> {
     }
 
     fn none(path: &str, key: &'static Key<K>) -> Self {
-        Opt {
-            key,
-            path: join(path, key.name),
-            given: None,
-        }
+        Opt { key, path: join(path, key.name), given: None }
     }
 }
 
@@ -332,12 +314,7 @@ impl<'a> ObjectReader<'a> {
             faults.push(fault);
         }
         let head = node.span.start..node.span.end.min(node.span.start + 1);
-        Some(ObjectReader {
-            node,
-            members,
-            meant,
-            head,
-        })
+        Some(ObjectReader { node, members, meant, head })
     }
 
     /// Where the object stands.
@@ -370,12 +347,7 @@ pub(in crate::input) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = 
             let other = k.chars().count();
             length.abs_diff(other) * 3 <= length.max(other)
         })
-        .map(|k| {
-            (
-                strsim::damerau_levenshtein(&folded, &k.to_lowercase().replace('-', "_")),
-                k,
-            )
-        })
+        .map(|k| (strsim::damerau_levenshtein(&folded, &k.to_lowercase().replace('-', "_")), k))
         .filter(|(distance, k)| distance * 3 <= length.max(k.chars().count()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, k)| k)
@@ -406,11 +378,7 @@ pub(in crate::input) fn text_of<'n, T: FromNode>(node: &'n Node, faults: &mut Fa
 
 /// A fault about a value of the right kind with the wrong content.
 pub(in crate::input) fn wrong_value(code: Code, node: &Node, message: &str, allowed: &str) -> Fault {
-    Fault::new(code, message)
-        .at(node.span.clone())
-        .path(node.path.clone())
-        .found(node.shown())
-        .allowed(allowed)
+    Fault::new(code, message).at(node.span.clone()).path(node.path.clone()).found(node.shown()).allowed(allowed)
 }
 
 /// The item that a word names; reports an unknown word with the nearest known one as a suggestion.

@@ -38,13 +38,7 @@ pub(in crate::input) struct Known {
 impl<'f> Resolver<'f> {
     /// Without an echo.
     pub(crate) fn new(faults: &'f mut Faults) -> Resolver<'f> {
-        Resolver {
-            faults,
-            echo: Vec::new(),
-            remarks: Vec::new(),
-            warnings: Vec::new(),
-            known: Known::default(),
-        }
+        Resolver { faults, echo: Vec::new(), remarks: Vec::new(), warnings: Vec::new(), known: Known::default() }
     }
 
     /// Echoes a value of the file.
@@ -70,12 +64,7 @@ impl<'f> Resolver<'f> {
 
     /// Echoes a default.
     pub(crate) fn echo_default(&mut self, path: &str, text: &str, source: &str) {
-        self.echo.push(InputValue {
-            path: path.into(),
-            text: text.into(),
-            default: true,
-            source: source.into(),
-        });
+        self.echo.push(InputValue { path: path.into(), text: text.into(), default: true, source: source.into() });
     }
 
     /// A number of the file, within the limits of its key; NaN if faulty.
@@ -153,10 +142,7 @@ impl<'f> Resolver<'f> {
     ///
     /// * `usual`: what is usual, in words
     pub(crate) fn unusual(&mut self, path: &str, found: &str, usual: &str) {
-        self.warnings.push(Warning::new(
-            Code::UnusualInput,
-            format!("{path}: unusual input; found {found}, {usual}"),
-        ));
+        self.warnings.push(Warning::new(Code::UnusualInput, format!("{path}: unusual input; found {found}, {usual}")));
     }
 
     /// Warns of values of the file that contradict each other.
@@ -213,12 +199,7 @@ impl<'f> Resolver<'f> {
                 "out of range",
                 &format!("a whole number of at least {}", limits.low),
             ),
-            _ => range_fault(
-                Code::OutOfRange,
-                field,
-                "not one of the values in the code",
-                &limits.words(),
-            ),
+            _ => range_fault(Code::OutOfRange, field, "not one of the values in the code", &limits.words()),
         };
         self.faults.push(fault);
         None
@@ -289,10 +270,7 @@ impl<'f> Resolver<'f> {
 fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
     match option.key.absent {
         Absent::Value { value, .. } => value,
-        _ => unreachable!(
-            "`{}` is resolved as a key with a default and declared without one",
-            option.path
-        ),
+        _ => unreachable!("`{}` is resolved as a key with a default and declared without one", option.path),
     }
 }
 
@@ -309,25 +287,14 @@ pub(in crate::input) fn record_unit(r: &mut Resolver<'_>, option: &Opt<String>) 
 /// A fault about the value of a field.
 pub(in crate::input) fn range_fault<T>(code: Code, field: &Field<T>, message: &str, allowed: &str) -> Fault {
     let bare = field.text.is_empty() || field.text.parse::<f64>().is_ok() || field.text.parse::<bool>().is_ok();
-    let found = if bare {
-        field.text.clone()
-    } else {
-        format!("\"{}\"", field.text)
-    };
-    Fault::new(code, message)
-        .at(field.span.clone())
-        .path(&field.path)
-        .found(found)
-        .allowed(allowed)
+    let found = if bare { field.text.clone() } else { format!("\"{}\"", field.text) };
+    Fault::new(code, message).at(field.span.clone()).path(&field.path).found(found).allowed(allowed)
 }
 
 /// The same number in the unit of the key's example (of its dimension without one), if that is within the limits.
 fn meant_unit<T>(field: &Field<T>, limits: Limits, dimension: Dimension) -> Option<String> {
     let unit = unit_of(field.example).or_else(|| unit_of(dimension.example()))?;
-    let number = field
-        .text
-        .trim()
-        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
+    let number = field.text.trim().trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
     let end = number.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '+' | '-')));
     let meant = format!("{} {unit}", number[..end.unwrap_or(number.len())].trim_end());
     let value = tank::units::parse(&meant, dimension).ok()?;

@@ -32,11 +32,8 @@ pub(in crate::input) fn of<T: FromNode>(
     }
     for choice in &book.choices {
         let words: Vec<&str> = choice.words.iter().map(|(word, _)| *word).collect();
-        let meanings: Vec<Value> = choice
-            .words
-            .iter()
-            .map(|(word, meaning)| json!({ "const": word, "description": meaning }))
-            .collect();
+        let meanings: Vec<Value> =
+            choice.words.iter().map(|(word, meaning)| json!({ "const": word, "description": meaning })).collect();
         let schema = json!({ "description": choice.help, "type": "string", "enum": words, "oneOf": meanings });
         definitions.insert(choice.name.into(), schema);
     }
@@ -49,10 +46,8 @@ pub(in crate::input) fn of<T: FromNode>(
     }
     // Editors find the schema by this key of the document; the reader skips it.
     if let Some(properties) = root.get_mut("properties").and_then(Value::as_object_mut) {
-        properties.insert(
-            "$schema".into(),
-            json!({ "description": "Where editors find this schema.", "type": "string" }),
-        );
+        properties
+            .insert("$schema".into(), json!({ "description": "Where editors find this schema.", "type": "string" }));
     }
     definitions.sort_keys();
     root.insert("$defs".into(), definitions.into());
@@ -67,11 +62,7 @@ fn conditions(definitions: &mut Map<String, Value>) {
         }
     };
     // A course is of one material or of layers.
-    add(
-        "Course",
-        "oneOf",
-        json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]),
-    );
+    add("Course", "oneOf", json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]));
     // Without the user's spectrum each code needs its values of the site; only the zone method needs nothing else.
     add(
         "Site",
@@ -86,11 +77,7 @@ fn conditions(definitions: &mut Map<String, Value>) {
             } },
         }]),
     );
-    add(
-        "Api650",
-        "anyOf",
-        json!([{ "required": ["sug"] }, { "required": ["zone_factor"] }]),
-    );
+    add("Api650", "anyOf", json!([{ "required": ["sug"] }, { "required": ["zone_factor"] }]));
     add(
         "Spectrum",
         "oneOf",
@@ -114,11 +101,8 @@ fn conditions(definitions: &mut Map<String, Value>) {
 }
 
 fn object_schema(object: &Object, definitions: &mut Map<String, Value>) -> Value {
-    let properties: Map<String, Value> = object
-        .keys
-        .iter()
-        .map(|key| (key.name.into(), key_schema(key, definitions)))
-        .collect();
+    let properties: Map<String, Value> =
+        object.keys.iter().map(|key| (key.name.into(), key_schema(key, definitions))).collect();
     let required: Vec<&str> = object.keys.iter().filter(|k| k.required).map(|k| k.name).collect();
     let mut schema = json!({ "description": object.help, "type": "object", "properties": properties });
     if !required.is_empty() {
@@ -254,22 +238,8 @@ fn number(kind: &str, limits: Limits) -> Value {
         return schema;
     }
     let ends = [
-        (
-            limits.low,
-            if limits.low_allowed {
-                "minimum"
-            } else {
-                "exclusiveMinimum"
-            },
-        ),
-        (
-            limits.high,
-            if limits.high_allowed {
-                "maximum"
-            } else {
-                "exclusiveMaximum"
-            },
-        ),
+        (limits.low, if limits.low_allowed { "minimum" } else { "exclusiveMinimum" }),
+        (limits.high, if limits.high_allowed { "maximum" } else { "exclusiveMaximum" }),
     ];
     for (end, keyword) in ends {
         if end.is_finite() {

@@ -97,11 +97,7 @@ impl Book {
     ) -> Shape {
         if !self.objects.iter().any(|o| o.name == name) {
             let place = self.objects.len();
-            self.objects.push(Object {
-                name,
-                help: prose(help),
-                keys: Vec::new(),
-            });
+            self.objects.push(Object { name, help: prose(help), keys: Vec::new() });
             self.objects[place].keys = keys(self);
         }
         Shape::Object(name)
@@ -111,11 +107,7 @@ impl Book {
     pub(crate) fn choice(&mut self, name: &'static str, help: &[&str], words: Vec<(&'static str, String)>) -> Shape {
         match self.choices.iter().find(|c| c.name == name) {
             Some(known) => debug_assert_eq!(known.words, words, "two choices named {name}"),
-            None => self.choices.push(Choice {
-                name,
-                help: prose(help),
-                words,
-            }),
+            None => self.choices.push(Choice { name, help: prose(help), words }),
         }
         Shape::Choice(name)
     }
@@ -186,11 +178,7 @@ impl KeyInfo {
             text.push_str(&format!(" {}{}.", first.to_uppercase(), letters.as_str()));
         }
         if !self.otherwise.is_empty() {
-            let word = if self.default.is_some() {
-                "Default"
-            } else {
-                "If not given"
-            };
+            let word = if self.default.is_some() { "Default" } else { "If not given" };
             text.push_str(&format!(" {word}: {}.", self.otherwise));
         }
         text

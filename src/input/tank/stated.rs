@@ -43,10 +43,7 @@ impl<T: FromNode> Property for Stated<T> {
                 }),
                 ..absent
             },
-            Kind::Object(_) => Stated {
-                object: Property::read(object, key, faults),
-                none: None,
-            },
+            Kind::Object(_) => Stated { object: Property::read(object, key, faults), none: None },
             _ => {
                 faults.push(wrong_kind(&member.value, &format!("\"{NONE}\" or {}", T::allowed())));
                 // Said, if not in a way that can be read.
@@ -61,20 +58,13 @@ impl<T: FromNode> Property for Stated<T> {
         }
     }
     fn absent(path: &str, key: &'static Key<T>) -> Self {
-        Stated {
-            object: Opt::absent(path, key),
-            none: None,
-        }
+        Stated { object: Opt::absent(path, key), none: None }
     }
     fn written(default: &T) -> Option<String> {
         default.written()
     }
     fn info(key: &'static Key<T>, book: &mut Book) -> KeyInfo {
         let info = <Opt<T> as Property>::info(key, book);
-        KeyInfo {
-            shape: Shape::Either(NONE, Box::new(info.shape)),
-            example: NONE.into(),
-            ..info
-        }
+        KeyInfo { shape: Shape::Either(NONE, Box::new(info.shape)), example: NONE.into(), ..info }
     }
 }

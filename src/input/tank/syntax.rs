@@ -207,14 +207,8 @@ fn check_tokens(text: &str) -> Result<(), Fault> {
             (Token::String(_), Last::Separator) if in_object => Last::Key(span.end),
             (Token::OpenBrace | Token::OpenBracket | Token::Comma, _) => Last::Separator,
             (Token::Colon, _) => Last::Colon,
-            (Token::Number(_), _) => Last::Value {
-                end: span.end,
-                number: true,
-            },
-            _ => Last::Value {
-                end: span.end,
-                number: false,
-            },
+            (Token::Number(_), _) => Last::Value { end: span.end, number: true },
+            _ => Last::Value { end: span.end, number: false },
         };
     }
 }
@@ -237,9 +231,7 @@ enum Last {
 /// The run of characters around a place that looks like one word.
 fn run_around(at: usize, text: &str) -> Range<usize> {
     let stops = |c: char| c.is_whitespace() || "{}[],:\"".contains(c);
-    let start = text[..at]
-        .rfind(stops)
-        .map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
+    let start = text[..at].rfind(stops).map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
     let end = text[at..].find(stops).map_or(text.len(), |i| at + i);
     start..end
 }
@@ -255,9 +247,7 @@ fn malformed_number(at: usize, text: &str) -> Fault {
 fn word(span: Range<usize>, text: &str) -> Fault {
     let run = run_around(span.start, text);
     let found = &text[run.clone()];
-    let fault = Fault::new(Code::Syntax, "text without quotes")
-        .at(run.clone())
-        .found(found);
+    let fault = Fault::new(Code::Syntax, "text without quotes").at(run.clone()).found(found);
     let bare = found.trim_start_matches(['+', '-']).to_lowercase();
     if ["nan", "inf", "infinity"].contains(&bare.as_str()) {
         return Fault::new(Code::NotFinite, "not a finite number")
@@ -378,9 +368,5 @@ fn build(value: ast::Value<'_>, path: String, line_ends: &[usize], faults: &mut 
             Kind::Object(members)
         }
     };
-    Node {
-        span: range.start..range.end,
-        path,
-        kind,
-    }
+    Node { span: range.start..range.end, path, kind }
 }

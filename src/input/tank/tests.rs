@@ -49,11 +49,7 @@ fn small(more: &str) -> String {
 
 /// Text and source of a line of the echo; the value must be a default.
 fn default(file: &TankFile, path: &str) -> (String, String) {
-    let line = file
-        .echo
-        .iter()
-        .find(|e| e.path == path)
-        .unwrap_or_else(|| panic!("{path} is not echoed"));
+    let line = file.echo.iter().find(|e| e.path == path).unwrap_or_else(|| panic!("{path} is not echoed"));
     assert!(line.default && !line.source.is_empty(), "{line:?}");
     (line.text.clone(), line.source.clone())
 }
@@ -74,9 +70,7 @@ fn the_plate_under_the_wall_fits_the_tank() {
     }
     let thick = |support: &str| {
         let file = read(&with(support, r#""thickness": "12 mm""#));
-        file.warnings
-            .iter()
-            .any(|w| w.contains("thicker than the lowest course"))
+        file.warnings.iter().any(|w| w.contains("thicker than the lowest course"))
     };
     assert!(thick("unanchored") && !thick("anchored"));
 }
@@ -104,47 +98,25 @@ fn contract() {
     assert_eq!(case.tank.shape, Shape::Cylinder { radius: 1.83 });
     assert_eq!(case.tank.support, Support::Anchored);
     assert_eq!(case.tank.courses.len(), 2);
-    assert_eq!(
-        (case.tank.courses[0].height, case.tank.courses[0].thickness),
-        (0.915, 0.00203)
-    );
+    assert_eq!((case.tank.courses[0].height, case.tank.courses[0].thickness), (0.915, 0.00203));
     assert_eq!(case.tank.courses[1].thickness, 0.00127);
     let material = &case.tank.courses[1].material;
     assert_eq!(material.name, "aluminium");
-    assert_eq!(
-        (material.youngs_modulus, material.poisson_ratio, material.density),
-        (69e9, 0.32, 2750.0)
-    );
-    assert_eq!(
-        (material.yield_strength, material.allowable_stress),
-        (Some(240e6), None)
-    );
+    assert_eq!((material.youngs_modulus, material.poisson_ratio, material.density), (69e9, 0.32, 2750.0));
+    assert_eq!((material.yield_strength, material.allowable_stress), (Some(240e6), None));
     assert_eq!((case.liquid.density, case.liquid.fill_height), (1000.0, 1.525));
     assert_eq!(case.gravity, 9.80665);
     assert_eq!(file.record.scale_to, Some(4.903325));
-    assert_eq!(
-        (file.record.scale_by, file.record.time_factor),
-        (Some(1.0), Some(0.57735))
-    );
+    assert_eq!((file.record.scale_by, file.record.time_factor), (Some(1.0), Some(0.57735)));
     assert_eq!((case.damping.sloshing, case.damping.impulsive), (0.005, 0.02));
     let ec8 = case.site.ec8.unwrap();
     assert_eq!((ec8.ground, ec8.spectrum, ec8.ag), (GroundType::A, 1, 0.25 * 9.80665));
     let api = case.site.api650.unwrap();
-    assert_eq!(
-        (api.ss, api.s1, api.site_class, api.sug, api.tl),
-        (0.5, 0.2, SiteClass::B, 1, 4.0)
-    );
+    assert_eq!((api.ss, api.s1, api.site_class, api.sug, api.tl), (0.5, 0.2, SiteClass::B, 1, 4.0));
     assert_eq!(case.measured.len(), 1);
-    assert_eq!(
-        (case.measured[0].quantity, case.measured[0].value),
-        (Quantity::SloshingHeight, 0.134)
-    );
+    assert_eq!((case.measured[0].quantity, case.measured[0].value), (Quantity::SloshingHeight, 0.134));
     assert!(file.remarks.is_empty() && file.procedures.is_empty());
-    let line = file
-        .echo
-        .iter()
-        .find(|e| e.path == "tank.courses[0].thickness")
-        .unwrap();
+    let line = file.echo.iter().find(|e| e.path == "tank.courses[0].thickness").unwrap();
     assert_eq!((line.text.as_str(), line.default), ("2.03 mm", false));
 }
 
@@ -158,22 +130,11 @@ fn defaults_and_where_they_come_from() {
     assert!(default(&file, "damping.sloshing").1.contains("EN 1998-4:2006 2.3.3"));
     assert_eq!((file.case.damping.sloshing, file.case.damping.impulsive), (0.005, 0.02));
     let ec8 = file.case.site.ec8.unwrap();
-    assert_eq!(
-        (
-            ec8.importance,
-            ec8.behaviour_factor,
-            ec8.construction_quality,
-            ec8.vertical
-        ),
-        (1.0, 1.0, 1.0, true)
-    );
+    assert_eq!((ec8.importance, ec8.behaviour_factor, ec8.construction_quality, ec8.vertical), (1.0, 1.0, 1.0, true));
     assert_eq!((ec8.friction, ec8.reduction_factor), (None, None));
     let api = file.case.site.api650.unwrap();
     assert_eq!((api.asce7, api.q, api.tl, api.friction), (2010, 2.0 / 3.0, 8.0, 0.4));
-    assert_eq!(
-        (api.s0, api.av, api.zone_factor, api.fa, api.soil_factor),
-        (None, None, None, None, 1.5)
-    );
+    assert_eq!((api.s0, api.av, api.zone_factor, api.fa, api.soil_factor), (None, None, None, None, 1.5));
     assert_eq!(api.foundation_weight, None);
     assert!(default(&file, "site.api650.q").1.contains("E.4.6.1"));
     assert_eq!(default(&file, "procedures.run").0, "all");
@@ -198,20 +159,10 @@ fn pressure_of_the_tank_is_the_design_pressure() {
     };
     let design = |file: &TankFile| file.case.site.api650.map(|site| site.design_pressure);
     let file = read(&closed(site("")));
-    assert_eq!(
-        (file.case.tank.pressure.internal, file.case.tank.pressure.vacuum),
-        (2000.0, 500.0)
-    );
+    assert_eq!((file.case.tank.pressure.internal, file.case.tank.pressure.vacuum), (2000.0, 500.0));
     assert_eq!(design(&file), Some(2000.0));
-    assert_eq!(
-        default(&file, "site.api650.design_pressure").1,
-        "tank.pressure.internal"
-    );
-    assert!(
-        file.warnings.iter().any(|w| w.contains("tank.pressure")),
-        "{:?}",
-        file.warnings
-    );
+    assert_eq!(default(&file, "site.api650.design_pressure").1, "tank.pressure.internal");
+    assert!(file.warnings.iter().any(|w| w.contains("tank.pressure")), "{:?}", file.warnings);
     let own = read(&closed(site(r#", "design_pressure": "3 kPa""#)));
     assert_eq!(design(&own), Some(3000.0));
     let atmospheric = read(&site(""));
@@ -232,17 +183,9 @@ fn rectangles() {
     let shape = |plan: &str| read(&tank(plan)).case.tank.shape;
     assert_eq!(
         shape("\"length\": \"5 m\", \"breadth\": \"3 m\""),
-        Shape::Rectangle {
-            length: 5.0,
-            breadth: 3.0,
-            strip: false
-        }
+        Shape::Rectangle { length: 5.0, breadth: 3.0, strip: false }
     );
-    let strip = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let strip = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     assert_eq!(shape("\"length\": \"5 m\", \"strip\": true"), strip);
     assert!(refused(&tank("\"length\": \"5 m\"")).contains("\"strip\": true"));
     assert!(refused(&tank("\"length\": \"5 m\", \"strip\": false")).contains("breadth"));
@@ -265,78 +208,35 @@ fn options() {
                                          "second": { "at": "1 Hz", "ratio": "2 %" } } } }"#,
     ));
     assert_eq!(file.procedures, ["ec8-2006", "housner"]);
-    assert_eq!(
-        file.case.procedures.housner_convective,
-        ConvectiveCoefficient::Housner1957
-    );
+    assert_eq!(file.case.procedures.housner_convective, ConvectiveCoefficient::Housner1957);
     assert_eq!((file.fe.integrator, file.fe.wave_modes), (Integrator::Newmark, 3));
-    assert_eq!(
-        (file.fe.gauges.as_slice(), file.fe.stations.as_slice()),
-        ([9.0].as_slice(), [0.025, 5.0].as_slice())
-    );
+    assert_eq!((file.fe.gauges.as_slice(), file.fe.stations.as_slice()), ([9.0].as_slice(), [0.025, 5.0].as_slice()));
     let tau = 2.0 * std::f64::consts::PI;
-    let expected = DampingModel::Rayleigh {
-        first: (2.0, 0.01),
-        second: (tau, 0.02),
-        allow_negative: false,
-    };
+    let expected = DampingModel::Rayleigh { first: (2.0, 0.01), second: (tau, 0.02), allow_negative: false };
     assert_eq!(file.fe.damping, expected);
     for (more, message) in [
         (r#", "analysis": { "gauges": ["11 m"] }"#, "the radius"),
         (r#", "analysis": { "stations": ["8.1 m"] }"#, "the height of the wall"),
-        (
-            r#", "analysis": { "damping": {} }"#,
-            "one of by_group, caughey, rayleigh and coefficients",
-        ),
-        (
-            r#", "procedures": { "run": ["ec8-2005"] }"#,
-            "did you mean \"ec8-2006\"?",
-        ),
-        (
-            r#", "procedures": { "run": ["housner", "housner"] }"#,
-            "duplicate procedure",
-        ),
+        (r#", "analysis": { "damping": {} }"#, "one of by_group, caughey, rayleigh and coefficients"),
+        (r#", "procedures": { "run": ["ec8-2005"] }"#, "did you mean \"ec8-2006\"?"),
+        (r#", "procedures": { "run": ["housner", "housner"] }"#, "duplicate procedure"),
         (r#", "procedures": { "run": [] }"#, "at least one id"),
         (
             r#", "site": { "ec8": { "ground": "F", "spectrum": 1, "ag": "0.2 g" } }"#,
             "\"A\", \"B\", \"C\", \"D\" or \"E\"",
         ),
-        (
-            r#", "site": { "ec8": { "ground": "A", "spectrum": 3, "ag": "0.2 g" } }"#,
-            "1 or 2",
-        ),
-        (
-            r#", "site": { "ec8": { "ground": "A", "spectrum": 1, "ag": 0.2 } }"#,
-            "unit is missing",
-        ),
-        (
-            r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "D", "sug": 4, "tl": 8 } }"#,
-            "1, 2 or 3",
-        ),
-        (
-            r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "D", "sug": 1, "tl": 0 } }"#,
-            "positive",
-        ),
-        (
-            r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "F", "sug": 1, "tl": 8 } }"#,
-            "site study",
-        ),
+        (r#", "site": { "ec8": { "ground": "A", "spectrum": 3, "ag": "0.2 g" } }"#, "1 or 2"),
+        (r#", "site": { "ec8": { "ground": "A", "spectrum": 1, "ag": 0.2 } }"#, "unit is missing"),
+        (r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "D", "sug": 4, "tl": 8 } }"#, "1, 2 or 3"),
+        (r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "D", "sug": 1, "tl": 0 } }"#, "positive"),
+        (r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "F", "sug": 1, "tl": 8 } }"#, "site study"),
         (
             r#", "site": { "api650": { "ss": 1, "s1": 0.4, "site_class": "D", "sug": 1, "tl": 8, "zone_factor": 0.25 } }"#,
             "0, 0.075, 0.15, 0.2, 0.3 or 0.4",
         ),
-        (
-            r#", "measured": { "slosh_height": { "value": "1 cm", "source": "me" } }"#,
-            "did you mean `sloshing_height`?",
-        ),
-        (
-            r#", "measured": { "sloshing_height": { "value": "1 kg", "source": "me" } }"#,
-            "a mass",
-        ),
-        (
-            r#", "measured": { "sloshing_height": { "value": "1 cm", "source": " " } }"#,
-            "empty",
-        ),
+        (r#", "measured": { "slosh_height": { "value": "1 cm", "source": "me" } }"#, "did you mean `sloshing_height`?"),
+        (r#", "measured": { "sloshing_height": { "value": "1 kg", "source": "me" } }"#, "a mass"),
+        (r#", "measured": { "sloshing_height": { "value": "1 cm", "source": " " } }"#, "empty"),
         (
             r#", "measured": { "sloshing_height": { "value": "1 cm", "source": "me", "motion": { "peak": "1 g" } } }"#,
             "`sha256` of the record file, or `peak` and `step`",
@@ -347,20 +247,14 @@ fn options() {
         ),
     ] {
         let text = refused(&small(more));
-        assert!(
-            text.contains(message) && text.contains("1 fault in"),
-            "{message}\n{text}"
-        );
+        assert!(text.contains(message) && text.contains("1 fault in"), "{message}\n{text}");
     }
 }
 
 #[test]
 fn every_procedure_can_be_named() {
     for procedure in codes::ALL {
-        let file = read(&small(&format!(
-            r#", "procedures": {{ "run": ["{}"] }}"#,
-            procedure.id()
-        )));
+        let file = read(&small(&format!(r#", "procedures": {{ "run": ["{}"] }}"#, procedure.id())));
         assert_eq!(file.procedures, [procedure.id()]);
     }
 }
@@ -379,10 +273,7 @@ fn negative_rayleigh_coefficients_need_consent() {
     assert!(text.contains("a_M = -6.0") && text.contains("a_K = 1.32"), "{text}");
     assert!(matches!(
         read(&with(", \"allow_negative\": true")).fe.damping,
-        DampingModel::Rayleigh {
-            allow_negative: true,
-            ..
-        }
+        DampingModel::Rayleigh { allow_negative: true, .. }
     ));
 }
 
@@ -415,9 +306,7 @@ fn defaults_are_those_of_the_engines() {
     assert_eq!(file.solid, SolidOptions::default());
     assert_eq!(file.nonlinear, NonlinearOptions::new(file.case.damping));
     assert_eq!(file.case.procedures, tank::case::ProcedureOptions::default());
-    let given = read(&small(
-        r#", "analysis": { "nonlinear": { "integration": {}, "damping": { "by_group": {} } } }"#,
-    ));
+    let given = read(&small(r#", "analysis": { "nonlinear": { "integration": {}, "damping": { "by_group": {} } } }"#));
     assert_eq!(given.nonlinear, file.nonlinear);
 }
 
@@ -428,10 +317,8 @@ fn tanks() -> impl Strategy<Value = (Value, f64, Vec<(f64, f64)>, f64)> {
     (0.05..50.0_f64, courses, 0.05..1.0_f64, unit).prop_map(|(radius, courses, fill, unit)| {
         let factor = Unit::find(unit, Dimension::Length).unwrap().factor();
         let written = |length: f64| format!("{:e} {unit}", length / factor);
-        let courses: Vec<(f64, f64)> = courses
-            .into_iter()
-            .map(|(height, slenderness)| (height, radius / slenderness))
-            .collect();
+        let courses: Vec<(f64, f64)> =
+            courses.into_iter().map(|(height, slenderness)| (height, radius / slenderness)).collect();
         let fill = fill * courses.iter().map(|c| c.0).sum::<f64>();
         let list: Vec<Value> = courses
             .iter()

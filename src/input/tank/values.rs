@@ -328,12 +328,7 @@ impl FromNode for Whole {
         {
             return Some(Whole(value));
         }
-        faults.push(wrong_value(
-            Code::OutOfRange,
-            node,
-            "not a whole number",
-            &Self::allowed(),
-        ));
+        faults.push(wrong_value(Code::OutOfRange, node, "not a whole number", &Self::allowed()));
         None
     }
     fn allowed() -> String {
@@ -415,12 +410,9 @@ pub(in crate::input) struct Named<T>(pub Vec<(String, Field<T>)>);
 impl<T: FromNode> FromNode for Named<T> {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
         match &node.kind {
-            Kind::Object(members) => Some(Named(
-                members
-                    .iter()
-                    .map(|m| (m.key.clone(), Field::from_node(&m.value, faults)))
-                    .collect(),
-            )),
+            Kind::Object(members) => {
+                Some(Named(members.iter().map(|m| (m.key.clone(), Field::from_node(&m.value, faults))).collect()))
+            }
             _ => other_kind(node, faults),
         }
     }

@@ -54,11 +54,9 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
         }
     });
     match file {
-        Some(file) if faults.is_empty() => Ok(TankFile {
-            source: base.source.clone(),
-            sha256: base.sha256.clone(),
-            ..file
-        }),
+        Some(file) if faults.is_empty() => {
+            Ok(TankFile { source: base.source.clone(), sha256: base.sha256.clone(), ..file })
+        }
         _ => {
             let mut found = Faults::new();
             for fault in faults.list() {
@@ -83,11 +81,9 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
 
 /// A column that is not a place of the tank file.
 fn unknown(column: &Cell, message: &str) -> Fault {
-    Fault::new(Code::TableColumn, format!("the path `{}`: {message}", column.text))
-        .found(column.text.clone())
-        .allowed(
-            "a path of the tank file, such as tank.radius, tank.courses[0].thickness or materials[\"A 283\"].density",
-        )
+    Fault::new(Code::TableColumn, format!("the path `{}`: {message}", column.text)).found(column.text.clone()).allowed(
+        "a path of the tank file, such as tank.radius, tank.courses[0].thickness or materials[\"A 283\"].density",
+    )
 }
 
 /// The steps of `tank.courses[0].thickness`; keys with other characters than letters, digits, `_` and `-` stand in `["…"]`.
@@ -164,10 +160,7 @@ fn set(node: &mut Node, steps: &[Step], cell: &Cell, head: &Range<usize>, place:
             let count = items.len();
             match items.get_mut(*index) {
                 Some(item) => set(item, rest, cell, head, place),
-                None => Err(format!(
-                    "found index {index}, expected 0 to {}",
-                    count.saturating_sub(1)
-                )),
+                None => Err(format!("found index {index}, expected 0 to {}", count.saturating_sub(1))),
             }
         }
         (Some((Step::Key(key), _)), _) => Err(format!("{noun} does not have the key `{key}`")),

@@ -41,10 +41,7 @@ pub(super) fn breathing(period: f64) -> (String, String) {
 
 /// The same of what follows the ground upwards.
 pub(super) fn upward_rest() -> (String, String) {
-    (
-        "what follows the ground upwards".into(),
-        "vertical spectrum at T = 0".into(),
-    )
+    ("what follows the ground upwards".into(), "vertical spectrum at T = 0".into())
 }
 
 /// Title of the column.
@@ -82,9 +79,7 @@ pub(super) fn combination(options: &SpectrumOptions) -> String {
 
 /// The quantity with the largest mesh error.
 pub(super) fn mesh_error(quantity: &str, error: f64) -> String {
-    let title = Quantity::from_id(quantity)
-        .map_or(quantity, |q| q.title())
-        .to_lowercase();
+    let title = Quantity::from_id(quantity).map_or(quantity, |q| q.title()).to_lowercase();
     format!("Largest estimated mesh error: {} ({title}).", percent(error))
 }
 
@@ -106,11 +101,7 @@ pub(super) fn outside(why: Outside) -> &'static str {
 pub(super) fn mode(kind: &str, number: usize, period: f64, damping: f64) -> (String, String) {
     (
         format!("{kind} mode {number}"),
-        format!(
-            "design spectrum at T = {} s; damping of the mode {}",
-            significant(period, 4),
-            percent(damping)
-        ),
+        format!("design spectrum at T = {} s; damping of the mode {}", significant(period, 4), percent(damping)),
     )
 }
 

@@ -35,10 +35,7 @@ impl Unit<'_> {
     ) -> Result<(), Error> {
         let scales = &self.study.scales;
         let intensity = scales.axis.intensity(periods).ok_or_else(|| {
-            Error::input(
-                Code::Unsupported,
-                format!("the tank has no period for the measure {}", scales.name),
-            )
+            Error::input(Code::Unsupported, format!("the tank has no period for the measure {}", scales.name))
         })?;
         let measure = match &shaking.across {
             None => intensity.of(&shaking.along),

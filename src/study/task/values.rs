@@ -63,8 +63,7 @@ pub(super) fn gaps_of(checks: &[Check], endings: &BTreeMap<String, Ending>) -> B
     };
     let mut gaps = BTreeMap::new();
     for check in checks.iter().filter(open) {
-        gaps.entry(check.limit_state.clone())
-            .or_insert_with(|| check.reason.clone());
+        gaps.entry(check.limit_state.clone()).or_insert_with(|| check.reason.clone());
     }
     gaps
 }

@@ -12,10 +12,7 @@ fn written(home: &Path) -> String {
 
 fn run(arguments: &[&str]) -> (Option<i32>, String) {
     let output = tankcheck(arguments);
-    (
-        output.status.code(),
-        String::from_utf8_lossy(&output.stdout).into_owned(),
-    )
+    (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// Gaps first with who, when and why; the headline says how many, and how many limit states were checked.
@@ -27,10 +24,7 @@ fn gaps_stand_before_everything_else() {
     assert_eq!(code, Some(0));
     let first = text.lines().next().expect("a line");
     assert!(first.starts_with("Accepted without a check"), "{first}");
-    let sliding = text
-        .lines()
-        .find(|line| line.contains("sliding (ec8-2006)"))
-        .expect("the gap");
+    let sliding = text.lines().find(|line| line.contains("sliding (ec8-2006)")).expect("the gap");
     for part in ["J. Doe", "2026-03-14", "checked apart in the statics of the tank"] {
         assert!(sliding.contains(part), "{sliding}");
     }
@@ -60,24 +54,15 @@ fn no_form_is_green() {
         let found = results.iter().find(|r| r["ruleId"] == rule);
         found.map(|r| r["level"].as_str().unwrap_or_default().to_owned())
     };
-    assert_eq!(
-        (code, level(&results, "verdict/verdict")),
-        (Some(0), Some("note".into()))
-    );
+    assert_eq!((code, level(&results, "verdict/verdict")), (Some(0), Some("note".into())));
     assert!(text.contains("accepted by J. Doe on 2026-03-14"));
     let (code, text) = run(&["check", &path, "--format", "sarif", "--strict"]);
     let sarif: Value = serde_json::from_str(&text).expect("JSON");
     let results = sarif["runs"][0]["results"].as_array().expect("results").clone();
-    assert_eq!(
-        (code, level(&results, "verdict/verdict")),
-        (Some(4), Some("warning".into()))
-    );
+    assert_eq!((code, level(&results, "verdict/verdict")), (Some(4), Some("warning".into())));
     let (code, text) = run(&["check", &path, "--format", "github"]);
     assert_eq!(code, Some(0));
-    assert!(
-        text.contains("::notice") && text.contains("Holds, with 4 gaps accepted"),
-        "{text}"
-    );
+    assert!(text.contains("::notice") && text.contains("Holds, with 4 gaps accepted"), "{text}");
     let (code, text) = run(&["check", &path, "--format", "junit", "--strict"]);
     assert_eq!(code, Some(4));
     assert!(text.contains("errors=\"5\""), "{text}");
@@ -115,12 +100,7 @@ fn an_acceptance_of_a_later_day_is_named() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let path = home.path().join("tank.json");
     let out = home.path().join("out");
-    for (date, later) in [
-        ("2001-09-08", false),
-        ("2001-09-09", false),
-        ("2001-09-10", true),
-        ("2099-01-01", true),
-    ] {
+    for (date, later) in [("2001-09-08", false), ("2001-09-09", false), ("2001-09-10", true), ("2099-01-01", true)] {
         let gaps: Vec<Value> = ACCEPTED
             .map(|id| {
                 let mut gap = gap(id);
@@ -128,12 +108,7 @@ fn an_acceptance_of_a_later_day_is_named() {
                 gap
             })
             .to_vec();
-        let tank = Tank::new(
-            "dated",
-            "",
-            Expected::NotAssessed,
-            vec![only_ec8(), json!({ "accepted": gaps })],
-        );
+        let tank = Tank::new("dated", "", Expected::NotAssessed, vec![only_ec8(), json!({ "accepted": gaps })]);
         std::fs::write(&path, tank.json()).expect("writable");
         let run = |arguments: &[&str]| {
             let output = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"))

@@ -61,28 +61,19 @@ pub(super) fn failing() -> Vec<Tank> {
             "corroded-bottom-course",
             "5 mm left: 83.4 kPa x 10 m/5 mm = 167 MPa static, the earthquake more than the rest to 182.6 MPa; 14 mm hold",
             (API, "hoop_stress"),
-            vec![
-                only_api(),
-                corroded(&[14.0, 12.0, 10.0, 10.0], "corrosion_allowance", "10 mm"),
-            ],
+            vec![only_api(), corroded(&[14.0, 12.0, 10.0, 10.0], "corrosion_allowance", "10 mm")],
         ),
         fails(
             "measured-bottom-course",
             "4 mm measured: 83.4 kPa x 10 m/4 mm = 208 MPa",
             (API, "hoop_stress"),
-            vec![
-                only_api(),
-                corroded(&[14.0, 12.0, 10.0, 10.0], "measured_thickness", "4 mm"),
-            ],
+            vec![only_api(), corroded(&[14.0, 12.0, 10.0, 10.0], "measured_thickness", "4 mm")],
         ),
         fails(
             "corroded-under-eurocode",
             "3 mm left: 83.4 kPa x 10 m/3 mm = 278 MPa > 235 MPa",
             (EC8, "buckling_elastic_plastic"),
-            vec![
-                only_ec8(),
-                corroded(&[14.0, 12.0, 10.0, 10.0], "corrosion_allowance", "11 mm"),
-            ],
+            vec![only_ec8(), corroded(&[14.0, 12.0, 10.0, 10.0], "corrosion_allowance", "11 mm")],
         ),
         Tank::new(
             "corroded-through",
@@ -100,23 +91,13 @@ pub(super) fn failing() -> Vec<Tank> {
             "corroded-compression",
             "2000 t on 8 mm of 14 mm: 19.6 MN/62.8 m/8 mm = 39 MPa; 83 x 8/(2.5 x 20) + 7.5 √8.5 = 35 MPa; 45 MPa for 14 mm",
             (API, "shell_compression"),
-            vec![
-                only_api(),
-                corroded(&[14.0; 4], "corrosion_allowance", "6 mm"),
-                roof(2000.0),
-            ],
+            vec![only_api(), corroded(&[14.0; 4], "corrosion_allowance", "6 mm"), roof(2000.0)],
         ),
         fails(
             "pressure-above-the-liquid",
             "(83.4 + 18) kPa x 10 m/12 mm = 84.5 MPa > 0.45 x 182.2 MPa",
             (API, "pressure_hoop"),
-            vec![
-                only_api(),
-                wall(&[12.0; 4]),
-                anchors(9000.0),
-                pressure(18.0),
-                joints(0.45),
-            ],
+            vec![only_api(), wall(&[12.0; 4]), anchors(9000.0), pressure(18.0), joints(0.45)],
         ),
         fails(
             "pressure-on-the-dry-wall",
@@ -149,10 +130,7 @@ pub(super) fn failing() -> Vec<Tank> {
             "pipes-of-unknown-settlement",
             "one of three displacements is missing",
             (API, "piping"),
-            vec![
-                only_api(),
-                json!({ "tank": { "pipes": { "uplift": "30 mm", "horizontal": "30 mm" } } }),
-            ],
+            vec![only_api(), json!({ "tank": { "pipes": { "uplift": "30 mm", "horizontal": "30 mm" } } })],
         )
         .open(&["piping"]),
         fails(
@@ -230,13 +208,7 @@ pub(super) fn sound_tanks() -> Vec<Tank> {
             API,
             vec![only_api(), pressure(18.0)],
         ),
-        sound(
-            "sound-pipes",
-            "25, 13 and 13 mm",
-            API,
-            vec![only_api(), pipes([25.0, 13.0, 13.0])],
-        )
-        .open(&["piping"]),
+        sound("sound-pipes", "25, 13 and 13 mm", API, vec![only_api(), pipes([25.0, 13.0, 13.0])]).open(&["piping"]),
         sound(
             "sound-aluminium-under-api",
             "below 1 MPa of 15.6 MPa; static hoop stress 59.6 MPa",
@@ -249,23 +221,12 @@ pub(super) fn sound_tanks() -> Vec<Tank> {
             API,
             vec![only_api(), wall(&[8.0, 14.0, 14.0, 14.0]), floating(2500.0, 0.5)],
         ),
-        sound(
-            "sound-floating-roof-under-eurocode",
-            "the same",
-            EC8,
-            vec![only_ec8(), floating(100.0, 0.3)],
-        ),
+        sound("sound-floating-roof-under-eurocode", "the same", EC8, vec![only_ec8(), floating(100.0, 0.3)]),
         sound(
             "sound-without-plate",
             "2000 t of roof: 312 kN/m keep the shell down without the plate; 28 of 45 MPa",
             API,
-            vec![
-                only_api(),
-                unanchored(),
-                roof(2000.0),
-                wall(&[14.0; 4]),
-                json!({ "tank": { "bottom": null } }),
-            ],
+            vec![only_api(), unanchored(), roof(2000.0), wall(&[14.0; 4]), json!({ "tank": { "bottom": null } })],
         ),
     ]
 }

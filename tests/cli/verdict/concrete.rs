@@ -55,10 +55,7 @@ fn cylinder(thickness: f64, bars: &Value) -> Value {
 /// 10 m × 6 m, 4 m of water.
 fn small_box(thickness: f64, bars: &Value) -> Value {
     let mut tank = concrete_box();
-    merge(
-        &mut tank,
-        &json!({ "tank": { "length": "10 m", "breadth": "6 m", "courses": null } }),
-    );
+    merge(&mut tank, &json!({ "tank": { "length": "10 m", "breadth": "6 m", "courses": null } }));
     for (key, value) in reinforced(thickness, bars).as_object().into_iter().flatten() {
         match key.as_str() {
             "tank" => tank["tank"]["courses"] = value["courses"].clone(),
@@ -135,12 +132,7 @@ fn cylinders() -> Vec<Tank> {
             BENDING,
             vec![only_ec8(), cylinder(250.0, &bars(50.0, 0.0))],
         ),
-        incomplete(
-            "concrete-of-unknown-strength",
-            "no grade",
-            BENDING,
-            vec![only_ec8(), concrete()],
-        ),
+        incomplete("concrete-of-unknown-strength", "no grade", BENDING, vec![only_ec8(), concrete()]),
         Tank::new(
             "bars-with-two-areas",
             "the area contradicts diameter and spacing",
@@ -170,12 +162,7 @@ fn boxes() -> Vec<Tank> {
             BENDING,
             vec![only_ec8(), small_box(250.0, &json!(null)), wall(&[15.0; 2])],
         ),
-        incomplete(
-            "box-without-bars",
-            "no bars are given",
-            BENDING,
-            vec![only_ec8(), concrete_box()],
-        ),
+        incomplete("box-without-bars", "no bars are given", BENDING, vec![only_ec8(), concrete_box()]),
         fails(
             "box-anchors",
             "a strip 3 m long with 4.9 m of water at 0.5 g: 14.7 t/m x 0.5 g x 2.4 m are 170 kNm/m; walls of 25 t weigh 245 kN x 1.5 m x 0.9",
@@ -207,10 +194,7 @@ fn tall_strip() -> Value {
     let mut tank = concrete_box();
     let courses = courses(&[200.0; 4], "concrete");
     tank["tank"]["courses"] = courses["tank"]["courses"].clone();
-    merge(
-        &mut tank,
-        &json!({ "tank": { "length": "3 m" }, "liquid": { "fill_height": "8 m" } }),
-    );
+    merge(&mut tank, &json!({ "tank": { "length": "3 m" }, "liquid": { "fill_height": "8 m" } }));
     tank["tank"]["breadth"] = Value::Null;
     tank["tank"]["strip"] = json!(true);
     tank

@@ -57,46 +57,18 @@ fn polymer() -> Value {
 
 /// Those that must not hold.
 pub(super) fn failing() -> Vec<Tank> {
-    [anchors_in_number(), base(), answers(), materials()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [anchors_in_number(), base(), answers(), materials()].into_iter().flatten().collect()
 }
 
 fn anchors_in_number() -> Vec<Tank> {
     let few = "six anchors where the earthquake pulls at them, and five are one every 1.9 m";
     let one = "a single anchor on 62.8 m of wall carries no moment";
     vec![
-        fails(
-            "five-anchors-api",
-            few,
-            (API, "anchor_count"),
-            vec![api(1.0, 0.4), post(), count(5)],
-        ),
-        fails(
-            "five-anchors-ec8",
-            few,
-            (EC8, "anchor_count"),
-            vec![ec8(0.3), post(), count(5)],
-        ),
-        fails(
-            "one-anchor-api",
-            one,
-            (API, "anchor_spacing"),
-            vec![only_api(), count(1)],
-        ),
-        fails(
-            "one-anchor-ec8",
-            one,
-            (EC8, "anchor_spacing"),
-            vec![only_ec8(), count(1)],
-        ),
-        fails(
-            "four-anchors-ec8",
-            "62.8 m/4 = 15.7 m > 3.05 m",
-            (EC8, "anchor_spacing"),
-            vec![ec8(0.3), count(4)],
-        ),
+        fails("five-anchors-api", few, (API, "anchor_count"), vec![api(1.0, 0.4), post(), count(5)]),
+        fails("five-anchors-ec8", few, (EC8, "anchor_count"), vec![ec8(0.3), post(), count(5)]),
+        fails("one-anchor-api", one, (API, "anchor_spacing"), vec![only_api(), count(1)]),
+        fails("one-anchor-ec8", one, (EC8, "anchor_spacing"), vec![only_ec8(), count(1)]),
+        fails("four-anchors-ec8", "62.8 m/4 = 15.7 m > 3.05 m", (EC8, "anchor_spacing"), vec![ec8(0.3), count(4)]),
     ]
 }
 
@@ -132,11 +104,7 @@ fn base() -> Vec<Tank> {
             "narrow-ring-wall",
             "9 kN/m of wall and more of the earthquake on 3 cm: above 300 kPa",
             (API, "bearing"),
-            vec![
-                only_api(),
-                foundation(json!({ "kind": "ring_wall", "width": "3 cm" })),
-                ground(300.0),
-            ],
+            vec![only_api(), foundation(json!({ "kind": "ring_wall", "width": "3 cm" })), ground(300.0)],
         )
         .open(&["bearing"]),
         incomplete(
@@ -150,10 +118,7 @@ fn base() -> Vec<Tank> {
             "anchored-on-a-pad",
             "a mechanically anchored tank stands on shims and grout",
             (API, "shell_support"),
-            vec![
-                only_api(),
-                foundation(json!({ "kind": "slab", "shell_support": "padding" })),
-            ],
+            vec![only_api(), foundation(json!({ "kind": "slab", "shell_support": "padding" }))],
         ),
         incomplete(
             "shell-support-not-accepted",
@@ -166,11 +131,7 @@ fn base() -> Vec<Tank> {
             "outlet-in-the-lifted-plate",
             "L is at least 0.45 m: 0.75 m to the reinforcement",
             (API, "connections"),
-            vec![
-                only_api(),
-                unanchored(),
-                json!({ "tank": { "bottom": { "connections": "0.5 m" } } }),
-            ],
+            vec![only_api(), unanchored(), json!({ "tank": { "bottom": { "connections": "0.5 m" } } })],
         ),
         incomplete(
             "connections-not-accepted",
@@ -189,12 +150,7 @@ fn answers() -> Vec<Tank> {
     let roof_alone = json!({ "tank": { "roof": { "mass": "30 t" } } });
     let study = json!({ "site": { "api650": { "asce7": 2016, "site_class": "D", "s1": 0.25, "ss": 0.5 } } });
     vec![
-        incomplete(
-            "internals-unknown",
-            not,
-            (API, "internals"),
-            vec![only_api(), silent("internals")],
-        ),
+        incomplete("internals-unknown", not, (API, "internals"), vec![only_api(), silent("internals")]),
         incomplete(
             "internals-present",
             "their loads are not computed",
@@ -207,12 +163,7 @@ fn answers() -> Vec<Tank> {
             (API, "adjacent_structures"),
             vec![only_api(), silent("adjacent_structures")],
         ),
-        incomplete(
-            "snow-unknown-api",
-            not,
-            (API, "snow"),
-            vec![only_api(), roof_alone.clone()],
-        ),
+        incomplete("snow-unknown-api", not, (API, "snow"), vec![only_api(), roof_alone.clone()]),
         incomplete("snow-unknown-ec8", not, (EC8, "snow"), vec![only_ec8(), roof_alone]),
         incomplete(
             "soft-site-without-study",
@@ -236,11 +187,7 @@ fn answers() -> Vec<Tank> {
             "peat",
             "80 m/s",
             (EC8, "soil_structure_interaction"),
-            vec![
-                only_ec8(),
-                soft,
-                foundation(json!({ "kind": "soil", "shear_wave_velocity": "80 m/s" })),
-            ],
+            vec![only_ec8(), soft, foundation(json!({ "kind": "soil", "shear_wave_velocity": "80 m/s" }))],
         ),
         fails(
             "wave-along-the-breadth",
@@ -262,30 +209,10 @@ fn materials() -> Vec<Tank> {
     let doubtful = || material(json!({ "youngs_modulus": "200 GPa", "density": "7800 kg/m3" }));
     let unknown = "200 GPa and 7800 kg/m³ are those of carbon steel and of duplex steel";
     vec![
-        incomplete(
-            "polymer-under-eurocode",
-            open,
-            (EC8, "wall_material"),
-            vec![only_ec8(), polymer()],
-        ),
-        incomplete(
-            "polymer-under-api",
-            open,
-            (API, "wall_material"),
-            vec![only_api(), polymer()],
-        ),
-        incomplete(
-            "doubtful-steel-ec8",
-            unknown,
-            (EC8, "wall_material"),
-            vec![only_ec8(), doubtful()],
-        ),
-        incomplete(
-            "doubtful-steel-api",
-            unknown,
-            (API, "wall_material"),
-            vec![only_api(), doubtful()],
-        ),
+        incomplete("polymer-under-eurocode", open, (EC8, "wall_material"), vec![only_ec8(), polymer()]),
+        incomplete("polymer-under-api", open, (API, "wall_material"), vec![only_api(), polymer()]),
+        incomplete("doubtful-steel-ec8", unknown, (EC8, "wall_material"), vec![only_ec8(), doubtful()]),
+        incomplete("doubtful-steel-api", unknown, (API, "wall_material"), vec![only_api(), doubtful()]),
         Tank::new(
             "grade-of-another-family",
             "A240 304L is stainless steel",
@@ -312,12 +239,7 @@ pub(super) fn sound_tanks() -> Vec<Tank> {
             API,
             vec![only_api(), removed.clone(), stainless.clone()],
         ),
-        sound(
-            "sound-stainless-ec8",
-            "f_y = 170 MPa",
-            EC8,
-            vec![only_ec8(), removed, stainless],
-        ),
+        sound("sound-stainless-ec8", "f_y = 170 MPa", EC8, vec![only_ec8(), removed, stainless]),
         sound(
             "sound-doubtful-steel-named",
             "the family is given",
@@ -359,12 +281,7 @@ pub(super) fn sound_tanks() -> Vec<Tank> {
             ],
         )
         .open(&["shell_support", "connections"]),
-        sound(
-            "sound-six-anchors",
-            "six anchors on 9.4 m of wall",
-            EC8,
-            vec![ec8(0.3), post(), count(6)],
-        ),
+        sound("sound-six-anchors", "six anchors on 9.4 m of wall", EC8, vec![ec8(0.3), post(), count(6)]),
         sound(
             "sound-firm-clay",
             "150 m/s on ground type D",

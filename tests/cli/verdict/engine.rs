@@ -38,10 +38,7 @@ fn strong_site() -> Value {
 
 /// All gaps of the base tank but that of the records.
 fn without_records() -> Value {
-    let others = ACCEPTED
-        .iter()
-        .chain(&OF_CODES)
-        .filter(|check| **check != "ground_motion");
+    let others = ACCEPTED.iter().chain(&OF_CODES).filter(|check| **check != "ground_motion");
     json!({ "accepted": others.map(|check| gap(check)).collect::<Vec<_>>() })
 }
 
@@ -57,10 +54,7 @@ pub(super) fn tank(
 
 /// Tanks that must not hold.
 pub(super) fn failing() -> Vec<Tank> {
-    [walls(), base(), gaps(), plates::failing(), engine_bearing::failing()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [walls(), base(), gaps(), plates::failing(), engine_bearing::failing()].into_iter().flatten().collect()
 }
 
 fn walls() -> Vec<Tank> {
@@ -100,12 +94,7 @@ fn walls() -> Vec<Tank> {
 
 fn base() -> Vec<Tank> {
     vec![
-        tank(
-            "engine-freeboard",
-            "filled to the brim",
-            (Fails, "freeboard"),
-            vec![filled(10.0)],
-        ),
+        tank("engine-freeboard", "filled to the brim", (Fails, "freeboard"), vec![filled(10.0)]),
         tank(
             "engine-sliding",
             "5 m/s² on a liquid that moves with it by half, friction 0.1",
@@ -123,10 +112,7 @@ fn base() -> Vec<Tank> {
             "engine-five-anchors",
             "five anchors at which the earthquake pulls: six are needed, and one every 12.6 m is too few",
             (Fails, "anchor_spacing"),
-            vec![
-                only_ec8(),
-                json!({ "tank": { "anchors": { "count": 5, "capacity": "90 MN" } } }),
-            ],
+            vec![only_ec8(), json!({ "tank": { "anchors": { "count": 5, "capacity": "90 MN" } } })],
         )
         .run(1.5),
         tank(
@@ -168,10 +154,7 @@ fn gaps() -> Vec<Tank> {
             "engine-unanchored-pulls",
             "the tank lifts, and bending at the joint of the bottom plate is not given",
             (Incomplete, "equivalent_stress_at_base"),
-            vec![
-                unanchored(),
-                accept(&["uplift_tension", "hoop_yield", "hoop_stress", "shell_compression"]),
-            ],
+            vec![unanchored(), accept(&["uplift_tension", "hoop_yield", "hoop_stress", "shell_compression"])],
         )
         .run(1.5),
         tank(
@@ -239,11 +222,7 @@ fn gaps() -> Vec<Tank> {
             "engine-plate-of-a-lifted-wall",
             "the run gives the rotation of the joint, not membrane stress and lifted width of the plate",
             (Incomplete, "uplift"),
-            vec![
-                only_ec8(),
-                unanchored(),
-                accept(&["uplift_tension", "equivalent_stress_at_base"]),
-            ],
+            vec![only_ec8(), unanchored(), accept(&["uplift_tension", "equivalent_stress_at_base"])],
         )
         .open(&["uplift"])
         .run(1.5),
@@ -263,27 +242,15 @@ fn gaps() -> Vec<Tank> {
             "engine-annular-weld-unknown",
             "an annular plate of 12 mm is butt-welded, and nothing is said of its weld",
             (Incomplete, "annular_weld"),
-            vec![
-                only_api(),
-                unanchored(),
-                json!({ "tank": { "bottom": { "thickness": "12 mm" } } }),
-            ],
+            vec![only_api(), unanchored(), json!({ "tank": { "bottom": { "thickness": "12 mm" } } })],
         ),
-        tank(
-            "engine-friction-missing",
-            "no friction is given",
-            (Incomplete, "sliding"),
-            vec![only_ec8()],
-        )
-        .open(&["sliding"]),
+        tank("engine-friction-missing", "no friction is given", (Incomplete, "sliding"), vec![only_ec8()])
+            .open(&["sliding"]),
         tank(
             "engine-yield-missing",
             "no yield strength is given",
             (Incomplete, ANY),
-            vec![
-                only_ec8(),
-                json!({ "materials": { "steel": { "yield_strength": null } } }),
-            ],
+            vec![only_ec8(), json!({ "materials": { "steel": { "yield_strength": null } } })],
         ),
         tank(
             "engine-concrete",
@@ -315,13 +282,7 @@ fn gaps() -> Vec<Tank> {
 pub(super) fn sound() -> Vec<Tank> {
     let mut all = vec![
         tank("engine-sound", "the base tank", (Holds, ANY), vec![]),
-        tank(
-            "engine-sound-ec8",
-            "one code, stronger motion",
-            (Holds, ANY),
-            vec![only_ec8()],
-        )
-        .run(0.5),
+        tank("engine-sound-ec8", "one code, stronger motion", (Holds, ANY), vec![only_ec8()]).run(0.5),
         tank("engine-sound-api", "one code", (Holds, ANY), vec![only_api()]),
         tank(
             "engine-sound-unanchored",
@@ -375,20 +336,13 @@ fn at_rest_the_demands_are_closed_forms() {
     let weight = |z: f64| 7850.0 * g * (10.0 - z);
     let close = |check: &str, expected: f64, tolerance: f64| {
         let demand = found(&results, "fe", check).demand.expect("a comparison");
-        assert!(
-            (demand / expected - 1.0).abs() < tolerance,
-            "{check}: {demand} {expected}"
-        );
+        assert!((demand / expected - 1.0).abs() < tolerance, "{check}: {demand} {expected}");
     };
     close("buckling_elastic_plastic", weight(0.0), 5e-3);
     let pressure = gamma * h * (1.0 - 1.0 / (beta * h)) + nu * weight(0.0) * t / r;
     let moment = pressure * r * t / (12.0 * (1.0 - nu * nu)).sqrt();
     let meridional = 6.0 * moment / (t * t) + weight(0.0);
-    close(
-        "equivalent_stress_at_base",
-        meridional * (1.0 - nu + nu * nu).sqrt(),
-        1.5e-2,
-    );
+    close("equivalent_stress_at_base", meridional * (1.0 - nu + nu * nu).sqrt(), 1.5e-2);
     let hoop = |z: f64| {
         let edge = (-beta * z).exp() * (h * (beta * z).cos() + (h - 1.0 / beta) * (beta * z).sin());
         let held = (-beta * z).exp() * ((beta * z).cos() + (beta * z).sin());
@@ -417,10 +371,7 @@ fn slow_motion_gives_closed_forms() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let friction = json!({ "site": { "ec8": { "friction": 0.4 } } });
     let tank = tank("slow", "", (Holds, ANY), vec![only_ec8(), wall(&[8.0; 4]), friction]).run(0.4);
-    let tank = Tank {
-        motion: (4000, |k| 0.5 * (1.0 - (k * std::f64::consts::TAU / 4000.0).cos())),
-        ..tank
-    };
+    let tank = Tank { motion: (4000, |k| 0.5 * (1.0 - (k * std::f64::consts::TAU / 4000.0).cos())), ..tank };
     let results = tank.results(home.path()).expect("the input is good");
     let (t, r, h, g, nu, a) = (0.008_f64, 10.0_f64, 8.5_f64, 9.80665_f64, 0.3_f64, 0.4_f64);
     let pi = std::f64::consts::PI;
@@ -454,25 +405,11 @@ fn slow_motion_gives_closed_forms() {
 fn agrees(engines: &'static [EngineId], beside: &str) {
     let home = tempfile::tempdir().expect("a temporary folder");
     let tank = tank("agreement", "", (Holds, ANY), vec![only_ec8()]).run(1.0);
-    let results = Tank { engines, ..tank }
-        .results(home.path())
-        .expect("the input is good");
-    for check in [
-        "hoop_yield",
-        "equivalent_stress",
-        "buckling_elastic",
-        "buckling_elastic_plastic",
-    ] {
+    let results = Tank { engines, ..tank }.results(home.path()).expect("the input is good");
+    for check in ["hoop_yield", "equivalent_stress", "buckling_elastic", "buckling_elastic_plastic"] {
         let [own, other] = ["fe", beside].map(|id| found(&results, id, check));
-        let ratio = other
-            .utilisation
-            .zip(own.utilisation)
-            .map(|(a, b)| a / b)
-            .expect("comparisons");
-        assert!(
-            (ratio - 1.0).abs() < 0.1,
-            "{beside} {check}: {ratio}, {own:?} {other:?}"
-        );
+        let ratio = other.utilisation.zip(own.utilisation).map(|(a, b)| a / b).expect("comparisons");
+        assert!((ratio - 1.0).abs() < 0.1, "{beside} {check}: {ratio}, {own:?} {other:?}");
     }
     let [own, other] = ["fe", beside].map(|id| found(&results, id, "freeboard").demand.expect("a comparison"));
     assert!((other / own - 1.0).abs() < 0.15, "{beside}: {other} {own}");

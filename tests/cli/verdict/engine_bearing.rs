@@ -73,10 +73,7 @@ pub(super) fn sound() -> Vec<Tank> {
 fn slow_motion_presses_by_a_closed_form() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let tank = tank("slow-bearing", "", (Holds, ANY), vec![ground(200.0), wall(&[8.0; 4])]).run(0.4);
-    let tank = Tank {
-        motion: (4000, |k| 0.5 * (1.0 - (k * std::f64::consts::TAU / 4000.0).cos())),
-        ..tank
-    };
+    let tank = Tank { motion: (4000, |k| 0.5 * (1.0 - (k * std::f64::consts::TAU / 4000.0).cos())), ..tank };
     let results = tank.results(home.path()).expect("the input is good");
     let fe = results.methods.iter().find(|m| m.id == "fe").expect("a run");
     let check = fe.checks.iter().find(|c| c.id == "bearing").expect("a check");

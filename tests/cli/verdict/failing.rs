@@ -83,10 +83,7 @@ fn api_walls() -> Vec<Tank> {
             "hoop-soft-plate",
             "allowed 1.333 x 40 MPa = 53.3 MPa, static 59.6 MPa",
             hoop,
-            vec![
-                only_api(),
-                json!({ "materials": { "steel": { "allowable_stress": "40 MPa" } } }),
-            ],
+            vec![only_api(), json!({ "materials": { "steel": { "allowable_stress": "40 MPa" } } })],
         ),
         fails(
             "compression-heavy-roof",
@@ -104,11 +101,7 @@ fn api_walls() -> Vec<Tank> {
             "anchor-spacing",
             "π 20 m/16 = 3.93 m, allowed 3 m",
             (API, "anchor_spacing"),
-            vec![
-                only_api(),
-                anchors(9000.0),
-                json!({ "tank": { "anchors": { "count": 16 } } }),
-            ],
+            vec![only_api(), anchors(9000.0), json!({ "tank": { "anchors": { "count": 16 } } })],
         ),
         incomplete(
             "concrete-under-api",
@@ -137,11 +130,7 @@ fn api_base() -> Vec<Tank> {
             "anchors-design-pressure",
             "P D/4 = 90 kN/m, every 1.57 m: 141 kN less 14 kN of weight > 100 kN",
             (API, "anchor_tension"),
-            vec![
-                only_api(),
-                anchors(100.0),
-                json!({ "site": { "api650": { "design_pressure": "18 kPa" } } }),
-            ],
+            vec![only_api(), anchors(100.0), json!({ "site": { "api650": { "design_pressure": "18 kPa" } } })],
         ),
         fails(
             "not-self-anchored",
@@ -172,12 +161,7 @@ fn api_base() -> Vec<Tank> {
             freeboard,
             vec![api(1.0, 0.6), filled(9.8), anchors(9000.0)],
         ),
-        fails(
-            "brim-api",
-            "no freeboard at all in seismic use group III",
-            freeboard,
-            vec![only_api(), filled(10.0)],
-        ),
+        fails("brim-api", "no freeboard at all in seismic use group III", freeboard, vec![only_api(), filled(10.0)]),
     ]
 }
 
@@ -195,10 +179,7 @@ fn api_missing() -> Vec<Tank> {
             "yield-strength-missing-api",
             "no yield strength",
             (API, "hoop_stress"),
-            vec![
-                only_api(),
-                json!({ "materials": { "steel": { "yield_strength": null } } }),
-            ],
+            vec![only_api(), json!({ "materials": { "steel": { "yield_strength": null } } })],
         ),
         incomplete(
             "anchors-missing-api",
@@ -222,12 +203,7 @@ fn api_missing() -> Vec<Tank> {
             "bottom-plate-of-unknown-strength",
             "J needs its yield strength",
             (API, "anchorage_ratio"),
-            vec![
-                only_api(),
-                unanchored(),
-                plain,
-                json!({ "tank": { "bottom": { "material": "plate" } } }),
-            ],
+            vec![only_api(), unanchored(), plain, json!({ "tank": { "bottom": { "material": "plate" } } })],
         ),
     ]
 }
@@ -312,18 +288,8 @@ fn ec8_base() -> Vec<Tank> {
             freeboard,
             vec![ec8(0.4), filled(9.8), anchors(9000.0)],
         ),
-        fails(
-            "brim-ec8",
-            "no freeboard at all",
-            freeboard,
-            vec![only_ec8(), filled(10.0)],
-        ),
-        fails(
-            "brim-box",
-            "no freeboard at all",
-            freeboard,
-            vec![only_ec8(), concrete_box(), filled(5.0)],
-        ),
+        fails("brim-ec8", "no freeboard at all", freeboard, vec![only_ec8(), filled(10.0)]),
+        fails("brim-box", "no freeboard at all", freeboard, vec![only_ec8(), concrete_box(), filled(5.0)]),
     ]
 }
 
@@ -334,10 +300,7 @@ fn ec8_missing() -> Vec<Tank> {
             "yield-strength-missing",
             "no yield strength",
             (EC8, "hoop_yield"),
-            vec![
-                only_ec8(),
-                json!({ "materials": { "steel": { "yield_strength": null } } }),
-            ],
+            vec![only_ec8(), json!({ "materials": { "steel": { "yield_strength": null } } })],
         ),
         incomplete(
             "anchors-missing",

@@ -46,13 +46,8 @@ fn not_implemented() -> Vec<Tank> {
         api("anchor-attachment-not-accepted", "anchor_attachment").open(&["anchor_attachment"]),
         api("foundation-not-accepted", "foundation").open(&["foundation"]),
         api("piping-not-accepted", "piping").open(&["piping"]),
-        incomplete(
-            "annulus-not-accepted",
-            why,
-            (API, "annulus_width"),
-            vec![only_api(), unanchored()],
-        )
-        .open(&["annulus_width"]),
+        incomplete("annulus-not-accepted", why, (API, "annulus_width"), vec![only_api(), unanchored()])
+            .open(&["annulus_width"]),
     ]
 }
 
@@ -76,10 +71,7 @@ fn deciding() -> Vec<Tank> {
             "superseded-api-decides",
             "its two comparisons are not all that the standard requires",
             ("api650-1993", "undeclared"),
-            vec![
-                decide("api650-1993"),
-                json!({ "site": { "api650": { "zone_factor": 0.075 } } }),
-            ],
+            vec![decide("api650-1993"), json!({ "site": { "api650": { "zone_factor": 0.075 } } })],
         ),
         Tank::new(
             "engine-without-a-record",
@@ -87,12 +79,7 @@ fn deciding() -> Vec<Tank> {
             Expected::NotAssessed,
             vec![decide("fe")],
         ),
-        Tank::new(
-            "no-site",
-            "nothing shakes the tank",
-            Expected::NotAssessed,
-            vec![json!({ "site": null })],
-        ),
+        Tank::new("no-site", "nothing shakes the tank", Expected::NotAssessed, vec![json!({ "site": null })]),
         Tank::new(
             "record-only",
             "a record is an assessment of its own",
@@ -108,12 +95,7 @@ fn deciding() -> Vec<Tank> {
         )
         .shaken()
         .open(&["wall_tension_and_bending"]),
-        Tank::new(
-            "box-under-api",
-            "API 650 is for cylinders",
-            Expected::NotAssessed,
-            vec![only_api(), concrete_box()],
-        ),
+        Tank::new("box-under-api", "API 650 is for cylinders", Expected::NotAssessed, vec![only_api(), concrete_box()]),
     ]
 }
 

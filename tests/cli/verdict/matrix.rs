@@ -56,11 +56,7 @@ fn kinds(home: &Path) -> Vec<(&'static str, Case)> {
 fn covered(method: &str, state: &str) -> String {
     let tanks = [failing::tanks(), engine::failing()].concat();
     let first = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(_, m, first) if m == method && first == state);
-    let names: Vec<String> = tanks
-        .iter()
-        .filter(first)
-        .map(|tank| format!("`{}`", tank.name))
-        .collect();
+    let names: Vec<String> = tanks.iter().filter(first).map(|tank| format!("`{}`", tank.name)).collect();
     names.join(", ")
 }
 
@@ -71,11 +67,7 @@ fn page() -> String {
     for procedure in codes::ALL {
         let lists: Vec<Vec<LimitState>> = kinds.iter().map(|(_, case)| procedure.limit_states(case)).collect();
         let _ = writeln!(page, "\n## {} (`{}`)\n", procedure.label().title, procedure.id());
-        let Some(longest) = lists
-            .iter()
-            .max_by_key(|list| list.len())
-            .filter(|list| !list.is_empty())
-        else {
+        let Some(longest) = lists.iter().max_by_key(|list| list.len()).filter(|list| !list.is_empty()) else {
             page.push_str(
                 "Declares no limit states: its comparisons stand beside those of the deciding codes. Where `procedures.decide` names \
                  it, the verdict is at best `incomplete`.\n",
@@ -190,10 +182,7 @@ fn a_run_that_decides_alone_answers_its_codes() {
         ("steel unanchored", vec![unanchored()]),
         ("concrete anchored", vec![concrete()]),
         ("broad box", vec![plates::broad()]),
-        (
-            "under pressure",
-            vec![json!({ "site": { "api650": { "design_pressure": "1 kPa" } } })],
-        ),
+        ("under pressure", vec![json!({ "site": { "api650": { "design_pressure": "1 kPa" } } })]),
     ];
     let spared = [
         ("anchorage", "does not pull"),
@@ -210,16 +199,9 @@ fn a_run_that_decides_alone_answers_its_codes() {
     ];
     for (title, changes) in kinds {
         for (code, site) in [("ec8-2006", only_ec8()), ("api650-2020", only_api())] {
-            let changes = [
-                vec![decides.clone()],
-                changes.clone(),
-                vec![site, json!({ "accepted": [] })],
-            ]
-            .concat();
+            let changes = [vec![decides.clone()], changes.clone(), vec![site, json!({ "accepted": [] })]].concat();
             let tank = Tank::new(title, "", Expected::NotAssessed, changes).run(0.1);
-            let results = tank
-                .results(home.path())
-                .unwrap_or_else(|error| panic!("{title}: {error}"));
+            let results = tank.results(home.path()).unwrap_or_else(|error| panic!("{title}: {error}"));
             let run = deciding(&results).find(|m| m.id == "fe").expect("the run decides");
             let path = home.path().join("tank.json");
             let case = read_tank(&path).expect("a good tank").case;
@@ -233,13 +215,8 @@ fn a_run_that_decides_alone_answers_its_codes() {
                 let checks = run.checks.iter().filter(|c| ids.contains(&c.limit_state.as_str()));
                 let checks: Vec<_> = checks.collect();
                 assert!(!checks.is_empty(), "{title}, {code}: {} has no check", state.id);
-                for check in checks
-                    .iter()
-                    .filter(|c| c.status == tank::assessment::CheckStatus::NotApplicable)
-                {
-                    let known = spared
-                        .iter()
-                        .any(|(id, why)| *id == check.limit_state && check.reason.contains(why));
+                for check in checks.iter().filter(|c| c.status == tank::assessment::CheckStatus::NotApplicable) {
+                    let known = spared.iter().any(|(id, why)| *id == check.limit_state && check.reason.contains(why));
                     assert!(known, "{title}, {code}: {} is not asked: {}", check.id, check.reason);
                 }
             }

@@ -12,10 +12,7 @@ use tank::assessment::Requirement;
 use super::*;
 
 /// Procedures and their pages.
-const PAGES: [(&str, &str); 2] = [
-    ("ec8-2006", "docs/theory/eurocode8.md"),
-    ("api650-2020", "docs/theory/api650.md"),
-];
+const PAGES: [(&str, &str); 2] = [("ec8-2006", "docs/theory/eurocode8.md"), ("api650-2020", "docs/theory/api650.md")];
 const BEGIN: &str =
     "<!-- generated from the declared limit states: TANKCHECK_BLESS=\"reason\" cargo test --test cli verdict::open -->";
 const END: &str = "<!-- end of the generated part -->";
@@ -44,14 +41,8 @@ fn kinds() -> Vec<(&'static str, Vec<Value>)> {
         ("a wall of another material", vec![other("other")]),
         ("an unanchored box of metal", steel_box()),
         ("a vacuum", vec![tank(json!({ "pressure": { "vacuum": "0.1 kPa" } }))]),
-        (
-            "equipment within the liquid",
-            vec![tank(json!({ "internals": "present" }))],
-        ),
-        (
-            "connected structures",
-            vec![tank(json!({ "adjacent_structures": "present" }))],
-        ),
+        ("equipment within the liquid", vec![tank(json!({ "internals": "present" }))]),
+        ("connected structures", vec![tank(json!({ "adjacent_structures": "present" }))]),
         ("shear waves below 100 m/s", vec![tank(json!({ "foundation": soft }))]),
         ("a tank file without an answer", vec![bare]),
     ]
@@ -70,9 +61,7 @@ fn section(id: &str, home: &Path) -> String {
         for state in procedure.limit_states(&case) {
             match state.requirement {
                 Requirement::NotImplemented => {
-                    let row = open
-                        .entry(state.id)
-                        .or_insert((state.name.into(), state.clause, Vec::new()));
+                    let row = open.entry(state.id).or_insert((state.name.into(), state.clause, Vec::new()));
                     row.2.push(title);
                 }
                 Requirement::Missing(input) => {
@@ -115,10 +104,7 @@ fn the_pages_name_what_is_open() {
             continue;
         }
         assert_eq!(inside, wanted, "{page}: TANKCHECK_BLESS=\"reason\" writes it");
-        assert!(
-            before.trim_end().ends_with(HEADING),
-            "{page}: the part stands under {HEADING}"
-        );
+        assert!(before.trim_end().ends_with(HEADING), "{page}: the part stands under {HEADING}");
     }
 }
 
@@ -129,13 +115,7 @@ fn nothing_is_left_out_in_prose() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
         let committed = std::fs::read_to_string(&path).expect("a page");
         let (before, _, after) = parts(&committed).unwrap_or_else(|| panic!("{page}: no {BEGIN}"));
-        for words in [
-            "not implemented",
-            "not covered",
-            "not checked",
-            "not examined",
-            "is left out of the check",
-        ] {
+        for words in ["not implemented", "not covered", "not checked", "not examined", "is left out of the check"] {
             for text in [before, after] {
                 let text = text.to_lowercase();
                 let heading = HEADING.to_lowercase();

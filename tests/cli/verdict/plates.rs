@@ -7,14 +7,8 @@ use super::engine::tank;
 use super::*;
 
 /// What no engine checks of a box, accepted.
-const OPEN: &[&str] = &[
-    "wall_strength",
-    "anchorage",
-    "anchor_count",
-    "anchor_spacing",
-    "other_direction",
-    "plane_walls",
-];
+const OPEN: &[&str] =
+    &["wall_strength", "anchorage", "anchor_count", "anchor_spacing", "other_direction", "plane_walls"];
 
 /// A box of concrete, 20 m long, with walls 4 m high and 3 m of water.
 ///
@@ -61,28 +55,16 @@ pub(super) fn sound() -> Vec<Tank> {
 fn the_walls_of_a_box_are_plates_in_three_dimensions() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let run = |breadth: f64, engines: &'static [EngineId]| {
-        let tank = Tank {
-            engines,
-            ..tank(
-                "box",
-                "",
-                (Holds, ANY),
-                vec![only_ec8(), of_breadth(breadth), accept(OPEN)],
-            )
-        };
+        let tank =
+            Tank { engines, ..tank("box", "", (Holds, ANY), vec![only_ec8(), of_breadth(breadth), accept(OPEN)]) };
         tank.results(home.path())
     };
     let refused = run(5.0, &[EngineId::Harmonic]).expect_err("cantilevers");
-    assert!(
-        refused.contains("1.25 heights") && refused.contains("--fe solid"),
-        "{refused}"
-    );
+    assert!(refused.contains("1.25 heights") && refused.contains("--fe solid"), "{refused}");
     let found = run(5.0, &[EngineId::Solid]).expect("plates");
     let inside = |results: &Results| {
         let rows = &results.comparison.rows;
-        rows.iter()
-            .flat_map(|row| row.cells.iter().flatten())
-            .all(|cell| !cell.outside)
+        rows.iter().flat_map(|row| row.cells.iter().flatten()).all(|cell| !cell.outside)
     };
     assert!(inside(&found));
     let fe = found
@@ -90,13 +72,7 @@ fn the_walls_of_a_box_are_plates_in_three_dimensions() {
         .iter()
         .find(|m| m.id == "fe" && m.excitation == tank::assessment::Excitation::Record)
         .expect("a column of the finite elements");
-    let check = |id: &str| {
-        fe.checks
-            .iter()
-            .find(|c| c.limit_state == id)
-            .expect("a limit state")
-            .status
-    };
+    let check = |id: &str| fe.checks.iter().find(|c| c.limit_state == id).expect("a limit state").status;
     assert_eq!(check("plane_walls"), tank::assessment::CheckStatus::NotApplicable);
     assert!(fe.checks.iter().any(|c| c.limit_state == "freeboard" && c.compared()));
     assert!(found.runs[0].limits.iter().all(|l| l.id != "breadth_against_height"));

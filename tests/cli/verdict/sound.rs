@@ -36,19 +36,9 @@ fn steel() -> Vec<Tank> {
             EC8,
             vec![slim(), json!({ "site": { "ec8": { "ag": "0.2 g" } } })],
         ),
-        sound(
-            "sound-thick",
-            "twice the thickness",
-            API,
-            vec![wall(&[28.0, 24.0, 20.0, 20.0])],
-        ),
+        sound("sound-thick", "twice the thickness", API, vec![wall(&[28.0, 24.0, 20.0, 20.0])]),
         sound("sound-half-full", "half the pressure", EC8, vec![filled(5.0)]),
-        sound(
-            "sound-light-liquid",
-            "less pressure",
-            EC8,
-            vec![json!({ "liquid": { "density": "700 kg/m3" } })],
-        ),
+        sound("sound-light-liquid", "less pressure", EC8, vec![json!({ "liquid": { "density": "700 kg/m3" } })]),
         sound("sound-roof", "a roof of 30 t: 4.7 kN/m, 0.5 MPa", API, vec![roof(30.0)]),
         sound(
             "sound-behaviour-factor",
@@ -60,19 +50,13 @@ fn steel() -> Vec<Tank> {
             "sound-quality",
             "better fabrication raises the buckling stress",
             EC8,
-            vec![
-                only_ec8(),
-                json!({ "site": { "ec8": { "construction_quality": 2.5 } } }),
-            ],
+            vec![only_ec8(), json!({ "site": { "ec8": { "construction_quality": 2.5 } } })],
         ),
         sound(
             "sound-iterative",
             "the iterated mode shape",
             EC8,
-            vec![
-                only_ec8(),
-                json!({ "procedures": { "ec8": { "impulsive": "iterative" } } }),
-            ],
+            vec![only_ec8(), json!({ "procedures": { "ec8": { "impulsive": "iterative" } } })],
         ),
         sound(
             "sound-second-spectrum",
@@ -90,10 +74,7 @@ fn steel() -> Vec<Tank> {
             "sound-site-study",
             "site class F with its study",
             API,
-            vec![
-                only_api(),
-                json!({ "site": { "api650": { "site_class": "F", "fa": 1.2, "fv": 1.7 } } }),
-            ],
+            vec![only_api(), json!({ "site": { "api650": { "site_class": "F", "fa": 1.2, "fv": 1.7 } } })],
         ),
         sound(
             "sound-later-tables",
@@ -107,18 +88,8 @@ fn steel() -> Vec<Tank> {
 fn others() -> Vec<Tank> {
     let aluminium = json!({ "materials": { "steel": { "youngs_modulus": "69 GPa", "density": "2700 kg/m3" } } });
     vec![
-        sound(
-            "sound-aluminium",
-            "EN 1998-4 A.10 contains the modulus",
-            EC8,
-            vec![only_ec8(), aluminium],
-        ),
-        sound(
-            "sound-concrete",
-            "the wall is designed apart",
-            EC8,
-            vec![only_ec8(), concrete()],
-        ),
+        sound("sound-aluminium", "EN 1998-4 A.10 contains the modulus", EC8, vec![only_ec8(), aluminium]),
+        sound("sound-concrete", "the wall is designed apart", EC8, vec![only_ec8(), concrete()]),
         sound(
             "sound-concrete-unanchored",
             "4 MN of wall and a flat liquid do not overturn",
@@ -131,29 +102,13 @@ fn others() -> Vec<Tank> {
             EC8,
             vec![only_ec8(), concrete_box()],
         ),
-        sound(
-            "sound-box-under-both-codes",
-            "API 650 is not for boxes, Eurocode 8 is",
-            EC8,
-            vec![concrete_box()],
-        ),
+        sound("sound-box-under-both-codes", "API 650 is not for boxes, Eurocode 8 is", EC8, vec![concrete_box()]),
         sound(
             "sound-strip",
             "the wall is checked apart; 20 m of length do not overturn",
             EC8,
-            vec![
-                only_ec8(),
-                concrete_box(),
-                unanchored(),
-                json!({ "tank": { "breadth": null, "strip": true } }),
-            ],
+            vec![only_ec8(), concrete_box(), unanchored(), json!({ "tank": { "breadth": null, "strip": true } })],
         ),
-        sound(
-            "sound-under-a-record",
-            "the record is an assessment of its own",
-            API,
-            vec![],
-        )
-        .shaken(),
+        sound("sound-under-a-record", "the record is an assessment of its own", API, vec![]).shaken(),
     ]
 }

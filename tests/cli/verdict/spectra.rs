@@ -114,12 +114,7 @@ pub(super) fn failing() -> Vec<Tank> {
 pub(super) fn sound() -> Vec<Tank> {
     let tank = |name, why, method, change| Tank::new(name, why, Expected::Verdict(Holds, method, ANY), vec![change]);
     vec![
-        tank(
-            "sound-own-parameters",
-            "those of the base tank's ground",
-            EC8,
-            own(&parameters(0.1)),
-        ),
+        tank("sound-own-parameters", "those of the base tank's ground", EC8, own(&parameters(0.1))),
         tank(
             "sound-own-table",
             "a weak table",
@@ -170,12 +165,7 @@ fn input() -> Vec<Tank> {
             "site.spectrum.table[0]",
             rows(json!([["0 s", "1 kPa"], [0.5, 0.2]])),
         ),
-        refused(
-            "spectrum-of-one-row",
-            "nothing to interpolate",
-            "site.spectrum.table",
-            rows(json!([[0, 0.1]])),
-        ),
+        refused("spectrum-of-one-row", "nothing to interpolate", "site.spectrum.table", rows(json!([[0, 0.1]]))),
         refused(
             "spectrum-without-ground-acceleration",
             "the first row is that of T = 0",
@@ -188,12 +178,7 @@ fn input() -> Vec<Tank> {
             "site.spectrum.table[0]",
             rows(json!([[0, 0.1, 0.2], [0.5, 0.2]])),
         ),
-        refused(
-            "spectrum-out-of-range",
-            "20 g",
-            "site.spectrum.table[1]",
-            rows(json!([[0, 0.1], [0.5, 20]])),
-        ),
+        refused("spectrum-out-of-range", "20 g", "site.spectrum.table[1]", rows(json!([[0, 0.1], [0.5, 20]]))),
         refused(
             "spectrum-without-unit",
             "g or m/s²?",
@@ -206,12 +191,7 @@ fn input() -> Vec<Tank> {
             "site.spectrum.unit",
             json!({ "table": [[0, 0.1], [0.5, 0.2]], "unit": "kPa" }),
         ),
-        refused(
-            "spectrum-file-missing",
-            "no such file",
-            "site.spectrum.file",
-            json!({ "file": "nowhere.csv" }),
-        ),
+        refused("spectrum-file-missing", "no such file", "site.spectrum.file", json!({ "file": "nowhere.csv" })),
         refused("spectrum-corners-reversed", "T_B < T_C", "site.spectrum.tc", reversed),
         refused("spectrum-incomplete", "T_D is missing", "no td", incomplete),
         refused("spectrum-twice", "a table or parameters", "site.spectrum.ag", both),

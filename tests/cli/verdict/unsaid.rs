@@ -14,11 +14,7 @@ fn results(changes: Vec<Value>) -> Results {
 
 fn status(results: &Results, id: &str) -> (CheckStatus, Option<String>) {
     let method = results.methods.iter().find(|m| m.id == "ec8-2006").expect("the code");
-    let check = method
-        .checks
-        .iter()
-        .find(|c| c.limit_state == id)
-        .expect("the limit state");
+    let check = method.checks.iter().find(|c| c.limit_state == id).expect("the limit state");
     (check.status, check.input.clone())
 }
 
@@ -36,11 +32,7 @@ fn a_part_that_is_left_out_leaves_its_checks_open() {
     let open = [bearing(), json!({ "accepted": [] })];
     let stated = results(open.to_vec());
     assert_eq!(unstated(&stated), ["pipes"]);
-    for (part, state) in [
-        ("roof", "freeboard"),
-        ("roof", "buckling_elastic_plastic"),
-        ("foundation", "bearing"),
-    ] {
+    for (part, state) in [("roof", "freeboard"), ("roof", "buckling_elastic_plastic"), ("foundation", "bearing")] {
         assert_eq!(status(&stated, state).0, CheckStatus::Holds, "{state}");
         let left_out = results([open.to_vec(), vec![without(part)]].concat());
         assert_eq!(unstated(&left_out), [part, "pipes"]);
@@ -70,11 +62,7 @@ fn none_is_an_answer() {
     let tank = Tank::new("none", "", Expected::NotAssessed, vec![only_api(), none]);
     let api = tank.results(home.path()).expect("the input is good");
     let method = api.methods.iter().find(|m| m.id == "api650-2020").expect("the code");
-    let piping = method
-        .checks
-        .iter()
-        .find(|c| c.limit_state == "piping")
-        .expect("piping");
+    let piping = method.checks.iter().find(|c| c.limit_state == "piping").expect("piping");
     assert_eq!(piping.status, CheckStatus::NotApplicable);
 }
 
@@ -86,16 +74,8 @@ fn a_part_that_the_file_denies_is_not_said_to_be_missing() {
     let alone = json!({ "procedures": { "decide": ["fe"] } });
     let strong = json!({ "site": { "ec8": { "ag": "0.4 g" }, "api650": { "ss": 1.2, "s1": 0.4, "bearing_capacity": "300 kPa" } } });
     for (part, method, states) in [
-        (
-            "anchors",
-            "ec8-2006",
-            &["anchorage", "anchor_count", "anchor_spacing"][..],
-        ),
-        (
-            "anchors",
-            "api650-2020",
-            &["anchor_tension", "anchor_attachment", "anchor_count", "anchor_spacing"],
-        ),
+        ("anchors", "ec8-2006", &["anchorage", "anchor_count", "anchor_spacing"][..]),
+        ("anchors", "api650-2020", &["anchor_tension", "anchor_attachment", "anchor_count", "anchor_spacing"]),
         ("anchors", "fe", &["anchorage", "anchor_count", "anchor_spacing"]),
         ("foundation", "api650-2020", &["shell_support", "bearing"]),
     ] {
@@ -115,27 +95,15 @@ fn a_part_that_the_file_denies_is_not_said_to_be_missing() {
                 "{method} {state}: {}",
                 check.reason
             );
-            assert_eq!(
-                check.input.as_deref(),
-                Some(format!("tank.{part}").as_str()),
-                "{method} {state}"
-            );
+            assert_eq!(check.input.as_deref(), Some(format!("tank.{part}").as_str()), "{method} {state}");
         }
     }
     // A self-anchored shell on the ground has no concrete under it.
     let on_ground = vec![only_api(), unanchored(), of("foundation")];
     let tank = Tank::new("on-ground", "", Expected::NotAssessed, on_ground);
     let results = tank.results(home.path()).expect("the input is good");
-    let api = results
-        .methods
-        .iter()
-        .find(|m| m.id == "api650-2020")
-        .expect("the code");
-    let support = api
-        .checks
-        .iter()
-        .find(|c| c.limit_state == "shell_support")
-        .expect("a limit state");
+    let api = results.methods.iter().find(|m| m.id == "api650-2020").expect("the code");
+    let support = api.checks.iter().find(|c| c.limit_state == "shell_support").expect("a limit state");
     assert_eq!(support.status, CheckStatus::NotApplicable);
 }
 
@@ -155,10 +123,7 @@ fn other_words_are_refused() {
         change["tank"][part] = value;
         let tank = Tank::new("word", "", Expected::NotAssessed, vec![change]);
         let error = tank.results(home.path()).expect_err("no answer");
-        assert!(
-            error.contains(&format!("tank.{part}")) && error.contains("\"none\" or an object"),
-            "{error}"
-        );
+        assert!(error.contains(&format!("tank.{part}")) && error.contains("\"none\" or an object"), "{error}");
     }
 }
 
@@ -182,10 +147,5 @@ fn silence_is_named() {
     let table = home.path().join("table.csv");
     std::fs::write(&table, "tank.roof.mass,tank.roof.snow,tank.pipes\n5 t,none,\n,,none\n").expect("writable");
     let output = tankcheck(&["check", tank, "--table", table.to_str().expect("text")]);
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }

@@ -11,17 +11,11 @@ fn warnings_and_unusable_numbers_are_shown() {
     assert!(!plain.contains("unusable") && !plain.contains("<h3>Warnings</h3>"));
     let (mut results, series) = sample(Kind::Compare, TITLE);
     let fe = results.methods.iter().position(|m| m.id == "fe").expect("an engine");
-    let row = (results.comparison.rows.iter_mut())
-        .find(|r| r.quantity == "base_shear")
-        .expect("a base shear");
+    let row = (results.comparison.rows.iter_mut()).find(|r| r.quantity == "base_shear").expect("a base shear");
     row.cells[fe].as_mut().expect("a value").unusable = true;
     let run = results.runs.first_mut().expect("a run");
     run.mesh_error.insert("base_shear".into(), 0.34);
-    results.warnings = vec![
-        "record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s"
-            .to_owned()
-            .into(),
-    ];
+    results.warnings = vec!["record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s".to_owned().into()];
     let html = rendered(&results, &series).html;
     assert_eq!(html.matches("✗ unusable").count(), 1);
     assert!(html.contains("34\u{a0}%, unusable"));
@@ -61,26 +55,10 @@ fn compare_shows_its_sections_in_order() {
 fn check_leaves_out_what_it_has_not_computed() {
     let html = report(Kind::Check).html;
     let ids = sections(&html);
-    for absent in [
-        "motion",
-        "spectra",
-        "modes",
-        "histories",
-        "engine",
-        "limits",
-        "partings",
-    ] {
+    for absent in ["motion", "spectra", "modes", "histories", "engine", "limits", "partings"] {
         assert!(!ids.contains(&absent), "{absent}");
     }
-    for present in [
-        "summary",
-        "comparison",
-        "checks",
-        "tank",
-        "input",
-        "sheets",
-        "provenance",
-    ] {
+    for present in ["summary", "comparison", "checks", "tank", "input", "sheets", "provenance"] {
         assert!(ids.contains(&present), "{present}");
     }
     assert!(!html.contains("Finite elements"));
@@ -141,21 +119,14 @@ fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
 fn levels_contain_each_other() {
     let (results, series) = sample(Kind::Compare, "tank");
     let templates = report::template::Templates::new(None).expect("the built-in ones");
-    let at = |level| {
-        report::build(&results, &series, &templates, level)
-            .expect("it renders")
-            .html
-    };
+    let at = |level| report::build(&results, &series, &templates, level).expect("it renders").html;
     let [summary, standard, full] = [report::Level::Summary, report::Level::Standard, report::Level::Full].map(at);
     assert_eq!(sections(&summary), ["summary"]);
     for id in sections(&standard) {
         assert!(sections(&full).contains(&id), "{id}");
     }
     for id in ["input", "modes", "partings"] {
-        assert!(
-            !sections(&standard).contains(&id) && sections(&full).contains(&id),
-            "{id}"
-        );
+        assert!(!sections(&standard).contains(&id) && sections(&full).contains(&id), "{id}");
     }
     // Cover, and what decides.
     for text in ["TK-104-SV-001", "Harbour Storage Ltd", "Signature", "id=\"fig-sketch\""] {

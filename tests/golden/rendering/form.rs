@@ -86,10 +86,7 @@ fn the_report_stands_alone() {
     for foreign in ["src=", "href=\"http", "@import", "<script", "<link"] {
         assert!(!html.contains(foreign), "{foreign}");
     }
-    let size = html
-        .split_once(font)
-        .and_then(|(_, rest)| rest.find(')'))
-        .expect("the font ends");
+    let size = html.split_once(font).and_then(|(_, rest)| rest.find(')')).expect("the font ends");
     assert!((10_000..60_000).contains(&size), "{size} bytes of font");
     assert!(html.len() < 1_500_000, "{} bytes", html.len());
 }
@@ -114,10 +111,7 @@ fn figures_are_well_formed_described_and_have_their_data() {
                     assert!(ids.insert(id.to_owned()), "id {id} twice");
                 }
                 for looks in ["fill", "stroke", "color"] {
-                    assert!(
-                        node.attribute(looks).is_none(),
-                        "{title}: looks belong into the style sheet"
-                    );
+                    assert!(node.attribute(looks).is_none(), "{title}: looks belong into the style sheet");
                 }
             }
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{title}");
@@ -128,10 +122,7 @@ fn figures_are_well_formed_described_and_have_their_data() {
         }
         for (name, svg) in &report.figures {
             let document = roxmltree::Document::parse(svg).unwrap_or_else(|e| panic!("{name}: {e}"));
-            assert_eq!(
-                document.root_element().tag_name().namespace(),
-                Some("http://www.w3.org/2000/svg")
-            );
+            assert_eq!(document.root_element().tag_name().namespace(), Some("http://www.w3.org/2000/svg"));
         }
     }
 }
@@ -230,11 +221,7 @@ fn awkward_numbers_do_no_harm() {
 #[test]
 fn broken_fields_are_an_error_and_no_panic() {
     let (mut results, series) = sample(Kind::Solid, TITLE);
-    let fields = results
-        .runs
-        .first_mut()
-        .and_then(|fe| fe.fields.as_mut())
-        .expect("a spatial run has fields");
+    let fields = results.runs.first_mut().and_then(|fe| fe.fields.as_mut()).expect("a spatial run has fields");
     fields.modes[0].displacement.pop();
     let templates = Templates::new(None).expect("the embedded templates parse");
     let error = build(&results, &series, &templates, report::Level::Full).expect_err("a node without displacement");
@@ -273,9 +260,7 @@ fn render_writes_report_and_figures_and_says_what_is_missing() {
     assert_eq!(path, folder.path().join("report.html"));
     let written = std::fs::read_to_string(&path).expect("readable");
     assert!(written.starts_with("<!DOCTYPE html>"));
-    let count = std::fs::read_dir(folder.path().join("figures"))
-        .expect("figures")
-        .count();
+    let count = std::fs::read_dir(folder.path().join("figures")).expect("figures").count();
     assert_eq!(count, figures(&written).len());
     // Rendering again gives the same bytes.
     report::render(folder.path(), None, report::Level::Full).expect("it renders");

@@ -13,14 +13,8 @@ use crate::sample::{Kind, sample};
 /// Title of the sample.
 pub(crate) const TITLE: &str = "Broad tank of Manos and Clough, 1982";
 /// Every kind of report.
-pub(crate) const EVERY: [Kind; 6] = [
-    Kind::Compare,
-    Kind::Check,
-    Kind::Rectangle,
-    Kind::Both,
-    Kind::Solid,
-    Kind::Nonlinear,
-];
+pub(crate) const EVERY: [Kind; 6] =
+    [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Both, Kind::Solid, Kind::Nonlinear];
 
 /// The report of a sample that was changed.
 pub(crate) fn rendered(results: &Results, series: &Series) -> Report {
@@ -36,10 +30,7 @@ pub(crate) fn report(kind: Kind) -> Report {
 
 /// Ids of the sections in their order.
 pub(crate) fn sections(html: &str) -> Vec<&str> {
-    html.split("<section id=\"")
-        .skip(1)
-        .filter_map(|s| s.split('"').next())
-        .collect()
+    html.split("<section id=\"").skip(1).filter_map(|s| s.split('"').next()).collect()
 }
 
 /// The inline figures.

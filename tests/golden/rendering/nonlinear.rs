@@ -34,13 +34,9 @@ fn the_nonlinear_run_shows_what_became_of_the_wall() {
     }
     assert!(html.contains("Outer face: no crack, at rest, t = 0.00\u{a0}s."));
     assert!(html.contains("Separation: zero everywhere."));
-    for text in [
-        "First yield of a bar",
-        "0.81",
-        "14\u{202f}873",
-        "Nonlinear elements",
-        "to the end of the ground motion",
-    ] {
+    for text in
+        ["First yield of a bar", "0.81", "14\u{202f}873", "Nonlinear elements", "to the end of the ground motion"]
+    {
         assert!(html.contains(text), "{text}");
     }
     assert!(html.contains(".fig .cr.c0") && !report(Kind::Compare).html.contains(".fig .cr.c0"));
@@ -90,10 +86,7 @@ fn a_run_that_left_its_model_is_marked() {
         time: 4.321,
         theta: Some(0.0),
         height: 0.012,
-        passed: Some(Passed {
-            value: 0.03,
-            limit: 0.025,
-        }),
+        passed: Some(Passed { value: 0.03, limit: 0.025 }),
     };
     let moments = BaseMoment {
         place: "wall at θ = 0°".into(),
@@ -107,11 +100,7 @@ fn a_run_that_left_its_model_is_marked() {
     };
     let stopped = End::Left {
         time: 4.4,
-        departure: Departure {
-            kind: DepartureKind::StoredEnergy,
-            height: 3.0,
-            ..departure.clone()
-        },
+        departure: Departure { kind: DepartureKind::StoredEnergy, height: 3.0, ..departure.clone() },
     };
     for (end, words) in [
         (End::Completed, "The run left its model at t = 4.321 s"),
@@ -144,9 +133,7 @@ fn a_strip_shows_its_walls_side_by_side() {
     let (mut results, series) = sample(Kind::Nonlinear, TITLE);
     let run = results.runs[1].nonlinear.as_mut();
     let run = run.expect("a nonlinear run");
-    run.grid.columns = Columns::Walls {
-        names: vec!["left wall".into(), "right wall".into()],
-    };
+    run.grid.columns = Columns::Walls { names: vec!["left wall".into(), "right wall".into()] };
     let cells = run.grid.cells();
     for map in &mut run.maps {
         map.values.truncate(cells);
@@ -184,9 +171,7 @@ fn a_map_without_a_value_for_each_cell_is_an_error_and_no_panic() {
         let (mut results, series) = sample(Kind::Nonlinear, TITLE);
         let run = results.runs[1].nonlinear.as_mut();
         spoil(run.expect("a nonlinear run"));
-        build(&results, &series, &templates, report::Level::Full)
-            .expect_err("a fault")
-            .to_string()
+        build(&results, &series, &templates, report::Level::Full).expect_err("a fault").to_string()
     };
     assert!(spoil(&|run| run.maps[0].values.truncate(3)).contains("plastic_strain"));
     assert!(spoil(&|run| run.cracks[0].cracks[0].cell = 100_000).contains("100000"));

@@ -18,10 +18,7 @@ pub(super) fn fe_result(
 ) -> Run {
     let (r, h, wall) = (tank.shape.half_length(), liquid.fill_height, tank.wall_height());
     let mass = liquid.mass(tank.shape);
-    let label = |label: &str, text: &str| Labelled {
-        label: label.into(),
-        text: text.into(),
-    };
+    let label = |label: &str, text: &str| Labelled { label: label.into(), text: text.into() };
     let dimension = |id: &str| match id {
         "ground_acceleration" => Dimension::Acceleration,
         "ground_velocity" => Dimension::Velocity,
@@ -58,10 +55,7 @@ pub(super) fn fe_result(
         ],
         modes: modes(r, h, wall, mass, omega_c, omega_i),
         integration: vec![
-            label(
-                "integration",
-                "exact piecewise linear, modal, 40 modes and missing mass",
-            ),
+            label("integration", "exact piecewise linear, modal, 40 modes and missing mass"),
             label("damping", "modal: sloshing 0.5 %, structural 2 %"),
             label("time step", "0.01 s"),
         ],
@@ -71,30 +65,14 @@ pub(super) fn fe_result(
             ("hoop_stress".to_owned(), 0.0064),
         ]),
         mass_balance: vec![
-            Balance {
-                label: "effective masses against liquid and wall".into(),
-                error: 3.1e-10,
-            },
-            Balance {
-                label: "base shear of a rigid translation against the mass".into(),
-                error: 4.4e-12,
-            },
+            Balance { label: "effective masses against liquid and wall".into(), error: 3.1e-10 },
+            Balance { label: "base shear of a rigid translation against the mass".into(), error: 4.4e-12 },
         ],
-        energy: Some(EnergyBalance {
-            input: 412.0,
-            kinetic: 0.9,
-            elastic: 1.4,
-            damping: 409.6,
-            error: 0.000_24,
-        }),
+        energy: Some(EnergyBalance { input: 412.0, kinetic: 0.9, elastic: 1.4, damping: 409.6, error: 0.000_24 }),
         envelopes: vec![
-            envelope(
-                "pressure",
-                "Pressure on the wall",
-                Dimension::Stress,
-                &|z| 1000.0 * G * (h - z).max(0.0),
-                &|z| 7.1e3 * wet(z).sqrt(),
-            ),
+            envelope("pressure", "Pressure on the wall", Dimension::Stress, &|z| 1000.0 * G * (h - z).max(0.0), &|z| {
+                7.1e3 * wet(z).sqrt()
+            }),
             envelope(
                 "hoop_stress",
                 "Hoop stress",
@@ -109,13 +87,9 @@ pub(super) fn fe_result(
                 &|z| -2750.0 * G * (wall - z),
                 &|z| 1.7e6 * (1.0 - z / wall).powi(2),
             ),
-            envelope(
-                "bending_stress",
-                "Meridional bending stress",
-                Dimension::Stress,
-                &|z| 9.3e6 * layer(z),
-                &|z| 4.1e6 * layer(z).abs(),
-            ),
+            envelope("bending_stress", "Meridional bending stress", Dimension::Stress, &|z| 9.3e6 * layer(z), &|z| {
+                4.1e6 * layer(z).abs()
+            }),
             envelope(
                 "radial_displacement",
                 "Radial displacement",
@@ -184,10 +158,7 @@ fn modes(r: f64, h: f64, wall: f64, mass: f64, omega_c: f64, omega_i: f64) -> Ve
             shape: ModeShape {
                 wall: zs.iter().map(|z| if sloshing { 0.0 } else { bulge(*z) }).collect(),
                 z: zs.clone(),
-                surface: rs
-                    .iter()
-                    .map(|x| if sloshing { wave(x / r) } else { 0.06 * wave(x / r) })
-                    .collect(),
+                surface: rs.iter().map(|x| if sloshing { wave(x / r) } else { 0.06 * wave(x / r) }).collect(),
                 r: rs.clone(),
             },
         }

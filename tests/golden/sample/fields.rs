@@ -26,34 +26,18 @@ pub(super) fn fields(tank: &Tank, liquid: &Liquid) -> Fields {
     }
     let wall_node = |i: usize, j: usize| j * SECTORS + i % SECTORS;
     let ring_node = |i: usize, k: usize| {
-        if k == 0 {
-            first
-        } else {
-            first + 1 + (k - 1) * SECTORS + i % SECTORS
-        }
+        if k == 0 { first } else { first + 1 + (k - 1) * SECTORS + i % SECTORS }
     };
     let wall = (0..LEVELS)
         .flat_map(|j| {
-            (0..SECTORS).map(move |i| {
-                [
-                    wall_node(i, j),
-                    wall_node(i + 1, j),
-                    wall_node(i + 1, j + 1),
-                    wall_node(i, j + 1),
-                ]
-            })
+            (0..SECTORS)
+                .map(move |i| [wall_node(i, j), wall_node(i + 1, j), wall_node(i + 1, j + 1), wall_node(i, j + 1)])
         })
         .collect();
     let surface = (0..RINGS)
         .flat_map(|k| {
-            (0..SECTORS).map(move |i| {
-                [
-                    ring_node(i, k),
-                    ring_node(i, k + 1),
-                    ring_node(i + 1, k + 1),
-                    ring_node(i + 1, k),
-                ]
-            })
+            (0..SECTORS)
+                .map(move |i| [ring_node(i, k), ring_node(i, k + 1), ring_node(i + 1, k + 1), ring_node(i + 1, k)])
         })
         .collect();
     // Radial motion of the wall, rise of the surface.
@@ -95,10 +79,7 @@ pub(super) fn fields(tank: &Tank, liquid: &Liquid) -> Fields {
         dimension: Dimension::Stress,
         values: theta
             .iter()
-            .flat_map(|t| {
-                z.iter()
-                    .map(|z| size * t.cos() * (1.0 - (z / depth).min(1.0).powi(2)).sqrt())
-            })
+            .flat_map(|t| z.iter().map(|z| size * t.cos() * (1.0 - (z / depth).min(1.0).powi(2)).sqrt()))
             .collect(),
         theta: theta.clone(),
         z: z.clone(),
@@ -106,25 +87,12 @@ pub(super) fn fields(tank: &Tank, liquid: &Liquid) -> Fields {
     Fields {
         modes: vec![
             picture("sloshing mode 1, n = 1", 2.996, 1, shape(&still, &wave)),
-            picture(
-                "bulging mode 1, n = 1, m = 1",
-                202.0,
-                1,
-                shape(&bulge, &|t, r| 0.06 * wave(t, r)),
-            ),
+            picture("bulging mode 1, n = 1, m = 1", 202.0, 1, shape(&bulge, &|t, r| 0.06 * wave(t, r))),
             picture("shell mode, n = 5, m = 1", 61.0, 5, shape(&shell, &still)),
         ],
-        moments: vec![
-            moment("largest base moment", 4.31, 1.0),
-            moment("largest wave at the wall", 11.02, -1.0),
-        ],
+        moments: vec![moment("largest base moment", 4.31, 1.0), moment("largest wave at the wall", 11.02, -1.0)],
         maps: vec![
-            map(
-                "pressure",
-                "Pressure on the wall at the largest base moment",
-                4.31,
-                7.1e3,
-            ),
+            map("pressure", "Pressure on the wall at the largest base moment", 4.31, 7.1e3),
             map("hoop_stress", "Hoop stress at the largest base moment", 4.31, 9.4e6),
         ],
         nodes,

@@ -76,18 +76,11 @@ pub(super) fn methods(
 fn column(id: &str, title: &str, excitation: Excitation) -> Method {
     let found = codes::ALL.iter().find(|p| p.id() == id);
     let label = found.expect("a procedure").label();
-    Method {
-        label: label.short.into(),
-        figure_key: label.figure_key.into(),
-        ..Method::new(id, title, excitation)
-    }
+    Method { label: label.short.into(), figure_key: label.figure_key.into(), ..Method::new(id, title, excitation) }
 }
 
 fn value(quantity: Quantity, value: f64) -> Value {
-    Value {
-        value,
-        dimension: quantity.dimension(),
-    }
+    Value { value, dimension: quantity.dimension() }
 }
 
 #[allow(clippy::too_many_arguments)]
@@ -103,13 +96,7 @@ fn procedure(
 ) -> Method {
     let (r, h) = (tank.shape.half_length(), liquid.fill_height);
     let m = liquid.mass(tank.shape);
-    let clause = [
-        "Housner 1957",
-        "ENV 1998-4 B.2",
-        "EN 1998-4:2006 A.2.1.3",
-        "API 650 E.3",
-        "API 650 E.6.1",
-    ][index];
+    let clause = ["Housner 1957", "ENV 1998-4 B.2", "EN 1998-4:2006 A.2.1.3", "API 650 E.3", "API 650 E.6.1"][index];
     use Dimension::*;
     let mut s = Sheet::new();
     s.section("Geometry and mass");
@@ -129,33 +116,16 @@ fn procedure(
         "ω_c1",
         "first sloshing circular frequency",
         "√(g·λ_1/R·tanh(λ_1·H/R))",
-        &[
-            ("g", G, Acceleration),
-            ("λ_1", 1.8412, Dimensionless),
-            ("R", r, Length),
-            ("H", h, Length),
-        ],
+        &[("g", G, Acceleration), ("λ_1", 1.8412, Dimensionless), ("R", r, Length), ("H", h, Length)],
         AngularFrequency,
         clause,
     );
-    s.calc(
-        "T_c1",
-        "first sloshing period",
-        "2·π/ω_c1",
-        &[("ω_c1", omega, AngularFrequency)],
-        Time,
-        clause,
-    );
+    s.calc("T_c1", "first sloshing period", "2·π/ω_c1", &[("ω_c1", omega, AngularFrequency)], Time, clause);
     let m_c = s.calc(
         "m_c1",
         "mass of the first sloshing mode",
         "m·(2·R·tanh(λ_1·H/R))/(H·λ_1·(λ_1^2 − 1))",
-        &[
-            ("m", m, Mass),
-            ("R", r, Length),
-            ("λ_1", 1.8412, Dimensionless),
-            ("H", h, Length),
-        ],
+        &[("m", m, Mass), ("R", r, Length), ("λ_1", 1.8412, Dimensionless), ("H", h, Length)],
         Mass,
         clause,
     );
@@ -235,12 +205,7 @@ fn procedure(
             _ => true,
         })
         .enumerate()
-        .map(|(i, (q, v))| {
-            (
-                q.id().to_owned(),
-                value(*q, v * if i == 0 { 1.0 } else { factor + 0.01 * i as f64 }),
-            )
-        })
+        .map(|(i, (q, v))| (q.id().to_owned(), value(*q, v * if i == 0 { 1.0 } else { factor + 0.01 * i as f64 })))
         .collect();
     Method {
         quantities,
@@ -264,36 +229,18 @@ fn procedure(
                 clause,
                 "internal pressure at the base is credited; without it the capacity falls to 9.8 MPa",
             ),
-            Check::new(
-                "sliding",
-                "sliding on the ground",
-                factor * values[5].1,
-                0.7 * m * G * 0.4,
-                Force,
-                clause,
-                "",
-            ),
+            Check::new("sliding", "sliding on the ground", factor * values[5].1, 0.7 * m * G * 0.4, Force, clause, ""),
         ],
         profiles: vec![
-            profile("pressure_impulsive", "Impulsive pressure", factor * 5.9e3, &|x| {
-                1.0 - x * x
-            }),
+            profile("pressure_impulsive", "Impulsive pressure", factor * 5.9e3, &|x| 1.0 - x * x),
             profile("pressure_convective", "Convective pressure", factor * 1.2e3, &|x| {
                 (1.4 * x).cosh() / 1.4f64.cosh()
             }),
-            profile("pressure_dynamic", "Dynamic pressure", factor * 6.6e3, &|x| {
-                1.0 - 0.8 * x * x
-            }),
+            profile("pressure_dynamic", "Dynamic pressure", factor * 6.6e3, &|x| 1.0 - 0.8 * x * x),
             profile("hoop_stress", "Hoop stress", factor * 5.9e6, &|x| {
-                if x < 0.6 {
-                    1.0 - 0.8 * x * x
-                } else {
-                    1.6 * (1.0 - 0.8 * x * x)
-                }
+                if x < 0.6 { 1.0 - 0.8 * x * x } else { 1.6 * (1.0 - 0.8 * x * x) }
             }),
-            profile("axial_membrane_stress", "Axial membrane stress", factor * 1.6e6, &|x| {
-                (1.0 - x).powi(2)
-            }),
+            profile("axial_membrane_stress", "Axial membrane stress", factor * 1.6e6, &|x| (1.0 - x).powi(2)),
         ],
         assumptions: vec![
             "The impulsive and convective maxima are added by absolute values.".into(),
@@ -327,16 +274,9 @@ fn differences() -> Vec<Difference> {
 
 /// Two factors, 0.9 and 1.2, of a value.
 fn steps(start: f64) -> Vec<FactorStep> {
-    [
-        (Factor::SloshingPeriod, 0.9, 0.9 * start),
-        (Factor::WaveFormula, 1.2, 1.08 * start),
-    ]
-    .map(|(factor_id, factor, value)| FactorStep {
-        factor_id,
-        factor,
-        value,
-    })
-    .to_vec()
+    [(Factor::SloshingPeriod, 0.9, 0.9 * start), (Factor::WaveFormula, 1.2, 1.08 * start)]
+        .map(|(factor_id, factor, value)| FactorStep { factor_id, factor, value })
+        .to_vec()
 }
 
 /// Factors of the sample's wave by one procedure.

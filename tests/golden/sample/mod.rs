@@ -39,10 +39,7 @@ pub(crate) enum Kind {
 /// Results and series of this kind, with this title.
 pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let tank = tank(kind);
-    let liquid = Liquid {
-        density: 1000.0,
-        fill_height: if kind == Kind::Rectangle { 4.0 } else { 1.525 },
-    };
+    let liquid = Liquid { density: 1000.0, fill_height: if kind == Kind::Rectangle { 4.0 } else { 1.525 } };
     let half = tank.shape.half_length();
     let acceleration = motion();
     let k = 1.8412 / half;
@@ -53,11 +50,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let mass = liquid.mass(tank.shape);
     let with_fe = kind != Kind::Check;
 
-    let wave: Vec<f64> = slosh
-        .0
-        .iter()
-        .map(|u| 0.837 * omega_c * omega_c * u * half / G)
-        .collect();
+    let wave: Vec<f64> = slosh.0.iter().map(|u| 0.837 * omega_c * omega_c * u * half / G).collect();
     let shear: Vec<f64> = impulsive
         .1
         .iter()
@@ -65,10 +58,8 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
         .map(|(a, u)| -(0.45 * mass * a - 0.5 * mass * omega_c * omega_c * u))
         .collect();
     let moment: Vec<f64> = shear.iter().map(|v| 0.42 * liquid.fill_height * v).collect();
-    let axial: Vec<f64> = moment
-        .iter()
-        .map(|m| m / (std::f64::consts::PI * half * half * tank.courses[0].thickness))
-        .collect();
+    let axial: Vec<f64> =
+        moment.iter().map(|m| m / (std::f64::consts::PI * half * half * tank.courses[0].thickness)).collect();
     let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let values = [
         (Quantity::SloshingPeriod, std::f64::consts::TAU / omega_c),
@@ -119,10 +110,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             *engine = spatial;
         } else {
             // The second engine: everything two percent larger.
-            let at = methods
-                .iter()
-                .position(|m| m.id == "fe")
-                .expect("the sample has an engine");
+            let at = methods.iter().position(|m| m.id == "fe").expect("the sample has an engine");
             let mut method = methods[at].clone();
             method.id = EngineId::Solid.beside().into();
             method.label = EngineId::Solid.label(1).into();
@@ -130,20 +118,13 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             method.quantities.values_mut().for_each(|v| v.value *= 1.02);
             methods.insert(at + 1, method);
             for i in 0..series.ids.len() {
-                series
-                    .ids
-                    .push(format!("{}{}", EngineId::Solid.prefix(), series.ids[i]));
-                series
-                    .columns
-                    .push(series.columns[i].iter().map(|v| 1.02 * v).collect());
+                series.ids.push(format!("{}{}", EngineId::Solid.prefix(), series.ids[i]));
+                series.columns.push(series.columns[i].iter().map(|v| 1.02 * v).collect());
             }
             runs.push(spatial);
         }
     }
-    let deciding = |m: &Method| Deciding {
-        method: m.id.clone(),
-        excitation: m.excitation,
-    };
+    let deciding = |m: &Method| Deciding { method: m.id.clone(), excitation: m.excitation };
     let deciding = methods.iter().filter(|m| !m.checks.is_empty()).map(deciding).collect();
     let verdict = results::verdict(&methods, deciding, false, None);
     let results = Results {
@@ -188,11 +169,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             tank,
             liquid,
         },
-        records: if with_fe {
-            vec![record(&acceleration)]
-        } else {
-            Vec::new()
-        },
+        records: if with_fe { vec![record(&acceleration)] } else { Vec::new() },
         spectra: if with_fe { spectra(&acceleration) } else { Vec::new() },
         comparison: comparison(&methods, with_fe),
         methods,
@@ -230,11 +207,7 @@ fn tank(kind: Kind) -> Tank {
         layers: Vec::new(),
     };
     let (shape, courses) = if kind == Kind::Rectangle {
-        let shape = Shape::Rectangle {
-            length: 10.0,
-            breadth: 1.0,
-            strip: true,
-        };
+        let shape = Shape::Rectangle { length: 10.0, breadth: 1.0, strip: true };
         (shape, vec![course(4.8, 0.4, &concrete)])
     } else {
         let courses = vec![course(0.915, 0.002_03, &aluminium), course(0.915, 0.001_27, &aluminium)];
@@ -245,11 +218,7 @@ fn tank(kind: Kind) -> Tank {
         shape,
         support: Support::Anchored,
         courses,
-        roof: Roof {
-            mass: if kind == Kind::Rectangle { 0.0 } else { 35.0 },
-            height: None,
-            ..Roof::default()
-        },
+        roof: Roof { mass: if kind == Kind::Rectangle { 0.0 } else { 35.0 }, height: None, ..Roof::default() },
         bottom: None,
         wall_base: tank::WallBase::Fixed,
         foundation: None,
@@ -274,10 +243,8 @@ fn motion() -> Vec<f64> {
         .map(|i| {
             let t = i as f64 * DT;
             let envelope = (t / 2.0).min(1.0).powi(2) * (-0.16 * (t - 3.0).max(0.0)).exp();
-            let sum: f64 = sines
-                .iter()
-                .map(|(f, a, p)| a * (std::f64::consts::TAU * f * t + p + 0.4 * t.sin()).sin())
-                .sum();
+            let sum: f64 =
+                sines.iter().map(|(f, a, p)| a * (std::f64::consts::TAU * f * t + p + 0.4 * t.sin()).sin()).sum();
             envelope * sum
         })
         .collect();
@@ -319,10 +286,7 @@ fn record(acceleration: &[f64]) -> RecordSummary {
     RecordSummary {
         direction: "horizontal".into(),
         name: "elcentro".into(),
-        processing: vec![
-            "scaled to 0.5 g (factor 1.4368)".into(),
-            "time axis multiplied by 0.57735".into(),
-        ],
+        processing: vec!["scaled to 0.5 g (factor 1.4368)".into(), "time axis multiplied by 0.57735".into()],
         dt: DT,
         samples: STEPS,
         pga_as_recorded: 0.348 * G,
@@ -410,16 +374,8 @@ fn input() -> Vec<InputValue> {
         default("gravity", "9.80665 m/s2", "standard acceleration of free fall"),
         given("record.scale_to", "0.5 g"),
         given("record.time_factor", "0.57735"),
-        default(
-            "damping.sloshing",
-            "0.005",
-            "EN 1998-4:2006 2.3.3.2 (liquids other than viscous)",
-        ),
-        default(
-            "damping.impulsive",
-            "0.02",
-            "EN 1998-4:2006 2.3.3.1 (damage limitation)",
-        ),
+        default("damping.sloshing", "0.005", "EN 1998-4:2006 2.3.3.2 (liquids other than viscous)"),
+        default("damping.impulsive", "0.02", "EN 1998-4:2006 2.3.3.1 (damage limitation)"),
     ]
 }
 

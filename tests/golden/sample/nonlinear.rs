@@ -13,10 +13,7 @@ const ROWS: usize = 20;
 
 /// Adds method and series of the second engine: forces a fifth smaller because of yielding.
 pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, tank: &Tank, liquid: &Liquid) -> Run {
-    let at = methods
-        .iter()
-        .position(|m| m.id == "fe")
-        .expect("the sample has an engine");
+    let at = methods.iter().position(|m| m.id == "fe").expect("the sample has an engine");
     let mut method = methods[at].clone();
     method.id = EngineId::Nonlinear.beside().into();
     method.label = EngineId::Nonlinear.label(1).into();
@@ -35,9 +32,7 @@ pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, 
     methods.insert(at + 1, method);
     let softened = |t: f64| if t > 4.0 { 0.7 } else { 1.0 };
     for i in 0..series.ids.len() {
-        series
-            .ids
-            .push(format!("{}{}", EngineId::Nonlinear.prefix(), series.ids[i]));
+        series.ids.push(format!("{}{}", EngineId::Nonlinear.prefix(), series.ids[i]));
         let column = series.time.iter().zip(&series.columns[i]);
         series.columns.push(column.map(|(t, v)| softened(*t) * v).collect());
     }
@@ -90,20 +85,8 @@ fn events() -> Vec<Event> {
             "θ = 180°, z = 1.50 m",
             "Pressure of the displaced particle falls below zero.",
         ),
-        event(
-            EventKind::FirstYield,
-            "first yield",
-            3.94,
-            "θ = 4.5°, z = 0.02 m, outer face",
-            "",
-        ),
-        event(
-            EventKind::FirstBarYield,
-            "first yield of a bar",
-            4.02,
-            "θ = 0°, base",
-            "",
-        ),
+        event(EventKind::FirstYield, "first yield", 3.94, "θ = 4.5°, z = 0.02 m, outer face", ""),
+        event(EventKind::FirstBarYield, "first yield of a bar", 4.02, "θ = 0°, base", ""),
     ]
 }
 
@@ -116,17 +99,12 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             mirrored: true,
         },
         // Graded to the base.
-        z: (0..=ROWS)
-            .map(|j| height * (j as f64 / ROWS as f64).powf(1.3))
-            .collect(),
+        z: (0..=ROWS).map(|j| height * (j as f64 / ROWS as f64).powf(1.3)).collect(),
         surface: liquid.fill_height,
     };
     let place = |cell: usize| {
         let theta = PI * ((cell % SECTORS) as f64 + 0.5) / SECTORS as f64;
-        (
-            theta,
-            0.5 * (grid.z[cell / SECTORS] + grid.z[cell / SECTORS + 1]) / height,
-        )
+        (theta, 0.5 * (grid.z[cell / SECTORS] + grid.z[cell / SECTORS + 1]) / height)
     };
     let bend = |theta: f64, z: f64| (1.0 - 1.2 * z).max(0.0) * theta.cos().abs().powf(1.5);
     let cells = |value: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
@@ -154,11 +132,7 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
                 cracks.push(Crack {
                     cell,
                     angle: 0.6 * theta.sin() * z,
-                    width: if hoop < -0.6 {
-                        0.0
-                    } else {
-                        1.1e-3 * (size * bent - 0.35)
-                    },
+                    width: if hoop < -0.6 { 0.0 } else { 1.1e-3 * (size * bent - 0.35) },
                     largest: 1.4e-3 * (size * bent - 0.35),
                 });
             }
@@ -171,12 +145,7 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
                 });
             }
         }
-        CrackPicture {
-            title: title.into(),
-            face: face.into(),
-            time,
-            cracks,
-        }
+        CrackPicture { title: title.into(), face: face.into(), time, cracks }
     };
     let rate = |t: f64| (-(t - 5.0).powi(2) / 4.0).exp();
     let mut done = 0.0;
@@ -190,17 +159,10 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
     let of = |factor: f64| -> Vec<f64> { dissipated.iter().map(|d| factor * d).collect() };
     let swing = |t: f64| 180.0 * rate(t) * (30.0 * t).sin().powi(2);
     let with = |factor: f64, part: f64| -> Vec<f64> {
-        time.iter()
-            .zip(&dissipated)
-            .map(|(t, d)| factor * d + part * swing(*t))
-            .collect()
+        time.iter().zip(&dissipated).map(|(t, d)| factor * d + part * swing(*t)).collect()
     };
     let amplitude = |t: f64| 1.8e-2 * (t / 5.0).min(1.0) * (-0.1 * (t - 5.0).max(0.0)).exp();
-    let count = |label: &str, value: f64, dimension| Count {
-        label: label.into(),
-        value,
-        dimension,
-    };
+    let count = |label: &str, value: f64, dimension| Count { label: label.into(), value, dimension };
     Nonlinear {
         maps: vec![
             map(
@@ -236,14 +198,8 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             Loop {
                 id: "moment_curvature_theta_0".into(),
                 title: "Moment over curvature at the base, θ = 0°".into(),
-                x: LoopAxis {
-                    title: "curvature".into(),
-                    dimension: Dimension::Curvature,
-                },
-                y: LoopAxis {
-                    title: "moment".into(),
-                    dimension: Dimension::LineMoment,
-                },
+                x: LoopAxis { title: "curvature".into(), dimension: Dimension::Curvature },
+                y: LoopAxis { title: "moment".into(), dimension: Dimension::LineMoment },
                 points: time
                     .iter()
                     .map(|t| {
@@ -255,35 +211,18 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             Loop {
                 id: "shear_displacement".into(),
                 title: "Base shear over displacement of the top".into(),
-                x: LoopAxis {
-                    title: "displacement".into(),
-                    dimension: Dimension::Length,
-                },
-                y: LoopAxis {
-                    title: "base shear".into(),
-                    dimension: Dimension::Force,
-                },
+                x: LoopAxis { title: "displacement".into(), dimension: Dimension::Length },
+                y: LoopAxis { title: "base shear".into(), dimension: Dimension::Force },
                 points: time
                     .iter()
-                    .map(|t| {
-                        [
-                            0.2 * amplitude(*t) * (6.0 * t).sin(),
-                            3e6 * amplitude(*t) * (6.0 * t + 0.3).sin(),
-                        ]
-                    })
+                    .map(|t| [0.2 * amplitude(*t) * (6.0 * t).sin(), 3e6 * amplitude(*t) * (6.0 * t + 0.3).sin()])
                     .collect(),
             },
             Loop {
                 id: "still".into(),
                 title: "Nothing moves".into(),
-                x: LoopAxis {
-                    title: "curvature".into(),
-                    dimension: Dimension::Curvature,
-                },
-                y: LoopAxis {
-                    title: "moment".into(),
-                    dimension: Dimension::LineMoment,
-                },
+                x: LoopAxis { title: "curvature".into(), dimension: Dimension::Curvature },
+                y: LoopAxis { title: "moment".into(), dimension: Dimension::LineMoment },
                 points: vec![[0.0, 0.0]; 5],
             },
         ],

@@ -43,9 +43,7 @@ fn command(directory: &Path, binary: &str, arguments: &[&str], seconds: f64, mut
     let mut c = Command::new("sh");
     c.current_dir(directory)
         .arg("-c")
-        .arg(format!(
-            "ulimit -c 0; ulimit -t {seconds}; ulimit -v {MEMORY}; exec \"$0\" \"$@\""
-        ))
+        .arg(format!("ulimit -c 0; ulimit -t {seconds}; ulimit -v {MEMORY}; exec \"$0\" \"$@\""))
         .arg(binary)
         .arg("--test-threads=1")
         .args(arguments)
@@ -69,10 +67,7 @@ fn spawn(mut c: Command) -> Result<End, String> {
         _ if out.status.success() => End::Passed,
         _ => {
             let text = String::from_utf8_lossy(&out.stdout);
-            let last = text
-                .lines()
-                .filter_map(|l| l.strip_prefix("test ")?.split(" ...").next())
-                .next_back();
+            let last = text.lines().filter_map(|l| l.strip_prefix("test ")?.split(" ...").next()).next_back();
             End::Failed(last.unwrap_or_default().to_string())
         }
     })
@@ -125,11 +120,7 @@ fn measure(path: &Path, directory: &Path, binaries: &[&str], arguments: &[String
 /// Modules of a path, without the file names that do not count.
 fn modules(file: &str) -> Vec<&str> {
     let inner = file.split_once("/src/").map_or(file, |(_, rest)| rest);
-    inner
-        .trim_end_matches(".rs")
-        .split('/')
-        .filter(|part| *part != "mod" && *part != "lib")
-        .collect()
+    inner.trim_end_matches(".rs").split('/').filter(|part| *part != "mod" && *part != "lib").collect()
 }
 
 /// How many modules a test shares with the mutant's file.
@@ -164,13 +155,7 @@ fn outcome(directory: &Path, tests: &[Test], file: &str, mutant: usize) -> Resul
         let mut list = vec!["--exact"];
         list.extend(group.iter().map(|t| t.name.as_str()));
         let seconds = group.iter().map(|t| t.seconds).sum();
-        match spawn(command(
-            directory,
-            &group[0].binary,
-            &list,
-            seconds,
-            &mutant.to_string(),
-        ))? {
+        match spawn(command(directory, &group[0].binary, &list, seconds, &mutant.to_string()))? {
             End::Passed => {}
             End::Failed(test) => return Ok(("caught", test)),
             End::Timeout => return Ok(("timeout", group[0].name.clone())),
@@ -180,21 +165,14 @@ fn outcome(directory: &Path, tests: &[Test], file: &str, mutant: usize) -> Resul
 }
 
 fn append(path: &Path) -> Result<std::fs::File, String> {
-    std::fs::OpenOptions::new()
-        .create(true)
-        .append(true)
-        .open(path)
-        .map_err(|e| format!("{}: {e}", path.display()))
+    std::fs::OpenOptions::new().create(true).append(true).open(path).map_err(|e| format!("{}: {e}", path.display()))
 }
 
 fn state(path: &Path) -> Result<BTreeMap<usize, String>, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
     let value: Value = serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;
     let skipped = value["skipped"].as_object().ok_or("no `skipped` in the state")?;
-    Ok(skipped
-        .iter()
-        .filter_map(|(id, why)| Some((id.parse().ok()?, why.as_str()?.to_string())))
-        .collect())
+    Ok(skipped.iter().filter_map(|(id, why)| Some((id.parse().ok()?, why.as_str()?.to_string()))).collect())
 }
 
 /// Lines `id outcome seconds test` of a run, the last of an id counts.
@@ -245,10 +223,7 @@ pub fn report(sample: &Path, state_path: &Path, out: &Path) -> Result<(), String
     let mut table: BTreeMap<String, [usize; 6]> = BTreeMap::new();
     let mut missed = Vec::new();
     for m in &mutants {
-        let column = match (
-            skipped.get(&m.id).map(String::as_str),
-            outcomes.get(&m.id).map(String::as_str),
-        ) {
+        let column = match (skipped.get(&m.id).map(String::as_str), outcomes.get(&m.id).map(String::as_str)) {
             (Some(why), _) if why.starts_with("unviable") => 3,
             (Some(_), _) => 4,
             (_, Some("caught")) => 0,

@@ -31,12 +31,7 @@ pub struct Mutant {
 pub fn module(file: &str) -> String {
     let inner = file.split_once("/src/").map_or(file, |(_, rest)| rest);
     let inner = inner.strip_prefix("element/").unwrap_or(inner);
-    inner
-        .split('/')
-        .next()
-        .unwrap_or(inner)
-        .trim_end_matches(".rs")
-        .to_string()
+    inner.split('/').next().unwrap_or(inner).trim_end_matches(".rs").to_string()
 }
 
 pub fn read(path: &Path) -> Result<Vec<Mutant>, String> {
@@ -113,11 +108,6 @@ pub fn draw(list: &Path, size: &str, seed: &str, out: &Path) -> Result<(), Strin
     let sample: Vec<&Value> = drawn.iter().map(|(_, m)| *m).collect();
     let text = serde_json::to_string_pretty(&sample).map_err(|e| e.to_string())?;
     std::fs::write(out, text).map_err(|e| format!("{}: {e}", out.display()))?;
-    println!(
-        "{} of {} mutants, {} files, seed {seed}",
-        sample.len(),
-        all.len(),
-        files.len()
-    );
+    println!("{} of {} mutants, {} files, seed {seed}", sample.len(), all.len(), files.len());
     Ok(())
 }

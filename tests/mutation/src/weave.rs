@@ -43,15 +43,8 @@ const ROUNDS: usize = 40;
 
 /// A place in the source where switches stand: an expression with the texts that replace it, or a point where text enters.
 enum Site {
-    Expression {
-        range: Range<usize>,
-        mutants: Vec<(usize, String)>,
-    },
-    Insertion {
-        at: usize,
-        mutant: usize,
-        text: String,
-    },
+    Expression { range: Range<usize>, mutants: Vec<(usize, String)> },
+    Insertion { at: usize, mutant: usize, text: String },
 }
 
 impl Site {
@@ -71,19 +64,14 @@ struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     fn new(text: &'a str) -> Lines<'a> {
-        let starts = std::iter::once(0)
-            .chain(text.match_indices('\n').map(|(i, _)| i + 1))
-            .collect();
+        let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
         Lines { text, starts }
     }
 
     /// Line from 1, column from 0, in characters.
     fn offset(&self, line: usize, column: usize) -> usize {
         let start = self.starts[line - 1];
-        self.text[start..]
-            .char_indices()
-            .nth(column)
-            .map_or(self.text.len(), |(i, _)| start + i)
+        self.text[start..].char_indices().nth(column).map_or(self.text.len(), |(i, _)| start + i)
     }
 
     fn range(&self, span: proc_macro2::Span) -> Range<usize> {
@@ -169,21 +157,11 @@ struct Woven {
 fn weave(text: &str, mutants: &[&Mutant], skipped: &mut BTreeMap<usize, String>) -> Result<Woven, String> {
     let file = syn::parse_file(text).map_err(|e| e.to_string())?;
     let lines = Lines::new(text);
-    let mut finder = Finder {
-        lines: &lines,
-        chains: vec![],
-        guards: vec![],
-        structs: vec![],
-        arms: vec![],
-        inside: false,
-    };
+    let mut finder =
+        Finder { lines: &lines, chains: vec![], guards: vec![], structs: vec![], arms: vec![], inside: false };
     finder.visit_file(&file);
     let smallest = |ranges: &[Range<usize>], span: &Range<usize>| {
-        ranges
-            .iter()
-            .filter(|r| r.start <= span.start && span.end <= r.end)
-            .min_by_key(|r| r.len())
-            .cloned()
+        ranges.iter().filter(|r| r.start <= span.start && span.end <= r.end).min_by_key(|r| r.len()).cloned()
     };
     let mut expressions: BTreeMap<(usize, usize), Vec<(usize, String)>> = BTreeMap::new();
     let mut sites = Vec::new();
@@ -194,10 +172,7 @@ fn weave(text: &str, mutants: &[&Mutant], skipped: &mut BTreeMap<usize, String>)
                 sites.push(Site::Insertion {
                     at: span.start,
                     mutant: m.id,
-                    text: format!(
-                        "if crate::mutation_switch::on({}) {{ return {}; }} ",
-                        m.id, m.replacement
-                    ),
+                    text: format!("if crate::mutation_switch::on({}) {{ return {}; }} ", m.id, m.replacement),
                 });
                 continue;
             }
@@ -221,30 +196,17 @@ fn weave(text: &str, mutants: &[&Mutant], skipped: &mut BTreeMap<usize, String>)
             skipped.insert(m.id, "no expression to switch".into());
             continue;
         };
-        let mutated = format!(
-            "{}{}{}",
-            &text[around.start..span.start],
-            m.replacement,
-            &text[span.end..around.end]
-        );
-        expressions
-            .entry((around.start, around.end))
-            .or_default()
-            .push((m.id, mutated));
+        let mutated = format!("{}{}{}", &text[around.start..span.start], m.replacement, &text[span.end..around.end]);
+        expressions.entry((around.start, around.end)).or_default().push((m.id, mutated));
     }
-    sites.extend(expressions.into_iter().map(|((start, end), mutants)| Site::Expression {
-        range: start..end,
-        mutants,
-    }));
+    sites
+        .extend(expressions.into_iter().map(|((start, end), mutants)| Site::Expression { range: start..end, mutants }));
     // Outer sites before inner ones; insertions before expressions that begin at the same place.
     sites.sort_by_key(|s| match s {
         Site::Insertion { at, .. } => (*at, 0, 0),
         Site::Expression { range, .. } => (range.start, 1, usize::MAX - range.len()),
     });
-    let mut woven = Woven {
-        text: String::with_capacity(2 * text.len()),
-        regions: vec![],
-    };
+    let mut woven = Woven { text: String::with_capacity(2 * text.len()), regions: vec![] };
     let mut rest = &sites[..];
     write(text, 0..text.len(), &mut rest, &mut woven);
     Ok(woven)
@@ -261,11 +223,7 @@ fn write(text: &str, range: Range<usize>, sites: &mut &[Site], out: &mut Woven) 
         out.text.push_str(&text[at..site.start()]);
         let begin = out.text.len();
         match site {
-            Site::Insertion {
-                at: point,
-                mutant,
-                text,
-            } => {
+            Site::Insertion { at: point, mutant, text } => {
                 out.text.push_str(text);
                 out.regions.push((begin..out.text.len(), vec![*mutant]));
                 at = *point;
@@ -274,9 +232,7 @@ fn write(text: &str, range: Range<usize>, sites: &mut &[Site], out: &mut Woven) 
                 out.text.push('(');
                 for (mutant, mutated) in mutants {
                     let from = out.text.len();
-                    out.text.push_str(&format!(
-                        "if crate::mutation_switch::on({mutant}) {{ {mutated} }} else "
-                    ));
+                    out.text.push_str(&format!("if crate::mutation_switch::on({mutant}) {{ {mutated} }} else "));
                     out.regions.push((from..out.text.len(), vec![*mutant]));
                 }
                 out.text.push_str("{ ");
@@ -312,10 +268,7 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
         let around = |span: &Value| {
             let file = span["file_name"].as_str()?;
             let (_, w) = woven.iter().find(|(f, _)| file.ends_with(f.as_str()))?;
-            let (start, end) = (
-                span["byte_start"].as_u64()? as usize,
-                span["byte_end"].as_u64()? as usize,
-            );
+            let (start, end) = (span["byte_start"].as_u64()? as usize, span["byte_end"].as_u64()? as usize);
             w.regions
                 .iter()
                 .filter(|(r, _)| r.start <= start && end <= r.end)
@@ -340,10 +293,7 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
                 let file = span["file_name"].as_str()?;
                 let (_, w) = woven.iter().find(|(f, _)| file.ends_with(f.as_str()))?;
                 let at = span["byte_start"].as_u64()? as usize;
-                w.regions
-                    .iter()
-                    .min_by_key(|(r, _)| r.start.abs_diff(at))
-                    .map(|(_, m)| m)
+                w.regions.iter().min_by_key(|(r, _)| r.start.abs_diff(at)).map(|(_, m)| m)
             });
             for m in next.into_iter().flatten() {
                 found.entry(*m).or_insert_with(|| format!("not switchable: {text}"));
@@ -377,10 +327,8 @@ pub fn build(root: &Path, sample: &Path, state: &Path, cargo: &[String]) -> Resu
     for round in 1..=ROUNDS {
         let mut woven = BTreeMap::new();
         for (file, text) in &original {
-            let own: Vec<&Mutant> = mutants
-                .iter()
-                .filter(|m| m.file == *file && !skipped.contains_key(&m.id))
-                .collect();
+            let own: Vec<&Mutant> =
+                mutants.iter().filter(|m| m.file == *file && !skipped.contains_key(&m.id)).collect();
             let w = weave(text, &own, &mut skipped).map_err(|e| format!("{file}: {e}"))?;
             woven.insert((*file).to_string(), w);
         }
@@ -403,11 +351,7 @@ pub fn build(root: &Path, sample: &Path, state: &Path, cargo: &[String]) -> Resu
         let checked = compile("test", &["--no-run"])?;
         let text = String::from_utf8_lossy(&checked.stdout);
         let (found, elsewhere) = blamed(&text, &woven);
-        println!(
-            "round {round}: {} mutants in, {} taken out",
-            mutants.len() - skipped.len(),
-            found.len()
-        );
+        println!("round {round}: {} mutants in, {} taken out", mutants.len() - skipped.len(), found.len());
         if checked.status.success() {
             return finish(state, &skipped, &text);
         }

@@ -77,24 +77,11 @@ fn acceleration_lines(
     line(sheet, "S_DS", "design acceleration, short periods [g]", "Q·F_a·S_s", E4);
     line(sheet, "S_D1", "design acceleration, one second [g]", "Q·F_v·S_1", E4);
     let soft = matches!(site.site_class, SiteClass::E | SiteClass::F);
-    let plateau = if site.s0.is_some() {
-        "max(S_DS, 2.5·Q·F_a·S_0)·I/R_wi"
-    } else {
-        "S_DS·I/R_wi"
-    };
+    let plateau = if site.s0.is_some() { "max(S_DS, 2.5·Q·F_a·S_0)·I/R_wi" } else { "S_DS·I/R_wi" };
     let floor = if soft { ", 0.5·S_1·I/R_wi, 0.007)" } else { ", 0.007)" };
-    let a_i = line(
-        sheet,
-        "A_i",
-        "impulsive acceleration [g]",
-        &format!("max({plateau}{floor}"),
-        E4_6,
-    );
-    let formula = if t_c <= spectrum.t_l {
-        "min(K·S_D1/T_c·I/R_wc, A_i)"
-    } else {
-        "min(K·S_D1·T_L/T_c²·I/R_wc, A_i)"
-    };
+    let a_i = line(sheet, "A_i", "impulsive acceleration [g]", &format!("max({plateau}{floor}"), E4_6);
+    let formula =
+        if t_c <= spectrum.t_l { "min(K·S_D1/T_c·I/R_wc, A_i)" } else { "min(K·S_D1·T_L/T_c²·I/R_wc, A_i)" };
     let a_c = line(sheet, "A_c", "convective acceleration [g]", formula, E4_6);
     let a_v = match site.av {
         Some(a_v) => {
@@ -109,13 +96,7 @@ fn acceleration_lines(
         (_, true, _) => "K·S_D1·I/T_c",
         (_, false, _) => "K·S_D1·I·4 s/T_c²",
     };
-    let a_f = line(
-        sheet,
-        "A_f",
-        "acceleration of the sloshing wave, not reduced [g]",
-        formula,
-        E7_2,
-    );
+    let a_f = line(sheet, "A_f", "acceleration of the sloshing wave, not reduced [g]", formula, E7_2);
     Ok(Accelerations { a_i, a_c, a_v, a_f })
 }
 
@@ -128,46 +109,17 @@ fn site_lines(
 ) -> Result<Vec<Term<'static>>, CodeError> {
     let table = match (site.fa, site.fv) {
         (Some(_), Some(_)) => "site study".to_string(),
-        _ => format!(
-            "ASCE 7-{:02} table 11.4, site class {:?}",
-            site.asce7 % 100,
-            site.site_class
-        ),
+        _ => format!("ASCE 7-{:02} table 11.4, site class {:?}", site.asce7 % 100, site.site_class),
     };
     let mut terms = Vec::new();
     for (symbol, name, value, source) in [
-        (
-            "S_s",
-            "mapped acceleration at short periods [g]",
-            site.ss,
-            "site.api650.ss",
-        ),
-        (
-            "S_1",
-            "mapped acceleration at one second [g]",
-            site.s1,
-            "site.api650.s1",
-        ),
-        (
-            "Q",
-            "scaling from the mapped to the design level",
-            site.q,
-            "API 650:2020 E.4.6.1",
-        ),
+        ("S_s", "mapped acceleration at short periods [g]", site.ss, "site.api650.ss"),
+        ("S_1", "mapped acceleration at one second [g]", site.s1, "site.api650.s1"),
+        ("Q", "scaling from the mapped to the design level", site.q, "API 650:2020 E.4.6.1"),
         ("F_a", "site coefficient", spectrum.f_a, table.as_str()),
         ("F_v", "site coefficient", spectrum.f_v, table.as_str()),
-        (
-            "I",
-            "importance factor of the seismic use group",
-            importance(site.sug)?,
-            E5,
-        ),
-        (
-            "R_wi",
-            "response modification, impulsive",
-            response_modification(anchored),
-            E5,
-        ),
+        ("I", "importance factor of the seismic use group", importance(site.sug)?, E5),
+        ("R_wi", "response modification, impulsive", response_modification(anchored), E5),
         ("R_wc", "response modification, convective", R_WC, E5),
         ("K", "factor from 5 % to 0.5 % damping", K, E4_6),
     ] {
@@ -219,11 +171,7 @@ impl Run<'_> {
         let terms = [("K_s", k_s, Dimensionless), ("D", d, Length)];
         let name = "period of the first sloshing mode (D in m)";
         let t_c = sheet.calc("T_c", name, PERIOD, &terms, Time, E4_5_2);
-        Periods {
-            impulsive,
-            convective: t_c,
-            thickness: t_u,
-        }
+        Periods { impulsive, convective: t_c, thickness: t_u }
     }
 
     /// Accelerations with their lines.
@@ -245,11 +193,7 @@ impl Run<'_> {
         let r_wi = response_modification(anchored);
         self.out.assumptions.push(format!(
             "Design spectrum of ASCE 7 at 5 % damping; forces reduced by R_wi = {r_wi} ({} tank) and R_wc = {R_WC}.",
-            if anchored {
-                "mechanically anchored"
-            } else {
-                "self-anchored"
-            }
+            if anchored { "mechanically anchored" } else { "self-anchored" }
         ));
         if let Some(s0) = site.s0.filter(|s0| (s0 / (0.4 * site.ss) - 1.0).abs() > 0.01) {
             self.out.notes.push(format!(
@@ -271,25 +215,16 @@ impl Run<'_> {
         let case = self.basis.case;
         // `applies` has asked before.
         let Some(motion) = &case.ground_motion else {
-            return Err(CodeError::Data {
-                clause: E4_6.into(),
-                reason: "no record given".into(),
-            });
+            return Err(CodeError::Data { clause: E4_6.into(), reason: "no record given".into() });
         };
         let (record, damping, g) = (&motion.horizontal, case.damping, case.gravity);
         let percent = |ratio: f64| format!("{} % damping", crate::sheet::number(100.0 * ratio));
         let source = format!("API 650:2020 E.4.6.2 (R_w = 1, I = 1), spectrum of `{}`", record.name);
         let (impulsive, name) = match periods.impulsive {
-            Some(t_i) => (
-                psa(record, t_i, damping.impulsive),
-                "spectral acceleration at T_i".to_string(),
-            ),
+            Some(t_i) => (psa(record, t_i, damping.impulsive), "spectral acceleration at T_i".to_string()),
             None => {
                 let (at, psa) = plateau(record, damping.impulsive);
-                (
-                    psa,
-                    format!("largest spectral acceleration of the impulsive range, at T = {at:.3} s"),
-                )
+                (psa, format!("largest spectral acceleration of the impulsive range, at T = {at:.3} s"))
             }
         };
         let convective = psa(record, periods.convective, damping.sloshing);
@@ -297,10 +232,7 @@ impl Run<'_> {
         let spectrum = "spectrum of the record over g";
         let name = format!("impulsive acceleration: {name}, {} [g]", percent(damping.impulsive));
         let a_i = sheet.look_up("A_i", &name, spectrum, impulsive / g, Dimensionless, &source);
-        let name = format!(
-            "convective acceleration: spectral acceleration at T_c, {} [g]",
-            percent(damping.sloshing)
-        );
+        let name = format!("convective acceleration: spectral acceleration at T_c, {} [g]", percent(damping.sloshing));
         let a_c = sheet.look_up("A_c", &name, spectrum, convective / g, Dimensionless, &source);
         let a_v = match &motion.vertical {
             Some(vertical) => {

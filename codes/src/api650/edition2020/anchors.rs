@@ -49,30 +49,18 @@ impl Run<'_> {
                 return self.missing(limit_states::CONNECTIONS.id, input);
             }
         };
-        let terms = [
-            ("w_AB", w_ab, LineForce),
-            ("D", self.basis.d, Length),
-            ("n_A", f64::from(anchors.count), Dimensionless),
-        ];
+        let terms =
+            [("w_AB", w_ab, LineForce), ("D", self.basis.d, Length), ("n_A", f64::from(anchors.count), Dimensionless)];
         let (name, formula) = ("design force of an attachment, 3 P_AB", "3·w_AB·π·D/n_A");
         let mut force = self.sheet.calc("P_3", name, formula, &terms, Force, E6_2_1_2);
         let mut name = "Attachment of an anchor, 3 P_AB";
         let mut note = "or the anchor's yield force as built, where that is less";
         if let Some(yields) = anchors.yield_force {
-            self.sheet.input(
-                "P_y",
-                "yield force of an anchor",
-                yields,
-                Force,
-                "tank.anchors.yield_force",
-            );
+            self.sheet.input("P_y", "yield force of an anchor", yields, Force, "tank.anchors.yield_force");
             let terms = [("P_3", force, Force), ("P_y", yields, Force)];
             let title = "design force of an attachment, the lesser of both";
             force = self.sheet.calc("P_t", title, "min(P_3, P_y)", &terms, Force, E6_2_1_2);
-            (name, note) = (
-                "Attachment of an anchor",
-                "the lesser of 3 P_AB and the yield force of an anchor",
-            );
+            (name, note) = ("Attachment of an anchor", "the lesser of 3 P_AB and the yield force of an anchor");
         }
         self.check(id, name, force, capacity, Force, E6_2_1_2, note);
         self.anchor_connection(w_ab, &anchors, capacity);
@@ -88,10 +76,8 @@ impl Run<'_> {
         let (mut name, mut formula) = ("design force of a connection, 4 P_AB", "4·w_AB·π·D/n_A");
         if let Some(yields) = anchors.yield_force {
             terms.push(("P_y", yields, Force));
-            (name, formula) = (
-                "design force of a connection, 4 P_AB or the yield force of an anchor",
-                "min(4·w_AB·π·D/n_A, P_y)",
-            );
+            (name, formula) =
+                ("design force of a connection, 4 P_AB or the yield force of an anchor", "min(4·w_AB·π·D/n_A, P_y)");
         }
         let force = self.sheet.calc("P_4", name, formula, &terms, Force, E7_4);
         let name = "Connection of an anchor, 4 P_AB";
@@ -125,16 +111,11 @@ impl Run<'_> {
         let Some(anchors) = self.counted_anchors() else {
             return self.missing(id, "tank.anchors");
         };
-        let terms = [
-            ("D", self.basis.d, Length),
-            ("n_A", f64::from(anchors.count), Dimensionless),
-        ];
+        let terms = [("D", self.basis.d, Length), ("n_A", f64::from(anchors.count), Dimensionless)];
         let name = "spacing of the anchors";
         let spacing = self.sheet.calc("a_A", name, "π·D/n_A", &terms, Length, SPACING);
         let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
-        let largest = self
-            .sheet
-            .look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
+        let largest = self.sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
         let name = "Spacing of the anchors";
         self.check(id, name, spacing, largest, Length, SPACING, "");
     }

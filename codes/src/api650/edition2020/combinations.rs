@@ -16,10 +16,7 @@ impl Run<'_> {
         };
         let hold = match self.basis.anchored() {
             true => "anchors 1.0 E_h + 1.0 P − (1 − 0.4 A_v) D".to_string(),
-            false => format!(
-                "anchorage ratio 1.0 E_h against (1 − 0.4 A_v) D + w_a − {} P",
-                self.f_p()
-            ),
+            false => format!("anchorage ratio 1.0 E_h against (1 − 0.4 A_v) D + w_a − {} P", self.f_p()),
         };
         self.out.assumptions.push(format!(
             "Combinations: E_h = √(impulsive² + convective²), all of it with 0.4 of the vertical motion; hoop stress \

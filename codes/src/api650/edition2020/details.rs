@@ -61,21 +61,14 @@ impl Run<'_> {
             None => match least_leg(b.t_s) {
                 Some(leg) => {
                     let source = "the least for the thickness of the shell";
-                    self.sheet
-                        .look_up("a_w", name, source, leg, Length, "API 650:2020 5.1.5.7")
+                    self.sheet.look_up("a_w", name, source, leg, Length, "API 650:2020 5.1.5.7")
                 }
                 None => return self.missing(id, GIVEN),
             },
         };
-        let terms = [
-            ("V_max", v_max, LineForce),
-            ("a_w", leg, Length),
-            ("F_y", weakest, Stress),
-        ];
+        let terms = [("V_max", v_max, LineForce), ("a_w", leg, Length), ("F_y", weakest, Stress)];
         let name = "shear stress of the welds";
-        let tau = self
-            .sheet
-            .calc("τ_w", name, "V_max/(2·0.707·a_w)", &terms, Stress, E7_7);
+        let tau = self.sheet.calc("τ_w", name, "V_max/(2·0.707·a_w)", &terms, Stress, E7_7);
         let name = "80 % of the yield strength of the weaker plate";
         let allowed = self.sheet.calc("τ_a", name, "0.8·F_y", &terms, Stress, E7_7);
         let name = "Shear of the weld between shell and bottom";
@@ -99,13 +92,7 @@ impl Run<'_> {
         if self.excitation != Excitation::Site || self.basis.anchored() {
             return;
         }
-        let thickness = self
-            .basis
-            .case
-            .tank
-            .bottom
-            .as_ref()
-            .map_or(0.0, |plate| plate.thickness);
+        let thickness = self.basis.case.tank.bottom.as_ref().map_or(0.0, |plate| plate.thickness);
         let important = site.sug == 3 && self.short_period(site) >= STRONG;
         if !important && thickness <= BUTT_FROM {
             let reason = "seismic use group III with S_DS of at least 0.5 g, or an annular plate thicker than 10 mm, asks for it";
@@ -209,14 +196,9 @@ mod tests {
     /// 5.1.5.7: 5, 6, 8 and 10 mm up to 5, 20, 32 and 45 mm of shell (3/16, 1/4, 5/16 and 3/8 in.).
     #[test]
     fn least_legs() {
-        for (shell, leg) in [
-            (0.003, 0.003),
-            (0.005, 0.005),
-            (0.014, 0.006),
-            (0.020, 0.006),
-            (0.0201, 0.008),
-            (0.045, 0.010),
-        ] {
+        for (shell, leg) in
+            [(0.003, 0.003), (0.005, 0.005), (0.014, 0.006), (0.020, 0.006), (0.0201, 0.008), (0.045, 0.010)]
+        {
             assert_eq!(least_leg(shell), Some(leg), "{shell}");
         }
         assert_eq!(least_leg(0.046), None);

@@ -97,17 +97,7 @@ impl Run<'_> {
         line(sheet, "M_sc", "convective slab moment", formula, Moment, E6_1_5);
         let (name, formula) = ("slab moment, with base pressure", "√(M_si² + M_sc²)");
         let m_s = line(sheet, "M_s", name, formula, Moment, E6_1_5);
-        Forces {
-            v,
-            m_rw,
-            m_s,
-            w_i,
-            w_c,
-            x_i,
-            x_c,
-            x_is,
-            x_cs,
-        }
+        Forces { v, m_rw, m_s, w_i, w_c, x_i, x_c, x_is, x_cs }
     }
 
     /// Height of the sloshing wave [m] with its line, and the freeboard.
@@ -115,9 +105,7 @@ impl Run<'_> {
         let d = self.basis.d;
         self.sheet.section("Sloshing wave");
         let terms = [("D", d, Length), ("A_f", a.a_f, Dimensionless)];
-        let delta = self
-            .sheet
-            .calc("δ_s", "height of the sloshing wave", "0.42·D·A_f", &terms, Length, E7_2);
+        let delta = self.sheet.calc("δ_s", "height of the sloshing wave", "0.42·D·A_f", &terms, Length, E7_2);
         let freeboard = self.basis.case.freeboard();
         let metres = |x| crate::sheet::with_unit(x, Length);
         let (Excitation::Site, Some(site)) = (self.excitation, self.site) else {

@@ -83,13 +83,7 @@ impl Run<'_> {
             ("M_rw", forces.m_rw, Moment),
         ];
         self.sheet.section("Pressure on the ground");
-        self.sheet.input(
-            "p_a",
-            "allowable pressure",
-            allowed,
-            Stress,
-            "site.api650.bearing_capacity",
-        );
+        self.sheet.input("p_a", "allowable pressure", allowed, Stress, "site.api650.bearing_capacity");
         let (pressure, note) = match foundation.kind {
             FoundationKind::Slab => {
                 let weight = b.w_p + b.w_f + b.w_s + b.w_r;
@@ -119,11 +113,7 @@ impl Run<'_> {
                 let name = "pressure of the liquid on the bottom, with that of the earthquake at its edge";
                 let formula = "(W_p + W_f)·(1 + 0.4·A_v)·4/(π·D²) + 32·(M_s - M_rw)/(π·D³)";
                 let inside = self.sheet.calc("p_i", name, formula, &terms, Stress, DERIVED);
-                terms.extend([
-                    ("q_rw", sigma * b.t_s, LineForce),
-                    ("b_f", width, Length),
-                    ("p_i", inside, Stress),
-                ]);
+                terms.extend([("q_rw", sigma * b.t_s, LineForce), ("b_f", width, Length), ("p_i", inside, Stress)]);
                 let name = "pressure under the ring wall or pad, the larger of that and of the pressure within it";
                 let formula = "max(q_rw/b_f + 0.5·p_i + W_fd/(π·D·b_f), p_i)";
                 let pressure = self.sheet.calc("p_g", name, formula, &terms, Stress, DERIVED);

@@ -62,9 +62,7 @@ pub(super) struct Largest {
 /// The station where a stress is largest, the lowest of equal ones.
 fn largest<'a>(stations: &'a [Station], f: &dyn Fn(&Station) -> f64) -> &'a Station {
     let first = &stations[0];
-    stations
-        .iter()
-        .fold(first, |best, s| if f(s) > f(best) { s } else { best })
+    stations.iter().fold(first, |best, s| if f(s) > f(best) { s } else { best })
 }
 
 /// The stress that lines show.
@@ -107,13 +105,7 @@ impl Run<'_> {
         self.sheet.section("Hoop stress: largest seismic part");
         let dynamic = self.hoop_lines(&seismic, a, "σ_s", "largest seismic hoop stress", Part::Seismic);
         self.sheet.section("Hoop stress: hydrostatic and seismic");
-        let total = self.hoop_lines(
-            &governing,
-            a,
-            "σ_T",
-            "largest hoop stress, hydrostatic and seismic",
-            Part::Total,
-        );
+        let total = self.hoop_lines(&governing, a, "σ_T", "largest hoop stress, hydrostatic and seismic", Part::Total);
         if self.pressure() > 0.0 {
             self.pressure_hoop(&stations, allowable.as_deref(), a);
         }
@@ -174,9 +166,7 @@ impl Run<'_> {
             Err(input) => return self.missing(limit_states::PRESSURE.id, input),
         };
         let used = |s: &Station| s.with_pressure(n_p) / allowed[s.course];
-        let governing = stations
-            .iter()
-            .fold(stations[0], |best, s| if used(s) > used(&best) { *s } else { best });
+        let governing = stations.iter().fold(stations[0], |best, s| if used(s) > used(&best) { *s } else { best });
         self.sheet.section("Hoop stress: with the design pressure");
         let name = "largest hoop stress with the design pressure";
         let stress = self.hoop_lines(&governing, a, "σ_TP", name, Part::Pressure);
@@ -228,9 +218,7 @@ impl Run<'_> {
         };
         // The annex gives forces N = p D/2.
         add("pressure_impulsive", "Impulsive pressure", &|s| 2.0 * s.n.impulsive / d);
-        add("pressure_convective", "Convective pressure", &|s| {
-            2.0 * s.n.convective / d
-        });
+        add("pressure_convective", "Convective pressure", &|s| 2.0 * s.n.convective / d);
         add("pressure_dynamic", "Seismic pressure", &|s| 2.0 * s.n.dynamic() / d);
         add("hoop_stress", "Hoop stress (membrane)", &Station::dynamic);
     }
@@ -241,13 +229,7 @@ impl Run<'_> {
             return Err("site.api650.joint_efficiency".into());
         };
         let e = site.joint_efficiency;
-        self.basis
-            .case
-            .tank
-            .courses
-            .iter()
-            .map(|c| allowable(&c.material, e))
-            .collect()
+        self.basis.case.tank.courses.iter().map(|c| allowable(&c.material, e)).collect()
     }
 
     /// Lines at one station; returns the seismic or the total stress [Pa].

@@ -38,21 +38,14 @@ impl Run<'_> {
         let Some([impulsive, convective, of_wave]) = ordinates else {
             return all;
         };
-        let action = Action {
-            impulsive,
-            convective,
-            combination: Combination::Srss,
-        };
+        let action = Action { impulsive, convective, combination: Combination::Srss };
         let roof = basis.case.tank.roof_height();
         for (quantity, x_i, x_c) in [
             (Quantity::BaseShear, 1.0, 1.0),
             (Quantity::BaseMoment, forces.x_i, forces.x_c),
             (Quantity::OverturningMoment, forces.x_is, forces.x_cs),
         ] {
-            let liquid = Liquid {
-                impulsive: Share::new(m_i, x_i),
-                convective: Share::new(m_c, x_c),
-            };
+            let liquid = Liquid { impulsive: Share::new(m_i, x_i), convective: Share::new(m_c, x_c) };
             all.push(resultant(basis, &action, quantity, liquid, roof));
         }
         all.extend(axial(basis, &all));
@@ -62,13 +55,9 @@ impl Run<'_> {
             (action.convective, largest.convective / g),
             Combination::Srss,
         );
-        let along: Vec<_> = (largest.along.iter())
-            .map(|&(z, impulsive, convective)| (z, impulsive / g, convective / g))
-            .collect();
-        let hoop = Response {
-            vertical: largest.vertical,
-            ..hoop.along(&along)
-        };
+        let along: Vec<_> =
+            (largest.along.iter()).map(|&(z, impulsive, convective)| (z, impulsive / g, convective / g)).collect();
+        let hoop = Response { vertical: largest.vertical, ..hoop.along(&along) };
         all.push(Ingredients::response(Quantity::HoopStress, hoop));
         all.push(wave(of_wave, 0.42 * basis.d / g));
         all
@@ -81,15 +70,10 @@ impl Run<'_> {
         let at = |value: f64| Ordinate::at(periods.convective, damping.sloshing, value * g);
         let impulsive = Ordinate::at(0.0, damping.impulsive, a.a_i * g);
         let impulsive = match (periods.impulsive, &case.ground_motion) {
-            (Some(period), _) => Ordinate {
-                period: Some(period),
-                ..impulsive
-            },
+            (Some(period), _) => Ordinate { period: Some(period), ..impulsive },
             (None, motion) => Ordinate {
                 rule: Rule::Plateau,
-                period: motion
-                    .as_ref()
-                    .map(|motion| plateau(&motion.horizontal, damping.impulsive).0),
+                period: motion.as_ref().map(|motion| plateau(&motion.horizontal, damping.impulsive).0),
                 ..impulsive
             },
         };
@@ -106,12 +90,7 @@ impl Run<'_> {
             let product: f64 = factors.iter().map(|f| f.1).product();
             let mut factors = factors.to_vec();
             factors.push((Factor::Bounds, value / (base * product)));
-            Ordinate {
-                period,
-                base: base * g,
-                factors,
-                ..Ordinate::at(0.0, 0.05, 0.0)
-            }
+            Ordinate { period, base: base * g, factors, ..Ordinate::at(0.0, 0.05, 0.0) }
         };
         let one_second = spectrum.s_d1 / t_c;
         let long = (spectrum.t_l / t_c).min(1.0);
@@ -124,16 +103,8 @@ impl Run<'_> {
         ];
         // Group 3 has T_L and no importance factor, the others 4 s and the factor.
         let of_wave = match site.sug {
-            3 => [
-                (Factor::DampingCorrection, K),
-                (Factor::LongPeriod, long),
-                (Factor::Importance, 1.0),
-            ],
-            _ => [
-                (Factor::DampingCorrection, K),
-                (Factor::LongPeriod, (4.0 / t_c).min(1.0)),
-                (Factor::Importance, i),
-            ],
+            3 => [(Factor::DampingCorrection, K), (Factor::LongPeriod, long), (Factor::Importance, 1.0)],
+            _ => [(Factor::DampingCorrection, K), (Factor::LongPeriod, (4.0 / t_c).min(1.0)), (Factor::Importance, i)],
         };
         Some([
             ordinate(periods.impulsive, spectrum.s_ds, a.a_i, &of_impulsive),

@@ -167,9 +167,7 @@ pub(crate) const FOUNDATION: LimitStateDef = LimitStateDef {
     ..ASKED
 };
 
-pub(crate) const BEARING: LimitStateDef = common::BEARING
-    .named("Pressure on the ground")
-    .by("API 650:2020 E.6.2.3");
+pub(crate) const BEARING: LimitStateDef = common::BEARING.named("Pressure on the ground").by("API 650:2020 E.6.2.3");
 
 pub(crate) const SUPPORT: LimitStateDef = LimitStateDef {
     id: "shell_support",
@@ -285,10 +283,8 @@ pub(crate) const NEIGHBOURS: LimitStateDef = LimitStateDef {
     ..ASKED
 };
 
-pub(crate) const SNOW: LimitStateDef = common::SNOW
-    .named("Snow in the weight of the roof")
-    .by("API 650:2020 E.2.2")
-    .when(snow);
+pub(crate) const SNOW: LimitStateDef =
+    common::SNOW.named("Snow in the weight of the roof").by("API 650:2020 E.2.2").when(snow);
 
 pub(crate) const STUDY: LimitStateDef = LimitStateDef {
     id: "site_study",

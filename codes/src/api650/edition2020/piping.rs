@@ -46,16 +46,8 @@ pub(super) fn required(anchored: bool, stiff: bool, base: &BaseState) -> Displac
         BaseState::Unknown(_) => None,
     };
     match anchored {
-        true => Displacements {
-            up,
-            down: half,
-            horizontal: half,
-        },
-        false => Displacements {
-            up,
-            down: if stiff { half } else { one },
-            horizontal: least(50.0, 2.0),
-        },
+        true => Displacements { up, down: half, horizontal: half },
+        false => Displacements { up, down: if stiff { half } else { one }, horizontal: least(50.0, 2.0) },
     }
 }
 

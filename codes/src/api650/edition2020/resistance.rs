@@ -107,11 +107,7 @@ impl Run<'_> {
         let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
         self.base = BaseState::Unknown(reason.clone());
         self.hold_down = HoldDown::Unknown(reason.clone(), None);
-        for id in [
-            limit_states::ANCHORAGE.id,
-            limit_states::ANNULUS.id,
-            limit_states::COMPRESSION.id,
-        ] {
+        for id in [limit_states::ANCHORAGE.id, limit_states::ANNULUS.id, limit_states::COMPRESSION.id] {
             self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
         }
     }
@@ -171,19 +167,9 @@ impl Run<'_> {
             "J > 1.54: not self-anchored; thicken the annulus or anchor the tank."
         };
         let limit_j = hd::NOT_SELF_ANCHORED;
-        self.check(
-            limit_states::ANCHORAGE.id,
-            "Anchorage ratio J",
-            j,
-            limit_j,
-            Dimensionless,
-            E6_2_1_1,
-            state,
-        );
+        self.check(limit_states::ANCHORAGE.id, "Anchorage ratio J", j, limit_j, Dimensionless, E6_2_1_1, state);
         if self.excitation == Excitation::Record {
-            self.out
-                .notes
-                .push(format!("{E6_2_1_1}, J = {j:.3} with the unreduced moment: {state}"));
+            self.out.notes.push(format!("{E6_2_1_1}, J = {j:.3} with the unreduced moment: {state}"));
         }
         if j <= hd::NO_UPLIFT {
             self.compression_linear(load);
@@ -225,13 +211,8 @@ impl Run<'_> {
     /// Width of the annulus that w_a needs [m], and uplift.
     fn annulus(&mut self, f_y: f64, g_e: f64, t_a: f64, t_w: f64, lifts: bool) -> f64 {
         let (d, h) = (self.basis.d, self.basis.h);
-        let terms = [
-            ("t", t_w, Length),
-            ("F_y", f_y, Stress),
-            ("H", h, Length),
-            ("G_e", g_e, Dimensionless),
-            ("D", d, Length),
-        ];
+        let terms =
+            [("t", t_w, Length), ("F_y", f_y, Stress), ("H", h, Length), ("G_e", g_e, Dimensionless), ("D", d, Length)];
         let name = "width of the annulus inside the shell that w_a needs (t gives w_a)";
         let width = self.sheet.calc("L", name, hd::ANNULUS, &terms, Length, E6_2_1_1_2);
         if lifts {
@@ -354,10 +335,7 @@ impl Run<'_> {
         };
         let mu = site.friction.min(0.4);
         if site.friction > 0.4 {
-            self.out.notes.push(format!(
-                "{E7_6}: friction {} is taken as 0.4, the largest allowed.",
-                site.friction
-            ));
+            self.out.notes.push(format!("{E7_6}: friction {} is taken as 0.4, the largest allowed.", site.friction));
         }
         let terms = [
             ("μ", mu, Dimensionless),
@@ -371,19 +349,11 @@ impl Run<'_> {
         let name = "sliding resistance";
         let v_s = self.sheet.calc("V_s", name, formula, &terms, Force, E7_6);
         if b.anchored() {
-            self.out.notes.push(format!(
-                "{E7_6}: the sliding check is for self-anchored tanks; V_s is shown for information."
-            ));
+            self.out
+                .notes
+                .push(format!("{E7_6}: the sliding check is for self-anchored tanks; V_s is shown for information."));
         } else {
-            self.check(
-                limit_states::SLIDING.id,
-                "Sliding on the foundation",
-                v,
-                v_s,
-                Force,
-                E7_6,
-                "",
-            );
+            self.check(limit_states::SLIDING.id, "Sliding on the foundation", v, v_s, Force, E7_6, "");
         }
     }
 }

@@ -18,16 +18,11 @@ use crate::base_state::{BaseState, Lift};
 use crate::ec8::En2006;
 
 pub(super) fn assess(case: &Case) -> Assessment {
-    Api6502020
-        .assess(case, Excitation::Site)
-        .expect("the example is admissible")
+    Api6502020.assess(case, Excitation::Site).expect("the example is admissible")
 }
 
 pub(super) fn check<'a>(out: &'a Assessment, id: &str) -> &'a Check {
-    out.checks
-        .iter()
-        .find(|c| c.id == id)
-        .unwrap_or_else(|| panic!("no check {id}: {:?}", out.checks))
+    out.checks.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no check {id}: {:?}", out.checks))
 }
 
 fn with_pressure(mut case: Case, pressure: f64) -> Case {
@@ -40,12 +35,7 @@ fn with_pressure(mut case: Case, pressure: f64) -> Case {
 fn design_pressure_adds_its_membrane_force() {
     let out = assess(&with_pressure(case(), 2e3));
     let hoop = check(&out, "pressure_hoop");
-    close(
-        hoop.demand.unwrap(),
-        141.10e6 + 2e3 * 15.0 / 0.014,
-        5e3,
-        "pressure_hoop",
-    );
+    close(hoop.demand.unwrap(), 141.10e6 + 2e3 * 15.0 / 0.014, 5e3, "pressure_hoop");
     // The lesser of 1.33 · 157 MPa and 0.9 · 235 MPa.
     close(hoop.capacity.unwrap(), 1.33 * 157e6, 1.0, "allowable");
     close(check(&out, "hoop_stress").demand.unwrap(), 141.10e6, 5e3, "hoop_stress");
@@ -94,16 +84,8 @@ fn pipes_follow_the_uplift() {
     let mut case = case();
     let out = assess(&case);
     let open = check(&out, "piping");
-    assert_eq!(
-        (open.status, open.input.as_deref()),
-        (CheckStatus::NotChecked, Some("tank.pipes.uplift"))
-    );
-    let pipes = Pipes {
-        uplift: Some(0.2),
-        settlement: Some(0.025),
-        horizontal: Some(0.05),
-        ..Pipes::default()
-    };
+    assert_eq!((open.status, open.input.as_deref()), (CheckStatus::NotChecked, Some("tank.pipes.uplift")));
+    let pipes = Pipes { uplift: Some(0.2), settlement: Some(0.025), horizontal: Some(0.05), ..Pipes::default() };
     case.tank.pipes = Some(pipes);
     let out = assess(&case);
     let up = check(&out, "piping_uplift");
@@ -128,12 +110,8 @@ fn pipes_follow_the_uplift() {
     let mut held = ring.clone();
     held.tank.support = tank::Support::Anchored;
     for (value, holds) in [(0.0127, true), (0.0126, false)] {
-        held.tank.pipes = Some(Pipes {
-            uplift: Some(0.0254),
-            settlement: Some(value),
-            horizontal: Some(value),
-            ..pipes
-        });
+        held.tank.pipes =
+            Some(Pipes { uplift: Some(0.0254), settlement: Some(value), horizontal: Some(value), ..pipes });
         let out = assess(&held);
         assert!(check(&out, "piping_uplift").holds());
         for id in ["piping_settlement", "piping_horizontal"] {
@@ -141,10 +119,7 @@ fn pipes_follow_the_uplift() {
         }
     }
     // One value missing leaves the limit state open beside the others.
-    case.tank.pipes = Some(Pipes {
-        horizontal: None,
-        ..pipes
-    });
+    case.tank.pipes = Some(Pipes { horizontal: None, ..pipes });
     let out = assess(&case);
     assert_eq!(check(&out, "piping").input.as_deref(), Some("tank.pipes.horizontal"));
     // Without the plate the uplift is not known.
@@ -236,11 +211,7 @@ fn floating_roofs_do_not_hang_on_the_shell() {
         case.tank.roof = roof;
         case
     };
-    let floating = Roof {
-        afloat: 60e3,
-        kind: RoofKind::Floating,
-        ..Roof::default()
-    };
+    let floating = Roof { afloat: 60e3, kind: RoofKind::Floating, ..Roof::default() };
     let (bare, afloat) = (with(Roof::default()), with(floating));
     let (a, b) = (assess(&bare), assess(&afloat));
     assert_eq!((&a.values, &a.checks), (&b.values, &b.checks));
@@ -255,12 +226,7 @@ fn floating_roofs_do_not_hang_on_the_shell() {
     assert!(b.assumptions.iter().any(|text| text.contains("floating roof")));
     // 2.4 m of freeboard less 0.9 m.
     let rim = with(Roof { rim: 0.9, ..floating });
-    close(
-        check(&assess(&rim), "freeboard").capacity.unwrap(),
-        1.5,
-        1e-9,
-        "freeboard",
-    );
+    close(check(&assess(&rim), "freeboard").capacity.unwrap(), 1.5, 1e-9, "freeboard");
 }
 
 /// The linear pressure under the slab is in equilibrium with weight and moment: ∫ p dA = W, ∫ p x dA = M_s, with I = π R⁴/4.
@@ -270,25 +236,12 @@ fn demands_on_the_foundation() {
     case.site.api650.as_mut().unwrap().av = Some(0.0);
     let out = assess(&case);
     let (largest, smallest) = (line(&out, "p_s"), line(&out, "p_s0"));
-    let weight: f64 = ["W_p", "W_f", "W_s", "W_r"]
-        .iter()
-        .map(|symbol| line(&out, symbol))
-        .sum();
+    let weight: f64 = ["W_p", "W_f", "W_s", "W_r"].iter().map(|symbol| line(&out, symbol)).sum();
     let (mean, area) = (0.5 * (largest + smallest), PI * 225.0);
     close(mean * area / weight, 1.0, 1e-12, "weight");
     let inertia = PI * 15.0_f64.powi(4) / 4.0;
-    close(
-        (largest - mean) / 15.0 * inertia / line(&out, "M_s"),
-        1.0,
-        1e-12,
-        "moment",
-    );
-    close(
-        line(&out, "q_rw") / (line(&out, "σ_c") * 0.014),
-        1.0,
-        1e-12,
-        "ring wall",
-    );
+    close((largest - mean) / 15.0 * inertia / line(&out, "M_s"), 1.0, 1e-12, "moment");
+    close(line(&out, "q_rw") / (line(&out, "σ_c") * 0.014), 1.0, 1e-12, "ring wall");
 }
 
 /// Anchors that fail hold nothing down: neither the compression of a wall held down nor pipes without uplift hold.
@@ -296,18 +249,10 @@ fn demands_on_the_foundation() {
 fn anchors_that_fail_leave_the_base_unknown() {
     let mut case = case();
     case.tank.support = tank::Support::Anchored;
-    case.tank.pipes = Some(Pipes {
-        uplift: Some(0.0255),
-        settlement: Some(0.025),
-        horizontal: Some(0.05),
-        ..Pipes::default()
-    });
+    case.tank.pipes =
+        Some(Pipes { uplift: Some(0.0255), settlement: Some(0.025), horizontal: Some(0.05), ..Pipes::default() });
     for (capacity, known) in [(1e3, false), (1e9, true)] {
-        case.tank.anchors = Some(tank::Anchors {
-            count: 40,
-            capacity: Some(capacity),
-            ..tank::Anchors::default()
-        });
+        case.tank.anchors = Some(tank::Anchors { count: 40, capacity: Some(capacity), ..tank::Anchors::default() });
         let out = assess(&case);
         let held = |id: &str| out.checks.iter().any(|c| c.id == id && c.holds());
         for id in ["shell_compression", "upper_compression", "piping_uplift"] {

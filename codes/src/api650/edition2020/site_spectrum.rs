@@ -96,11 +96,7 @@ impl Run<'_> {
             let given = site.av.unwrap_or_default();
             self.sheet.input("A_v", name, given, Dimensionless, "site.api650.av")
         });
-        let support = if anchored {
-            "mechanically anchored"
-        } else {
-            "self-anchored"
-        };
+        let support = if anchored { "mechanically anchored" } else { "self-anchored" };
         let limit = match own.mapped {
             Some(_) => "not less than 80 % of the spectrum of the mapped values (ASCE 7 21.3)",
             None => {
@@ -119,9 +115,7 @@ impl Run<'_> {
             );
         }
         if site.s0.is_some() {
-            self.out
-                .notes
-                .push("S_0 of `site.api650` is not used beside the user's spectrum.".into());
+            self.out.notes.push("S_0 of `site.api650` is not used beside the user's spectrum.".into());
         }
         Ok(Accelerations { a_i, a_c, a_v, a_f })
     }
@@ -135,31 +129,14 @@ impl Run<'_> {
         let given = sheet.look_up("S_u", &name, source, own.own(period), Dimensionless, E4_6_2);
         if own.mapped.is_none() {
             let name = format!("acceleration at T = {at} [g]");
-            return sheet.calc(
-                symbol,
-                &name,
-                "S_u",
-                &[("S_u", given, Dimensionless)],
-                Dimensionless,
-                E4_6_2,
-            );
+            return sheet.calc(symbol, &name, "S_u", &[("S_u", given, Dimensionless)], Dimensionless, E4_6_2);
         }
         let name = format!("spectrum of the mapped values at T = {at} [g]");
         let source = "Q·F_a·S_s and Q·F_v·S_1 with the shape of ASCE 7 11.4.5";
-        let mapped = sheet.look_up(
-            "S_m",
-            &name,
-            source,
-            own.mapped(period),
-            Dimensionless,
-            "API 650:2020 E.4.4",
-        );
+        let mapped = sheet.look_up("S_m", &name, source, own.mapped(period), Dimensionless, "API 650:2020 E.4.4");
         let terms = [("S_u", given, Dimensionless), ("S_m", mapped, Dimensionless)];
-        let which = if given >= 0.8 * mapped {
-            "the user's spectrum governs"
-        } else {
-            "80 % of the mapped spectrum govern"
-        };
+        let which =
+            if given >= 0.8 * mapped { "the user's spectrum governs" } else { "80 % of the mapped spectrum govern" };
         let name = format!("acceleration at T = {at} [g]: {which}");
         sheet.calc(symbol, &name, "max(S_u, 0.8·S_m)", &terms, Dimensionless, FLOOR)
     }

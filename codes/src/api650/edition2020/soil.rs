@@ -36,11 +36,7 @@ impl Run<'_> {
             return;
         }
         let g = case.gravity;
-        let parts = [
-            [forces.w_i / g, forces.x_is],
-            [b.w_s / g, b.x_s],
-            [b.w_r / g, case.tank.roof_height()],
-        ];
+        let parts = [[forces.w_i / g, forces.x_is], [b.w_s / g, b.x_s], [b.w_r / g, case.tank.roof_height()]];
         let sheet = &mut self.sheet;
         let Some(mut slab) = slab::lines(sheet, case, parts, period, ASCE) else {
             return;
@@ -49,11 +45,7 @@ impl Run<'_> {
         let Some(effective) = slab.effective() else {
             return;
         };
-        let mut terms = vec![
-            ("T_e0", slab.period, Time),
-            ("T_i", period, Time),
-            ("β", BETA, Dimensionless),
-        ];
+        let mut terms = vec![("T_e0", slab.period, Time), ("T_i", period, Time), ("β", BETA, Dimensionless)];
         let name = "ratio of the periods";
         let ratio = sheet.calc("κ", name, "T_e0/T_i", &terms, Dimensionless, ASCE);
         terms.push(("κ", ratio, Dimensionless));

@@ -27,10 +27,7 @@ fn assess(case: &Case, excitation: Excitation) -> Assessment {
 }
 
 fn check<'a>(out: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
-    out.checks
-        .iter()
-        .find(|c| c.id == id)
-        .unwrap_or_else(|| panic!("no check {id}: {:?}", out.notes))
+    out.checks.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no check {id}: {:?}", out.notes))
 }
 
 fn edit(change: impl FnOnce(&mut Api650Site)) -> Case {
@@ -94,23 +91,13 @@ fn worked_example() {
     close(last("N_i"), 326.87e3, 5.0, "N_i");
     close(last("N_c"), 43.504e3, 0.5, "N_c");
     close(last("N_h"), 1_587.6e3, 50.0, "N_h");
-    close(
-        check(&out, "hoop_stress").capacity.unwrap(),
-        1.33 * 157e6,
-        1.0,
-        "allowable hoop stress",
-    );
+    close(check(&out, "hoop_stress").capacity.unwrap(), 1.33 * 157e6, 1.0, "allowable hoop stress");
     assert_eq!(out.values.len(), 12);
     // The wave of 0.7·1.117 m stays below the freeboard of 2.4 m; all holds, the welds of the shell among it.
     let compared: Vec<_> = out.checks.iter().filter(|c| c.compared()).collect();
     assert_eq!(compared.len(), 7);
     assert!(compared.iter().all(|c| c.holds()), "{compared:?}");
-    close(
-        check(&out, "freeboard").demand.unwrap(),
-        0.7 * 1.11743,
-        5e-6,
-        "freeboard",
-    );
+    close(check(&out, "freeboard").demand.unwrap(), 0.7 * 1.11743, 5e-6, "freeboard");
     close(out.values[&Quantity::HoopStress], line(&out, "σ_s"), 0.0, "hoop stress");
 }
 
@@ -125,40 +112,22 @@ fn worked_example_anchored() {
         s.av = Some(0.47 * 0.684);
     });
     c.tank.support = Support::Anchored;
-    c.tank.anchors = Some(Anchors {
-        count: 60,
-        capacity: Some(100e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    c.tank.anchors =
+        Some(Anchors { count: 60, capacity: Some(100e3), attachment_capacity: None, ..Anchors::default() });
     let out = assess(&c, Excitation::Site);
     close(line(&out, "A_i"), 0.244286, 5e-7, "A_i");
     close(line(&out, "σ_c"), 5.6024e6, 50.0, "σ_c");
     close(line(&out, "w_AB"), 48_968.7, 0.05, "w_AB");
     let tension = check(&out, "anchor_tension");
-    close(
-        tension.demand.unwrap(),
-        48_968.7 * std::f64::consts::PI * 30.0 / 60.0,
-        0.1,
-        "P_AB",
-    );
-    assert!(
-        !out.checks
-            .iter()
-            .any(|c| c.id == "anchorage_ratio" || c.id == "sliding")
-    );
+    close(tension.demand.unwrap(), 48_968.7 * std::f64::consts::PI * 30.0 / 60.0, 0.1, "P_AB");
+    assert!(!out.checks.iter().any(|c| c.id == "anchorage_ratio" || c.id == "sliding"));
     c.tank.anchors = None;
     let out = assess(&c, Excitation::Site);
     assert_eq!(check(&out, "anchor_tension").input.as_deref(), Some("tank.anchors"));
     // A_i of an anchored tank is 3.5/4 of the self-anchored one.
     let mut c = case();
     c.tank.support = Support::Anchored;
-    close(
-        line(&assess(&c, Excitation::Site), "A_i"),
-        0.684 * 1.25 / 4.0,
-        1e-12,
-        "A_i",
-    );
+    close(line(&assess(&c, Excitation::Site), "A_i"), 0.684 * 1.25 / 4.0, 1e-12, "A_i");
 }
 
 #[test]
@@ -178,31 +147,12 @@ fn accelerations_and_their_bounds() {
     assert_eq!(a(&s, 0.5).a_c, a(&s, 0.5).a_i);
     // Floors: 0.007, and 0.5 S_1 I/R_wi on soft sites.
     assert_eq!(a(&Api650Site { ss: 0.001, ..s }, 5.0).a_i, 0.007);
-    let soft = Api650Site {
-        site_class: SiteClass::E,
-        ss: 0.2,
-        s1: 0.6,
-        asce7: 2010,
-        ..s
-    };
-    close(
-        a(&soft, 5.0).a_i,
-        (2.0 / 3.0 * 2.5 * 0.2f64).max(0.5 * 0.6) * 1.25 / 3.5,
-        1e-12,
-        "A_i",
-    );
+    let soft = Api650Site { site_class: SiteClass::E, ss: 0.2, s1: 0.6, asce7: 2010, ..s };
+    close(a(&soft, 5.0).a_i, (2.0 / 3.0 * 2.5 * 0.2f64).max(0.5 * 0.6) * 1.25 / 3.5, 1e-12, "A_i");
     // A larger S_0 than 0.4 S_s raises A_i, a smaller one does not lower it.
-    close(
-        a(&Api650Site { s0: Some(0.45), ..s }, 5.0).a_i / a(&s, 5.0).a_i,
-        0.45 / 0.36,
-        1e-12,
-        "S_0",
-    );
+    close(a(&Api650Site { s0: Some(0.45), ..s }, 5.0).a_i / a(&s, 5.0).a_i, 0.45 / 0.36, 1e-12, "S_0");
     assert_eq!(a(&Api650Site { s0: Some(0.30), ..s }, 5.0).a_i, a(&s, 5.0).a_i);
-    assert_eq!(
-        (importance(1), importance(2), importance(3)),
-        (Ok(1.0), Ok(1.25), Ok(1.5))
-    );
+    assert_eq!((importance(1), importance(2), importance(3)), (Ok(1.0), Ok(1.25), Ok(1.5)));
     assert!(importance(4).is_err() && importance(0).is_err());
 }
 
@@ -212,16 +162,8 @@ fn accelerations_and_their_bounds() {
 fn published_sloshing_wave() {
     let a_f = 1.5 * 1.8 * 1.25 * 0.23 * 1.5 / 2.220045;
     close(a_f, 0.524483, 5e-7, "A_f by hand");
-    let s = Api650Site {
-        ss: 2.5 * 0.23,
-        s1: 1.25 * 0.23,
-        fa: Some(1.4),
-        fv: Some(1.8),
-        q: 1.0,
-        sug: 2,
-        tl: 4.0,
-        ..site()
-    };
+    let s =
+        Api650Site { ss: 2.5 * 0.23, s1: 1.25 * 0.23, fa: Some(1.4), fv: Some(1.8), q: 1.0, sug: 2, tl: 4.0, ..site() };
     let a = design_accelerations(&s, &DesignSpectrum::new(&s).unwrap(), 2.220045, false).unwrap();
     // SUG II has I = 1.25.
     close(a.a_f * 1.5 / 1.25, 0.524483, 5e-7, "A_f");
@@ -256,10 +198,7 @@ fn anchorage_states() {
     let out = assess(&c, Excitation::Site);
     assert!(!check(&out, "anchorage_ratio").holds() && line(&out, "J") > 1.54);
     let gap = check(&out, "shell_compression");
-    assert!(
-        gap.status == CheckStatus::NotChecked && gap.reason.contains("J above 1.54"),
-        "{gap:?}"
-    );
+    assert!(gap.status == CheckStatus::NotChecked && gap.reason.contains("J above 1.54"), "{gap:?}");
     // Thick and strong plate: w_a stops at its limit, L at 0.035 D.
     let mut c = case();
     c.tank.bottom.as_mut().unwrap().thickness = 0.020;
@@ -278,10 +217,7 @@ fn anchorage_states() {
     let out = assess(&edit(|s| s.av = Some(2.5)), Excitation::Site);
     for id in ["anchorage_ratio", "shell_compression"] {
         let gap = check(&out, id);
-        assert!(
-            gap.status == CheckStatus::NotChecked && gap.reason.contains("no effective weight"),
-            "{gap:?}"
-        );
+        assert!(gap.status == CheckStatus::NotChecked && gap.reason.contains("no effective weight"), "{gap:?}");
     }
 }
 
@@ -302,10 +238,7 @@ fn missing_data_is_named() {
     let mut c = case();
     c.tank.courses[2].material.allowable_stress = None;
     let out = assess(&c, Excitation::Site);
-    assert_eq!(
-        missing(&out, "hoop_stress").as_deref(),
-        Some("materials.steel.allowable_stress")
-    );
+    assert_eq!(missing(&out, "hoop_stress").as_deref(), Some("materials.steel.allowable_stress"));
     // The profile does not need it.
     assert!(out.profiles.iter().any(|p| p.id == "hoop_stress"));
     let out = assess(&edit(|s| s.friction = 0.7), Excitation::Site);
@@ -315,36 +248,14 @@ fn missing_data_is_named() {
 #[test]
 fn scope() {
     let mut c = case();
-    assert!(
-        Api6502020
-            .applies(&c, Excitation::Record)
-            .unwrap_err()
-            .reason
-            .contains("no record")
-    );
-    c.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: false,
-    };
-    assert!(
-        Api6502020
-            .applies(&c, Excitation::Site)
-            .unwrap_err()
-            .clause
-            .contains("1.1")
-    );
+    assert!(Api6502020.applies(&c, Excitation::Record).unwrap_err().reason.contains("no record"));
+    c.tank.shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: false };
+    assert!(Api6502020.applies(&c, Excitation::Site).unwrap_err().clause.contains("1.1"));
     c = case();
     c.site.api650 = None;
-    assert!(matches!(
-        Api6502020.assess(&c, Excitation::Site),
-        Err(CodeError::NotApplicable(_))
-    ));
+    assert!(matches!(Api6502020.assess(&c, Excitation::Site), Err(CodeError::NotApplicable(_))));
     let c = edit(|s| s.site_class = SiteClass::F);
-    assert!(matches!(
-        Api6502020.assess(&c, Excitation::Site),
-        Err(CodeError::Data { .. })
-    ));
+    assert!(matches!(Api6502020.assess(&c, Excitation::Site), Err(CodeError::Data { .. })));
 }
 
 /// Record: unreduced ordinates at T_i and T_c with the damping of the case; no checks, no R_w, no K, no site needed.
@@ -364,22 +275,13 @@ fn record() {
     assert_eq!(line(&out, "A_v"), 0.0);
     assert!(out.checks.is_empty());
     assert!(out.notes.iter().any(|n| n.contains("under `site` only")));
-    assert!(
-        out.assumptions
-            .iter()
-            .any(|n| n.contains("unreduced (R_w = 1, I = 1, K = 1)"))
-    );
+    assert!(out.assumptions.iter().any(|n| n.contains("unreduced (R_w = 1, I = 1, K = 1)")));
     // Outside figure E.1 the plateau is used, with a note.
     c.liquid.fill_height = 4.0;
     let out = assess(&c, Excitation::Record);
     assert!(!out.values.contains_key(&Quantity::ImpulsivePeriod));
     assert!(out.notes.iter().any(|n| n.contains("lies outside the figure")));
-    close(
-        line(&out, "A_i"),
-        crate::ordinates::plateau(record, 0.05).1 / 9.81,
-        0.0,
-        "A_i",
-    );
+    close(line(&out, "A_i"), crate::ordinates::plateau(record, 0.05).1 / 9.81, 0.0, "A_i");
 }
 
 /// Vertical record: A_v is its plateau; it enters the hoop stress as A_v N_h/2.5 and lightens the tank.
@@ -422,12 +324,7 @@ fn profiles_meet_the_quantities() {
         0.05,
         "convective pressure at the surface",
     );
-    close(
-        find("pressure_impulsive").values[0],
-        2.0 * 326.87e3 / 30.0,
-        1.0,
-        "impulsive pressure at the bottom",
-    );
+    close(find("pressure_impulsive").values[0], 2.0 * 326.87e3 / 30.0, 1.0, "impulsive pressure at the bottom");
 }
 
 proptest! {

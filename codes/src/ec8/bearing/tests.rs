@@ -16,12 +16,7 @@ use tank::assessment::{CheckStatus, Excitation};
 use tank::case::{Case, Ec8Site};
 
 fn with(mut case: Case, resistance: f64, ag: f64, vertical: bool) -> Case {
-    case.site.ec8 = Some(Ec8Site {
-        bearing_capacity: Some(resistance),
-        ag: ag * 9.81,
-        vertical,
-        ..site()
-    });
+    case.site.ec8 = Some(Ec8Site { bearing_capacity: Some(resistance), ag: ag * 9.81, vertical, ..site() });
     case
 }
 
@@ -73,11 +68,7 @@ fn oil_tank() {
         let e = line(&a, "M′") / normal / 15.0;
         assert_eq!(e <= 0.25, within, "{e}");
         let mean = normal / (PI * 225.0);
-        let expected = if within {
-            mean * (1.0 + 4.0 * e)
-        } else {
-            mean * PI * circle(e)
-        };
+        let expected = if within { mean * (1.0 + 4.0 * e) } else { mean * PI * circle(e) };
         let demand = check(&a, "bearing").demand.unwrap();
         close(demand / expected, 1.0, 1e-6);
         for (resistance, holds) in [(demand * 0.999, false), (demand * 1.001, true)] {
@@ -93,9 +84,7 @@ fn oil_tank() {
 fn vertical_motion_never_relieves() {
     let demand = |vertical| {
         let case = with(super::super::example::oil_tank(), 1e9, 0.1, vertical);
-        check(&En2006.assess(&case, Excitation::Site).unwrap(), "bearing")
-            .demand
-            .unwrap()
+        check(&En2006.assess(&case, Excitation::Site).unwrap(), "bearing").demand.unwrap()
     };
     assert!(demand(true) > demand(false));
 }
@@ -108,20 +97,14 @@ fn strip() {
         let a = En2006.assess(&case, Excitation::Site).unwrap();
         let (normal, moment) = (166_770.0, line(&a, "M′"));
         let e = moment / normal;
-        let expected = if e <= 5.0 / 6.0 {
-            normal / 5.0 + moment / (25.0 / 6.0)
-        } else {
-            2.0 * normal / (3.0 * (2.5 - e))
-        };
+        let expected =
+            if e <= 5.0 / 6.0 { normal / 5.0 + moment / (25.0 / 6.0) } else { 2.0 * normal / (3.0 * (2.5 - e)) };
         let bearing = check(&a, "bearing");
         close(bearing.demand.unwrap() / expected, 1.0, 1e-6);
     }
     // The resultant leaves the base: a tank that stands fails, one that is held to a foundation is not decided.
     let mut case = with(concrete_rectangle(1.0, true, site()), 1e9, 3.0, false);
-    for (support, status) in [
-        (Support::Unanchored, CheckStatus::Fails),
-        (Support::Anchored, CheckStatus::NotChecked),
-    ] {
+    for (support, status) in [(Support::Unanchored, CheckStatus::Fails), (Support::Anchored, CheckStatus::NotChecked)] {
         case.tank.support = support;
         let out = En2006.assess(&case, Excitation::Site).unwrap();
         assert_eq!(check(&out, "bearing").status, status, "{support:?}");
@@ -132,10 +115,7 @@ fn strip() {
 fn resistance_is_asked_for() {
     let a = En2006.assess(&oil_tank_without(), Excitation::Site).unwrap();
     let gap = check(&a, "bearing");
-    assert_eq!(
-        (gap.status, gap.input.as_deref()),
-        (CheckStatus::NotChecked, Some("site.ec8.bearing_capacity"))
-    );
+    assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("site.ec8.bearing_capacity")));
 }
 
 fn oil_tank_without() -> Case {

@@ -54,11 +54,7 @@ pub(super) fn of_a_rim(work: &mut Work, pressure: f64, resistance: f64) -> bool 
         work.without_comparison(BEARING.id, CheckStatus::NotChecked, NO_RIM, None);
         return false;
     };
-    let toe = Toe {
-        force,
-        pressure,
-        lifts: false,
-    };
+    let toe = Toe { force, pressure, lifts: false };
     assess(work, toe, resistance)
 }
 
@@ -98,21 +94,11 @@ fn inputs(work: &mut Work, toe: Toe) {
             "compression at the toe, the larger of both estimates",
             "uplift",
         ),
-        false => (
-            "Bearing of the ring wall",
-            "compression at the toe, weight and moment",
-            "membrane theory",
-        ),
+        false => ("Bearing of the ring wall", "compression at the toe, weight and moment", "membrane theory"),
     };
     sheet.section(section);
     sheet.input("n_T", name, toe.force, LineForce, source);
-    sheet.input(
-        "p_T",
-        "largest pressure of the liquid at the toe",
-        toe.pressure,
-        Stress,
-        CLAUSE,
-    );
+    sheet.input("p_T", "largest pressure of the liquid at the toe", toe.pressure, Stress, CLAUSE);
 }
 
 fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f64)) {
@@ -127,13 +113,7 @@ fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f6
     ];
     let sheet = &mut work.sheet;
     sheet.input("b_R", "width of the ring wall", width, Length, "tank.foundation.width");
-    sheet.input(
-        "h_R",
-        "height of the ring wall",
-        height,
-        Length,
-        "tank.foundation.thickness",
-    );
+    sheet.input("h_R", "height of the ring wall", height, Length, "tank.foundation.thickness");
     sheet.input("ρ_c", "density of concrete", CONCRETE, Density, "assumption");
     let name = "pressure under the ring wall at the toe";
     let formula = "n_T/b_R + p_T + ρ_c·g·h_R";

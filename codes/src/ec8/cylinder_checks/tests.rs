@@ -20,12 +20,8 @@ fn one_course(internal: f64, vacuum: f64) -> Case {
     let mut case = oil_tank();
     case.tank.courses = vec![course(14.4, 0.014, steel())];
     case.tank.pressure = Pressure { internal, vacuum };
-    case.tank.anchors = Some(Anchors {
-        count: 60,
-        capacity: Some(1e6),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    case.tank.anchors =
+        Some(Anchors { count: 60, capacity: Some(1e6), attachment_capacity: None, ..Anchors::default() });
     case.site.ec8.as_mut().unwrap().reduction_factor = Some(0.5);
     case
 }

@@ -16,11 +16,7 @@ use tank::case::{Case, Ec8Site};
 const EPSILON: f64 = 3e-4;
 
 fn with(mut case: Case, reduction: f64, q: f64) -> Case {
-    case.site.ec8 = Some(Ec8Site {
-        reduction_factor: Some(reduction),
-        behaviour_factor: q,
-        ..case.site.ec8.unwrap()
-    });
+    case.site.ec8 = Some(Ec8Site { reduction_factor: Some(reduction), behaviour_factor: q, ..case.site.ec8.unwrap() });
     case
 }
 
@@ -35,10 +31,7 @@ fn limit(id: &str, demand: f64, case_at: impl Fn(f64) -> Case) {
         let found = check(&out, id);
         assert_eq!(found.holds(), holds, "{u}: {found:?}");
         assert_eq!(found.limit_state, "damage_limitation");
-        assert!(
-            (found.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON,
-            "{found:?}"
-        );
+        assert!((found.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON, "{found:?}");
     }
 }
 
@@ -95,19 +88,13 @@ fn what_is_missing_is_said() {
     for case in [oil_tank(), concrete_rectangle(1.0, true, site())] {
         let out = assess(&case);
         let gap = check(&out, "damage_limitation");
-        assert_eq!(
-            (gap.status, gap.input.as_deref()),
-            (CheckStatus::NotChecked, Some("site.ec8.reduction_factor"))
-        );
+        assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("site.ec8.reduction_factor")));
     }
     // Concrete of unknown strength: the freeboard is compared, the crack width is not.
     let out = assess(&with(concrete_rectangle(1.0, true, site()), 0.5, 1.0));
     assert!(check(&out, "damage_freeboard").compared());
     let gap = check(&out, "damage_limitation");
-    assert_eq!(
-        (gap.status, gap.input.as_deref()),
-        (CheckStatus::NotChecked, Some("materials.concrete.grade"))
-    );
+    assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("materials.concrete.grade")));
     // No yield strength.
     let mut c = with(oil_tank(), 0.5, 1.0);
     c.tank.courses[1].material.yield_strength = None;

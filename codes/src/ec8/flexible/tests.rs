@@ -18,10 +18,7 @@ fn course(height: f64, thickness: f64, density: f64) -> Course {
 /// R = 10 m, s = 10 mm, wall as high as the liquid, ρ = 1000 kg/m³.
 fn full_tank(slenderness: f64, density: f64, base: Base) -> FlexibleMode {
     let depth = 10.0 * slenderness;
-    let liquid = Liquid {
-        density: 1000.0,
-        fill_height: depth,
-    };
+    let liquid = Liquid { density: 1000.0, fill_height: depth };
     coupled_mode(10.0, &[course(depth, 0.01, density)], liquid, base).unwrap()
 }
 
@@ -90,31 +87,14 @@ fn shell_mass_lengthens_the_period() {
 #[test]
 fn period_formula_is_near_the_shell() {
     // g(γ) at the nodes of the sheet's table, column "C from g(gam)": T = 2R g √(ρH/(E s)), C = 2 g/√γ.
-    for (slenderness, c) in [
-        (0.3, 8.77),
-        (0.5, 7.27),
-        (0.7, 6.58),
-        (1.0, 6.12),
-        (1.5, 5.99),
-        (2.0, 6.23),
-        (2.5, 6.67),
-        (3.0, 7.18),
-    ] {
+    for (slenderness, c) in
+        [(0.3, 8.77), (0.5, 7.27), (0.7, 6.58), (1.0, 6.12), (1.5, 5.99), (2.0, 6.23), (2.5, 6.67), (3.0, 7.18)]
+    {
         // C = 2/(g √γ); half the last printed digit.
         let g = evaluate(COEFFICIENT, &[("γ", slenderness)]);
-        let wall = [
-            ("R", 10.0),
-            ("ρ", 1000.0),
-            ("H", 10.0 * slenderness),
-            ("E", E),
-            ("s_⅓", 0.01),
-        ];
+        let wall = [("R", 10.0), ("ρ", 1000.0), ("H", 10.0 * slenderness), ("E", E), ("s_⅓", 0.01)];
         let period = evaluate(PERIOD, &[&wall[..], &[("g_γ", g)]].concat());
-        assert!(
-            (coefficient(period, slenderness) - c).abs() <= 0.0051,
-            "{} {c}",
-            coefficient(period, slenderness)
-        );
+        assert!((coefficient(period, slenderness) - c).abs() <= 0.0051, "{} {c}", coefficient(period, slenderness));
         close(period, full_tank(slenderness, 1e-6, Base::Clamped).period, 0.07);
     }
 }
@@ -124,10 +104,7 @@ fn period_formula_is_near_the_shell() {
 fn printed_equivalent_density_misses_the_mode() {
     let ratio = |slenderness: f64| {
         let depth = 10.0 * slenderness;
-        let liquid = Liquid {
-            density: 1000.0,
-            fill_height: depth,
-        };
+        let liquid = Liquid { density: 1000.0, fill_height: depth };
         let courses = [course(depth, 0.01, 7850.0)];
         let printed = equivalent_density_period(10.0, &courses, liquid).unwrap();
         printed / coupled_mode(10.0, &courses, liquid, Base::Clamped).unwrap().period
@@ -163,11 +140,7 @@ fn resultants_are_integrals_of_the_pressure() {
     let (mut force, mut moment) = (0.0, 0.0);
     for i in 0..=n {
         let zeta = i as f64 / n as f64;
-        let weight = if i == 0 || i == n {
-            1.0
-        } else {
-            2.0 + 2.0 * (i % 2) as f64
-        } / (3.0 * n as f64);
+        let weight = if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 } / (3.0 * n as f64);
         force += weight * field.wall(zeta);
         moment += weight * field.wall(zeta) * zeta;
     }
@@ -179,15 +152,9 @@ fn resultants_are_integrals_of_the_pressure() {
 /// The period depends on E, ρ and s only through ρ/(E s) for a massless wall, and scales with the size.
 #[test]
 fn scaling_of_the_period() {
-    let liquid = Liquid {
-        density: 1000.0,
-        fill_height: 8.0,
-    };
+    let liquid = Liquid { density: 1000.0, fill_height: 8.0 };
     let base = coupled_mode(10.0, &[course(9.0, 0.01, 7850.0)], liquid, Base::Clamped).unwrap();
-    let larger = Liquid {
-        density: 1000.0,
-        fill_height: 24.0,
-    };
+    let larger = Liquid { density: 1000.0, fill_height: 24.0 };
     let tripled = coupled_mode(30.0, &[course(27.0, 0.03, 7850.0)], larger, Base::Clamped).unwrap();
     close(tripled.period, 3.0 * base.period, 1e-9);
     close(tripled.field.lumped.mass, base.field.lumped.mass, 1e-9);

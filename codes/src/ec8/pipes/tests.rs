@@ -13,11 +13,7 @@ use tank::case::Case;
 use tank::{Bottom, Pipes, Support};
 
 fn with(mut case: Case, distance: Option<f64>, allowed: Option<f64>) -> Case {
-    case.tank.pipes = Some(Pipes {
-        support_distance: distance,
-        allowable_displacement: allowed,
-        ..Pipes::default()
-    });
+    case.tank.pipes = Some(Pipes { support_distance: distance, allowable_displacement: allowed, ..Pipes::default() });
     case
 }
 
@@ -26,32 +22,21 @@ const D_G: f64 = 0.025 * 1.2 * 0.25 * 9.81 * 1.15 * 0.6 * 2.0;
 #[test]
 fn ground_alone() {
     for (allowed, holds) in [(0.1 * D_G * 0.999, false), (0.1 * D_G * 1.001, true)] {
-        let a = En2006
-            .assess(&with(oil_tank(), Some(50.0), Some(allowed)), Excitation::Site)
-            .unwrap();
+        let a = En2006.assess(&with(oil_tank(), Some(50.0), Some(allowed)), Excitation::Site).unwrap();
         let pipes = check(&a, "pipes");
         assert_eq!(pipes.holds(), holds, "{pipes:?}");
         close(pipes.demand.unwrap() / (0.1 * D_G), 1.0, 1e-6);
     }
     // ENV: twice the factor, S = 0.9, T_C = 0.8 s, T_D = 3 s.
-    let a = Env1998
-        .assess(&with(oil_tank(), Some(50.0), Some(1.0)), Excitation::Site)
-        .unwrap();
-    close(
-        line(&a, "d_g") / (0.05 * 1.2 * 0.25 * 9.81 * 0.9 * 0.8 * 3.0),
-        1.0,
-        1e-6,
-    );
+    let a = Env1998.assess(&with(oil_tank(), Some(50.0), Some(1.0)), Excitation::Site).unwrap();
+    close(line(&a, "d_g") / (0.05 * 1.2 * 0.25 * 9.81 * 0.9 * 0.8 * 3.0), 1.0, 1e-6);
 }
 
 #[test]
 fn uplift_adds() {
     let mut case = with(oil_tank(), Some(50.0), Some(0.010));
     case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        subgrade_modulus: Some(1e8),
-        ..bottom_plate(steel())
-    });
+    case.tank.bottom = Some(Bottom { subgrade_modulus: Some(1e8), ..bottom_plate(steel()) });
     case.site.ec8.as_mut().unwrap().ag = 0.08 * 9.81;
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let pipes = check(&a, "pipes");
@@ -73,17 +58,11 @@ fn data_are_asked_for() {
         for (case, input) in [
             (case.clone(), "tank.pipes"),
             (with(case.clone(), None, Some(0.1)), "tank.pipes.support_distance"),
-            (
-                with(case.clone(), Some(10.0), None),
-                "tank.pipes.allowable_displacement",
-            ),
+            (with(case.clone(), Some(10.0), None), "tank.pipes.allowable_displacement"),
         ] {
             let a = En2006.assess(&case, Excitation::Site).unwrap();
             let gap = check(&a, "pipes");
-            assert_eq!(
-                (gap.status, gap.input.as_deref()),
-                (CheckStatus::NotChecked, Some(input))
-            );
+            assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some(input)));
         }
     }
 }

@@ -19,10 +19,7 @@ fn unanchored(ag: f64) -> Case {
     let mut case = oil_tank();
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(bottom_plate(steel()));
-    case.site.ec8 = Some(Ec8Site {
-        ag: ag * 9.81,
-        ..site()
-    });
+    case.site.ec8 = Some(Ec8Site { ag: ag * 9.81, ..site() });
     case
 }
 
@@ -96,10 +93,7 @@ fn rotation_and_equilibrium_fail() {
     assert!(!check(&assess(&unanchored(0.25)), "overturning").holds());
     let over = assess(&unanchored(1.5));
     let equilibrium = check(&over, "uplift_equilibrium");
-    assert!(
-        !equilibrium.holds() && equilibrium.capacity.unwrap() > 0.0,
-        "{equilibrium:?}"
-    );
+    assert!(!equilibrium.holds() && equilibrium.capacity.unwrap() > 0.0, "{equilibrium:?}");
 }
 
 #[test]
@@ -124,16 +118,8 @@ fn ground_and_width_of_the_plate() {
     }
     let rotations = lines(&known, "θ");
     assert_eq!(rotations.len(), 3);
-    close(
-        check(&known, "uplift_rotation").demand.unwrap() / rotations[1],
-        1.0,
-        1e-9,
-    );
-    close(
-        check(&unknown, "uplift_rotation").demand.unwrap() / rotations[0],
-        1.0,
-        1e-8,
-    );
+    close(check(&known, "uplift_rotation").demand.unwrap() / rotations[1], 1.0, 1e-9);
+    close(check(&unknown, "uplift_rotation").demand.unwrap() / rotations[0], 1.0, 1e-8);
     let note = |a: &Assessment| check(a, "uplift_rotation").note.clone();
     assert!(note(&known).contains("the ground that is given"), "{}", note(&known));
     assert!(note(&unknown).contains("gives no stiffness"), "{}", note(&unknown));
@@ -161,18 +147,10 @@ fn a_foundation_without_stiffness_is_assumed() {
     let assumed = assess(&case);
     let rotations = lines(&assumed, "θ");
     assert_eq!(rotations.len(), 3);
-    close(
-        check(&assumed, "uplift_rotation").demand.unwrap() / rotations[0],
-        1.0,
-        1e-9,
-    );
+    close(check(&assumed, "uplift_rotation").demand.unwrap() / rotations[0], 1.0, 1e-9);
     case.tank.foundation = Some(foundation(Some(250.0)));
     let waves = assess(&case);
-    close(
-        check(&waves, "uplift_rotation").demand.unwrap() / lines(&waves, "θ")[1],
-        1.0,
-        1e-9,
-    );
+    close(check(&waves, "uplift_rotation").demand.unwrap() / lines(&waves, "θ")[1], 1.0, 1e-9);
 }
 
 fn line_max(a: &Assessment) -> f64 {
@@ -188,10 +166,7 @@ fn data_are_asked_for() {
     let gap = |case: &Case, input: &str| {
         let a = assess(case);
         let gap = check(&a, "uplift");
-        assert_eq!(
-            (gap.status, gap.input.as_deref()),
-            (CheckStatus::NotChecked, Some(input))
-        );
+        assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some(input)));
     };
     gap(&case, "materials.plate.yield_strength");
     case.tank.bottom = None;

@@ -28,11 +28,7 @@ fn rectangular_strip() {
     // q_0(0) = 0.6753 of the published table: p_i at the base over ρ L A_i.
     close(line(&a, "p_i") / (1000.0 * 2.5 * line(&a, "S_e(T_f)")), 0.6753, 5e-5);
     let s_1 = line(&a, "S_e(T_c1)");
-    close(
-        a.values[&Quantity::SloshingHeight],
-        0.811 * 2.5 * s_1 / 9.81,
-        5e-4 * 2.5 * s_1 / 9.81,
-    );
+    close(a.values[&Quantity::SloshingHeight], 0.811 * 2.5 * s_1 / 9.81, 5e-4 * 2.5 * s_1 / 9.81);
     // Second mode: ω² = 3π/2 g/L tanh(3π/2 H/L), on the branch 1/T before T_D = 2 s; the first is on 1/T² after it.
     let eigenvalue = 1.5 * std::f64::consts::PI;
     let t_2 = 2.0 * std::f64::consts::PI / (eigenvalue * 9.81 / 2.5 * eigenvalue.tanh()).sqrt();
@@ -61,11 +57,7 @@ fn rectangular_strip() {
     close(line(&r, "m_z") / moment, 1.0, 3e-3);
     // A tank with side walls is stiffer than the strip.
     let mut boxed = strip();
-    boxed.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 5.0,
-        strip: false,
-    };
+    boxed.tank.shape = Shape::Rectangle { length: 5.0, breadth: 5.0, strip: false };
     let b = En2006.assess(&boxed, Excitation::Site).unwrap();
     assert!(line(&b, "T_f") < line(&a, "T_f"));
     assert!(!b.values.contains_key(&Quantity::BendingStress));

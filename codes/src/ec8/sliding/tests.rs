@@ -17,11 +17,7 @@ const EPSILON: f64 = 3e-4;
 const MASS: f64 = 7_634_070.0 + 106_537.7 + 35_000.0;
 
 fn with(mut case: Case, friction: f64, vertical: bool) -> Case {
-    case.site.ec8 = Some(Ec8Site {
-        friction: Some(friction),
-        vertical,
-        ..case.site.ec8.unwrap()
-    });
+    case.site.ec8 = Some(Ec8Site { friction: Some(friction), vertical, ..case.site.ec8.unwrap() });
     case
 }
 
@@ -38,10 +34,7 @@ fn oil_tank_slides_below_a_friction_of_0_487() {
             let a = En2006.assess(&case, Excitation::Site).unwrap();
             let sliding = check(&a, "sliding");
             assert_eq!(sliding.holds(), holds, "{u}: {sliding:?}");
-            assert!(
-                (sliding.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON,
-                "{sliding:?}"
-            );
+            assert!((sliding.utilisation.unwrap() / u - 1.0).abs() < 0.8 * EPSILON, "{sliding:?}");
         }
     }
 }
@@ -50,9 +43,7 @@ fn oil_tank_slides_below_a_friction_of_0_487() {
 #[test]
 fn equality_holds() {
     let at = |friction: f64| {
-        let a = En2006
-            .assess(&with(oil_tank(), friction, false), Excitation::Site)
-            .unwrap();
+        let a = En2006.assess(&with(oil_tank(), friction, false), Excitation::Site).unwrap();
         check(&a, "sliding").clone()
     };
     let any = at(0.4);
@@ -62,10 +53,7 @@ fn equality_holds() {
     while !at(friction).holds() {
         friction = friction.next_up();
     }
-    assert!(
-        (friction / needed - 1.0).abs() <= 4.0 * f64::EPSILON,
-        "{friction} {needed}"
-    );
+    assert!((friction / needed - 1.0).abs() <= 4.0 * f64::EPSILON, "{friction} {needed}");
     let (limit, below) = (at(friction), at(friction * (1.0 - 4.0 * f64::EPSILON)));
     assert!(limit.utilisation.unwrap() <= 1.0 && below.utilisation.unwrap() > 1.0);
 }
@@ -74,11 +62,9 @@ fn equality_holds() {
 /// a_vg = 0.9·1.2·0.8 g = 0.864 g and 0.3 E_x + E_z governs: 7 775 607.7·0.136 g/0.3 = 34 579.7 kN. Beyond 1 g the tank floats.
 #[test]
 fn vertical_motion_lightens_the_tank() {
-    for (ag, normal) in [
-        (0.25, Some(MASS * (9.81 - 0.3 * 2.6487))),
-        (0.8, Some(MASS * 0.136 * 9.81 / 0.3)),
-        (1.0, None),
-    ] {
+    for (ag, normal) in
+        [(0.25, Some(MASS * (9.81 - 0.3 * 2.6487))), (0.8, Some(MASS * 0.136 * 9.81 / 0.3)), (1.0, None)]
+    {
         let mut case = with(oil_tank(), 0.4, true);
         case.site.ec8.as_mut().unwrap().ag = ag * 9.81;
         let a = En2006.assess(&case, Excitation::Site).unwrap();
@@ -101,10 +87,7 @@ fn strip() {
     for procedure in [&En2006 as &dyn Procedure, &Env1998] {
         let a = procedure.assess(&case, Excitation::Site).unwrap();
         let sliding = check(&a, "sliding");
-        assert!(
-            (sliding.capacity.unwrap() - 0.5 * 17_000.0 * 9.81).abs() < 1e-6,
-            "{sliding:?}"
-        );
+        assert!((sliding.capacity.unwrap() - 0.5 * 17_000.0 * 9.81).abs() < 1e-6, "{sliding:?}");
         assert_eq!(sliding.demand, Some(line(&a, "Q")));
     }
 }
@@ -114,10 +97,7 @@ fn friction_is_asked_for() {
     for case in [oil_tank(), concrete_rectangle(1.0, true, site())] {
         let a = En2006.assess(&case, Excitation::Site).unwrap();
         let gap = check(&a, "sliding");
-        assert_eq!(
-            (gap.status, gap.input.as_deref()),
-            (CheckStatus::NotChecked, Some("site.ec8.friction"))
-        );
+        assert_eq!((gap.status, gap.input.as_deref()), (CheckStatus::NotChecked, Some("site.ec8.friction")));
         assert!(a.steps.iter().all(|s| s.symbol != "N_Ed"));
     }
 }

@@ -32,9 +32,7 @@ fn on_slab(velocity: f64) -> Case {
 
 fn value(a: &Assessment, symbol: &str) -> f64 {
     let found: Vec<f64> = a.steps.iter().filter(|s| s.symbol == symbol).map(|s| s.value).collect();
-    *found
-        .last()
-        .unwrap_or_else(|| panic!("no line {symbol}: {:?}", a.notes))
+    *found.last().unwrap_or_else(|| panic!("no line {symbol}: {:?}", a.notes))
 }
 
 fn assess(case: &Case) -> Assessment {
@@ -49,29 +47,17 @@ fn periods_of_three_tanks() {
         (
             13.9,
             [5.794e6, 6.433, 0.2231],
-            [
-                (150.0, [0.3881, 0.3711, 0.241]),
-                (250.0, [0.2934, 0.2842, 0.121]),
-                (500.0, [0.2426, 0.2411, 0.0416]),
-            ],
+            [(150.0, [0.3881, 0.3711, 0.241]), (250.0, [0.2934, 0.2842, 0.121]), (500.0, [0.2426, 0.2411, 0.0416])],
         ),
         (
             20.0,
             [7.479e6, 6.065, 0.2181],
-            [
-                (150.0, [0.3570, 0.2983, 0.278]),
-                (250.0, [0.2763, 0.2535, 0.137]),
-                (500.0, [0.2340, 0.2306, 0.0480]),
-            ],
+            [(150.0, [0.3570, 0.2983, 0.278]), (250.0, [0.2763, 0.2535, 0.137]), (500.0, [0.2340, 0.2306, 0.0480])],
         ),
         (
             6.1,
             [1.0118e6, 4.795, 0.1403],
-            [
-                (150.0, [0.2743, 0.2761, 0.133]),
-                (250.0, [0.1992, 0.1990, 0.079]),
-                (500.0, [0.1571, 0.1570, 0.0325]),
-            ],
+            [(150.0, [0.2743, 0.2761, 0.133]), (250.0, [0.1992, 0.1990, 0.079]), (500.0, [0.1571, 0.1570, 0.0325])],
         ),
     ];
     for (radius, [mass, height, period], soils) in tanks {
@@ -83,15 +69,8 @@ fn periods_of_three_tanks() {
             case.damping.impulsive = 0.02;
             let found = slab::lines(&mut Sheet::new(), &case, parts, period, "").unwrap();
             let complex = found.effective().unwrap();
-            for (a, b) in [
-                (found.period, on_springs),
-                (complex.period, expected),
-                (complex.damping, damping),
-            ] {
-                assert!(
-                    (a / b - 1.0).abs() < 0.01,
-                    "R = {radius}, V_s = {velocity}: {a}, expected {b}"
-                );
+            for (a, b) in [(found.period, on_springs), (complex.period, expected), (complex.damping, damping)] {
+                assert!((a / b - 1.0).abs() < 0.01, "R = {radius}, V_s = {velocity}: {a}, expected {b}");
             }
         }
     }

@@ -75,11 +75,7 @@ fn env_table_d3() {
 /// Ground C, γ_I a_gR = 1.2 × 0.25 g, type 1: values of the worked example of the annex (1/T² branch beyond 4 s).
 #[test]
 fn worked_example_ordinates() {
-    let spectrum = ElasticSpectrum::new(&Ec8Site {
-        importance: 1.2,
-        ..site(GroundType::C, 1, 0.25 * 9.81)
-    })
-    .unwrap();
+    let spectrum = ElasticSpectrum::new(&Ec8Site { importance: 1.2, ..site(GroundType::C, 1, 0.25 * 9.81) }).unwrap();
     close(spectrum.ag, 2.943, 1e-12);
     close(spectrum.horizontal(0.19050, 0.02), 9.7933, 2e-4); // T printed to 5e-6 s: 5e-6/0.2 × 1.99 × 3.38 = 1.7e-4
     close(spectrum.horizontal_continued(6.0935, 0.005), 0.3687, 5e-5);
@@ -121,10 +117,7 @@ fn design_spectrum_has_a_floor_and_two_thirds_at_zero() {
 fn faults_are_reported() {
     assert!(ElasticSpectrum::new(&site(GroundType::A, 3, 1.0)).is_err());
     assert!(ElasticSpectrum::new(&site(GroundType::A, 1, f64::NAN)).is_err());
-    assert!(matches!(
-        EnvSpectrum::new(&site(GroundType::D, 1, 1.0)),
-        Err(CodeError::NotApplicable(_))
-    ));
+    assert!(matches!(EnvSpectrum::new(&site(GroundType::D, 1, 1.0)), Err(CodeError::NotApplicable(_))));
 }
 
 fn ground() -> impl Strategy<Value = GroundType> {

@@ -33,26 +33,16 @@ fn tank(vertical: bool, bottom: Option<f64>, support: Support) -> Case {
 
 #[test]
 fn weight_with_and_without_the_liquid() {
-    for (bottom, mass, symbol) in [
-        (Some(30e9), 90_500.0, "M′"),
-        (Some(210e9), 40_500.0, "M"),
-        (None, 40_500.0, "M"),
-    ] {
-        let a = En2006
-            .assess(&tank(false, bottom, Support::Unanchored), Excitation::Site)
-            .unwrap();
+    for (bottom, mass, symbol) in [(Some(30e9), 90_500.0, "M′"), (Some(210e9), 40_500.0, "M"), (None, 40_500.0, "M")]
+    {
+        let a = En2006.assess(&tank(false, bottom, Support::Unanchored), Excitation::Site).unwrap();
         let found = check(&a, "overturning");
         near(found.capacity.unwrap(), mass * 9.81 * 2.5);
         assert_eq!(found.demand, Some(line(&a, symbol)));
     }
     // a_vg = 0.9·1.2·0.25 g = 0.27 g: g − 0.081 g.
-    let a = En2006
-        .assess(&tank(true, Some(30e9), Support::Unanchored), Excitation::Site)
-        .unwrap();
-    near(
-        check(&a, "overturning").capacity.unwrap(),
-        90_500.0 * 9.81 * 0.919 * 2.5,
-    );
+    let a = En2006.assess(&tank(true, Some(30e9), Support::Unanchored), Excitation::Site).unwrap();
+    near(check(&a, "overturning").capacity.unwrap(), 90_500.0 * 9.81 * 0.919 * 2.5);
 }
 
 /// 18 anchors around 18 m of wall, 4 of them in a wall 4 m wide.
@@ -67,17 +57,9 @@ fn anchors_take_the_rest() {
     } else {
         assert_eq!(gap.input.as_deref(), Some("tank.anchors"));
     }
-    case.site.ec8 = Some(Ec8Site {
-        ag: 1.5 * 9.81,
-        vertical: false,
-        ..site()
-    });
-    case.tank.anchors = Some(Anchors {
-        count: 18,
-        capacity: Some(300e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    case.site.ec8 = Some(Ec8Site { ag: 1.5 * 9.81, vertical: false, ..site() });
+    case.tank.anchors =
+        Some(Anchors { count: 18, capacity: Some(300e3), attachment_capacity: None, ..Anchors::default() });
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let rest = line(&a, "M") - 40_500.0 * 9.81 * 2.5;
     assert!(rest > 0.0);

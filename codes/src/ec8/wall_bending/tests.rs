@@ -17,19 +17,11 @@ fn course(height: f64, thickness: f64, nu: f64) -> Course {
 
 /// A wall of width 2 m.
 fn panel(height: f64, nu: f64, functions: usize, least: f64) -> Wall {
-    Wall::with(
-        &[course(height, 0.3, nu)],
-        Plan::Box { half_width: 1.0 },
-        functions,
-        least,
-    )
+    Wall::with(&[course(height, 0.3, nu)], Plan::Box { half_width: 1.0 }, functions, least)
 }
 
 fn near(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found - expected).abs() <= tolerance,
-        "{found} instead of {expected} ± {tolerance}"
-    );
+    assert!((found - expected).abs() <= tolerance, "{found} instead of {expected} ± {tolerance}");
 }
 
 /// Clamping moment at the middle of the base over q a², a the height, for width over height of 3, 2, 1.
@@ -53,9 +45,7 @@ fn uniform_load_against_roark() {
     near(state.base.0 / 4.0, 0.321 / 6.0, 0.07 * 0.321 / 6.0);
     near(state.base.1 / 2.0, 0.457, 0.05 * 0.457);
     near(-state.at(0.0, 2.0).m_x / 4.0, 0.259 / 6.0, 0.07 * 0.259 / 6.0);
-    let peak = (0..=48)
-        .map(|i| state.at(1.0, f64::from(i) / 24.0).m_x)
-        .fold(0.0, f64::max);
+    let peak = (0..=48).map(|i| state.at(1.0, f64::from(i) / 24.0).m_x).fold(0.0, f64::max);
     let ratio = peak / 4.0 / (0.511 / 6.0);
     assert!((1.0..1.15).contains(&ratio), "{ratio}");
 }
@@ -68,17 +58,8 @@ fn convergence() {
         let values = |functions, least| {
             let wall = panel(h, 0.2, functions, least);
             let s = wall.under(|z| 1.0 - 0.5 * z / h);
-            let peak = (0..=96)
-                .map(|i| s.at(1.0, h * f64::from(i) / 96.0).m_x)
-                .fold(0.0, f64::max);
-            [
-                s.base.0,
-                s.base.1,
-                s.at(1.0, 0.5 * h).m_x,
-                s.at(0.0, h).m_x,
-                s.at(0.0, 0.0).m_z,
-                peak,
-            ]
+            let peak = (0..=96).map(|i| s.at(1.0, h * f64::from(i) / 96.0).m_x).fold(0.0, f64::max);
+            [s.base.0, s.base.1, s.at(1.0, 0.5 * h).m_x, s.at(0.0, h).m_x, s.at(0.0, 0.0).m_z, peak]
         };
         let fine = values(12, 96.0);
         for (functions, least) in [(FUNCTIONS, ELEMENTS), (FUNCTIONS, 96.0), (12, ELEMENTS)] {
@@ -117,9 +98,7 @@ fn limits_of_a_box_wall() {
 fn sides_carry_a_tall_wall() {
     let tall = Wall::new(&[course(12.0, 0.3, 0.2)], Plan::Box { half_width: 1.0 });
     let state = tall.under(|_| 5e3);
-    let sum: f64 = (0..200)
-        .map(|i| state.at(1.0, 3.0 + 7.0 * (f64::from(i) + 0.5) / 200.0).v_x * 7.0 / 200.0)
-        .sum();
+    let sum: f64 = (0..200).map(|i| state.at(1.0, 3.0 + 7.0 * (f64::from(i) + 0.5) / 200.0).v_x * 7.0 / 200.0).sum();
     near(sum, 35e3, 0.005 * 35e3);
 }
 
@@ -138,13 +117,7 @@ fn stepped_strip() {
 fn long_cylinder_against_timoshenko() {
     let (r, s, h, nu) = (10.0f64, 0.1f64, 10.0f64, 0.2f64);
     let beta = (3.0 * (1.0 - nu * nu) / (r * r * s * s)).powf(0.25);
-    let wall = Wall::new(
-        &[course(h, s, nu)],
-        Plan::Cylinder {
-            radius: r,
-            base: WallBase::Fixed,
-        },
-    );
+    let wall = Wall::new(&[course(h, s, nu)], Plan::Cylinder { radius: r, base: WallBase::Fixed });
     let state = wall.under(|z| 1e4 * (h - z));
     let scale = 1e5 * r * s / (12.0 * (1.0 - nu * nu)).sqrt();
     near(state.base.0 / (scale * (1.0 - 1.0 / (beta * h))), 1.0, 1e-4);
@@ -171,12 +144,9 @@ fn long_cylinder_on_each_joint() {
     let beta = (3.0 * (1.0 - nu * nu) / (r * r * s * s)).powf(0.25);
     let foot = 2.0 * beta.powi(3) * e * s.powi(3) / (12.0 * (1.0 - nu * nu));
     let free = |z: f64| 1e4 * (h - z) * r * r / (e * s);
-    for (k, base) in [
-        (f64::INFINITY, WallBase::Hinged),
-        (0.0, sliding(Some(0.0))),
-        (5e7, sliding(Some(5e7))),
-        (0.0, sliding(None)),
-    ] {
+    for (k, base) in
+        [(f64::INFINITY, WallBase::Hinged), (0.0, sliding(Some(0.0))), (5e7, sliding(Some(5e7))), (0.0, sliding(None))]
+    {
         let wall = Wall::new(&[course(h, s, nu)], Plan::Cylinder { radius: r, base });
         let state = wall.under(|z| 1e4 * (h - z));
         let q = free(0.0) * if k.is_finite() { foot * k / (foot + k) } else { foot };
@@ -198,10 +168,7 @@ fn long_cylinder_on_each_joint() {
 }
 
 fn sliding(stiffness: Option<f64>) -> WallBase {
-    WallBase::Sliding {
-        stiffness,
-        friction: None,
-    }
+    WallBase::Sliding { stiffness, friction: None }
 }
 
 /// H = 20 ft, D = 54 ft, t = 10 in, 62.5 lb/ft³: largest moment 14 804/(1.3·1.7) = 6699 lb·ft/ft at the base, −3756/(1.3·1.7) = −1700
@@ -210,13 +177,7 @@ fn sliding(stiffness: Option<f64>) -> WallBase {
 #[test]
 fn short_cylinder_against_pca() {
     let (h, r, t) = (20.0, 27.0, 10.0 / 12.0);
-    let wall = Wall::new(
-        &[course(h, t, 0.2)],
-        Plan::Cylinder {
-            radius: r,
-            base: WallBase::Fixed,
-        },
-    );
+    let wall = Wall::new(&[course(h, t, 0.2)], Plan::Cylinder { radius: r, base: WallBase::Fixed });
     let state = wall.under(|z| 62.5 * (h - z));
     near(state.base.0, 14_804.0 / 2.21, 0.02 * 6699.0);
     let heights = || (0..=200).map(|i| 0.1 * f64::from(i));
@@ -243,11 +204,7 @@ fn frequencies(wall: &Wall, mass: impl Fn(f64) -> f64) -> (f64, f64) {
     let mut before: Option<Vec<f64>> = None;
     let mut found = Vec::new();
     for _ in 0..12 {
-        let state = State {
-            wall,
-            unknowns,
-            base: (0.0, 0.0),
-        };
+        let state = State { wall, unknowns, base: (0.0, 0.0) };
         let mut force = vec![0.0; state.unknowns.len()];
         let (mut up, mut down, mut values) = (0.0, 0.0, Vec::new());
         for (e, element) in wall.elements.iter().enumerate() {

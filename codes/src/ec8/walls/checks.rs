@@ -37,9 +37,7 @@ pub(super) fn assess(work: &mut Work, places: &[Place]) {
     let directions = [BarDirection::Hoop, BarDirection::Vertical];
     let of = |(index, course)| directions.map(|direction| section::of(course, index, direction, options));
     let sections = Sections(case.tank.courses.iter().enumerate().map(of).collect());
-    let missing = places
-        .iter()
-        .find_map(|p| sections.of(p).and_then(|s| s.as_ref().err()));
+    let missing = places.iter().find_map(|p| sections.of(p).and_then(|s| s.as_ref().err()));
     if let Some(missing) = missing.cloned() {
         left_out(work, places, &sections, &missing, damage);
     }
@@ -55,10 +53,7 @@ pub(super) fn assess(work: &mut Work, places: &[Place]) {
 
 /// Something is missing: all limit states of the wall stay open, whatever the other courses give.
 fn left_out(work: &mut Work, places: &[Place], sections: &Sections, missing: &Missing, damage: bool) {
-    let bare: Vec<&Place> = places
-        .iter()
-        .filter(|p| matches!(sections.of(p), Some(Err(_))))
-        .collect();
+    let bare: Vec<&Place> = places.iter().filter(|p| matches!(sections.of(p), Some(Err(_)))).collect();
     let mut reason = missing.reason.clone();
     // The thickness of several layers is not that of one section.
     let areas = match missing.input {
@@ -92,11 +87,7 @@ fn bending(work: &mut Work, places: &[Place], sections: &Sections, direction: Ba
         }
         let utilisation = section.utilisation(place.n, place.m);
         if governing.is_none() || utilisation > bound {
-            governing = Some(Governing {
-                place,
-                section,
-                utilisation,
-            });
+            governing = Some(Governing { place, section, utilisation });
         }
     }
     if let Some(governing) = governing {
@@ -114,17 +105,9 @@ fn shear(work: &mut Work, places: &[Place], sections: &Sections) {
         let tension = if place.m >= 0.0 { Face::Inner } else { Face::Outer };
         let terms = shear::terms(section, place.n, tension);
         let capacity = terms.map_or(0.0, |t| lines::shear_resistance(section, &t));
-        let utilisation = if capacity > 0.0 {
-            demand / capacity
-        } else {
-            f64::INFINITY
-        };
+        let utilisation = if capacity > 0.0 { demand / capacity } else { f64::INFINITY };
         if governing.as_ref().is_none_or(|(g, _)| utilisation > g.utilisation) {
-            let worst = Governing {
-                place,
-                section,
-                utilisation,
-            };
+            let worst = Governing { place, section, utilisation };
             governing = Some((worst, terms));
         }
     }
@@ -159,11 +142,7 @@ fn cracks(work: &mut Work, places: &[Place], sections: &Sections, situation: Sit
         let limit = crack::limit(class, place.head, section.thickness, width.compressed);
         let utilisation = width.width / limit;
         if governing.as_ref().is_none_or(|(g, ..)| utilisation > g.utilisation) {
-            let worst = Governing {
-                place,
-                section,
-                utilisation,
-            };
+            let worst = Governing { place, section, utilisation };
             governing = Some((worst, width, limit));
         }
     }

@@ -31,22 +31,17 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
     }
     let (depth, courses) = (case.liquid.fill_height, case.tank.courses.as_slice());
     let q = work.demand.behaviour_factor;
-    let horizontal = Horizontal::new(
-        (depth, courses),
-        state.combination,
-        (state.impulsive_acceleration(), q),
-        |z| (state.pressure_impulsive(z), state.pressure_convective(z)),
-    );
+    let horizontal = Horizontal::new((depth, courses), state.combination, (state.impulsive_acceleration(), q), |z| {
+        (state.pressure_impulsive(z), state.pressure_convective(z))
+    });
     let radius = state.radius;
     let base = case.tank.wall_base;
     let wall = Wall::new(courses, Plan::Cylinder { radius, base });
     let pulled = (!base.holds().0).then(|| wall.pulled());
     let reduction = work.demand.site.and_then(|site| site.reduction_factor);
     let cases = cases(vertical, reduction);
-    let [still, breathing] = [
-        wall.under(|z| state.pressure_hydrostatic(z)),
-        wall.under(|z| state.pressure_vertical(z)),
-    ];
+    let [still, breathing] =
+        [wall.under(|z| state.pressure_hydrostatic(z)), wall.under(|z| state.pressure_vertical(z))];
     let of = |situation| wall.under(|z| horizontal.pressure(z, situation));
     let seismic = of(super::place::Situation::Seismic);
     let damage = of(super::place::Situation::Damage);
@@ -80,11 +75,7 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
                 shear,
             };
             let stands = state.weight(0.0) * state.weight_factor(factors.v) + x * state.axial(0.0) * scale;
-            for held in by_friction(
-                friction(base) * stands.max(0.0),
-                pulled.as_ref(),
-                sum(&|s| s.at(0.0, 0.0).w),
-            ) {
+            for held in by_friction(friction(base) * stands.max(0.0), pulled.as_ref(), sum(&|s| s.at(0.0, 0.0).w)) {
                 let pull = |of: &dyn Fn(&Bent) -> f64| pulled.as_ref().map_or(0.0, |pulled| held * of(pulled));
                 let both = |of: &dyn Fn(&Bent) -> f64| sum(of) - pull(of);
                 let m = match foot {
@@ -127,10 +118,7 @@ fn words(base: WallBase) -> &'static str {
 /// Coefficient of the friction that alone holds a foot along the radius.
 fn friction(base: WallBase) -> f64 {
     match base {
-        WallBase::Sliding {
-            stiffness: None,
-            friction: Some(friction),
-        } => friction,
+        WallBase::Sliding { stiffness: None, friction: Some(friction) } => friction,
         _ => 0.0,
     }
 }

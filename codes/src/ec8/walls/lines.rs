@@ -126,13 +126,7 @@ pub(super) fn shear(work: &mut Work, governing: &Governing, terms: Option<Shear>
     sheet.input("v_Ed", "shear across the wall", demand, LineForce, "forces of the wall");
     let mut capacity = 0.0;
     if let Some(terms) = terms {
-        sheet.input(
-            "d",
-            "effective depth of the bars in tension",
-            terms.depth,
-            Length,
-            "input",
-        );
+        sheet.input("d", "effective depth of the bars in tension", terms.depth, Length, "input");
         sheet.input("A_sl", "area of the bars in tension", terms.area, LineArea, "input");
         let axial = [("n_Ed", place.n, LineForce), ("h", section.thickness, Length)];
         let name = "axial stress, compression positive, at most 0.2 f_cd";
@@ -159,28 +153,11 @@ pub(super) fn crack(
     let (place, section) = (governing.place, governing.section);
     let bars = governing.bars().0;
     let sheet = &mut work.sheet;
-    sheet.section(&format!(
-        "Wall of concrete: crack width, {bars} bars, {}",
-        place.describe()
-    ));
+    sheet.section(&format!("Wall of concrete: crack width, {bars} bars, {}", place.describe()));
     governing.action_lines(sheet, "forces of the wall");
     let steel = section.bars.first().map_or(200e9, |b| b.modulus);
-    sheet.look_up(
-        "σ_s",
-        "stress of the bars",
-        "cracked elastic section",
-        width.stress,
-        Stress,
-        CRACK,
-    );
-    sheet.look_up(
-        "h_c,ef",
-        "effective height",
-        "min(2.5 (h - d), (h - x)/3, h/2)",
-        width.effective,
-        Length,
-        CRACK,
-    );
+    sheet.look_up("σ_s", "stress of the bars", "cracked elastic section", width.stress, Stress, CRACK);
+    sheet.look_up("h_c,ef", "effective height", "min(2.5 (h - d), (h - x)/3, h/2)", width.effective, Length, CRACK);
     if width.stress > 0.0 {
         let terms = [
             ("c", width.cover, Length),

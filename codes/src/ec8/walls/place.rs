@@ -74,32 +74,15 @@ impl Place<'_> {
 ///
 /// * `vertical`: whether vertical motion is considered; `reduction`: factor ν of damage limitation
 pub(super) fn cases(vertical: bool, reduction: Option<f64>) -> Vec<Factors> {
-    let mut out = vec![Factors {
-        situation: Situation::Service,
-        x: 0.0,
-        v: 0.0,
-        aside: false,
-    }];
-    let combinations: &[(f64, f64)] = if vertical {
-        &[(1.0, 0.3), (0.3, 1.0)]
-    } else {
-        &[(1.0, 0.0)]
-    };
-    let situations = [
-        Some((Situation::Seismic, 1.0)),
-        reduction.map(|nu| (Situation::Damage, nu)),
-    ];
+    let mut out = vec![Factors { situation: Situation::Service, x: 0.0, v: 0.0, aside: false }];
+    let combinations: &[(f64, f64)] = if vertical { &[(1.0, 0.3), (0.3, 1.0)] } else { &[(1.0, 0.0)] };
+    let situations = [Some((Situation::Seismic, 1.0)), reduction.map(|nu| (Situation::Damage, nu))];
     for (situation, scale) in situations.into_iter().flatten() {
         for (x, v) in combinations {
             let signs: &[f64] = if *v > 0.0 { &[1.0, -1.0] } else { &[1.0] };
             for sign in signs {
                 let mut add = |x: f64, aside| {
-                    out.push(Factors {
-                        situation,
-                        x: scale * x,
-                        v: scale * v * sign,
-                        aside,
-                    });
+                    out.push(Factors { situation, x: scale * x, v: scale * v * sign, aside });
                 };
                 add(*x, false);
                 add(-*x, false);
@@ -136,15 +119,7 @@ impl<'a> Horizontal<'a> {
     ) -> Horizontal<'a> {
         let heights = (0..=INTERVALS).map(|i| depth * i as f64 / INTERVALS as f64);
         let (impulsive, convective) = heights.map(fields).unzip();
-        Horizontal {
-            depth,
-            combination,
-            courses,
-            a_i,
-            q,
-            impulsive,
-            convective,
-        }
+        Horizontal { depth, combination, courses, a_i, q, impulsive, convective }
     }
 
     fn between(&self, table: &[f64], z: f64) -> f64 {

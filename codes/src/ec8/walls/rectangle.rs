@@ -21,13 +21,8 @@ pub(in crate::ec8) struct BoxTank<'f> {
 }
 
 /// Position of sections across a wall, ξ = x/B.
-const ACROSS: [(f64, &str); 5] = [
-    (0.0, "middle"),
-    (0.25, "quarter"),
-    (0.5, "half way to the corner"),
-    (0.75, "near the corner"),
-    (1.0, "corner"),
-];
+const ACROSS: [(f64, &str); 5] =
+    [(0.0, "middle"), (0.25, "quarter"), (0.5, "half way to the corner"), (0.75, "near the corner"), (1.0, "corner")];
 /// Share of the height above which the reaction of a side is concentrated at the free corner; it is taken as the one here.
 const FREE_CORNER: f64 = 0.9;
 
@@ -84,9 +79,7 @@ struct Level {
 impl Level {
     fn new(name: &'static str, loaded: &Loaded, (z, reaction): (f64, f64), strip: bool) -> Level {
         let across = if strip { &ACROSS[..1] } else { &ACROSS[..] };
-        let sections = across
-            .iter()
-            .map(|(xi, part)| (*xi, *part, loaded.each(|s| s.at(*xi, z))));
+        let sections = across.iter().map(|(xi, part)| (*xi, *part, loaded.each(|s| s.at(*xi, z))));
         Level {
             name,
             sections: sections.collect(),
@@ -103,24 +96,13 @@ pub(in crate::ec8) fn assess(work: &mut Work, tank: &BoxTank) {
     let weight = case.liquid.density * case.gravity;
     let q = work.demand.behaviour_factor;
     let ground = work.demand.vertical_ground() / case.gravity;
-    let horizontal = Horizontal::new(
-        (depth, courses),
-        case.procedures.ec8_combination,
-        (tank.impulsive, q),
-        tank.pressures,
-    );
+    let horizontal =
+        Horizontal::new((depth, courses), case.procedures.ec8_combination, (tank.impulsive, q), tank.pressures);
     let (length, breadth) = tank.plan;
     let plans: Vec<(&'static str, Plan)> = match tank.strip {
         true => vec![("wall across the shaking", Plan::Strip)],
         false => [("wall across the shaking", breadth), ("wall along the shaking", length)]
-            .map(|(name, width)| {
-                (
-                    name,
-                    Plan::Box {
-                        half_width: 0.5 * width,
-                    },
-                )
-            })
+            .map(|(name, width)| (name, Plan::Box { half_width: 0.5 * width }))
             .to_vec(),
     };
     let walls: Vec<Wall> = plans.iter().map(|(_, plan)| Wall::new(courses, *plan)).collect();
@@ -168,10 +150,7 @@ pub(in crate::ec8) fn assess(work: &mut Work, tank: &BoxTank) {
                 let other = levels.get(1 - w).filter(|_| !tank.strip);
                 let pull = other.map_or(0.0, |other| other.reaction.sum(factors, |v| *v));
                 let n = (pull.max(0.0) + axial.1, axial.0 + axial.1 - dead);
-                let at = Place {
-                    factors: *factors,
-                    ..at
-                };
+                let at = Place { factors: *factors, ..at };
                 sections(&mut places, &at, level, n, tank.strip);
             }
         }
@@ -192,10 +171,7 @@ fn sections<'a>(places: &mut Vec<Place<'a>>, at: &Place<'a>, level: &Level, n: (
         let m_z = base.map_or_else(|| part(|f| f.m_z), |base| base.sum(factors, |b| b.0));
         // Wood and Armer: the twisting moment adds to both directions.
         let twisted = |m: f64| m + m_xz.copysign(m);
-        let place = Place {
-            wall: (level.name, part_of_wall),
-            ..*at
-        };
+        let place = Place { wall: (level.name, part_of_wall), ..*at };
         places.push(Place {
             direction: BarDirection::Vertical,
             n: n.1,

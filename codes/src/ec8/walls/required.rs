@@ -21,10 +21,9 @@ pub(super) fn assess(work: &mut Work, places: &[&Place]) -> String {
     let factors = work.case.procedures.concrete;
     work.sheet.section("Bars that the wall needs (ultimate limit state)");
     let mut words = Vec::new();
-    for (direction, what, symbol) in [
-        (BarDirection::Hoop, "horizontal", "a_h"),
-        (BarDirection::Vertical, "vertical", "a_v"),
-    ] {
+    for (direction, what, symbol) in
+        [(BarDirection::Hoop, "horizontal", "a_h"), (BarDirection::Vertical, "vertical", "a_v")]
+    {
         for (face, side, index) in [(Face::Inner, "inner", "i"), (Face::Outer, "outer", "o")] {
             let mut governing: Option<(Option<f64>, &Place)> = None;
             let seismic = |p: &&&Place| p.direction == direction && p.factors.situation == Situation::Seismic;
@@ -53,8 +52,7 @@ pub(super) fn assess(work: &mut Work, places: &[&Place]) -> String {
                 with_unit(cover(place), Length)
             );
             let symbol = format!("{symbol},{index}");
-            work.sheet
-                .look_up(&symbol, &name, &source, needed, LineArea, "EN 1992-1-1:2004 6.1");
+            work.sheet.look_up(&symbol, &name, &source, needed, LineArea, "EN 1992-1-1:2004 6.1");
             words.push(format!("{what} {side} {}", with_unit(needed, LineArea)));
         }
     }
@@ -68,11 +66,5 @@ fn cover(place: &Place) -> f64 {
 fn needed(place: &Place, gamma_c: f64, gamma_s: f64, face: Face) -> Option<f64> {
     let strength = concrete(place.course).1.unwrap_or(STRENGTH);
     let design = (strength / gamma_c, YIELD / gamma_s);
-    area(
-        place.course.total_thickness(),
-        cover(place),
-        design,
-        (place.n, place.m),
-        face,
-    )
+    area(place.course.total_thickness(), cover(place), design, (place.n, place.m), face)
 }

@@ -12,10 +12,7 @@ pub(super) struct Missing {
 }
 
 fn missing(input: String) -> Missing {
-    Missing {
-        reason: format!("`{input}` is missing"),
-        input: Some(input),
-    }
+    Missing { reason: format!("`{input}` is missing"), input: Some(input) }
 }
 
 /// Material of the concrete of a course, and its characteristic strength where it is known [Pa].
@@ -81,10 +78,7 @@ pub(super) fn of(
             BarDirection::Vertical => "vertical",
         };
         let input = reinforcement(course, index);
-        return Err(Missing {
-            reason: format!("no {what} bars are given: `{input}` is missing"),
-            input: Some(input),
-        });
+        return Err(Missing { reason: format!("no {what} bars are given: `{input}` is missing"), input: Some(input) });
     }
     Ok(section)
 }

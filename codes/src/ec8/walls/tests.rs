@@ -35,10 +35,7 @@ fn c30() -> Material {
 
 /// Bars of 16 mm, 5 cm from both faces, both directions [m²/m].
 fn course(height: f64, thickness: f64, hoop: f64, vertical: f64) -> Course {
-    let steel = Material {
-        yield_strength: Some(500e6),
-        ..material("b500", 200e9, 0.3, 7850.0)
-    };
+    let steel = Material { yield_strength: Some(500e6), ..material("b500", 200e9, 0.3, 7850.0) };
     let bars = |direction, area, depth| Reinforcement {
         direction,
         area,
@@ -48,29 +45,15 @@ fn course(height: f64, thickness: f64, hoop: f64, vertical: f64) -> Course {
     };
     let reinforcement = [0.05, thickness - 0.05]
         .into_iter()
-        .flat_map(|depth| {
-            [
-                bars(BarDirection::Hoop, hoop, depth),
-                bars(BarDirection::Vertical, vertical, depth),
-            ]
-        })
+        .flat_map(|depth| [bars(BarDirection::Hoop, hoop, depth), bars(BarDirection::Vertical, vertical, depth)])
         .filter(|b| b.area > 0.0)
         .collect();
-    let layer = Layer {
-        kind: LayerKind::Shell,
-        thickness,
-        material: c30(),
-        reinforcement,
-    };
+    let layer = Layer { kind: LayerKind::Shell, thickness, material: c30(), reinforcement };
     Course::layered(height, vec![layer])
 }
 
 fn weak() -> Ec8Site {
-    Ec8Site {
-        ag: 0.1 * 9.81,
-        importance: 1.0,
-        ..site()
-    }
+    Ec8Site { ag: 0.1 * 9.81, importance: 1.0, ..site() }
 }
 
 /// R = 10 m, 5 m of water, wall 6 m × 30 cm.
@@ -85,18 +68,12 @@ fn assess(case: &Case) -> Assessment {
 
 /// Value of a symbol in the section whose title contains this.
 fn of(a: &Assessment, section: &str, symbol: &str) -> f64 {
-    let step = a
-        .steps
-        .iter()
-        .find(|s| s.section.contains(section) && s.symbol == symbol);
+    let step = a.steps.iter().find(|s| s.section.contains(section) && s.symbol == symbol);
     step.map_or(f64::NAN, |s| s.value)
 }
 
 fn near(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found / expected - 1.0).abs() < tolerance,
-        "{found} instead of {expected}"
-    );
+    assert!((found / expected - 1.0).abs() < tolerance, "{found} instead of {expected}");
 }
 
 /// Long-wall form of a cylinder on its base under a linear pressure from `p` at the foot to zero at the surface, H = 5 m, R = 10 m, s = 0.3 m:
@@ -104,10 +81,7 @@ fn near(found: f64, expected: f64, tolerance: f64) {
 fn long_wall(p: f64, base: WallBase, z: f64) -> (f64, f64, f64) {
     let (r, s, h, nu): (f64, f64, f64, f64) = (10.0, 0.3, 5.0, 0.2);
     let beta = (3.0 * (1.0 - nu * nu) / (r * r * s * s)).powf(0.25);
-    let (c, d) = (
-        (beta * z).cos() * (-beta * z).exp(),
-        (beta * z).sin() * (-beta * z).exp(),
-    );
+    let (c, d) = ((beta * z).cos() * (-beta * z).exp(), (beta * z).sin() * (-beta * z).exp());
     // Edge solution over w_p(0): A cos + B sin; clamped: w = 0, w' = 0; hinged: w = 0, w'' = 0.
     let (a, b) = match base {
         WallBase::Fixed => (1.0, 1.0 - 1.0 / (beta * h)),
@@ -139,10 +113,7 @@ fn hydrostatic_forces_on_each_base() {
     // Free to slide the foot has p R, whatever friction may hold of it.
     for friction in [0.0, 0.3] {
         let mut case = cylinder(2e-3, 1e-3);
-        case.tank.wall_base = WallBase::Sliding {
-            stiffness: None,
-            friction: Some(friction),
-        };
+        case.tank.wall_base = WallBase::Sliding { stiffness: None, friction: Some(friction) };
         near(of(&assess(&case), "crack width, horizontal", "n_Ed"), p * 10.0, 2e-3);
     }
 }
@@ -188,16 +159,10 @@ fn the_compared_hoop_stress_is_that_of_the_base() {
         let heights = || (0..=500).map(|i| 0.01 * f64::from(i));
         let largest = heights().map(|z| long_wall(p, base, z).0).fold(0.0, f64::max) / 0.3;
         let found = a.values[&Quantity::HoopStress];
-        assert!(
-            found > 1.05 * largest && found < 0.98 * p * 10.0 / 0.3,
-            "{base:?}: {found} {largest}"
-        );
+        assert!(found > 1.05 * largest && found < 0.98 * p * 10.0 / 0.3, "{base:?}: {found} {largest}");
     }
     let mut case = cylinder(2e-3, 1e-3);
-    case.tank.wall_base = WallBase::Sliding {
-        stiffness: Some(0.0),
-        friction: None,
-    };
+    case.tank.wall_base = WallBase::Sliding { stiffness: Some(0.0), friction: None };
     let a = assess(&case);
     let p = line(&a, "p_i") + line(&a, "p_c");
     near(a.values[&Quantity::HoopStress], p * 10.0 / 0.3, 0.1);
@@ -217,28 +182,17 @@ fn a_sliding_joint_has_its_force() {
         let a = on(None, Some(friction));
         let along = a.checks.iter().find(|c| c.id == "wall_joint").unwrap();
         assert_eq!(along.limit_state, "wall_shear");
-        near(
-            along.demand.unwrap(),
-            line(&a, "Q") / (std::f64::consts::PI * 10.0),
-            1e-9,
-        );
+        near(along.demand.unwrap(), line(&a, "Q") / (std::f64::consts::PI * 10.0), 1e-9);
         assert!((along.capacity.unwrap() - friction * weight).abs() < 1e-6 * weight);
         let v = check(&a, "wall_shear").demand.unwrap();
         let most = friction * (weight + of(&a, "concrete: shear, course", "n_Ed").abs());
-        assert!(
-            v <= most + 1e-6 * weight && v >= friction * weight * (1.0 - 1e-9),
-            "{friction}: {v} {most}"
-        );
+        assert!(v <= most + 1e-6 * weight && v >= friction * weight * (1.0 - 1e-9), "{friction}: {v} {most}");
     }
     // A bearing as stiff as concrete is a hinge; without friction the shear along the joint is open.
     let stiff = on(Some(1e12), None);
     let mut case = cylinder(2e-3, 1e-3);
     case.tank.wall_base = WallBase::Hinged;
-    near(
-        of(&stiff, "concrete: shear, course", "v_Ed"),
-        of(&assess(&case), "concrete: shear, course", "v_Ed"),
-        1e-3,
-    );
+    near(of(&stiff, "concrete: shear, course", "v_Ed"), of(&assess(&case), "concrete: shear, course", "v_Ed"), 1e-3);
     let mut open = stiff.checks.iter().filter(|c| c.status == CheckStatus::NotChecked);
     assert!(open.any(|c| c.limit_state == "wall_shear" && c.input.as_deref() == Some("tank.wall_base.friction")));
 }
@@ -272,9 +226,7 @@ fn required_areas() {
     let vertical = of(&a, section, "a_v,i").max(of(&a, section, "a_v,o"));
     let b = assess(&cylinder(hoop, vertical));
     for direction in ["horizontal", "vertical"] {
-        let found = check(&b, &format!("wall_tension_and_bending_{direction}"))
-            .utilisation
-            .unwrap();
+        let found = check(&b, &format!("wall_tension_and_bending_{direction}")).utilisation.unwrap();
         assert!(found > 0.7 && found <= 1.0 + 1e-6, "{direction} {found}");
     }
 }
@@ -297,10 +249,7 @@ fn missing_strengths() {
     }
     let a = assess(&case);
     assert!(check(&a, "wall_tension_and_bending_horizontal").holds());
-    assert_eq!(
-        check(&a, "crack_width").input.as_deref(),
-        Some("tank.courses[0].reinforcement")
-    );
+    assert_eq!(check(&a, "crack_width").input.as_deref(), Some("tank.courses[0].reinforcement"));
     case.procedures.concrete.tightness_class = 2;
     let a = assess(&case);
     assert!(check(&a, "crack_width").reason.contains("tightness class 2"));
@@ -330,11 +279,7 @@ fn strip_by_hand() {
     near(of(&a, "vertical bars", "n_Ed"), -0.3 * 3.0 * 2500.0 * 9.81, 1e-6);
     assert!(a.checks.iter().all(|c| c.id != "wall_tension_and_bending_horizontal"));
     // Shear: half the base shear of the strip is one wall's, and the hydrostatic p H/2.
-    near(
-        check(&a, "wall_shear").demand.unwrap(),
-        9810.0 * 2.5 * 2.5 / 2.0 + 0.5 * line(&a, "Q"),
-        1e-3,
-    );
+    near(check(&a, "wall_shear").demand.unwrap(), 9810.0 * 2.5 * 2.5 / 2.0 + 0.5 * line(&a, "Q"), 1e-3);
 }
 
 /// A box: strong walls hold, weak ones do not; the moments lie below those of the strip.
@@ -346,29 +291,19 @@ fn boxes() {
         assess(&case)
     };
     let strong = with(0.3, 1.5e-3);
-    for id in [
-        "wall_tension_and_bending_horizontal",
-        "wall_tension_and_bending_vertical",
-        "wall_shear",
-        "crack_width",
-    ] {
+    for id in ["wall_tension_and_bending_horizontal", "wall_tension_and_bending_vertical", "wall_shear", "crack_width"]
+    {
         assert!(check(&strong, id).holds(), "{:?}", check(&strong, id));
     }
     let weak = with(0.15, 0.2e-3);
-    assert_eq!(
-        check(&weak, "wall_tension_and_bending_vertical").status,
-        CheckStatus::Fails
-    );
+    assert_eq!(check(&weak, "wall_tension_and_bending_vertical").status, CheckStatus::Fails);
     assert_eq!(check(&weak, "crack_width").status, CheckStatus::Fails);
 }
 
 /// A box of steel: elastic stress below yield.
 #[test]
 fn metal_box() {
-    let steel = Material {
-        yield_strength: Some(235e6),
-        ..samples::steel()
-    };
+    let steel = Material { yield_strength: Some(235e6), ..samples::steel() };
     let mut case = concrete_rectangle(4.0, false, weak());
     for (thickness, status) in [(0.04, CheckStatus::Holds), (0.008, CheckStatus::Fails)] {
         case.tank.courses = vec![samples::course(3.0, thickness, steel.clone())];
@@ -377,8 +312,5 @@ fn metal_box() {
     }
     case.tank.courses = vec![samples::course(3.0, 0.04, samples::steel())];
     let a = assess(&case);
-    assert_eq!(
-        check(&a, "wall_tension_and_bending").input.as_deref(),
-        Some("materials.steel.yield_strength")
-    );
+    assert_eq!(check(&a, "wall_tension_and_bending").input.as_deref(), Some("materials.steel.yield_strength"));
 }

@@ -6,30 +6,15 @@
 use super::*;
 
 fn bars(depth: f64, area: f64, diameter: f64) -> Bars {
-    Bars {
-        depth,
-        area,
-        diameter: Some(diameter),
-        yield_strength: 500e6,
-        modulus: 200e9,
-    }
+    Bars { depth, area, diameter: Some(diameter), yield_strength: 500e6, modulus: 200e9 }
 }
 
 fn wall(thickness: f64, strength: f64, modulus: f64, bars: Vec<Bars>) -> Section {
-    Section {
-        thickness,
-        strength,
-        modulus,
-        bars,
-        factors: (1.5, 1.15),
-    }
+    Section { thickness, strength, modulus, bars, factors: (1.5, 1.15) }
 }
 
 fn near(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found / expected - 1.0).abs() < tolerance,
-        "{found} instead of {expected}"
-    );
+    assert!((found / expected - 1.0).abs() < tolerance, "{found} instead of {expected}");
 }
 
 /// b = 0.4 m, h = 0.3 m, c = 35 mm, 3 Ø 16 (603.19 mm²), C25, σ_s = 175.74 MPa, h_c,ef taken as 2 (h − d) = 86 mm there:
@@ -87,20 +72,8 @@ fn tension_cracked_through() {
 /// Force and moment of the stress state are those given, over the whole range of eccentricities; equilibrium summed independently.
 #[test]
 fn equilibrium_of_the_stress_state() {
-    let s = wall(
-        0.4,
-        30e6,
-        33e9,
-        vec![bars(0.05, 1.5e-3, 0.016), bars(0.35, 0.8e-3, 0.012)],
-    );
-    for (n, m) in [
-        (0.2e6, 60e3),
-        (0.05e6, 60e3),
-        (-0.2e6, 60e3),
-        (-0.05e6, 60e3),
-        (0.2e6, -20e3),
-        (0.3e6, 5e3),
-    ] {
+    let s = wall(0.4, 30e6, 33e9, vec![bars(0.05, 1.5e-3, 0.016), bars(0.35, 0.8e-3, 0.012)]);
+    for (n, m) in [(0.2e6, 60e3), (0.05e6, 60e3), (-0.2e6, 60e3), (-0.05e6, 60e3), (0.2e6, -20e3), (0.3e6, 5e3)] {
         let (state, face) = cracked(&s, n, m).unwrap();
         let strain = |y: f64| state.opposite + (state.strain - state.opposite) * y / 0.4;
         let parts = 4000;

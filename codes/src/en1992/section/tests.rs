@@ -8,23 +8,11 @@ use proptest::prelude::*;
 const F_YD: f64 = 500e6 / 1.15;
 
 fn bars(depth: f64, area: f64) -> Bars {
-    Bars {
-        depth,
-        area,
-        diameter: Some(0.016),
-        yield_strength: 500e6,
-        modulus: 200e9,
-    }
+    Bars { depth, area, diameter: Some(0.016), yield_strength: 500e6, modulus: 200e9 }
 }
 
 fn section(bars: Vec<Bars>) -> Section {
-    Section {
-        thickness: 0.25,
-        strength: 30e6,
-        modulus: 33e9,
-        bars,
-        factors: (1.5, 1.15),
-    }
+    Section { thickness: 0.25, strength: 30e6, modulus: 33e9, bars, factors: (1.5, 1.15) }
 }
 
 fn near(found: f64, expected: f64) {
@@ -90,10 +78,7 @@ fn interaction_points() {
 #[test]
 fn the_face_counts() {
     let s = section(vec![bars(0.05, 1e-3)]);
-    let (inner, outer) = (
-        s.bending_resistance(0.0, Face::Inner),
-        s.bending_resistance(0.0, Face::Outer),
-    );
+    let (inner, outer) = (s.bending_resistance(0.0, Face::Inner), s.bending_resistance(0.0, Face::Outer));
     assert!(inner > outer.map(|m| 4.0 * m));
     assert!(s.utilisation(0.0, 50e3) < 1.0 && s.utilisation(0.0, -50e3) > 1.0);
     assert_eq!(section(Vec::new()).utilisation(1e3, 0.0), f64::INFINITY);
@@ -103,10 +88,7 @@ fn the_face_counts() {
 /// Above C50: λ = 0.8 − 20/400, η = 1 − 20/200, ε_cu3 = 2.6 + 35·0.2⁴ = 2.656 ‰ for C70 (EN 1992-1-1 table 3.1: 2.7).
 #[test]
 fn strong_concrete() {
-    let s = Section {
-        strength: 70e6,
-        ..section(Vec::new())
-    };
+    let s = Section { strength: 70e6, ..section(Vec::new()) };
     let (lambda, eta, crushing) = s.block();
     assert!((lambda - 0.75).abs() < 1e-12 && (eta - 0.9).abs() < 1e-12);
     assert!((crushing * 1e3 - 2.7).abs() <= 0.05);

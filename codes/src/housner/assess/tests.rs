@@ -35,14 +35,7 @@ fn cylinder(depth: f64) -> Case {
 }
 
 fn strip() -> Case {
-    case(
-        Shape::Rectangle {
-            length: 5.0,
-            breadth: 1.0,
-            strip: true,
-        },
-        2.57,
-    )
+    case(Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true }, 2.57)
 }
 
 fn assess(case: &Case) -> Assessment {
@@ -105,18 +98,11 @@ fn record_spectrum_enters_as_pseudo_acceleration() {
     let mut case = cylinder(1.525);
     case.damping.sloshing = 0.0;
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "step".into(),
-            dt: 0.01,
-            acceleration: vec![1.0; 1000],
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "step".into(), dt: 0.01, acceleration: vec![1.0; 1000], processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
-    let out = Housner
-        .assess(&case, Excitation::Record)
-        .expect("the procedure applies");
+    let out = Housner.assess(&case, Excitation::Record).expect("the procedure applies");
     let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
     // Peaks lie between samples of the sub-stepped response: cos(2π/128) of the peak at worst.
     assert!((value("S_a") - 2.0).abs() < 2.5e-3);
@@ -141,28 +127,15 @@ fn profiles_meet_the_quantities() {
             |value: f64, reference: f64| assert!((value - reference).abs() < 1e-9 * reference, "{value} {reference}");
         match case.tank.shape {
             Shape::Cylinder { .. } => {
-                near(
-                    find("axial_membrane_stress").unwrap().values[0],
-                    out.values[&Quantity::AxialMembraneStress],
-                );
-                let highest = find("hoop_stress")
-                    .unwrap()
-                    .values
-                    .iter()
-                    .fold(0.0, |m: f64, v| m.max(*v));
+                near(find("axial_membrane_stress").unwrap().values[0], out.values[&Quantity::AxialMembraneStress]);
+                let highest = find("hoop_stress").unwrap().values.iter().fold(0.0, |m: f64, v| m.max(*v));
                 near(highest, out.values[&Quantity::HoopStress]);
                 // M = W sigma.
                 let modulus = stress::section_modulus_circle(3.66, 4e-3);
-                near(
-                    out.values[&Quantity::AxialMembraneStress] * modulus,
-                    out.values[&Quantity::BaseMoment],
-                );
+                near(out.values[&Quantity::AxialMembraneStress] * modulus, out.values[&Quantity::BaseMoment]);
             }
             Shape::Rectangle { .. } => {
-                near(
-                    find("bending_stress").unwrap().values[0],
-                    out.values[&Quantity::BendingStress],
-                );
+                near(find("bending_stress").unwrap().values[0], out.values[&Quantity::BendingStress]);
                 assert!(!out.values.contains_key(&Quantity::HoopStress));
             }
         }
@@ -172,14 +145,10 @@ fn profiles_meet_the_quantities() {
 /// Each line names its source: the table of the plan, and whose constants.
 #[test]
 fn clauses_name_plan_and_constants() {
-    for (mut case, plan) in [
-        (cylinder(1.525), "Brüggemann 2002 D.1"),
-        (strip(), "Brüggemann 2002 8.4.2"),
-    ] {
-        for (choice, constants) in [
-            (ConvectiveCoefficient::Exact, "potential flow"),
-            (ConvectiveCoefficient::Housner1957, "TID-7024"),
-        ] {
+    for (mut case, plan) in [(cylinder(1.525), "Brüggemann 2002 D.1"), (strip(), "Brüggemann 2002 8.4.2")] {
+        for (choice, constants) in
+            [(ConvectiveCoefficient::Exact, "potential flow"), (ConvectiveCoefficient::Housner1957, "TID-7024")]
+        {
             case.procedures.housner_convective = choice;
             let out = assess(&case);
             for (symbol, part) in [("x", plan), ("T", plan), ("k", constants), ("c_m", constants)] {
@@ -233,21 +202,11 @@ fn what_is_missing_or_outside_is_said() {
 fn own_spectrum_stands_in_for_that_of_the_code() {
     use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters};
     let mut case = cylinder(1.525);
-    case.site.ec8 = Some(Ec8Site {
-        importance: 1.2,
-        ..ec8_site()
-    });
+    case.site.ec8 = Some(Ec8Site { importance: 1.2, ..ec8_site() });
     let expected = assess(&case);
-    let own = SpectrumParameters {
-        ag: ec8_site().ag,
-        soil: 1.0,
-        corners: [0.15, 0.4, 2.0],
-        long_corners: Some([4.5, 10.0]),
-    };
-    case.site.spectrum = Some(SiteSpectrum {
-        form: SpectrumForm::Parameters(own),
-        vertical_ratio: 0.9,
-    });
+    let own =
+        SpectrumParameters { ag: ec8_site().ag, soil: 1.0, corners: [0.15, 0.4, 2.0], long_corners: Some([4.5, 10.0]) };
+    case.site.spectrum = Some(SiteSpectrum { form: SpectrumForm::Parameters(own), vertical_ratio: 0.9 });
     assert_eq!(assess(&case).values, expected.values);
     case.site.ec8 = None;
     let alone = assess(&case).values[&Quantity::BaseShear];

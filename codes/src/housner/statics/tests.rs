@@ -14,12 +14,7 @@ use crate::samples::close as near;
 const RADIUS: f64 = 1.83;
 
 fn ring(height: f64, thickness: f64) -> Ring {
-    Ring {
-        height,
-        thickness,
-        youngs_modulus: 69e9,
-        poisson_ratio: 0.32,
-    }
+    Ring { height, thickness, youngs_modulus: 69e9, poisson_ratio: 0.32 }
 }
 
 fn broad_tank() -> Wall {
@@ -30,20 +25,14 @@ fn broad_tank() -> Wall {
 #[test]
 fn broad_tank_meets_the_computed_and_the_printed_values() {
     let wall = broad_tank();
-    for (z, computed, printed) in [
-        (0.97, 0.020_209_7, 0.0202),
-        (0.85, 0.015_777_5, 0.0159),
-        (0.14, 0.033_849_9, 0.0339),
-    ] {
+    for (z, computed, printed) in
+        [(0.97, 0.020_209_7, 0.0202), (0.85, 0.015_777_5, 0.0159), (0.14, 0.033_849_9, 0.0339)]
+    {
         let cm = 100.0 * wall.at(z).displacement;
         near(cm, computed, 2e-7);
         near(cm, printed, 1e-2 * printed);
     }
-    for (z, computed, printed) in [
-        (0.97, 9677.47, 9680.0),
-        (0.915, 8491.61, 8494.0),
-        (0.14, 25909.02, 25930.0),
-    ] {
+    for (z, computed, printed) in [(0.97, 9677.47, 9680.0), (0.915, 8491.61, 8494.0), (0.14, 25909.02, 25930.0)] {
         let force = wall.at(z).hoop_force;
         near(force, computed, 2e-6 * computed);
         near(force, printed, 1e-3 * printed);
@@ -51,9 +40,7 @@ fn broad_tank_meets_the_computed_and_the_printed_values() {
     // Printed: 0.003 and -0.016 kNm/m.
     near(wall.at(0.07).moment, 3.4836, 0.001);
     near(wall.at(0.0).moment, -16.350, 0.001);
-    let highest = (0..=9000)
-        .map(|i| wall.at(1e-4 * f64::from(i)).hoop_force)
-        .fold(0.0, f64::max);
+    let highest = (0..=9000).map(|i| wall.at(1e-4 * f64::from(i)).hoop_force).fold(0.0, f64::max);
     near(highest, 25925.40, 0.05);
 }
 
@@ -72,11 +59,7 @@ fn long_wall_has_the_closed_form() {
     near(hinged.at(0.0).moment, 0.0, 1e-9);
     let (z, u) = (0.1, 0.1 * lambda);
     let membrane = gamma * RADIUS * RADIUS / (69e9 * 3e-3);
-    near(
-        hinged.at(z).displacement,
-        membrane * (depth - z - depth * (-u).exp() * u.cos()),
-        1e-12,
-    );
+    near(hinged.at(z).displacement, membrane * (depth - z - depth * (-u).exp() * u.cos()), 1e-12);
 }
 
 /// Joints and free edge; and the differential equation `K w⁗ + E s w/R² = p` through a difference of the shear

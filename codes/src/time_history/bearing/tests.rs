@@ -20,10 +20,7 @@ const G: f64 = 9.80665;
 fn tank(shape: Shape) -> Case {
     let mut case = case(shape, vec![course(10.0, 0.01, steel())], 8.0, None);
     case.gravity = G;
-    case.site.ec8 = Some(Ec8Site {
-        bearing_capacity: Some(380e3),
-        ..crate::ec8::example::site()
-    });
+    case.site.ec8 = Some(Ec8Site { bearing_capacity: Some(380e3), ..crate::ec8::example::site() });
     case
 }
 
@@ -58,11 +55,7 @@ fn mass() -> f64 {
 /// Within the kern: a smaller moment governs where the weight is larger then, 4 MN·m with g + 5 m/s² before 5 MN·m with g − 2 m/s².
 #[test]
 fn pressure_of_the_governing_instant() {
-    let check = bearing(
-        &tank(ROUND),
-        &shaken([0.0, -4e6, 5e6], [0.0, 5.0, -2.0]),
-        &BTreeMap::new(),
-    );
+    let check = bearing(&tank(ROUND), &shaken([0.0, -4e6, 5e6], [0.0, 5.0, -2.0]), &BTreeMap::new());
     let at = |moment: f64, up: f64| mass() * (G + up) / (PI * 25.0) + moment / (PI * 125.0 / 4.0);
     assert!(at(4e6, 5.0) > at(5e6, -2.0));
     close(check.demand.unwrap(), at(4e6, 5.0), 1e-9);
@@ -90,11 +83,7 @@ fn half_a_circle_in_contact() {
 /// A channel 8 m long, 10 m high and 80 m broad: N/A + M/W within L/3, 2 N/(3 b (L − e)) at e = L/2, and no pressure beyond the edge.
 #[test]
 fn rectangle_within_beyond_and_outside_the_kern() {
-    let mut case = tank(Shape::Rectangle {
-        length: 8.0,
-        breadth: 80.0,
-        strip: false,
-    });
+    let mut case = tank(Shape::Rectangle { length: 8.0, breadth: 80.0, strip: false });
     let normal = G * (1000.0 * 8.0 * 80.0 * 8.0 + 7850.0 * 2.0 * 88.0 * 10.0 * 0.01);
     let found = |case: &Case, e: f64| {
         let demands = shaken([e * normal, 0.0, 0.0], [0.0; 3]);
@@ -102,11 +91,7 @@ fn rectangle_within_beyond_and_outside_the_kern() {
     };
     let within = normal / 640.0 + normal / (80.0 * 64.0 / 6.0);
     close(found(&case, 1.0).demand.unwrap(), within, 1e-9);
-    close(
-        found(&case, 2.0).demand.unwrap(),
-        2.0 * normal / (3.0 * 80.0 * 2.0),
-        1e-9,
-    );
+    close(found(&case, 2.0).demand.unwrap(), 2.0 * normal / (3.0 * 80.0 * 2.0), 1e-9);
     // A tank that is held to a foundation is not decided, one that stands fails.
     assert_eq!(found(&case, 5.0).status, CheckStatus::NotChecked);
     case.tank.support = Support::Unanchored;
@@ -133,13 +118,8 @@ fn a_wall_that_lifts_leaves_the_ground_open() {
     let mut case = tank(ROUND);
     case.tank.support = Support::Unanchored;
     let status = |lifts: bool| {
-        let demands = Demands {
-            base: Some(FreeBase {
-                lifts,
-                ..FreeBase::default()
-            }),
-            ..shaken([0.0, 1e6, 0.0], [0.0; 3])
-        };
+        let demands =
+            Demands { base: Some(FreeBase { lifts, ..FreeBase::default() }), ..shaken([0.0, 1e6, 0.0], [0.0; 3]) };
         bearing(&case, &demands, &BTreeMap::new()).status
     };
     assert_eq!(status(false), CheckStatus::Holds);

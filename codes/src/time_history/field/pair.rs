@@ -118,10 +118,7 @@ mod tests {
             let mut pair = Pair::new(4.0, count);
             for row in rows(count) {
                 let [a, b] = fields(row);
-                extremes
-                    .iter_mut()
-                    .zip([&a, &b])
-                    .for_each(|(extremes, field)| extremes.take(field));
+                extremes.iter_mut().zip([&a, &b]).for_each(|(extremes, field)| extremes.take(field));
                 pair.take(&a, &b);
             }
             let [a, b] = fields(0..count);
@@ -129,11 +126,7 @@ mod tests {
             let mut closest = f64::INFINITY;
             for (number, row) in rows(count).enumerate() {
                 for (k, angle) in row.flat_map(|k| (0..13).map(move |i| (k, f64::from(i) * PI / 12.0))) {
-                    let direction = if turns {
-                        (angle.cos(), angle.sin())
-                    } else {
-                        (angle.cos(), 0.0)
-                    };
+                    let direction = if turns { (angle.cos(), angle.sin()) } else { (angle.cos(), 0.0) };
                     let [value, beside] = [&a, &b].map(|field| field.rest + 2.0 * field.moved(k, direction));
                     let bounds = [None, Some(number)].map(|row| pair.least(of, row, 2.0, beside));
                     assert!(bounds[0] <= bounds[1] && bounds[1] <= value, "{bounds:?} {value}");

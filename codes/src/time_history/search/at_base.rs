@@ -55,21 +55,14 @@ impl AtBase {
                     hoop: hoop.moved(instant, direction) + poisson * bent,
                 }
             };
-            Face {
-                direction,
-                low: state(low.0),
-                high: state(high.0),
-            }
+            Face { direction, low: state(low.0), high: state(high.0) }
         };
         let both = |&direction: &Direction| [face(direction, 1.0), face(direction, -1.0)];
         let rest = [1.0, -1.0].map(|side| {
             let bent = side * bending.rest;
             (axial.rest + bent, hoop.rest + poisson * bent)
         });
-        Some(AtBase {
-            rest,
-            faces: directions.iter().map(both).collect(),
-        })
+        Some(AtBase { rest, faces: directions.iter().map(both).collect() })
     }
 
     /// Range of the equivalent stress of a face from the empty tank and between the extremes of its meridional stress, against a

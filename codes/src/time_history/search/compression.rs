@@ -74,11 +74,7 @@ impl Search<'_> {
 
     /// The same of a block.
     fn block_above(&self, floors: &Floors, block: Span, above: f64) -> bool {
-        let exceeds = Exceeds {
-            floors,
-            row: None,
-            above,
-        };
+        let exceeds = Exceeds { floors, row: None, above };
         let (range, most) = self.compression_bounds(block);
         let least = floors.between(range);
         if !exceeds.by(most, least) {
@@ -190,14 +186,8 @@ impl Search<'_> {
                 let capacity = (capacity.of)(pressure);
                 let utilisation = ratio(demand, capacity);
                 if best.is_none_or(|best| utilisation > best.utilisation) {
-                    *best = Some(Found {
-                        utilisation,
-                        demand,
-                        rest: (-axial.rest).max(0.0),
-                        capacity,
-                        instant,
-                        direction,
-                    });
+                    *best =
+                        Some(Found { utilisation, demand, rest: (-axial.rest).max(0.0), capacity, instant, direction });
                 }
             }
         }

@@ -26,11 +26,7 @@ impl Floors {
         let (low, high) = range;
         let width = high - low;
         if !(width > 0.0 && width.is_finite()) {
-            return Floors {
-                range,
-                per_pascal: 0.0,
-                parts: vec![capacity(low).min(capacity(high))],
-            };
+            return Floors { range, per_pascal: 0.0, parts: vec![capacity(low).min(capacity(high))] };
         }
         let mut before = capacity(low);
         let floor = |i: usize| {
@@ -39,11 +35,7 @@ impl Floors {
             before = after;
             floor
         };
-        Floors {
-            range,
-            per_pascal: PARTS as f64 / width,
-            parts: (0..PARTS).map(floor).collect(),
-        }
+        Floors { range, per_pascal: PARTS as f64 / width, parts: (0..PARTS).map(floor).collect() }
     }
 
     fn covers(&self, (low, high): (f64, f64)) -> bool {

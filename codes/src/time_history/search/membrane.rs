@@ -27,11 +27,7 @@ impl Membrane {
         let middle = mises_squared(self.hoop.at(k, across), self.axial.at(k, across)) + 3.0 * shear[k] * shear[k];
         let (curvature, slope) = (0.5 * (front + back) - middle, 0.5 * (front - back));
         let vertex = -0.5 * slope / curvature;
-        if curvature < 0.0 && vertex.abs() < 1.0 {
-            (middle - 0.25 * slope * slope / curvature, vertex)
-        } else {
-            sides
-        }
+        if curvature < 0.0 && vertex.abs() < 1.0 { (middle - 0.25 * slope * slope / curvature, vertex) } else { sides }
     }
 
     /// Amplitudes of the shear along x and y at an instant.

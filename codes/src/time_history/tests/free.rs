@@ -19,33 +19,19 @@ fn free(base: FreeBase) -> Demands {
 fn the_joint_is_judged_and_nothing_is_outside() {
     let mut case = steel_tank();
     case.tank.support = Support::Unanchored;
-    let joint = |value| Peak {
-        value,
-        time: 2.0,
-        theta: 0.0,
-    };
-    let lifts = |joint| FreeBase {
-        lifts: true,
-        joint,
-        ..FreeBase::default()
-    };
+    let joint = |value| Peak { value, time: 2.0, theta: 0.0 };
+    let lifts = |joint| FreeBase { lifts: true, joint, ..FreeBase::default() };
     let findings = assessed(&case, &free(lifts(Some(joint(0.05)))));
     let check = found(&findings, UPLIFT.id);
     assert_eq!((findings.outside, check.status), (None, CheckStatus::Holds));
     close(check.utilisation.unwrap(), 0.25, 1e-12);
-    assert_eq!(
-        found(&findings, "equivalent_stress_at_base").status,
-        CheckStatus::NotChecked
-    );
+    assert_eq!(found(&findings, "equivalent_stress_at_base").status, CheckStatus::NotChecked);
     let fails = assessed(&case, &free(lifts(Some(joint(0.21)))));
     assert_eq!(found(&fails, UPLIFT.id).status, CheckStatus::Fails);
     let elastic = assessed(&case, &free(lifts(None)));
     assert_eq!(found(&elastic, UPLIFT.id).status, CheckStatus::NotChecked);
     // A base that does not repeat holds nothing but the wave, and fails what it fails.
-    let scatters = |value| FreeBase {
-        scatters: true,
-        ..lifts(Some(joint(value)))
-    };
+    let scatters = |value| FreeBase { scatters: true, ..lifts(Some(joint(value))) };
     let draw = assessed(&case, &free(scatters(0.05)));
     let holds = draw.checks.iter().filter(|check| check.status == CheckStatus::Holds);
     assert!(holds.clone().all(|check| check.limit_state == "freeboard"), "{holds:?}");
@@ -54,32 +40,19 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     let draw = assessed(&case, &free(scatters(0.21)));
     assert_eq!(found(&draw, UPLIFT.id).status, CheckStatus::Fails);
     let rests = assessed(&case, &free(FreeBase::default()));
-    assert_eq!(
-        (rests.outside, found(&rests, UPLIFT.id).status),
-        (None, CheckStatus::NotApplicable)
-    );
+    assert_eq!((rests.outside, found(&rests, UPLIFT.id).status), (None, CheckStatus::NotApplicable));
 }
 
 /// A tank that moves further than the engine follows: nothing but the wave and anchors has a demand, whether or not the wall held down pulls.
 #[test]
 fn a_base_beyond_the_model_has_no_demands() {
-    for (support, state) in [
-        (Support::Unanchored, 0),
-        (Support::Unanchored, 5),
-        (Support::Anchored, 5),
-    ] {
+    for (support, state) in [(Support::Unanchored, 0), (Support::Unanchored, 5), (Support::Anchored, 5)] {
         let mut case = steel_tank();
         case.tank.support = support;
-        case.tank.anchors = (support == Support::Anchored).then_some(Anchors {
-            count: 20,
-            capacity: Some(1.0),
-            ..Anchors::default()
-        });
+        case.tank.anchors =
+            (support == Support::Anchored).then_some(Anchors { count: 20, capacity: Some(1.0), ..Anchors::default() });
         let mut demands = shaken(state).demands(0.0, 0);
-        demands.footing = Footing::Beyond {
-            time: Some(3.25),
-            reason: "the base turns by 0.06 rad".into(),
-        };
+        demands.footing = Footing::Beyond { time: Some(3.25), reason: "the base turns by 0.06 rad".into() };
         let findings = assessed(&case, &demands);
         assert_eq!(findings.outside, Some(Outside::Uplift));
         for check in &findings.checks {
@@ -106,14 +79,8 @@ fn a_tank_that_slides_is_judged_by_the_shear_of_the_held_one() {
         base_shear: Some(vec![(0, 1.0)]),
         ..Demands::default()
     };
-    assert_eq!(
-        found(&assessed(&case, &demands), "sliding_api").status,
-        CheckStatus::Holds
-    );
-    demands.base = Some(FreeBase {
-        held_shear: Some(vec![(1, 1.0)]),
-        ..FreeBase::default()
-    });
+    assert_eq!(found(&assessed(&case, &demands), "sliding_api").status, CheckStatus::Holds);
+    demands.base = Some(FreeBase { held_shear: Some(vec![(1, 1.0)]), ..FreeBase::default() });
     let findings = assessed(&case, &demands);
     let check = found(&findings, "sliding_api");
     assert_eq!(check.status, CheckStatus::Fails);
@@ -125,19 +92,8 @@ fn a_tank_that_slides_is_judged_by_the_shear_of_the_held_one() {
 #[test]
 fn an_anchor_is_judged_by_its_own_force() {
     let mut case = steel_tank();
-    case.tank.anchors = Some(Anchors {
-        count: 20,
-        capacity: Some(1e9),
-        ..Anchors::default()
-    });
-    let on_springs = |value| FreeBase {
-        anchor: Some(Peak {
-            value,
-            time: 2.0,
-            theta: 1.5,
-        }),
-        ..FreeBase::default()
-    };
+    case.tank.anchors = Some(Anchors { count: 20, capacity: Some(1e9), ..Anchors::default() });
+    let on_springs = |value| FreeBase { anchor: Some(Peak { value, time: 2.0, theta: 1.5 }), ..FreeBase::default() };
     let findings = assessed(&case, &free(on_springs(1.01e9)));
     let check = found(&findings, "anchorage");
     assert_eq!((check.status, check.time_s), (CheckStatus::Fails, Some(2.0)));
@@ -152,21 +108,9 @@ fn an_anchor_is_judged_by_its_own_force() {
 #[test]
 fn nothing_holds_where_anchors_break() {
     let mut case = steel_tank();
-    case.tank.anchors = Some(Anchors {
-        count: 20,
-        capacity: Some(1.0),
-        ..Anchors::default()
-    });
-    let anchor = Some(Peak {
-        value: 2.0,
-        ..Peak::default()
-    });
-    let of = |broken| FreeBase {
-        lifts: true,
-        anchor,
-        broken,
-        ..FreeBase::default()
-    };
+    case.tank.anchors = Some(Anchors { count: 20, capacity: Some(1.0), ..Anchors::default() });
+    let anchor = Some(Peak { value: 2.0, ..Peak::default() });
+    let of = |broken| FreeBase { lifts: true, anchor, broken, ..FreeBase::default() };
     let holding = |broken| -> Vec<String> {
         let findings = assessed(&case, &free(of(broken)));
         assert_eq!(found(&findings, "anchorage").status, CheckStatus::Fails);
@@ -183,27 +127,16 @@ fn nothing_holds_where_anchors_break() {
 fn compression_does_not_hold_where_anchors_fail() {
     let mut case = steel_tank();
     let status = |case: &Case, base: Option<FreeBase>| {
-        let demands = Demands {
-            base,
-            ..shaken(5).demands(0.0, 0)
-        };
+        let demands = Demands { base, ..shaken(5).demands(0.0, 0) };
         let mut findings = assessed(case, &demands);
         if demands.base.is_none() {
             overstressed(&mut findings.checks);
         }
         let check = found(&findings, "equivalent_stress");
-        (
-            found(&findings, "anchorage").status,
-            check.status,
-            check.demand.is_some(),
-        )
+        (found(&findings, "anchorage").status, check.status, check.demand.is_some())
     };
     let mut of = |capacity: f64, base| {
-        case.tank.anchors = Some(Anchors {
-            count: 20,
-            capacity: Some(capacity),
-            ..Anchors::default()
-        });
+        case.tank.anchors = Some(Anchors { count: 20, capacity: Some(capacity), ..Anchors::default() });
         status(&case, base)
     };
     assert_eq!(of(1e9, None), (CheckStatus::Holds, CheckStatus::Holds, true));
@@ -221,16 +154,8 @@ fn a_joint_does_not_hold_where_the_wall_yields_first() {
     let mut status = |thickness: f64, value: f64, elastic_wall: bool| {
         bottom.thickness = thickness;
         case.tank.bottom = Some(bottom.clone());
-        let joint = Some(Peak {
-            value,
-            ..Peak::default()
-        });
-        let base = FreeBase {
-            lifts: true,
-            joint,
-            elastic_wall,
-            ..FreeBase::default()
-        };
+        let joint = Some(Peak { value, ..Peak::default() });
+        let base = FreeBase { lifts: true, joint, elastic_wall, ..FreeBase::default() };
         found(&assessed(&case, &free(base)), UPLIFT.id).status
     };
     assert_eq!(status(0.010, 0.05, true), CheckStatus::Holds);

@@ -12,10 +12,7 @@ use super::*;
 fn on_isolators(capacity: Option<f64>) -> Case {
     let mut case = steel_tank();
     case.tank.isolators = Some(Isolators {
-        bearing: Bearing::Elastomer {
-            stiffness: 1e8,
-            damping: 0.1,
-        },
+        bearing: Bearing::Elastomer { stiffness: 1e8, damping: 0.1 },
         damper: None,
         slab_mass: 0.0,
         slab_thickness: 0.0,
@@ -26,16 +23,9 @@ fn on_isolators(capacity: Option<f64>) -> Case {
 }
 
 fn moved(mut demands: Demands, displacement: f64, share: f64) -> Demands {
-    let peak = |value| Peak {
-        value,
-        time: 4.0,
-        theta: 1.0,
-    };
-    demands.isolation = Some(Isolation {
-        displacement: peak(displacement),
-        bearing_share: Some(peak(share)),
-        bounds: Vec::new(),
-    });
+    let peak = |value| Peak { value, time: 4.0, theta: 1.0 };
+    demands.isolation =
+        Some(Isolation { displacement: peak(displacement), bearing_share: Some(peak(share)), bounds: Vec::new() });
     demands
 }
 
@@ -87,10 +77,7 @@ fn what_is_asked_of_isolators() {
     let open = assessed(&on_isolators(None), &run());
     let displacement = found(&open, "isolator_displacement");
     let input = displacement.input.as_deref();
-    assert_eq!(
-        (displacement.status, input),
-        (CheckStatus::NotChecked, Some("tank.isolators.displacement_capacity"))
-    );
+    assert_eq!((displacement.status, input), (CheckStatus::NotChecked, Some("tank.isolators.displacement_capacity")));
     assert!(open.checks.iter().all(|check| check.id != "bearing"));
     let fixed = assessed(&steel_tank(), &shaken(1).demands(0.0, 0));
     assert!(fixed.checks.iter().all(|check| !check.id.starts_with("isolator")));
@@ -109,16 +96,8 @@ fn a_base_held_still_says_nothing() {
     let findings = assessed(&case, &demands);
     for check in held.checks.iter().filter(|check| check.compared()) {
         let open = found(&findings, &check.id);
-        assert_eq!(
-            (open.status, open.demand),
-            (CheckStatus::NotChecked, None),
-            "{}",
-            open.id
-        );
+        assert_eq!((open.status, open.demand), (CheckStatus::NotChecked, None), "{}", open.id);
         assert!(open.reason.contains("holds the base still"), "{}", open.reason);
     }
-    assert_eq!(
-        found(&findings, "isolator_displacement").status,
-        CheckStatus::NotChecked
-    );
+    assert_eq!(found(&findings, "isolator_displacement").status, CheckStatus::NotChecked);
 }

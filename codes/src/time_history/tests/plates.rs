@@ -18,26 +18,16 @@ use crate::samples::{case, course, material};
 fn a_narrow_box_is_outside_the_model() {
     let found_by = |breadth: f64, strip: bool, plates: bool| {
         let concrete = material("concrete", 30e9, 0.2, 2500.0);
-        let shape = Shape::Rectangle {
-            length: 5.0,
-            breadth,
-            strip,
-        };
+        let shape = Shape::Rectangle { length: 5.0, breadth, strip };
         let mut case = case(shape, vec![course(4.0, 0.3, concrete)], 3.0, None);
-        case.site.ec8 = Some(Ec8Site {
-            friction: Some(0.5),
-            bearing_capacity: Some(1e6),
-            ..crate::ec8::example::site()
-        });
+        case.site.ec8 =
+            Some(Ec8Site { friction: Some(0.5), bearing_capacity: Some(1e6), ..crate::ec8::example::site() });
         // A hundredth of the weight, at the height of the wall.
         let force = 0.01 * (case.liquid_mass() + case.tank.wall_mass()) * case.gravity;
         let demands = Demands {
             times: vec![0.0, 1.0],
             states: vec![vec![0.0, force]],
-            wave: Some(Peak {
-                value: 0.1,
-                ..Peak::default()
-            }),
+            wave: Some(Peak { value: 0.1, ..Peak::default() }),
             base_shear: Some(vec![(0, 1.0)]),
             overturning_moment: Some(vec![(0, 4.0)]),
             plates,

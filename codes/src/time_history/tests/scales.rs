@@ -12,12 +12,8 @@ fn demands(seed: u64, transverse: bool) -> Demands {
         let mut one = shaken(seed + 100 * number as u64).demands(z, course);
         let mut place = one.places.remove(0);
         let moved = |terms: &mut tank::demand::Terms| terms.iter_mut().for_each(|term| term.0 += states);
-        for on_wall in [
-            Some(&mut place.hoop),
-            Some(&mut place.axial),
-            place.bending.as_mut(),
-            place.pressure.as_mut(),
-        ] {
+        for on_wall in [Some(&mut place.hoop), Some(&mut place.axial), place.bending.as_mut(), place.pressure.as_mut()]
+        {
             let on_wall = on_wall.unwrap();
             moved(&mut on_wall.even);
             moved(&mut on_wall.odd);
@@ -35,11 +31,9 @@ fn demands(seed: u64, transverse: bool) -> Demands {
     if transverse {
         all.transverse = demands(seed + 50, false).states;
     }
-    all.states
-        .extend([noise(seed + 7, 4e6), noise(seed + 8, 2.0), noise(seed + 9, 6e7)]);
+    all.states.extend([noise(seed + 7, 4e6), noise(seed + 8, 2.0), noise(seed + 9, 6e7)]);
     if transverse {
-        all.transverse
-            .extend([noise(seed + 17, 4e6), vec![0.0; 400], noise(seed + 19, 6e7)]);
+        all.transverse.extend([noise(seed + 17, 4e6), vec![0.0; 400], noise(seed + 19, 6e7)]);
     }
     let last = all.states.len();
     all.base_shear = Some(vec![(last - 3, 1.0)]);
@@ -53,12 +47,8 @@ fn a_factor_is_a_multiplied_motion() {
     let mut case = steel_tank();
     case.site.ec8 = Some(crate::ec8::example::site());
     case.site.api650 = Some(api_site());
-    case.tank.anchors = Some(Anchors {
-        count: 20,
-        capacity: Some(40e3),
-        attachment_capacity: None,
-        ..Anchors::default()
-    });
+    case.tank.anchors =
+        Some(Anchors { count: 20, capacity: Some(40e3), attachment_capacity: None, ..Anchors::default() });
     if let Some(site) = &mut case.site.ec8 {
         (site.friction, site.bearing_capacity) = (Some(0.4), Some(400e3));
     }

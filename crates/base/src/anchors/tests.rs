@@ -25,13 +25,7 @@ fn bare(largest: f64) -> (Rocking, Law) {
 }
 
 fn bolts() -> Anchors {
-    Anchors {
-        count: 24,
-        stiffness: 80e6,
-        yield_force: 60e3,
-        gap: 0.0,
-        rupture: None,
-    }
+    Anchors { count: 24, stiffness: 80e6, yield_force: 60e3, gap: 0.0, rupture: None }
 }
 
 /// The tangent is the slope of the moment.
@@ -53,10 +47,7 @@ fn the_tangent_is_that_of_the_moment() {
 #[test]
 fn anchors_break_at_their_elongation() {
     let (rocking, law) = bare(0.02);
-    let short = Anchors {
-        rupture: Some(2e-3),
-        ..bolts()
-    };
+    let short = Anchors { rupture: Some(2e-3), ..bolts() };
     let ring = Ring::new(short, &rocking, &law).unwrap();
     let mut state = ring.unstretched();
     let pull = ring.pull(3e-3, 0.0, &state);
@@ -70,14 +61,8 @@ fn anchors_break_at_their_elongation() {
 fn anchors_without_strength_are_refused() {
     let (rocking, law) = bare(0.001);
     for bad in [
-        Anchors {
-            yield_force: 0.0,
-            ..bolts()
-        },
-        Anchors {
-            stiffness: f64::NAN,
-            ..bolts()
-        },
+        Anchors { yield_force: 0.0, ..bolts() },
+        Anchors { stiffness: f64::NAN, ..bolts() },
         Anchors { gap: -1e-3, ..bolts() },
         Anchors { count: 0, ..bolts() },
     ] {
@@ -89,11 +74,7 @@ fn anchors_without_strength_are_refused() {
 #[test]
 fn a_broken_anchor_would_stretch_on() {
     let (rocking, law) = bare(0.02);
-    let played = Anchors {
-        gap: 1e-3,
-        rupture: Some(2e-3),
-        ..bolts()
-    };
+    let played = Anchors { gap: 1e-3, rupture: Some(2e-3), ..bolts() };
     let ring = Ring::new(played, &rocking, &law).unwrap();
     let rest = law.turn(0.0, 0.0).centre;
     for (psi, centre) in [(5e-4, 1e-3), (-2e-3, 4e-3)] {
@@ -128,10 +109,7 @@ fn the_gap_is_closed_before_an_anchor_pulls() {
     let mut state = ring.unstretched();
     let total = |stretch: f64, state: &Bolts| {
         let forces = ring.forces(0.0, rest + stretch, state);
-        forces
-            .zip(ring.places())
-            .map(|(force, (_, number))| number * force)
-            .sum::<f64>()
+        forces.zip(ring.places()).map(|(force, (_, number))| number * force).sum::<f64>()
     };
     assert_eq!(total(0.99 * gap, &state), 0.0);
     let own = 0.5e-3;

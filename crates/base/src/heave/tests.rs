@@ -55,22 +55,13 @@ fn a_rigid_block_turns_about_its_toe() {
     let rocking = rocking(1e9, 0.0);
     let law = Law::new(&rocking, 2e-2).unwrap();
     let (first, second) = (2e6, 1.5e7);
-    let body = Body {
-        modes: Vec::new(),
-        mass: 5e5,
-        first_moment: first,
-        second_moment: second,
-    };
+    let body = Body { modes: Vec::new(), mass: 5e5, first_moment: first, second_moment: second };
     let step = 2e-4;
     let ground: Vec<f64> = (0..1500).map(|i| if i < 250 { 22.0 } else { 0.0 }).collect();
     let weight = TAU * RADIUS * WEIGHT;
-    for (heave, inertia) in [
-        (None, second),
-        (
-            Some(Heave::new(MASS, &rocking, &law).damped(2e-3)),
-            second + MASS * RADIUS * RADIUS,
-        ),
-    ] {
+    for (heave, inertia) in
+        [(None, second), (Some(Heave::new(MASS, &rocking, &law).damped(2e-3)), second + MASS * RADIUS * RADIUS)]
+    {
         let history = run(&body, &law, heave.as_ref(), &ground, step);
         // Three instants in the air.
         let at = |i: usize| history.rotation[i];
@@ -90,9 +81,7 @@ fn a_rigid_block_turns_about_its_toe() {
 fn direct(body: &Body, curve: &Curve, delay: f64, steps: usize, ground: impl Fn(f64) -> f64) -> [f64; 2] {
     const PLACES: usize = 120;
     let mode = body.modes[0];
-    let cosines: Vec<f64> = (0..PLACES)
-        .map(|i| (TAU * (i as f64 + 0.5) / PLACES as f64).cos())
-        .collect();
+    let cosines: Vec<f64> = (0..PLACES).map(|i| (TAU * (i as f64 + 0.5) / PLACES as f64).cos()).collect();
     let sums = |psi: f64, centre: f64| {
         let mut sums = [0.0; 2];
         for cos in &cosines {
@@ -123,11 +112,7 @@ fn direct(body: &Body, curve: &Curve, delay: f64, steps: usize, ground: impl Fn(
         let (mut low, mut high) = (-0.1, 0.1);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            if sums(0.0, middle)[0] > 0.0 {
-                low = middle
-            } else {
-                high = middle
-            }
+            if sums(0.0, middle)[0] > 0.0 { low = middle } else { high = middle }
         }
         low
     };
@@ -196,12 +181,7 @@ fn the_table_goes_straight_on_beyond_its_ends() {
     let law = Law::new(&rocking, 2e-2).unwrap();
     let heave = Heave::new(MASS, &rocking, &law);
     let load = |place: f64| {
-        let step = Step {
-            place,
-            give: 0.0,
-            before: 0.0,
-            length: 1e-3,
-        };
+        let step = Step { place, give: 0.0, before: 0.0, length: 1e-3 };
         heave.lift(&law, 1e-2, 0.0, step).load
     };
     for [a, b, c] in [[1.0, 1.5, 2.0], [-1.0, -1.5, -2.0]].map(|places| places.map(load)) {
@@ -216,17 +196,9 @@ fn the_table_goes_straight_on_beyond_its_ends() {
 fn at_rest_the_damping_has_the_energy_of_the_ground() {
     let rocking = rocking(1e8, 20e3);
     let law = Law::new(&rocking, 2e-2).unwrap();
-    let body = Body {
-        modes: Vec::new(),
-        mass: 5e5,
-        first_moment: 2e6,
-        second_moment: 1.5e7,
-    };
+    let body = Body { modes: Vec::new(), mass: 5e5, first_moment: 2e6, second_moment: 1.5e7 };
     let ground: Vec<f64> = (0..40_000).map(|i| if i < 200 { 15.0 } else { 0.0 }).collect();
     let heave = Heave::new(MASS, &rocking, &law).damped(5e-3);
     let energy = run(&body, &law, Some(&heave), &ground, 2.5e-4).energy;
-    assert!(
-        energy.input > 0.0 && (energy.viscous / energy.input - 1.0).abs() < 5e-2,
-        "{energy:?}"
-    );
+    assert!(energy.input > 0.0 && (energy.viscous / energy.input - 1.0).abs() < 5e-2, "{energy:?}");
 }

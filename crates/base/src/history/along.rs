@@ -35,13 +35,8 @@ pub(super) fn translation(run: &Run<'_>, state: &State, sums: &Sums, (ground, wa
         let along = answer.moment + state.dashpot * (velocity + GAMMA * h * c);
         let slides = along.abs() > most;
         let along = along.clamp(-most, most);
-        let terms = [
-            constant,
-            mass * (ground + c),
-            turning * b,
-            (1.0 - BEGIN) * along,
-            BEGIN * (state.drag + state.dashed),
-        ];
+        let terms =
+            [constant, mass * (ground + c), turning * b, (1.0 - BEGIN) * along, BEGIN * (state.drag + state.dashed)];
         let residual: f64 = terms.iter().sum();
         stiff = match slides {
             true => 0.0,

@@ -66,12 +66,7 @@ impl Rates {
             slip: s[0],
             ..Rates::default()
         };
-        let Motion {
-            energy,
-            viscous,
-            shift,
-            turn,
-        } = state.modes.motion();
+        let Motion { energy, viscous, shift, turn } = state.modes.motion();
         rates.body = energy;
         rates.viscous = viscous;
         rates.viscous += state.dashed * s[1];

@@ -126,11 +126,7 @@ impl Modes {
     /// Moves to the end of the step with A and ψ̈, after [`Modes::sums`].
     pub(super) fn advance(&mut self, [a, b]: [f64; 2]) {
         let (n, h) = (self.place.len(), self.step);
-        let (x, v, q) = (
-            &mut self.place[..n],
-            &mut self.velocity[..n],
-            &mut self.acceleration[..n],
-        );
+        let (x, v, q) = (&mut self.place[..n], &mut self.velocity[..n], &mut self.acceleration[..n]);
         let (give, turn, shift) = (&self.give[..n], &self.rotation[..n], &self.translation[..n]);
         let force = &self.force[..n];
         for i in 0..n {
@@ -155,12 +151,7 @@ impl Modes {
     /// Sums of the state.
     pub(super) fn motion(&self) -> Motion {
         let n = self.place.len();
-        let (x, v, k, c) = (
-            &self.place[..n],
-            &self.velocity[..n],
-            &self.stiffness[..n],
-            &self.damping[..n],
-        );
+        let (x, v, k, c) = (&self.place[..n], &self.velocity[..n], &self.stiffness[..n], &self.damping[..n]);
         let (turn, shift) = (&self.rotation[..n], &self.translation[..n]);
         let mut sums = Motion::default();
         for i in 0..n {

@@ -13,18 +13,11 @@ pub(super) const BETA: f64 = 0.25 * (1.0 + BEGIN) * (1.0 + BEGIN);
 
 /// Velocity and displacement at the end of a step without the acceleration there.
 pub(super) fn predicted(x: &[f64; 3], h: f64) -> [f64; 2] {
-    [
-        x[0] + h * x[1] + h * h * (0.5 - BETA) * x[2],
-        x[1] + h * (1.0 - GAMMA) * x[2],
-    ]
+    [x[0] + h * x[1] + h * h * (0.5 - BETA) * x[2], x[1] + h * (1.0 - GAMMA) * x[2]]
 }
 
 /// A motion at the end of a step with the acceleration at the instant of the forces.
 pub(super) fn moved(x: &[f64; 3], acceleration: f64, h: f64) -> [f64; 3] {
     let [place, velocity] = predicted(x, h);
-    [
-        place + BETA * h * h * acceleration,
-        velocity + GAMMA * h * acceleration,
-        acceleration,
-    ]
+    [place + BETA * h * h * acceleration, velocity + GAMMA * h * acceleration, acceleration]
 }

@@ -21,10 +21,7 @@ pub(super) fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), Bas
     // The ground at the instant of the forces.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
     let sums = state.modes.sums();
-    let limit = run
-        .friction
-        .as_ref()
-        .map(|f| (1.0 - BEGIN) * f.at(i) + BEGIN * f.at(i - 1));
+    let limit = run.friction.as_ref().map(|f| (1.0 - BEGIN) * f.at(i) + BEGIN * f.at(i - 1));
     let shear = |[a, b]: [f64; 2]| sums.shift[0] + sums.shift[1] * a + sums.shift[2] * b;
     if let (Some(friction), Some(limit), false) = (&run.friction, limit, state.along.is_empty()) {
         let held = limit / (friction.coefficient * friction.weight);
@@ -163,11 +160,7 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
         let mut next = b - residual / steep.unwrap_or(tangent);
         // What turns round is halved, what creeps is hastened.
         if iteration > SWINGS {
-            next = if low.is_finite() && high.is_finite() {
-                0.5 * (low + high)
-            } else {
-                b + HASTE * (next - b)
-            };
+            next = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { b + HASTE * (next - b) };
         }
         if !next.is_finite() {
             break;
@@ -211,10 +204,7 @@ pub(super) fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (
     let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
     match run.ring.map(|ring| ring.pull(psi, pressure, &state.bolts).response) {
         None => strips,
-        Some(anchors) => Response {
-            moment: strips.moment + anchors.moment,
-            tangent: strips.tangent + anchors.tangent,
-        },
+        Some(anchors) => Response { moment: strips.moment + anchors.moment, tangent: strips.tangent + anchors.tangent },
     }
 }
 

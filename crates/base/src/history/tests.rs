@@ -7,12 +7,7 @@ use crate::{Bands, Curve, Edge, Heave, Plan, Plate, Point, Rim, Rocking, Strip};
 const G: f64 = 9.81;
 
 fn block(mass: f64) -> Body {
-    Body {
-        modes: Vec::new(),
-        mass,
-        first_moment: 0.0,
-        second_moment: 0.0,
-    }
+    Body { modes: Vec::new(), mass, first_moment: 0.0, second_moment: 0.0 }
 }
 
 fn slide(ground: &[f64], step: f64, coefficient: f64) -> History {
@@ -32,13 +27,7 @@ fn delayed(ground: &[f64], step: f64, coefficient: f64, springs: Vec<Spring>, de
         heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
-        friction: Some(Friction {
-            coefficient,
-            weight: mass * G,
-            vertical: Vec::new(),
-            springs,
-            delay,
-        }),
+        friction: Some(Friction { coefficient, weight: mass * G, vertical: Vec::new(), springs, delay }),
         rigid_pressure: [0.0; 2],
         step,
         ground,
@@ -51,15 +40,10 @@ fn delayed(ground: &[f64], step: f64, coefficient: f64, springs: Vec<Spring>, de
 #[test]
 fn a_stiff_spring_slides_as_friction_does() {
     let (a, t0, mu, step) = (0.5 * G, 0.3, 0.2, 1e-4);
-    let pulse: Vec<f64> = (0..12_000)
-        .map(|i| if (i as f64) * step < t0 - 0.5 * step { a } else { 0.0 })
-        .collect();
+    let pulse: Vec<f64> = (0..12_000).map(|i| if (i as f64) * step < t0 - 0.5 * step { a } else { 0.0 }).collect();
     let limit = mu * 1000.0 * G;
     let expected = a * a * t0 * t0 / (2.0 * mu * G) - a * t0 * t0 / 2.0;
-    let spring = Spring {
-        stiffness: limit / (1e-5 * expected),
-        limit,
-    };
+    let spring = Spring { stiffness: limit / (1e-5 * expected), limit };
     let history = drag(&pulse, step, mu, vec![spring]);
     let found = history.slip.last().copied().unwrap();
     assert!((found.abs() / expected - 1.0).abs() < 1e-2, "{found} {expected}");
@@ -70,12 +54,7 @@ fn a_stiff_spring_slides_as_friction_does() {
 /// the ground motion in other units, the same but for its last digit, slides the block as far. 1e-9: rounding, and no step magnifies it.
 #[test]
 fn the_last_digit_of_the_ground_decides_nothing() {
-    let springs: Vec<Spring> = (1..=40)
-        .map(|i| Spring {
-            stiffness: 1e4 / f64::from(i),
-            limit: 50.0,
-        })
-        .collect();
+    let springs: Vec<Spring> = (1..=40).map(|i| Spring { stiffness: 1e4 / f64::from(i), limit: 50.0 }).collect();
     let step = 2e-3;
     let wave = |i: usize| {
         let t = i as f64 * step;
@@ -94,35 +73,22 @@ fn the_last_digit_of_the_ground_decides_nothing() {
 /// before they slip. 1 %: a thousand steps a cycle. Nothing slides as a whole.
 #[test]
 fn a_chain_of_springs_loses_what_masing_says() {
-    let springs: Vec<Spring> = (1..=8)
-        .map(|i| Spring {
-            stiffness: 4e5 / 8.0,
-            limit: 120.0 * f64::from(i),
-        })
-        .collect();
+    let springs: Vec<Spring> = (1..=8).map(|i| Spring { stiffness: 4e5 / 8.0, limit: 120.0 * f64::from(i) }).collect();
     let omega = 0.5 * (4e5_f64 / 1000.0).sqrt();
     let period = 1000;
     let step = std::f64::consts::TAU / omega / period as f64;
     let run = |cycles: usize| {
-        let ground: Vec<f64> = (0..=cycles * period)
-            .map(|i| 1.5 * (omega * step * i as f64).sin())
-            .collect();
+        let ground: Vec<f64> = (0..=cycles * period).map(|i| 1.5 * (omega * step * i as f64).sin()).collect();
         drag(&ground, step, 1.0, springs.clone())
     };
     let (before, after) = (run(80), run(81));
     let last = &after.slip[80 * period..];
-    let (low, high) = last
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
+    let (low, high) = last.iter().fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
     let s = 0.5 * (high - low);
     let way = |spring: &Spring| (s - spring.limit / spring.stiffness).max(0.0);
     let lost: f64 = springs.iter().map(|p| 4.0 * p.limit * way(p)).sum();
     let found = after.energy.friction - before.energy.friction;
-    assert!(
-        lost > 0.0 && !after.slid && after.balance < 1e-3,
-        "{lost} {}",
-        after.balance
-    );
+    assert!(lost > 0.0 && !after.slid && after.balance < 1e-3, "{lost} {}", after.balance);
     assert!((found / lost - 1.0).abs() < 1e-2, "{found} {lost}");
 }
 
@@ -132,9 +98,7 @@ fn a_chain_of_springs_loses_what_masing_says() {
 fn a_rectangular_pulse_slips_by_its_closed_form() {
     let (a, t0, mu) = (0.5 * G, 0.3, 0.2);
     let step = 1e-4;
-    let pulse: Vec<f64> = (0..12_000)
-        .map(|i| if (i as f64) * step < t0 - 0.5 * step { a } else { 0.0 })
-        .collect();
+    let pulse: Vec<f64> = (0..12_000).map(|i| if (i as f64) * step < t0 - 0.5 * step { a } else { 0.0 }).collect();
     let found = slide(&pulse, step, mu).slip.last().copied().unwrap();
     let expected = a * a * t0 * t0 / (2.0 * mu * G) - a * t0 * t0 / 2.0;
     assert!((found.abs() / expected - 1.0).abs() < 1e-3, "{found} {expected}");
@@ -159,9 +123,7 @@ fn harmonic_motion_slips_by_its_closed_form() {
 /// Doubled ground motion and friction slip twice as far.
 #[test]
 fn slip_is_homogeneous() {
-    let motion: Vec<f64> = (0..4000)
-        .map(|i| 3.0 * (0.013 * i as f64).sin() * (0.0017 * i as f64).cos())
-        .collect();
+    let motion: Vec<f64> = (0..4000).map(|i| 3.0 * (0.013 * i as f64).sin() * (0.0017 * i as f64).cos()).collect();
     let double: Vec<f64> = motion.iter().map(|a| 2.0 * a).collect();
     let (one, two) = (slide(&motion, 1e-3, 0.1), slide(&double, 1e-3, 0.2));
     for (a, b) in one.slip.iter().zip(&two.slip) {
@@ -171,12 +133,7 @@ fn slip_is_homogeneous() {
 
 /// Example 05's base, elastic, on 100 MN/m³, and its impulsive mass on one spring.
 fn base(weight: f64, modulus: f64) -> Law {
-    let plate = Plate {
-        thickness: 0.01,
-        young_modulus: 2.05e11,
-        poisson_ratio: 0.3,
-        yield_stress: None,
-    };
+    let plate = Plate { thickness: 0.01, young_modulus: 2.05e11, poisson_ratio: 0.3, yield_stress: None };
     let pressure = 128e3;
     let edge = Edge {
         radius: 20.0,
@@ -186,15 +143,7 @@ fn base(weight: f64, modulus: f64) -> Law {
         pressure,
         gradient: 870.0 * G,
     };
-    let strip = Strip::new(
-        Bands::uniform(plate),
-        Rim::Wall(edge),
-        20.0,
-        modulus,
-        pressure,
-        Plan::Strip,
-    )
-    .unwrap();
+    let strip = Strip::new(Bands::uniform(plate), Rim::Wall(edge), 20.0, modulus, pressure, Plan::Strip).unwrap();
     let reach = 0.08 * (1e8 / modulus).min(1.0) + 0.02;
     let curve = Curve::of(&strip, weight, -reach, 0.25).unwrap();
     let rocking = Rocking::new(20.0, weight, vec![(pressure, curve)]).unwrap();
@@ -274,11 +223,7 @@ fn free_rocking_has_the_period_of_its_quadrature() {
             * std::f64::consts::FRAC_PI_2
             / n as f64;
         // Method of second order, (ω h)²/12 = 1e-6 in the period; its loss of amplitude shortens it by less than 1e-3.
-        assert!(
-            (period / (4.0 * quarter) - 1.0).abs() < 1e-3,
-            "{period} {}",
-            4.0 * quarter
-        );
+        assert!((period / (4.0 * quarter) - 1.0).abs() < 1e-3, "{period} {}", 4.0 * quarter);
     }
 }
 
@@ -365,10 +310,7 @@ fn a_dashpot_on_hard_ground_finds_every_step() {
 #[test]
 fn a_block_on_a_dashpot_overshoots_by_its_closed_form() {
     let (omega, xi, a) = (10.0, 0.2, 0.5);
-    let spring = Spring {
-        stiffness: 1000.0 * omega * omega,
-        limit: 1000.0 * G,
-    };
+    let spring = Spring { stiffness: 1000.0 * omega * omega, limit: 1000.0 * G };
     let step = 1e-3;
     let history = delayed(&[a; 500], step, 1.0, vec![spring], 2.0 * xi / omega);
     let found = history.slip.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
@@ -451,10 +393,7 @@ fn a_mirrored_ground_mirrors_the_history() {
         first_moment: mass * arm,
         second_moment: mass * arm * arm + 1e7,
     };
-    let springs = [3.0, 5.0].map(|k| Spring {
-        stiffness: k * 1e7,
-        limit: 2.3e6,
-    });
+    let springs = [3.0, 5.0].map(|k| Spring { stiffness: k * 1e7, limit: 2.3e6 });
     let run = |sign: f64| {
         let motion = |t: f64| sign * 1.5 * ((9.0 * t).sin() + 0.7 * (14.0 * t).sin());
         let ground: Vec<f64> = (0..=1500).map(|i| motion(1e-3 * f64::from(i))).collect();

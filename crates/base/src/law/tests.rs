@@ -64,10 +64,7 @@ fn a_cycle_of_the_springs_loses_what_masing_says() {
     let lost = law.commit(-psi, &mut slips) + law.commit(psi, &mut slips);
     let places: Vec<f64> = law.rotations().iter().step_by(2).copied().collect();
     let moment = |psi: f64| law.respond(psi, 0.0, 0.0, &[]).moment;
-    let work: f64 = places
-        .windows(2)
-        .map(|p| 0.5 * (moment(p[0]) + moment(p[1])) * (p[1] - p[0]))
-        .sum();
+    let work: f64 = places.windows(2).map(|p| 0.5 * (moment(p[0]) + moment(p[1])) * (p[1] - p[0])).sum();
     close(lost, 8.0 * work - 4.0 * moment(psi) * psi, 1e-9);
 }
 
@@ -86,10 +83,7 @@ fn a_rim_that_stiffens_has_no_stiffer_springs() {
     );
     let places: Vec<f64> = law.rotations().iter().step_by(2).copied().collect();
     let moment = |psi: f64| law.respond(psi, 0.0, 0.0, &[]).moment;
-    let chords: Vec<f64> = places
-        .windows(2)
-        .map(|p| (moment(p[1]) - moment(p[0])) / (p[1] - p[0]))
-        .collect();
+    let chords: Vec<f64> = places.windows(2).map(|p| (moment(p[1]) - moment(p[0])) / (p[1] - p[0])).collect();
     let rises = chords.windows(2).position(|c| c[1] > 1.1 * c[0]).unwrap();
     assert!(chords[rises + 1..].windows(2).any(|c| c[1] < 0.9 * c[0]), "{chords:?}");
     assert!(law.springs().iter().all(|s| s.stiffness > 0.0));

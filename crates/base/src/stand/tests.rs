@@ -22,12 +22,7 @@ fn base([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, m
 fn tank([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, modulus]: [f64; 2]) -> Case {
     let mut steel = material(modulus, 0.3, 7850.0);
     steel.yield_strength = Some(strength);
-    let mut case = case(
-        Shape::Cylinder { radius },
-        &[(fill + 1.0, wall)],
-        &steel,
-        (density, fill),
-    );
+    let mut case = case(Shape::Cylinder { radius }, &[(fill + 1.0, wall)], &steel, (density, fill));
     case.tank.bottom = Some(Bottom {
         thickness: plate,
         sketch: None,
@@ -59,9 +54,7 @@ fn a_moment_turns_as_an_independent_program_has_it() {
         (OIL, 21_350.0, 219e6, 5e-3, 0.158, 13.2e6),
         (SLENDER, 7_284.0, 6.51e6, 2e-3, 0.014, 10.0e6),
     ] {
-        let found = Stands::of(base(data.0, data.1, data.2))
-            .under(moment, weight, 0.0)
-            .unwrap();
+        let found = Stands::of(base(data.0, data.1, data.2)).under(moment, weight, 0.0).unwrap();
         close(found.turn.moment, moment, 1e-6);
         close(found.turn.rotation, rotation, 0.06);
         close(found.turn.uplift, uplift, 0.06);
@@ -171,15 +164,8 @@ fn the_plate_of_a_stand() {
     assert!(rim.distance.abs() < 1e-9 && (rim.deflection - stand.turn.uplift).abs() < 1e-9);
     let lifted = plate.iter().rev().take_while(|p| p.deflection > 0.0).last().unwrap();
     // Between two nodes, at most 60 mm apart.
-    assert!(
-        (lifted.distance - stand.rim.lifted_width).abs() < 0.06,
-        "{lifted:?} {stand:?}"
-    );
-    assert!(
-        plate
-            .iter()
-            .all(|p| (p.pressure - 1e8 * (-p.deflection).max(0.0)).abs() < 1e-6)
-    );
+    assert!((lifted.distance - stand.rim.lifted_width).abs() < 0.06, "{lifted:?} {stand:?}");
+    assert!(plate.iter().all(|p| (p.pressure - 1e8 * (-p.deflection).max(0.0)).abs() < 1e-6));
     assert!(plate.iter().any(|p| p.yielded) && !plate[0].yielded);
     // Far from the rim the ground carries the liquid.
     close(plate[0].pressure, stands.base().pressure, 1e-6);

@@ -51,16 +51,11 @@ impl Assembly {
             size += 1;
             size - 1
         };
-        let node: Vec<[Option<usize>; NODE]> = wall
-            .nodes
-            .iter()
-            .map(|_| std::array::from_fn(|k| wall.active[k].then(&mut take)))
-            .collect();
+        let node: Vec<[Option<usize>; NODE]> =
+            wall.nodes.iter().map(|_| std::array::from_fn(|k| wall.active[k].then(&mut take))).collect();
         let wetted = liquid.trace.len();
         let trace = node[..wetted].iter().flat_map(|n| [n[2], n[3]]);
-        let mut column: Vec<usize> = trace
-            .map(|i| i.expect("w and its slope are unknowns of every wall"))
-            .collect();
+        let mut column: Vec<usize> = trace.map(|i| i.expect("w and its slope are unknowns of every wall")).collect();
         column.extend(liquid.surface_columns().map(|_| take()));
 
         let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
@@ -177,11 +172,7 @@ impl Assembly {
                 held[*i] = by_base;
             }
         }
-        let flux = self
-            .liquid
-            .domain
-            .is_floating()
-            .then(|| self.liquid_row(&self.liquid.flux));
+        let flux = self.liquid.domain.is_floating().then(|| self.liquid_row(&self.liquid.flux));
         Reduction::new(&held, flux.as_deref().map(|q| (q, self.surface_start()..self.size)))
     }
 }
@@ -220,11 +211,7 @@ fn add_wall(wall: &Wall, node: &[[Option<usize>; NODE]], mass: &mut Matrix, stif
 fn add_roof(wall: &Wall, node: &[[Option<usize>; NODE]], harmonic: u32, roof: RoofShare, mass: &mut Matrix) {
     let [u, v, w, _] = node[node.len() - 1];
     let cylinder = wall.curvature > 0.0;
-    let share = if cylinder && harmonic > 0 {
-        0.5 * roof.mass
-    } else {
-        roof.mass
-    };
+    let share = if cylinder && harmonic > 0 { 0.5 * roof.mass } else { roof.mass };
     [u, v, w].into_iter().flatten().for_each(|i| mass.add(i, i, share));
     if let (true, 1, Some(u), Some(v), Some(w)) = (cylinder, harmonic, u, v, w) {
         let lever = roof.offset * wall.curvature;

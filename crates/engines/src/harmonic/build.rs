@@ -50,10 +50,8 @@ pub(crate) fn build_observed(
     *trace.last_mut().expect("the base is always wetted") = depth;
     let liquid = Potential::new(domain, mesh, trace, case.liquid.density).map_err(failure("the liquid matrix H"))?;
     let share = meshed_share(case);
-    let roof = RoofShare {
-        mass: share * case.tank.roof.mass,
-        offset: case.tank.roof_height() - case.tank.wall_height(),
-    };
+    let roof =
+        RoofShare { mass: share * case.tank.roof.mass, offset: case.tank.roof_height() - case.tank.wall_height() };
     let state = Static::solve(case, options.refine, roof.mass).map_err(failure("the wall's static stiffness"))?;
     let assembly = Assembly::new(case, harmonic, wall, liquid, roof);
 
@@ -71,9 +69,7 @@ pub(crate) fn build_observed(
         rigid: rigid_part(case, share),
     };
     let (probes, lines, shear) = (observer.probes(options), observer.lines(), observer.shear());
-    let first = (0..assembly.surface_start())
-        .filter(|&i| assembly.reduction.index(i).is_some())
-        .count();
+    let first = (0..assembly.surface_start()).filter(|&i| assembly.reduction.index(i).is_some()).count();
     Ok(Coupled {
         harmonic,
         surface: Part::block(&stiffness, first..assembly.reduction.len()),
@@ -89,10 +85,7 @@ pub(crate) fn build_observed(
             rows.map(|rows| rows.each_ref().map(|row| assembly.reduction.row(row)))
         }),
         dashpots: dashpots::rows(&assembly, options),
-        mesh: describe(&assembly)
-            .into_iter()
-            .chain(liquid_mesh::label(case))
-            .collect(),
+        mesh: describe(&assembly).into_iter().chain(liquid_mesh::label(case)).collect(),
         shape_rows: shape_rows(&assembly),
         mass,
         stiffness,
@@ -104,11 +97,9 @@ pub(crate) fn build_observed(
 fn domain(case: &Case, harmonic: u32) -> Result<Domain, FeError> {
     match case.tank.shape {
         Shape::Cylinder { radius } => Ok(Domain::Cylinder { radius, harmonic }),
-        Shape::Rectangle { length, breadth, .. } if harmonic <= 1 => Ok(Domain::Strip {
-            half_length: 0.5 * length,
-            breadth,
-            symmetric: harmonic == 0,
-        }),
+        Shape::Rectangle { length, breadth, .. } if harmonic <= 1 => {
+            Ok(Domain::Strip { half_length: 0.5 * length, breadth, symmetric: harmonic == 0 })
+        }
         Shape::Rectangle { .. } => Err(FeError::Unsupported(format!(
             "harmonic {harmonic}: a rectangular tank has the harmonics 0 (symmetric) and 1 (antisymmetric) only"
         ))),
@@ -127,25 +118,15 @@ fn meshed_share(case: &Case) -> f64 {
 fn rigid_part(case: &Case, meshed: f64) -> (f64, f64) {
     let walls = (1.0 - meshed) * case.tank.wall_mass();
     let roof = (1.0 - meshed) * case.tank.roof.mass;
-    (
-        walls + roof,
-        walls * case.tank.wall_centroid() + roof * case.tank.roof_height(),
-    )
+    (walls + roof, walls * case.tank.wall_centroid() + roof * case.tank.roof_height())
 }
 
 fn describe(assembly: &Assembly) -> Vec<Labelled> {
     let (r, z) = assembly.liquid.mesh.elements();
     let wall = &assembly.wall;
     let shortest = wall.elements.iter().fold(f64::INFINITY, |m, e| m.min(e.length));
-    let kind = if wall.curvature > 0.0 {
-        "shell of revolution"
-    } else {
-        "plane strip"
-    };
-    let label = |label: &str, text: String| Labelled {
-        label: label.into(),
-        text,
-    };
+    let kind = if wall.curvature > 0.0 { "shell of revolution" } else { "plane strip" };
+    let label = |label: &str, text: String| Labelled { label: label.into(), text };
     vec![
         label("liquid elements", format!("{r} × {z}, nine nodes, potential condensed")),
         label(
@@ -169,9 +150,7 @@ fn describe(assembly: &Assembly) -> Vec<Labelled> {
 }
 
 fn free_surface(assembly: &Assembly) -> usize {
-    (assembly.surface_start()..assembly.size)
-        .filter(|&i| assembly.reduction.index(i).is_some())
-        .count()
+    (assembly.surface_start()..assembly.size).filter(|&i| assembly.reduction.index(i).is_some()).count()
 }
 
 fn shape_rows(assembly: &Assembly) -> ShapeRows {
@@ -179,11 +158,7 @@ fn shape_rows(assembly: &Assembly) -> ShapeRows {
     let row = |index: Option<usize>| index.map(|i| (i, 1.0)).into_iter().collect();
     let mut rows = ShapeRows {
         z: assembly.wall.nodes.clone(),
-        wall: assembly
-            .node
-            .iter()
-            .map(|n| row(n[2].and_then(|i| assembly.reduction.index(i))))
-            .collect(),
+        wall: assembly.node.iter().map(|n| row(n[2].and_then(|i| assembly.reduction.index(i)))).collect(),
         ..ShapeRows::default()
     };
     for (&r, column) in assembly.liquid.mesh.r.iter().zip(&assembly.liquid.surface) {

@@ -75,12 +75,7 @@ mod tests {
     use super::*;
 
     fn record(dt: f64, acceleration: Vec<f64>) -> Record {
-        Record {
-            name: "test".into(),
-            dt,
-            acceleration,
-            processing: Vec::new(),
-        }
+        Record { name: "test".into(), dt, acceleration, processing: Vec::new() }
     }
 
     /// The transform against its definition, Σ a_n e^(−2πi jn/N): rounding of 16 terms.
@@ -93,10 +88,7 @@ mod tests {
             let angle = |n: usize| -2.0 * PI * (j * n) as f64 / 16.0;
             let real: f64 = given.iter().enumerate().map(|(n, a)| a * angle(n).cos()).sum();
             let imaginary: f64 = given.iter().enumerate().map(|(n, a)| a * angle(n).sin()).sum();
-            assert!(
-                (value.0 - real).abs() < 1e-12 && (value.1 - imaginary).abs() < 1e-12,
-                "{j}"
-            );
+            assert!((value.0 - real).abs() < 1e-12 && (value.1 - imaginary).abs() < 1e-12, "{j}");
         }
     }
 
@@ -114,9 +106,7 @@ mod tests {
     /// Compressing the time axis raises the content in proportion; a record of zeros has none.
     #[test]
     fn scales_with_time() {
-        let values: Vec<f64> = (0..300)
-            .map(|k| (0.37 * f64::from(k)).sin() * (0.011 * f64::from(k)).cos())
-            .collect();
+        let values: Vec<f64> = (0..300).map(|k| (0.37 * f64::from(k)).sin() * (0.011 * f64::from(k)).cos()).collect();
         let (slow, fast) = (record(0.02, values.clone()), record(0.01, values));
         assert!((frequency_of_share(&fast, 0.99) / frequency_of_share(&slow, 0.99) - 2.0).abs() < 1e-12);
         assert_eq!(frequency_of_share(&record(0.01, vec![0.0; 20]), 0.99), 0.0);

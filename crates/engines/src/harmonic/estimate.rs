@@ -82,10 +82,7 @@ impl Mesh {
             n if n <= MANY_COURSES => {
                 let nodes = wall_nodes(tank, depth, refine).0;
                 // Mid-points of long elements, and both sides of a joint of courses.
-                let long = nodes
-                    .windows(2)
-                    .filter(|z| z[1] - z[0] > tank.wall_height() / 60.0)
-                    .count();
+                let long = nodes.windows(2).filter(|z| z[1] - z[0] > tank.wall_height() / 60.0).count();
                 (nodes.len() as f64, (nodes.len() + long + n - 1) as f64)
             }
             n => (n as f64 + 46.0 * refine, 2.0 * n as f64 + 46.0 * refine),
@@ -121,11 +118,7 @@ impl Mesh {
         let coupled = SMALL + (modes - liquid).max(NUMBER * n * n);
         let products = 2.0 * c * c * nodes + MODES * n * n * n;
         let solves = 2.0 * NUMBER * fill.entries * c;
-        (
-            liquid,
-            coupled,
-            products / DENSE_RATE + fill.flops / FACTOR_RATE + solves / SWEEP_RATE,
-        )
+        (liquid, coupled, products / DENSE_RATE + fill.flops / FACTOR_RATE + solves / SWEEP_RATE)
     }
 }
 
@@ -137,10 +130,7 @@ pub fn estimate(case: &Case, options: &Options) -> Result<Estimate, FeError> {
     let response = Response::of(case, AfterRecord::DEFAULT)?;
     let mut found = of(case, options, response);
     for refine in coarser(options.refine) {
-        let coarse = Options {
-            refine,
-            ..options.clone()
-        };
+        let coarse = Options { refine, ..options.clone() };
         let smaller = of(case, &coarse, response);
         let give = format!("use --refine {refine}");
         found.lever.smaller.push((give, smaller.bytes(), smaller.seconds));
@@ -174,11 +164,7 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
         coupled += system + KEPT * NUMBER * mesh.unknowns * mesh.unknowns * (systems - 1.0);
         seconds += systems * time;
     }
-    let mut parts = vec![
-        (THE_PROGRAM, PROGRAM),
-        ("wall and liquid", coupled),
-        ("condensed liquid", liquid),
-    ];
+    let mut parts = vec![(THE_PROGRAM, PROGRAM), ("wall and liquid", coupled), ("condensed liquid", liquid)];
     let mut size = format!(
         "liquid {:.0} x {:.0}, wall {:.0}, {:.0} unknowns",
         0.5 * (mesh.liquid[0] - 1.0),
@@ -213,10 +199,7 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
             instants = samples * rocking::sub_steps(response.dt, (modal / samples).ceil() as usize) as f64;
             states *= 2.0;
             let models = LIFTED * NUMBER * mesh.unknowns * mesh.unknowns;
-            parts.push((
-                "lifting base",
-                models + LIFTING_STEP * instants + 0.4 * NUMBER * instants * states,
-            ));
+            parts.push(("lifting base", models + LIFTING_STEP * instants + 0.4 * NUMBER * instants * states));
         }
         parts.extend(limit_states(case, instants, states, mesh.places));
         parts.push(("ground motion", NUMBER * directions * steps * meshes.min(2.0)));
@@ -230,9 +213,6 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
         steps,
         seconds,
         inelastic: None,
-        lever: Lever {
-            smaller: Vec::new(),
-            other: "resample the record (`record.resample`)".into(),
-        },
+        lever: Lever { smaller: Vec::new(), other: "resample the record (`record.resample`)".into() },
     }
 }

@@ -16,10 +16,7 @@ use tank::options::LinearOptions as Options;
 const JOINTS: [WallBase; 4] = [WallBase::Fixed, WallBase::Hinged, bearing(5e7), bearing(0.0)];
 
 const fn bearing(stiffness: f64) -> WallBase {
-    WallBase::Sliding {
-        stiffness: Some(stiffness),
-        friction: None,
-    }
+    WallBase::Sliding { stiffness: Some(stiffness), friction: None }
 }
 
 /// R = 10 m, 10 cm of concrete without weight, full to 10 m.
@@ -47,10 +44,7 @@ fn at_rest_it_is_the_edge_solution() {
             WallBase::Sliding { .. } => (w_p(0.0) * base.stiffness() / (foot + base.stiffness()), 0.0),
         };
         for z in [0.0f64, 0.4, 1.0, 2.5, 5.0, 9.0] {
-            let (c, s) = (
-                (beta * z).cos() * (-beta * z).exp(),
-                (beta * z).sin() * (-beta * z).exp(),
-            );
+            let (c, s) = ((beta * z).cos() * (-beta * z).exp(), (beta * z).sin() * (-beta * z).exp());
             let hoop = e / r * (w_p(z) - a * c - b * s);
             let found = state.at(z, true, Output::HoopStress);
             assert!((found - hoop).abs() < 5e-3 * 9.81e6, "{base:?} z = {z}: {found} {hoop}");
@@ -58,10 +52,7 @@ fn at_rest_it_is_the_edge_solution() {
             let moment = d * 2.0 * beta * beta * (a * s - b * c);
             let found = state.at(z, true, Output::BendingMoment);
             let largest = d * 2.0 * beta * beta * w_p(0.0);
-            assert!(
-                (found - moment).abs() < 1e-2 * largest,
-                "{base:?} z = {z}: {found} {moment}"
-            );
+            assert!((found - moment).abs() < 1e-2 * largest, "{base:?} z = {z}: {found} {moment}");
         }
     }
 }
@@ -82,10 +73,7 @@ fn a_looser_foot_swings_slower() {
         std::f64::consts::TAU / model.horizontal.first(Kind::Structural).unwrap().omega
     };
     let [fixed, hinged, pads, free] = JOINTS.map(period);
-    assert!(
-        fixed < hinged && hinged < pads && pads < free,
-        "{fixed} {hinged} {pads} {free}"
-    );
+    assert!(fixed < hinged && hinged < pads && pads < free, "{fixed} {hinged} {pads} {free}");
     assert!((period(bearing(1e13)) / hinged - 1.0).abs() < 1e-4);
 }
 

@@ -86,11 +86,8 @@ pub(crate) fn assumptions(case: &Case, plates: bool, isolated: bool) -> Vec<Stri
 /// Warnings that follow from the modes of a case, one sentence each.
 pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
     let mut out = Vec::new();
-    let structural = |harmonic: u32| {
-        modes
-            .iter()
-            .find(move |m| m.harmonic == harmonic && m.kind == Kind::Structural.id())
-    };
+    let structural =
+        |harmonic: u32| modes.iter().find(move |m| m.harmonic == harmonic && m.kind == Kind::Structural.id());
     let acoustic = SOUND / (4.0 * case.liquid.fill_height);
     for (harmonic, name) in [(1, "bulging"), (0, "breathing")] {
         let Some(mode) = structural(harmonic) else { continue };
@@ -136,12 +133,8 @@ mod tests {
         let found = modes(&case, &Options::default(), &[0, 1], 2).unwrap();
         assert_eq!(notes(&case, &found), Vec::<String>::new());
 
-        let deep = test_tanks::case(
-            Shape::Cylinder { radius: 4.0 },
-            &[(20.0, 0.5)],
-            (30e9, 0.2, 2500.0),
-            (1000.0, 19.0),
-        );
+        let deep =
+            test_tanks::case(Shape::Cylinder { radius: 4.0 }, &[(20.0, 0.5)], (30e9, 0.2, 2500.0), (1000.0, 19.0));
         let found = modes(&deep, &Options::default(), &[0, 1], 2).unwrap();
         let notes = notes(&deep, &found);
         assert!(notes.iter().any(|n| n.starts_with("compressibility")), "{notes:?}");

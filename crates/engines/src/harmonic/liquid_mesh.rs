@@ -62,11 +62,7 @@ struct Aim {
 
 /// End of the content of a motion [Hz]: of its components the highest.
 pub(crate) fn content(motion: &GroundMotion) -> f64 {
-    let all = [
-        Some(&motion.horizontal),
-        motion.transverse.as_ref(),
-        motion.vertical.as_ref(),
-    ];
+    let all = [Some(&motion.horizontal), motion.transverse.as_ref(), motion.vertical.as_ref()];
     let each = all.into_iter().flatten().map(|r| frequency_of_share(r, SHARE));
     each.fold(0.0, f64::max)
 }
@@ -85,12 +81,7 @@ impl Aim {
         let excited = MARGIN * TAU * frequency;
         let beyond = wall_frequency(case, most) < excited;
         let wave = if beyond { most } else { wave_number(case, excited, most) };
-        Some(Aim {
-            frequency,
-            record,
-            wave,
-            beyond,
-        })
+        Some(Aim { frequency, record, wave, beyond })
     }
 }
 
@@ -102,10 +93,7 @@ fn wall_frequency(case: &Case, k: f64) -> f64 {
         Shape::Cylinder { radius } => {
             let square = (k * radius).powi(2) + 1.0;
             let membrane = stretch / radius.powi(2) * ((square - 1.0) / square).powi(2);
-            (
-                membrane + bending * (square / radius.powi(2)).powi(2),
-                density * radius / square.sqrt(),
-            )
+            (membrane + bending * (square / radius.powi(2)).powi(2), density * radius / square.sqrt())
         }
         Shape::Rectangle { .. } => (bending * k.powi(4), density / k),
     };
@@ -132,11 +120,7 @@ fn mean_wall(tank: &Tank, depth: f64) -> (f64, f64, f64) {
     for course in &tank.courses {
         let top = (bottom + course.height).min(depth);
         let share = (top - bottom).max(0.0) / depth;
-        let (e, nu, t) = (
-            course.material.youngs_modulus,
-            course.material.poisson_ratio,
-            course.thickness,
-        );
+        let (e, nu, t) = (course.material.youngs_modulus, course.material.poisson_ratio, course.thickness);
         sums.0 += share * e * t;
         sums.1 += share * e * t.powi(3) / (12.0 * (1.0 - nu * nu));
         sums.2 += share * course.material.density * t;
@@ -151,9 +135,7 @@ fn counts(case: &Case, aim: Option<Aim>) -> Option<(f64, u32)> {
     let default = DEFAULT * (depth / half / SLENDER).max(1.0);
     let wave = aim?.wave;
     let vertical = (VERTICAL * wave * depth).ceil().max(default);
-    let parts = (1..=6)
-        .find(|&j| LAST * half / f64::from(2_u32.pow(j) - 1) <= OUTERMOST / wave)
-        .unwrap_or(6);
+    let parts = (1..=6).find(|&j| LAST * half / f64::from(2_u32.pow(j) - 1) <= OUTERMOST / wave).unwrap_or(6);
     (parts > 1 || vertical > default).then_some((vertical, parts))
 }
 
@@ -215,10 +197,7 @@ pub(super) fn label(case: &Case) -> Option<Labelled> {
             significant(PI / aim.wave, 3)
         ),
     };
-    Some(Labelled {
-        label: "mesh of the liquid follows".into(),
-        text,
-    })
+    Some(Labelled { label: "mesh of the liquid follows".into(), text })
 }
 
 #[cfg(test)]

@@ -17,12 +17,7 @@ pub fn modes(case: &Case, options: &Options, harmonics: &[u32], count: usize) ->
         let coupled = build(case, options, harmonic)?;
         let wanted = (coupled.surface.unknowns.len() + count).min(coupled.mass.rows);
         let modes = solve(&coupled, Some(wanted))?;
-        found.extend(
-            modes
-                .iter()
-                .filter(|m| m.number <= count)
-                .map(|m| m.to_result(&coupled, case)),
-        );
+        found.extend(modes.iter().filter(|m| m.number <= count).map(|m| m.to_result(&coupled, case)));
     }
     Ok(found)
 }

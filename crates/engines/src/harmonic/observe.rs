@@ -50,19 +50,13 @@ const FORCES: [Output; 6] = [
 impl Observer<'_> {
     /// Scalar outputs.
     pub(super) fn probes(&self, options: &Options) -> Vec<Probe> {
-        let mut probes = vec![self.gauge(
-            self.assembly.liquid.domain.half_length(),
-            Channel::Wave(Side::Front),
-            options,
-        )];
+        let mut probes =
+            vec![self.gauge(self.assembly.liquid.domain.half_length(), Channel::Wave(Side::Front), options)];
         for &r in &options.gauges {
             probes.push(self.gauge(r, Channel::WaveAt { r }, options));
         }
         probes.extend(self.reactions());
-        let base = Place {
-            z: 0.0,
-            at: vec![(0, -1.0)],
-        };
+        let base = Place { z: 0.0, at: vec![(0, -1.0)] };
         // A foot that turns is free of bending.
         let bends = self.assembly.wall.held[NODE - 1];
         let outputs = [
@@ -74,10 +68,7 @@ impl Observer<'_> {
             probes.push(self.wall_probe(Probe::new(Channel::Base(what)), output, &base));
         }
         for &z in &options.stations {
-            let place = Place {
-                z,
-                at: vec![self.assembly.wall.locate(z, true)],
-            };
+            let place = Place { z, at: vec![self.assembly.wall.locate(z, true)] };
             for (output, what) in LINES.into_iter().filter(|l| self.exists(l.0)) {
                 probes.push(self.wall_probe(Probe::new(Channel::At { what, z }), output, &place));
             }
@@ -89,16 +80,9 @@ impl Observer<'_> {
     /// Amplitudes of the internal forces at the stations, of a cylinder.
     fn forces(&self, options: &Options) -> Vec<Probe> {
         let mut probes = Vec::new();
-        for station in options
-            .force_stations
-            .iter()
-            .filter(|_| self.exists(Output::HoopStress))
-        {
+        for station in options.force_stations.iter().filter(|_| self.exists(Output::HoopStress)) {
             let (z, degrees) = (station.z, station.degrees());
-            let place = Place {
-                z,
-                at: vec![self.assembly.wall.locate(z, true)],
-            };
+            let place = Place { z, at: vec![self.assembly.wall.locate(z, true)] };
             for (what, output) in OnWall::FORCES.into_iter().zip(FORCES) {
                 let probe = Probe {
                     turn: Some(Turn::of(what, station.theta)),
@@ -119,9 +103,7 @@ impl Observer<'_> {
             lines.push(ProbeLine {
                 what,
                 z: places.iter().map(|p| p.z).collect(),
-                probes: probes
-                    .map(|(i, p)| self.wall_probe(ProbeLine::probe(what, i, p.z), output, p))
-                    .collect(),
+                probes: probes.map(|(i, p)| self.wall_probe(ProbeLine::probe(what, i, p.z), output, p)).collect(),
             });
         }
         lines
@@ -135,11 +117,7 @@ impl Observer<'_> {
         let (what, places) = (OnWall::Shear, places(&self.assembly.wall, self.places));
         let probes = places.iter().enumerate();
         let probe = |(i, p): (usize, &Place)| self.wall_probe(ProbeLine::probe(what, i, p.z), Output::ShearForce, p);
-        Some(ProbeLine {
-            what,
-            z: places.iter().map(|p| p.z).collect(),
-            probes: probes.map(probe).collect(),
-        })
+        Some(ProbeLine { what, z: places.iter().map(|p| p.z).collect(), probes: probes.map(probe).collect() })
     }
 
     /// Plane walls have no hoop stress.
@@ -159,11 +137,7 @@ impl Observer<'_> {
             assembly.add_nodal_row(e, &element.inertia_row(&local), share, &mut inertia);
             static_value += share * self.state.value(e, xi, output);
         }
-        let probe = Probe {
-            displacement: assembly.reduction.row(&row),
-            static_value,
-            ..probe
-        };
+        let probe = Probe { displacement: assembly.reduction.row(&row), static_value, ..probe };
         // The wall's own weight affects its axial stress under vertical motion only (m = 0).
         if assembly.harmonic == 0 && matches!(output, Output::AxialStress | Output::AxialForce) {
             let rigid = dot(&inertia, &assembly.translation);
@@ -210,20 +184,12 @@ impl Observer<'_> {
     /// ground with everything rigid.
     fn acceleration_probe(&self, probe: Probe, row: &[f64], rigid: f64) -> Probe {
         let free = self.assembly.reduction.row(row);
-        Probe {
-            ground_acceleration: rigid - dot(&free, self.influence),
-            absolute_acceleration: free,
-            ..probe
-        }
+        Probe { ground_acceleration: rigid - dot(&free, self.influence), absolute_acceleration: free, ..probe }
     }
 
     fn pressure_line(&self, places: &[Place]) -> ProbeLine {
         let depth = self.case.liquid.fill_height;
-        let wetted: Vec<f64> = places
-            .iter()
-            .map(|p| p.z)
-            .filter(|&z| z <= depth * (1.0 + 1e-9))
-            .collect();
+        let wetted: Vec<f64> = places.iter().map(|p| p.z).filter(|&z| z <= depth * (1.0 + 1e-9)).collect();
         let probes = wetted.iter().enumerate().map(|(i, &z)| {
             let (row, displacement) = self.assembly.liquid.wall_pressure(z, self.case.gravity);
             let row = self.assembly.liquid_row(&row);
@@ -231,9 +197,8 @@ impl Observer<'_> {
                 0 => self.case.liquid.density * (depth - z).max(0.0),
                 _ => dot(&row, &self.assembly.translation),
             };
-            let displacement = displacement.map_or(Vec::new(), |d| {
-                self.assembly.reduction.row(&self.assembly.liquid_row(&d))
-            });
+            let displacement =
+                displacement.map_or(Vec::new(), |d| self.assembly.reduction.row(&self.assembly.liquid_row(&d)));
             let probe = Probe {
                 displacement,
                 static_value: self.state.pressure(z),
@@ -241,10 +206,6 @@ impl Observer<'_> {
             };
             self.acceleration_probe(probe, &row, rigid)
         });
-        ProbeLine {
-            what: OnWall::Pressure,
-            probes: probes.collect(),
-            z: wetted.clone(),
-        }
+        ProbeLine { what: OnWall::Pressure, probes: probes.collect(), z: wetted.clone() }
     }
 }

@@ -36,28 +36,16 @@ pub(super) fn places(wall: &Wall, places: Places) -> Vec<Place> {
         match e {
             0 => found.push(Place { z, at: vec![(0, -1.0)] }),
             _ if joint => {
-                found.push(Place {
-                    z,
-                    at: vec![(e - 1, 1.0)],
-                });
+                found.push(Place { z, at: vec![(e - 1, 1.0)] });
                 found.push(Place { z, at: vec![(e, -1.0)] });
             }
-            _ => found.push(Place {
-                z,
-                at: vec![(e - 1, 1.0), (e, -1.0)],
-            }),
+            _ => found.push(Place { z, at: vec![(e - 1, 1.0), (e, -1.0)] }),
         }
         if element.length > long {
-            found.push(Place {
-                z: z + 0.5 * element.length,
-                at: vec![(e, 0.0)],
-            });
+            found.push(Place { z: z + 0.5 * element.length, at: vec![(e, 0.0)] });
         }
     }
     let top = wall.elements.len() - 1;
-    found.push(Place {
-        z: wall.nodes[top + 1],
-        at: vec![(top, 1.0)],
-    });
+    found.push(Place { z: wall.nodes[top + 1], at: vec![(top, 1.0)] });
     found
 }

@@ -16,14 +16,8 @@ impl Reduction {
     /// qᵀ x = 0.
     pub(super) fn new(held: &[bool], flux: Option<(&[f64], std::ops::Range<usize>)>) -> Reduction {
         let eliminated = flux.map(|(q, candidates)| {
-            let e = candidates
-                .max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs()))
-                .expect("the surface has unknowns");
-            let t = q
-                .iter()
-                .enumerate()
-                .map(|(j, v)| if j == e { 0.0 } else { -v / q[e] })
-                .collect();
+            let e = candidates.max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).expect("the surface has unknowns");
+            let t = q.iter().enumerate().map(|(j, v)| if j == e { 0.0 } else { -v / q[e] }).collect();
             (e, t)
         });
         let dependent = eliminated.as_ref().map(|(e, _)| *e);
@@ -80,10 +74,7 @@ mod tests {
         let q = [0.5, -1.0, 3.0, 2.0];
         let reduction = Reduction::new(&[true, false, false, false], Some((&q, 2..4)));
         assert_eq!(reduction.len(), 2);
-        assert_eq!(
-            (reduction.index(1), reduction.index(2), reduction.index(3)),
-            (Some(0), None, Some(1))
-        );
+        assert_eq!((reduction.index(1), reduction.index(2), reduction.index(3)), (Some(0), None, Some(1)));
         // x = (0, 2, x₂, −1) with qᵀ x = 0 gives x₂ = 4/3.
         let (all, free) = ([0.0, 2.0, 4.0 / 3.0, -1.0], [2.0, -1.0]);
         let found = dot(&free, &reduction.matrix(&a).times(&free));

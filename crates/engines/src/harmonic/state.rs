@@ -37,9 +37,8 @@ impl Static {
         let mut load = Matrix::zeros(size, 1);
         for (element, map) in wall.elements.iter().zip(&index) {
             let weight = element.material.density * element.thickness * case.gravity;
-            let local = element_load(&wall, element.bottom, element.length, weight, |z| {
-                specific_weight * (depth - z).max(0.0)
-            });
+            let local =
+                element_load(&wall, element.bottom, element.length, weight, |z| specific_weight * (depth - z).max(0.0));
             for i in 0..LOCAL {
                 let Some(p) = map[i] else { continue };
                 load.add(p, 0, local[i]);
@@ -56,16 +55,8 @@ impl Static {
         let top = index[index.len() - 1][NODE].expect("the top of the wall is free to move along the axis");
         load.add(top, 0, -roof_mass * case.gravity);
         SparseCholesky::factor(&k)?.solve(&mut load)?;
-        let solution = index
-            .iter()
-            .map(|map| std::array::from_fn(|i| map[i].map_or(0.0, |p| load.data[p])))
-            .collect();
-        Ok(Static {
-            wall,
-            solution,
-            specific_weight,
-            depth,
-        })
+        let solution = index.iter().map(|map| std::array::from_fn(|i| map[i].map_or(0.0, |p| load.data[p]))).collect();
+        Ok(Static { wall, solution, specific_weight, depth })
     }
 
     /// An output at ξ of element `e`.

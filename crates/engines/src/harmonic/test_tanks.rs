@@ -7,19 +7,11 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
     let (youngs_modulus, poisson_ratio, density) = material;
     Case {
         name: "test".into(),
-        ..reference::case(
-            shape,
-            courses,
-            &reference::material(youngs_modulus, poisson_ratio, density),
-            liquid,
-        )
+        ..reference::case(shape, courses, &reference::material(youngs_modulus, poisson_ratio, density), liquid)
     }
 }
 
 /// The broad aluminium tank of Manos & Clough 1982.
 pub(crate) fn broad() -> Case {
-    Case {
-        name: "test".into(),
-        ..reference::broad(1000.0)
-    }
+    Case { name: "test".into(), ..reference::broad(1000.0) }
 }

@@ -117,12 +117,7 @@ impl Wall {
         let (curvature, wave, factor, active) = match tank.shape {
             Shape::Cylinder { radius } => {
                 let turn = if harmonic == 0 { 2.0 * PI } else { PI };
-                (
-                    1.0 / radius,
-                    f64::from(harmonic),
-                    turn * radius,
-                    [true, harmonic > 0, true, true],
-                )
+                (1.0 / radius, f64::from(harmonic), turn * radius, [true, harmonic > 0, true, true])
             }
             Shape::Rectangle { breadth, .. } => (0.0, 0.0, 2.0 * breadth, [harmonic == 0, false, true, true]),
         };
@@ -170,16 +165,7 @@ impl Wall {
             }
         }
         let (bubbles, bubble_inertia) = bubble_recovery(&stiffness, &mass);
-        Element {
-            bottom,
-            length,
-            thickness,
-            material: material.clone(),
-            bubbles,
-            bubble_inertia,
-            stiffness,
-            mass,
-        }
+        Element { bottom, length, thickness, material: material.clone(), bubbles, bubble_inertia, stiffness, mass }
     }
 
     /// ε_x, ε_θ, γ, κ_x, κ_θ, τ at ξ of an element of the given length.
@@ -231,11 +217,7 @@ impl Wall {
         let tolerance = 1e-9 * self.nodes[last + 1];
         let above = |e: &usize| {
             let top = self.nodes[e + 1];
-            if upper {
-                z < top - tolerance
-            } else {
-                z <= top + tolerance
-            }
+            if upper { z < top - tolerance } else { z <= top + tolerance }
         };
         let e = (0..last).find(above).unwrap_or(last);
         let element = &self.elements[e];
@@ -261,11 +243,7 @@ impl Element {
 
     /// The part of a functional that the inertia of the bubbles adds, on the nodal accelerations.
     pub fn inertia_row(&self, row: &LocalRow) -> [f64; NODAL] {
-        std::array::from_fn(|j| {
-            (0..BUBBLES)
-                .map(|b| self.bubble_inertia[b][j] * row[NODAL + b])
-                .sum::<f64>()
-        })
+        std::array::from_fn(|j| (0..BUBBLES).map(|b| self.bubble_inertia[b][j] * row[NODAL + b]).sum::<f64>())
     }
 
     /// All unknowns from the nodal ones: T x.
@@ -324,9 +302,7 @@ fn bubble_recovery(k: &LocalMatrix, m: &LocalMatrix) -> ([[f64; NODAL]; BUBBLES]
     type Inner = nalgebra::SMatrix<f64, BUBBLES, BUBBLES>;
     let inner = |a: &LocalMatrix| Inner::from_fn(|i, j| a[NODAL + i][NODAL + j]);
     let outer = |a: &LocalMatrix| Block::from_fn(|i, j| a[NODAL + i][j]);
-    let factor = inner(k)
-        .cholesky()
-        .expect("bubbles vanish at both ends, so none is free of strain");
+    let factor = inner(k).cholesky().expect("bubbles vanish at both ends, so none is free of strain");
     let elastic: Block = -factor.solve(&outer(k));
     let inertia: Block = -factor.solve(&(outer(m) + inner(m) * elastic));
     let rows = |b: &Block| std::array::from_fn(|i| std::array::from_fn(|j| b[(i, j)]));
@@ -349,9 +325,7 @@ mod tests {
                 let k = e.condensed(&e.stiffness);
                 let (a, b) = (field(e.bottom), field(e.bottom + e.length));
                 let x: Vec<f64> = a.into_iter().chain(b).collect();
-                (0..NODAL)
-                    .map(|i| (0..NODAL).map(|j| x[i] * k[i][j] * x[j]).sum::<f64>())
-                    .sum::<f64>()
+                (0..NODAL).map(|i| (0..NODAL).map(|j| x[i] * k[i][j] * x[j]).sum::<f64>()).sum::<f64>()
             })
             .sum()
     }
@@ -389,9 +363,7 @@ mod tests {
             .map(|e| {
                 let m = e.condensed(&e.mass);
                 let x = [0.0, -1.0, 1.0, 0.0, 0.0, -1.0, 1.0, 0.0];
-                (0..NODAL)
-                    .map(|i| (0..NODAL).map(|j| x[i] * m[i][j] * x[j]).sum::<f64>())
-                    .sum::<f64>()
+                (0..NODAL).map(|i| (0..NODAL).map(|j| x[i] * m[i][j] * x[j]).sum::<f64>()).sum::<f64>()
             })
             .sum();
         let exact = 2.0 * PI * 1.83 * 2750.0 * (0.915 * 2.03e-3 + 0.915 * 1.27e-3);

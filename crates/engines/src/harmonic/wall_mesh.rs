@@ -47,17 +47,10 @@ pub fn wall_nodes(tank: &Tank, fill_height: f64, refine: f64) -> (Vec<f64>, Vec<
         let middle = 0.5 * (pair[0] + pair[1]);
         let size = if middle < layer { fine.min(coarse) } else { coarse };
         let count = ((pair[1] - pair[0]) / size - 1e-9).ceil().max(1.0) as usize;
-        let owner = joints
-            .windows(2)
-            .position(|j| middle < j[1])
-            .unwrap_or(tank.courses.len() - 1);
+        let owner = joints.windows(2).position(|j| middle < j[1]).unwrap_or(tank.courses.len() - 1);
         for k in 1..=count {
             let last = k == count;
-            nodes.push(if last {
-                pair[1]
-            } else {
-                pair[0] + (pair[1] - pair[0]) * k as f64 / count as f64
-            });
+            nodes.push(if last { pair[1] } else { pair[0] + (pair[1] - pair[0]) * k as f64 / count as f64 });
             course.push(owner);
         }
     }
@@ -114,12 +107,7 @@ mod tests {
         assert_eq!(nodes.iter().filter(|&&z| z <= layer * (1.0 + 1e-9)).count(), 17);
         for (pair, &c) in nodes.windows(2).zip(&course) {
             assert!(pair[1] > pair[0]);
-            assert_eq!(
-                c,
-                usize::from(pair[0] > 0.914),
-                "course of the element above {}",
-                pair[0]
-            );
+            assert_eq!(c, usize::from(pair[0] > 0.914), "course of the element above {}", pair[0]);
         }
     }
 }

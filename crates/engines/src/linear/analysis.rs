@@ -40,13 +40,7 @@ pub(crate) struct LineExtremes {
 impl LineExtremes {
     /// * `level`: height of the surface at rest [m]
     pub(crate) fn new(line: &ProbeLine, level: f64, front: Vec<Extreme>, back: Vec<Extreme>) -> LineExtremes {
-        LineExtremes {
-            what: line.what,
-            z: line.z.clone(),
-            wetted: hoop::wetted(&line.z, level),
-            front,
-            back,
-        }
+        LineExtremes { what: line.what, z: line.z.clone(), wetted: hoop::wetted(&line.z, level), front, back }
     }
 
     /// Largest absolute value at place `i` on either side.
@@ -126,20 +120,13 @@ impl Analysis<'_> {
         let mode = |kind| model.held().first(kind);
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
         put(Quantity::SloshingPeriod, mode(Kind::Sloshing).map(period));
-        put(
-            Quantity::ConvectiveMass,
-            mode(Kind::Sloshing).map(CoupledMode::effective_mass),
-        );
+        put(Quantity::ConvectiveMass, mode(Kind::Sloshing).map(CoupledMode::effective_mass));
         let impulsive = model.held().impulsive();
         put(Quantity::ImpulsivePeriod, impulsive.as_ref().map(Impulsive::period));
         put(Quantity::ImpulsiveMass, impulsive.as_ref().map(Impulsive::mass));
         put(Quantity::SloshingHeight, self.wave());
-        let mut scalars = vec![
-            Channel::BaseShear,
-            Channel::BaseMoment,
-            Channel::OverturningMoment,
-            Channel::Base(OnWall::Bending),
-        ];
+        let mut scalars =
+            vec![Channel::BaseShear, Channel::BaseMoment, Channel::OverturningMoment, Channel::Base(OnWall::Bending)];
         if round {
             scalars.push(Channel::Base(OnWall::Axial));
         }
@@ -157,12 +144,7 @@ impl Analysis<'_> {
 
 /// Without a vertical record everything at θ = 180° is the negative of θ = 0.
 pub(crate) fn mirrored(front: &Extreme) -> Extreme {
-    Extreme {
-        min: -front.max,
-        min_time: front.max_time,
-        max: -front.min,
-        max_time: front.min_time,
-    }
+    Extreme { min: -front.max, min_time: front.max_time, max: -front.min, max_time: front.min_time }
 }
 
 /// Runs `model` under `motion`.
@@ -266,18 +248,12 @@ pub(crate) fn analyse_on<'a>(
             collect(model, &found.extremes, both_sides, extent)
         }
     };
-    let hoop = extremes
-        .iter()
-        .find(|l| l.what == OnWall::Hoop)
-        .map(LineExtremes::worst);
+    let hoop = extremes.iter().find(|l| l.what == OnWall::Hoop).map(LineExtremes::worst);
 
     let scalars = model.scalars(hoop);
     let observables: Vec<Observable> = scalars.iter().map(|s| s.observable.clone()).collect();
-    let opposite: Vec<Observable> = if both_sides {
-        observables.iter().map(|o| mirror(model, o)).collect()
-    } else {
-        Vec::new()
-    };
+    let opposite: Vec<Observable> =
+        if both_sides { observables.iter().map(|o| mirror(model, o)).collect() } else { Vec::new() };
     let sloshing = kept[0].iter().filter(|m| m.kind == Kind::Sloshing).count();
     let further = match extent.has_further_waves() {
         true => waves::further(&scalars, options.wave_modes, sloshing),
@@ -303,10 +279,8 @@ pub(crate) fn analyse_on<'a>(
         used = model.grid(motion, Integrator::Newmark)?;
         let ground = model.motions(records, &used);
         let ground: Vec<&Motion> = ground.iter().collect();
-        let systems: Vec<DirectSystem> = model
-            .systems()
-            .map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper))
-            .collect();
+        let systems: Vec<DirectSystem> =
+            model.systems().map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper)).collect();
         let others: Vec<Observable> = opposite.iter().chain(&on_lines).cloned().collect();
         progress.stage("linear response, direct integration", used.steps() as u64);
         let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others, progress)?;
@@ -343,11 +317,8 @@ fn collect(model: &Model, found: &[Extreme], both_sides: bool, extent: Extent) -
     let lines_of = &model.horizontal.coupled.lines;
     for line in lines_of.iter().filter(|line| extent.has(line.what)) {
         let front: Vec<Extreme> = rest.by_ref().take(line.z.len()).collect();
-        let back = if both_sides {
-            rest.by_ref().take(line.z.len()).collect()
-        } else {
-            front.iter().map(mirrored).collect()
-        };
+        let back =
+            if both_sides { rest.by_ref().take(line.z.len()).collect() } else { front.iter().map(mirrored).collect() };
         lines.push(LineExtremes::new(line, model.horizontal.coupled.level, front, back));
     }
     lines
@@ -358,10 +329,7 @@ fn collect(model: &Model, found: &[Extreme], both_sides: bool, extent: Extent) -
 pub(crate) fn largest_difference(scalars: &[Scalar], modal: &[History], direct: &[History]) -> Option<(f64, String)> {
     let peak = |h: &History| h.extreme.peak().0;
     let counts = |s: &Scalar, m: &History| {
-        let same = scalars
-            .iter()
-            .zip(modal)
-            .filter(|(o, _)| o.channel.dimension() == s.channel.dimension());
+        let same = scalars.iter().zip(modal).filter(|(o, _)| o.channel.dimension() == s.channel.dimension());
         let largest = same.map(|(_, h)| peak(h)).fold(0.0, f64::max);
         peak(m) > 1e-6 * largest
     };

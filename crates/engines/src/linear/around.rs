@@ -68,10 +68,7 @@ impl Ends {
     /// The one of larger size.
     fn largest(&self) -> Peak {
         match -self.min.value > self.max.value {
-            true => Peak {
-                value: -self.min.value,
-                ..self.min
-            },
+            true => Peak { value: -self.min.value, ..self.min },
             false => self.max,
         }
     }
@@ -181,18 +178,11 @@ fn directions(
     let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
     let odd = items.iter().map(|item| vec![(0, 1.0, item.odd)]);
     let turned: Vec<Observable<'_>> = items.iter().map(|item| vec![(0, 1.0, item.across)]).collect();
-    let even = items
-        .iter()
-        .map(|item| item.even.map_or_else(Vec::new, |e| vec![(1, 1.0, e)]));
+    let even = items.iter().map(|item| item.even.map_or_else(Vec::new, |e| vec![(1, 1.0, e)]));
     let observables: Vec<Observable<'_>> = odd.chain(even).collect();
     let records = (&motion.horizontal, motion.vertical.as_ref());
     let along = combine(model, &analysis.kept, records, (grid, stride), &observables)?;
-    let kept = [superpose::keep(
-        &other.horizontal.coupled,
-        &other.horizontal.modes,
-        &other.damper,
-        options.wave_modes,
-    )];
+    let kept = [superpose::keep(&other.horizontal.coupled, &other.horizontal.modes, &other.damper, options.wave_modes)];
     let across = match &motion.transverse {
         Some(record) => Some(combine(other, &kept, (record, None), (grid, stride), &turned)?),
         None => None,
@@ -224,11 +214,7 @@ fn respond(
     scalars: &[Observable<'_>],
     others: &[Observable<'_>],
 ) -> Result<Observed, FeError> {
-    let records = [
-        Some(&motion.horizontal),
-        motion.transverse.as_ref(),
-        motion.vertical.as_ref(),
-    ];
+    let records = [Some(&motion.horizontal), motion.transverse.as_ref(), motion.vertical.as_ref()];
     let grid = model.grid(motion, options.integrator)?;
     let motions: Vec<Motion> = records.into_iter().flatten().map(|r| Motion::new(r, &grid)).collect();
     let motions: Vec<&Motion> = motions.iter().collect();
@@ -239,12 +225,8 @@ fn respond(
     };
     match options.integrator {
         Integrator::Modal => {
-            let turned = superpose::keep(
-                &other.horizontal.coupled,
-                &other.horizontal.modes,
-                &other.damper,
-                options.wave_modes,
-            );
+            let turned =
+                superpose::keep(&other.horizontal.coupled, &other.horizontal.modes, &other.damper, options.wave_modes);
             let kept = [analysis.kept.first().cloned().unwrap_or_default(), turned];
             let kept = kept.into_iter().chain(analysis.kept.get(1).cloned());
             let systems = systems()
@@ -254,9 +236,8 @@ fn respond(
             superpose::respond(&systems, &motions, grid, scalars, others, &Silent)
         }
         Integrator::Newmark => {
-            let systems: Vec<DirectSystem<'_>> = systems()
-                .map(|(h, damper)| DirectSystem::new(&h.coupled, &h.modes, damper))
-                .collect();
+            let systems: Vec<DirectSystem<'_>> =
+                systems().map(|(h, damper)| DirectSystem::new(&h.coupled, &h.modes, damper)).collect();
             direct::respond(&systems, &motions, grid, scalars, others, &Silent).map(|(observed, _)| observed)
         }
     }
@@ -292,13 +273,10 @@ fn of_channel(items: &[Item<'_>], ends: &[Ends], channel: Channel) -> Option<End
 
 /// Places of a line with their extremes.
 fn on_line<'a>(items: &'a [Item<'_>], ends: &'a [Ends], of: OnWall) -> impl Iterator<Item = (f64, Ends)> + 'a {
-    items
-        .iter()
-        .zip(ends)
-        .filter_map(move |(item, ends)| match item.channel {
-            Channel::Largest { what, z } if what == of => Some((z, *ends)),
-            _ => None,
-        })
+    items.iter().zip(ends).filter_map(move |(item, ends)| match item.channel {
+        Channel::Largest { what, z } if what == of => Some((z, *ends)),
+        _ => None,
+    })
 }
 
 /// Histories of the component along y, with their channels.
@@ -313,9 +291,7 @@ fn across<'a>(item: &Item<'a>) -> Vec<(Channel, Observable<'a>)> {
         // At the corners: x and y together.
         Channel::WaveAround { degrees } if item.meet == Meet::Corners => {
             let corners = at_corners(degrees).into_iter().zip(CORNERS);
-            corners
-                .map(|(degrees, corner)| (Channel::WaveAround { degrees }, item.towards(corner)))
-                .collect()
+            corners.map(|(degrees, corner)| (Channel::WaveAround { degrees }, item.towards(corner))).collect()
         }
         Channel::Base(what) => one(Channel::BaseAtAngle { what, degrees }),
         Channel::At { what, z } => one(Channel::AtAngle { what, z, degrees }),
@@ -347,11 +323,7 @@ fn columns(
         let peak = ends.largest();
         if let (Some(what), Some((_, x))) = (on_base(item.channel), along(item.channel)) {
             let y = turned(Channel::Y(what));
-            let values = x
-                .iter()
-                .zip(y.into_iter().flatten())
-                .map(|(x, y)| x.hypot(*y))
-                .collect();
+            let values = x.iter().zip(y.into_iter().flatten()).map(|(x, y)| x.hypot(*y)).collect();
             let info = SeriesInfo::of(Channel::Resultant(what), 0.0, (peak.value, peak.time));
             resultants.push((info, values));
         }
@@ -392,13 +364,7 @@ fn results(analysis: &Analysis<'_>, items: &[Item<'_>], ends: &[Ends]) -> Vec<Di
         if item.is_corner_wave() {
             let title = "Wave height at the corners".to_owned();
             let rises = (ends.along.1, ends.rise_across);
-            out.push(directional(
-                ("wave_height_corner".into(), title),
-                channel,
-                None,
-                rises,
-                ends.max,
-            ));
+            out.push(directional(("wave_height_corner".into(), title), channel, None, rises, ends.max));
             continue;
         }
         let Some(sides) = analysis.sides(channel) else { continue };

@@ -54,10 +54,7 @@ impl<'a> Wanted<'a> {
         let rest = shares.iter().map(|(i, w)| w * line.probes[*i].static_value).sum();
         let of =
             |line: &'a ProbeLine| -> Observable<'a> { shares.iter().map(|(i, w)| (1, *w, &line.probes[*i])).collect() };
-        let odd = shares
-            .iter()
-            .flat_map(|(i, w)| model.odd_on_line(line, *i, *w))
-            .collect();
+        let odd = shares.iter().flat_map(|(i, w)| model.odd_on_line(line, *i, *w)).collect();
         let odd = self.push(odd);
         let same = |h: &'a Harmonic| h.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
         let even = model.vertical.as_ref().and_then(same);
@@ -80,10 +77,7 @@ pub(crate) fn demands(
     // Direct integration may have a finer grid; the modal one serves here.
     let grid = model.grid(motion, Integrator::Modal)?;
     let stride = stride(model, &grid);
-    let upwards = Probe {
-        ground_acceleration: 1.0,
-        ..Probe::new(Channel::BaseShear)
-    };
+    let upwards = Probe { ground_acceleration: 1.0, ..Probe::new(Channel::BaseShear) };
     let mut wanted = Wanted::default();
     let shear = model.horizontal.coupled.probe(Channel::BaseShear);
     let shear = shear.map(|probe| wanted.push(model.odd(probe)));
@@ -100,11 +94,8 @@ pub(crate) fn demands(
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let transverse = motion.transverse.as_ref().filter(|_| round).map(of).transpose()?;
     let take = |i: usize| -> Terms { terms[i].clone() };
-    let on_wall = |slot: &Slot| Stress {
-        rest: slot.rest,
-        odd: take(slot.odd),
-        even: slot.even.map_or(Terms::new(), take),
-    };
+    let on_wall =
+        |slot: &Slot| Stress { rest: slot.rest, odd: take(slot.odd), even: slot.even.map_or(Terms::new(), take) };
     let place = |found: &PlaceSlots| Place {
         z: found.z,
         course: found.course,
@@ -147,10 +138,8 @@ pub(super) fn beside<'a>(
     (options, extent): (&LinearOptions, Extent),
 ) -> Result<(Analysis<'a>, Demands), FeError> {
     let kept = model.kept(options.wave_modes);
-    let (analysis, found) = rayon::join(
-        || analyse_on(model, motion, (options, extent), &Silent),
-        || demands(case, model, &kept, motion),
-    );
+    let (analysis, found) =
+        rayon::join(|| analyse_on(model, motion, (options, extent), &Silent), || demands(case, model, &kept, motion));
     Ok((analysis?, found?))
 }
 
@@ -168,16 +157,9 @@ pub(crate) fn across(
     };
     let grid = model.grid(motion, Integrator::Modal)?;
     let stride = stride(model, &grid);
-    let kept = [superpose::keep(
-        &other.horizontal.coupled,
-        &other.horizontal.modes,
-        &other.damper,
-        options.wave_modes,
-    )];
-    let forces = [
-        (Channel::BaseShear, &mut demands.base_shear),
-        (Channel::OverturningMoment, &mut demands.overturning_moment),
-    ];
+    let kept = [superpose::keep(&other.horizontal.coupled, &other.horizontal.modes, &other.damper, options.wave_modes)];
+    let forces =
+        [(Channel::BaseShear, &mut demands.base_shear), (Channel::OverturningMoment, &mut demands.overturning_moment)];
     for (channel, terms) in forces {
         let (Some(own), Some(probe)) = (terms.as_ref(), other.horizontal.coupled.probe(channel)) else {
             continue;
@@ -250,10 +232,7 @@ fn places<'a>(case: &Case, model: &'a Model, wanted: &mut Wanted<'a>) -> Vec<Pla
             hoop: wanted.on_line(model, hoop, &here),
             axial: wanted.on_line(model, axial, &here),
             bending: bending.map(|line| wanted.on_line(model, line, &here)),
-            shear: coupled
-                .shear
-                .as_ref()
-                .map(|line| (wanted.on_line(model, line, &here), thickness)),
+            shear: coupled.shear.as_ref().map(|line| (wanted.on_line(model, line, &here), thickness)),
             pressure: pressure.and_then(|line| Some(wanted.on_line(model, line, &between(&line.z, z)?))),
         });
     }
@@ -263,10 +242,7 @@ fn places<'a>(case: &Case, model: &'a Model, wanted: &mut Wanted<'a>) -> Vec<Pla
 /// The course of place `i`: at a joint the lower place of two belongs to the course below, a place alone to that above.
 fn course(case: &Case, z: &[f64], i: usize) -> usize {
     let tolerance = 1e-9 * case.tank.wall_height();
-    let same = |j: Option<usize>| {
-        j.and_then(|j| z.get(j))
-            .is_some_and(|other| (other - z[i]).abs() < tolerance)
-    };
+    let same = |j: Option<usize>| j.and_then(|j| z.get(j)).is_some_and(|other| (other - z[i]).abs() < tolerance);
     let courses = case.tank.courses.len();
     let mut top = 0.0;
     for (number, course) in case.tank.courses.iter().enumerate() {
@@ -315,16 +291,9 @@ fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
 /// Largest rise of the surface at the wall, between the samples as well.
 pub(super) fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
     let rise = |side: Side| {
-        let found = analysis
-            .scalars
-            .iter()
-            .find(|(s, _)| s.channel == Channel::Wave(side))?;
+        let found = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::Wave(side))?;
         let extreme = found.1.extreme;
-        Some(Peak {
-            value: extreme.max,
-            time: extreme.max_time,
-            theta: if side == Side::Front { 0.0 } else { PI },
-        })
+        Some(Peak { value: extreme.max, time: extreme.max_time, theta: if side == Side::Front { 0.0 } else { PI } })
     };
     let [front, back] = Side::BOTH.map(rise);
     let (front, back) = (front?, back?);

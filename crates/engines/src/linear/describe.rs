@@ -25,10 +25,7 @@ pub(crate) fn integration(
     motion: &GroundMotion,
     reduced: bool,
 ) -> Vec<Labelled> {
-    let label = |label: &str, text: String| Labelled {
-        label: label.into(),
-        text,
-    };
+    let label = |label: &str, text: String| Labelled { label: label.into(), text };
     let grid = &analysis.grid;
     let mut labels = vec![label(
         "method",
@@ -61,15 +58,8 @@ pub(crate) fn integration(
             grid.time(grid.steps())
         ),
     ));
-    if analysis
-        .scalars
-        .iter()
-        .any(|(s, h)| s.channel.is_wave() && h.extreme.peak().1 > record)
-    {
-        labels.push(label(
-            "after the record",
-            "a wave height peaks in free vibration".into(),
-        ));
+    if analysis.scalars.iter().any(|(s, h)| s.channel.is_wave() && h.extreme.peak().1 > record) {
+        labels.push(label("after the record", "a wave height peaks in free vibration".into()));
     }
     labels.push(label("damping", model.damper.text()));
     labels.extend(options.dashpots.iter().map(dashpots));
@@ -78,17 +68,11 @@ pub(crate) fn integration(
             labels.push(kept_modes(h, kept, options));
         }
     }
-    labels.push(label(
-        "wave height",
-        format!("first {} sloshing modes", options.wave_modes),
-    ));
+    labels.push(label("wave height", format!("first {} sloshing modes", options.wave_modes)));
     if let Some((difference, title)) = &analysis.difference {
         labels.push(label(
             "against modal superposition",
-            format!(
-                "largest difference of a peak {} % ({title})",
-                significant(100.0 * difference, 2)
-            ),
+            format!("largest difference of a peak {} % ({title})", significant(100.0 * difference, 2)),
         ));
     }
     labels

@@ -89,11 +89,7 @@ pub fn isolated_body(case: &Case, options: &Options) -> Result<Option<IsolatedBo
     let model = Model::new(case, options, false, Places::Usual)?;
     let grid = model.grid(motion, options.integrator)?;
     let setup = Setup::new(case, &model, &given, grid, motion, options);
-    Ok(Some(IsolatedBody {
-        isolators: setup.isolators(&given, 1.0),
-        modes: setup.modes,
-        mass: setup.mass,
-    }))
+    Ok(Some(IsolatedBody { isolators: setup.isolators(&given, 1.0), modes: setup.modes, mass: setup.mass }))
 }
 
 fn failure(error: SoilError) -> FeError {
@@ -138,10 +134,7 @@ impl Setup {
             damping: model.damper.ratio(mode.kind, mode.omega),
         });
         let parts = (grid.dt / LONGEST - 1e-9).ceil().max(1.0) as usize;
-        let fine = Grid {
-            sub_steps: parts,
-            ..grid
-        };
+        let fine = Grid { sub_steps: parts, ..grid };
         let sampled = |record: &Record| {
             let motion = Motion::new(record, &fine);
             (0..=fine.steps()).map(|i| motion.at(i)).collect::<Vec<f64>>()
@@ -154,9 +147,7 @@ impl Setup {
             gravity: case.gravity,
             radius: case.tank.shape.half_length(),
             round: matches!(case.tank.shape, Shape::Cylinder { .. }),
-            ground: (0..along.len())
-                .map(|i| [along[i], across.as_ref().map_or(0.0, |a| a[i])])
-                .collect(),
+            ground: (0..along.len()).map(|i| [along[i], across.as_ref().map_or(0.0, |a| a[i])]).collect(),
             vertical: motion.vertical.as_ref().map_or_else(Vec::new, sampled),
             step: fine.h(),
             parts,
@@ -166,39 +157,21 @@ impl Setup {
     /// The isolators with scaled properties.
     fn isolators(&self, given: &Isolators, factor: f64) -> Vec<Isolator> {
         let bearing = match given.bearing {
-            Bearing::FrictionPendulum {
+            Bearing::FrictionPendulum { radius, friction, slow, rate, slip } => Isolator::FrictionPendulum {
                 radius,
-                friction,
-                slow,
-                rate,
-                slip,
-            } => Isolator::FrictionPendulum {
-                radius,
-                friction: Friction {
-                    fast: factor * friction,
-                    slow: factor * slow,
-                    rate,
-                },
+                friction: Friction { fast: factor * friction, slow: factor * slow, rate },
                 slip,
             },
-            Bearing::LeadRubber {
-                strength,
-                initial,
-                yielded,
-            } => Isolator::LeadRubber {
+            Bearing::LeadRubber { strength, initial, yielded } => Isolator::LeadRubber {
                 strength: factor * strength,
                 initial_stiffness: factor * initial,
                 yielded_stiffness: factor * yielded,
             },
-            Bearing::Elastomer { stiffness, damping } => Isolator::Elastomer {
-                stiffness: factor * stiffness,
-                damping,
-            },
+            Bearing::Elastomer { stiffness, damping } => Isolator::Elastomer { stiffness: factor * stiffness, damping },
         };
-        let damper = given.damper.map(|[coefficient, exponent]| Isolator::Damper {
-            coefficient: factor * coefficient,
-            exponent,
-        });
+        let damper = given
+            .damper
+            .map(|[coefficient, exponent]| Isolator::Damper { coefficient: factor * coefficient, exponent });
         std::iter::once(bearing).chain(damper).collect()
     }
 
@@ -232,9 +205,8 @@ impl Setup {
     /// Effective stiffness [N/m], period [s] and damping ratio of a cycle of this amplitude [m].
     fn effective(&self, isolators: &[Isolator], amplitude: f64) -> [f64; 3] {
         let weight = self.mass * self.gravity;
-        let stiffness: f64 = (isolators.iter())
-            .map(|isolator| isolator.effective(amplitude, weight, 1.0, 1.0).stiffness)
-            .sum();
+        let stiffness: f64 =
+            (isolators.iter()).map(|isolator| isolator.effective(amplitude, weight, 1.0, 1.0).stiffness).sum();
         let omega = (stiffness / self.mass).sqrt();
         let damping = isolators.iter().map(|isolator| {
             let own = isolator.effective(amplitude, weight, omega, stiffness);
@@ -268,12 +240,7 @@ impl Setup {
         demands.isolation = Some(bearings::isolation(self, given, &history, &demands));
         Ok(Bound {
             factor,
-            band: self.band(
-                &isolators,
-                factor,
-                &history,
-                (&analysis.values(&model, self.round), &demands),
-            ),
+            band: self.band(&isolators, factor, &history, (&analysis.values(&model, self.round), &demands)),
             demands,
         })
     }
@@ -295,9 +262,7 @@ impl Setup {
         };
         let shear = both(demands).unwrap_or_else(|| value(Quantity::BaseShear));
         let force = isolated::peak(&history.force);
-        [factor, displacement, force, period, damping, shear, wave]
-            .map(Fact::from)
-            .to_vec()
+        [factor, displacement, force, period, damping, shear, wave].map(Fact::from).to_vec()
     }
 }
 
@@ -317,10 +282,7 @@ struct Bound {
 
 /// The model under the motion of its slab, which contains the free vibration.
 fn on_isolators(model: &Model) -> Model {
-    Model {
-        whole: true,
-        ..model.clone()
-    }
+    Model { whole: true, ..model.clone() }
 }
 
 /// Keeps the histories at the steps of the record, and adds those of the isolators.

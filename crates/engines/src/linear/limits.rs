@@ -67,11 +67,7 @@ pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
         limit,
         dimension: Dimension::Length,
         holds: wave <= limit,
-        note: if wave <= limit {
-            String::new()
-        } else {
-            consequence.into()
-        },
+        note: if wave <= limit { String::new() } else { consequence.into() },
     };
     [
         limit(
@@ -120,9 +116,7 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Arou
     for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
         let sides = [("0°", &extremes.front[i]), ("180°", &extremes.back[i])];
         let along = sides.map(|(side, extreme)| (extreme.min, extreme.min_time, side.to_owned()));
-        let both = around
-            .and_then(|a| a.suction.get(i))
-            .map(|p| (p.value, p.time, degrees(p.theta)));
+        let both = around.and_then(|a| a.suction.get(i)).map(|p| (p.value, p.time, degrees(p.theta)));
         for (least, time, side) in along.into_iter().chain(both) {
             let total = line.probes[i].static_value + least;
             if worst.as_ref().is_none_or(|w| total < w.0) {
@@ -270,11 +264,7 @@ mod tests {
             let case = test_tanks::case(shape, &[(4.0, 0.3)], (30e9, 0.2, 2500.0), (1000.0, 3.0));
             breadth(&case).map(|limit| (limit.holds, limit.value, limit.note.is_empty()))
         };
-        let of = |breadth: f64, strip: bool| Shape::Rectangle {
-            length: 5.0,
-            breadth,
-            strip,
-        };
+        let of = |breadth: f64, strip: bool| Shape::Rectangle { length: 5.0, breadth, strip };
         assert_eq!(found(of(5.0, false)), Some((false, 1.25, false)));
         assert_eq!(found(of(100.0, false)), Some((true, 25.0, true)));
         assert_eq!(found(of(1.0, true)), None);

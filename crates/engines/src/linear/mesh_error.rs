@@ -175,15 +175,10 @@ pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options
             };
             Some((quantity.id().to_owned(), error))
         };
-        let values = simulation
-            .values
-            .iter()
-            .filter(|(quantity, value)| estimated(**quantity, **value));
+        let values = simulation.values.iter().filter(|(quantity, value)| estimated(**quantity, **value));
         simulation.result.mesh_error = values.filter_map(error).collect();
     } else if options.mesh_error {
-        simulation
-            .notes
-            .push("No coarser mesh exists: the discretisation error is not estimated.".into());
+        simulation.notes.push("No coarser mesh exists: the discretisation error is not estimated.".into());
     }
 }
 
@@ -207,24 +202,14 @@ mod tests {
     #[test]
     fn the_second_mesh_is_finer_as_long_as_it_is_cheap() {
         let mesh = |refine: f64| {
-            SecondMesh::of(&Options {
-                refine,
-                ..Options::default()
-            })
-            .map(|m| (m.options.refine, m.ratio))
+            SecondMesh::of(&Options { refine, ..Options::default() }).map(|m| (m.options.refine, m.ratio))
         };
         assert_eq!(mesh(1.0), Some((2.0, 0.5)));
         assert_eq!(mesh(2.0), Some((4.0, 0.5)));
         assert_eq!(mesh(4.0), Some((2.0, 2.0)));
-        let none = Options {
-            mesh_error: false,
-            ..Options::default()
-        };
+        let none = Options { mesh_error: false, ..Options::default() };
         assert!(SecondMesh::of(&none).is_none());
-        let coarsest = Options {
-            refine: 0.25,
-            ..Options::default()
-        };
+        let coarsest = Options { refine: 0.25, ..Options::default() };
         assert!(SecondMesh::coarser(&coarsest).is_none());
     }
 }

@@ -50,9 +50,7 @@ pub(super) fn parts(model: &Model, hoop: Option<usize>) -> Vec<ModalPart> {
     let totals: Vec<Inertia> = listed.iter().map(|p| p.total).collect();
     let every = horizontal.modes.iter().map(|mode| stress(coupled, mode, hoop?));
     let own: Option<Vec<ModalStress>> = listed.iter().map(|p| p.stress).collect();
-    let stress = every
-        .collect::<Option<Vec<_>>>()
-        .and_then(|every| Some(sum(&every).without(&own?)));
+    let stress = every.collect::<Option<Vec<_>>>().and_then(|every| Some(sum(&every).without(&own?)));
     listed.push(ModalPart {
         kind: REST.into(),
         number: 1,
@@ -67,10 +65,9 @@ pub(super) fn parts(model: &Model, hoop: Option<usize>) -> Vec<ModalPart> {
 }
 
 fn sum(stresses: &[ModalStress]) -> ModalStress {
-    stresses.iter().fold(ModalStress::default(), |sum, s| ModalStress {
-        hoop: sum.hoop + s.hoop,
-        axial: sum.axial + s.axial,
-    })
+    stresses
+        .iter()
+        .fold(ModalStress::default(), |sum, s| ModalStress { hoop: sum.hoop + s.hoop, axial: sum.axial + s.axial })
 }
 
 /// Stresses of a mode; `None` if the model does not observe them.
@@ -98,11 +95,7 @@ fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode, hoop: Option<usize
     let structure = coupled.structure.as_ref().map(|rows| {
         rows.each_ref().map(|[shear, moment]| {
             let of = |row: &[f64]| mode.participation * dot(row, &mode.vector);
-            Inertia {
-                shear: of(shear),
-                moment: of(moment),
-                overturning: of(moment),
-            }
+            Inertia { shear: of(shear), moment: of(moment), overturning: of(moment) }
         })
     });
     ModalPart {
@@ -110,9 +103,7 @@ fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode, hoop: Option<usize
         number: mode.number,
         period: std::f64::consts::TAU / mode.omega,
         damping: model.damper.of(mode),
-        wave: coupled
-            .probe(Channel::Wave(Side::Front))
-            .map_or(0.0, |p| response(p, mode).abs()),
+        wave: coupled.probe(Channel::Wave(Side::Front)).map_or(0.0, |p| response(p, mode).abs()),
         total: inertia(coupled, |probe| response(probe, mode)),
         structure,
         stress: hoop.and_then(|place| stress(coupled, mode, place)),

@@ -83,15 +83,7 @@ impl Model {
                 (Harmonic { coupled, modes }, Some(horizontal))
             }
         };
-        Ok(Model {
-            whole: false,
-            vertical,
-            site,
-            turned: None,
-            damper,
-            horizontal,
-            fixed,
-        })
+        Ok(Model { whole: false, vertical, site, turned: None, damper, horizontal, fixed })
     }
 
     /// m = 1 on a fixed base.
@@ -108,11 +100,7 @@ impl Model {
     pub(crate) fn on_fixed_base(&self) -> Cow<'_, Model> {
         match &self.fixed {
             None => Cow::Borrowed(self),
-            Some(fixed) => Cow::Owned(Model {
-                horizontal: fixed.clone(),
-                fixed: None,
-                ..self.clone()
-            }),
+            Some(fixed) => Cow::Owned(Model { horizontal: fixed.clone(), fixed: None, ..self.clone() }),
         }
     }
 
@@ -149,9 +137,8 @@ impl Model {
     /// The modes kept of each system; those of the rotation are those of the translation.
     pub(crate) fn kept(&self, wave_modes: usize) -> Vec<Vec<&CoupledMode>> {
         let own = std::iter::once(&self.horizontal).chain(&self.vertical);
-        let mut kept: Vec<Vec<&CoupledMode>> = own
-            .map(|h| superpose::keep(&h.coupled, &h.modes, &self.damper, wave_modes))
-            .collect();
+        let mut kept: Vec<Vec<&CoupledMode>> =
+            own.map(|h| superpose::keep(&h.coupled, &h.modes, &self.damper, wave_modes)).collect();
         if let Some(turned) = &self.turned {
             let same = |mode: &&CoupledMode| kept[0].iter().any(|k| (k.kind, k.number) == (mode.kind, mode.number));
             kept.push(turned.harmonic.modes.iter().filter(same).collect());
@@ -184,9 +171,7 @@ impl Model {
         let same = self.turned.as_ref().and_then(|turned| {
             let coupled = &turned.harmonic.coupled;
             let mut lines = coupled.lines.iter().chain(&coupled.shear);
-            lines
-                .find(|l| l.what == line.what && l.z == line.z)
-                .map(|l| &l.probes[i])
+            lines.find(|l| l.what == line.what && l.z == line.z).map(|l| &l.probes[i])
         });
         self.with_rotation(vec![(0, share, &line.probes[i])], share, same)
     }
@@ -202,11 +187,7 @@ impl Model {
             Integrator::Newmark => (direct::STEPS_PER_PERIOD, MOST_DIRECT),
         };
         let dt = motion.horizontal.dt;
-        let longest = if omega > 0.0 {
-            (std::f64::consts::TAU / omega / steps).max(dt / most)
-        } else {
-            dt
-        };
+        let longest = if omega > 0.0 { (std::f64::consts::TAU / omega / steps).max(dt / most) } else { dt };
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
         let tail = match self.whole {
             true => 0.0,
@@ -234,11 +215,7 @@ impl Model {
             let same = v.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
             same.map(|l| &l.probes[i])
         };
-        around(
-            self.odd_on_line(line, i, 1.0),
-            self.vertical.as_ref().and_then(of),
-            opposite,
-        )
+        around(self.odd_on_line(line, i, 1.0), self.vertical.as_ref().and_then(of), opposite)
     }
 }
 
@@ -268,11 +245,8 @@ impl Model {
     /// Scalars with a history; `hoop` is the place on the hoop line where the hoop stress is largest.
     pub(crate) fn scalars(&self, hoop: Option<usize>) -> Vec<Scalar<'_>> {
         let coupled = &self.horizontal.coupled;
-        let scalar = |probe: &Probe, channel, observable| Scalar {
-            channel,
-            static_value: probe.static_value,
-            observable,
-        };
+        let scalar =
+            |probe: &Probe, channel, observable| Scalar { channel, static_value: probe.static_value, observable };
         let mut scalars = Vec::new();
         // A corner of a box has histories of both components together alone.
         let corner = |probe: &&Probe| matches!(probe.channel, Channel::WaveAround { .. });

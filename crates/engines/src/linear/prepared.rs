@@ -36,11 +36,7 @@ const MESH_FOR: Site = Site {
     ec8: None,
     api650: None,
     spectrum: None,
-    zone: Some(ZoneSite {
-        zone_factor: 0.4,
-        soil_factor: 1.0,
-        importance: 1.0,
-    }),
+    zone: Some(ZoneSite { zone_factor: 0.4, soil_factor: 1.0, importance: 1.0 }),
 };
 
 impl Prepared {
@@ -50,23 +46,11 @@ impl Prepared {
     ///
     /// Errors: an option out of range; a model that cannot be built or factored.
     pub fn new(case: &Case, options: &Options, vertical: bool) -> Result<Prepared, FeError> {
-        let meshed = Case {
-            ground_motion: None,
-            site: MESH_FOR,
-            ..case.clone()
-        };
-        let options = Options {
-            mesh_error: false,
-            snapshots: Vec::new(),
-            tilt: None,
-            frequency: None,
-            ..options.clone()
-        };
+        let meshed = Case { ground_motion: None, site: MESH_FOR, ..case.clone() };
+        let options =
+            Options { mesh_error: false, snapshots: Vec::new(), tilt: None, frequency: None, ..options.clone() };
         let model = Model::new(&meshed, &options, vertical, Places::Usual)?;
-        let case = Case {
-            site: Site::default(),
-            ..meshed
-        };
+        let case = Case { site: Site::default(), ..meshed };
         Ok(Prepared { case, options, model })
     }
 
@@ -83,20 +67,13 @@ impl Prepared {
     /// Errors: an invalid record; a vertical record of a model without it; a response that is not finite.
     pub fn run(&self, motion: &GroundMotion) -> Result<Response, FeError> {
         if motion.vertical.is_some() && self.model.vertical.is_none() {
-            return Err(FeError::Unsupported(
-                "a vertical record of a model that was prepared without one".into(),
-            ));
+            return Err(FeError::Unsupported("a vertical record of a model that was prepared without one".into()));
         }
         let round = matches!(self.case.tank.shape, Shape::Cylinder { .. });
         if motion.transverse.is_some() && !round {
-            return Err(FeError::Unsupported(
-                "the harmonic engine has no walls along y of a rectangular tank".into(),
-            ));
+            return Err(FeError::Unsupported("the harmonic engine has no walls along y of a rectangular tank".into()));
         }
-        let case = Case {
-            ground_motion: Some(motion.clone()),
-            ..self.case.clone()
-        };
+        let case = Case { ground_motion: Some(motion.clone()), ..self.case.clone() };
         let linear = Linear {
             engine: EngineId::Harmonic,
             model: &self.model,
@@ -130,11 +107,7 @@ impl Response {
             && result.base.is_none()
             && result.part("isolation").is_none()
             && !result.incomplete;
-        Response {
-            linear,
-            values: simulation.values,
-            demands: simulation.demands,
-        }
+        Response { linear, values: simulation.values, demands: simulation.demands }
     }
 
     /// Whether the response to the record times a positive factor is this one times the factor: that of a base that rests only as long as it may not
@@ -192,10 +165,7 @@ mod tests {
             subgrade_modulus: Some(1e8),
             material: case.tank.courses[0].material.clone(),
         });
-        let options = Options {
-            mesh_error: false,
-            ..Options::default()
-        };
+        let options = Options { mesh_error: false, ..Options::default() };
         let prepared = Prepared::new(&case, &options, false).unwrap();
         let run = |factor: f64| prepared.run(&motion(factor)).unwrap();
         let rests = run(0.01);
@@ -213,10 +183,7 @@ mod tests {
     #[test]
     fn a_scaled_response_is_that_to_the_scaled_record() {
         let mut case = test_tanks::broad();
-        let options = Options {
-            mesh_error: false,
-            ..Options::default()
-        };
+        let options = Options { mesh_error: false, ..Options::default() };
         let prepared = Prepared::new(&case, &options, false).unwrap();
         let unit = prepared.run(&motion(1.0)).unwrap();
         for factor in [0.3, 2.5] {

@@ -82,11 +82,7 @@ pub(super) struct Beyond {
 
 impl Free {
     fn beyond(note: String, missed: &setup::Missed) -> Free {
-        Free::Beyond(Box::new(Beyond {
-            note,
-            reason: words::reason(missed),
-            turns: missed.turns(),
-        }))
+        Free::Beyond(Box::new(Beyond { note, reason: words::reason(missed), turns: missed.turns() }))
     }
 
     /// The run that lifts or slides.
@@ -137,10 +133,9 @@ impl Free {
             Free::Held | Free::NotComputed(_) => Footing::Fixed,
             Free::Anchored | Free::Rests(..) => Footing::Rests,
             Free::Moves(_) => Footing::Moves,
-            Free::Beyond(beyond) => Footing::Beyond {
-                time: beyond.turns.map(|[_, time]| time),
-                reason: beyond.reason.clone(),
-            },
+            Free::Beyond(beyond) => {
+                Footing::Beyond { time: beyond.turns.map(|[_, time]| time), reason: beyond.reason.clone() }
+            }
         };
         Ok(())
     }
@@ -187,13 +182,8 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    let setup = Setup {
-        thorough: extent.repeats(),
-        grounds: extent.has_band(),
-        known: known.cloned(),
-        states,
-        ..setup
-    };
+    let setup =
+        Setup { thorough: extent.repeats(), grounds: extent.has_band(), known: known.cloned(), states, ..setup };
     match setup.dragging(&base).and_then(|setup| run(&setup, &base, analysis)) {
         Ok(free) => free,
         Err(missed) => Free::beyond(words::missed(&missed), &missed),
@@ -265,19 +255,12 @@ fn on_anchors(
 fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, setup::Missed> {
     let laws = law::laws(setup, base, search::FIRST)?;
     let law = &laws.law;
-    let peak = |channel| {
-        analysis
-            .sides(channel)
-            .map_or(0.0, |(front, back)| front.peak().0.max(back.peak().0))
-    };
+    let peak = |channel| analysis.sides(channel).map_or(0.0, |(front, back)| front.peak().0.max(back.peak().0));
     let moment = peak(Channel::BaseMoment);
     let pressure = analysis.line(OnWall::Pressure).map_or(0.0, |line| line.peak(0));
     let lifting = search::lifting(law, pressure);
     if setup.anchors.is_none() && moment < lifting && !slides(setup, analysis) {
-        return Ok(Free::Rests(
-            words::rests(moment, lifting, setup.friction.is_some()),
-            setup.friction.is_some(),
-        ));
+        return Ok(Free::Rests(words::rests(moment, lifting, setup.friction.is_some()), setup.friction.is_some()));
     }
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
@@ -290,15 +273,10 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, setu
             Err(missed) => Err(words::missed_band(on.modulus, &missed)),
         }
     };
-    let (main, others) = rayon::join(
-        || search::closed(setup, base, (reach, known)),
-        || band.par_iter().map(other).collect::<Vec<_>>(),
-    );
+    let (main, others) =
+        rayon::join(|| search::closed(setup, base, (reach, known)), || band.par_iter().map(other).collect::<Vec<_>>());
     let (setup, found): (Setup, Found) = main?;
-    let grid = Grid {
-        sub_steps: setup.sub_steps,
-        ..analysis.grid
-    };
+    let grid = Grid { sub_steps: setup.sub_steps, ..analysis.grid };
     Ok(Free::Moves(Box::new(outcome::moved(&setup, base, found, others, grid))))
 }
 
@@ -365,11 +343,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         }),
         soil: foundation.and_then(|f| {
             let velocity = f.shear_wave_velocity?;
-            Some((
-                Soil::of_waves(velocity, f.soil_density, f.soil_poisson_ratio),
-                velocity,
-                f.soil_density,
-            ))
+            Some((Soil::of_waves(velocity, f.soil_density, f.soil_poisson_ratio), velocity, f.soil_density))
         }),
         ground: sampled(&motion.horizontal),
         searched,

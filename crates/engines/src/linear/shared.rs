@@ -40,19 +40,11 @@ impl Shared {
         let Some(&highest) = highest else {
             return Err(FeError::NoRecord);
         };
-        let case = Case {
-            ground_motion: Some(highest.clone()),
-            ..case.clone()
-        };
+        let case = Case { ground_motion: Some(highest.clone()), ..case.clone() };
         checked_motion(&case)?;
         let vertical = motions.iter().any(|motion| motion.vertical.is_some());
         let model = Model::new(&case, options, vertical, Places::Usual)?;
-        Ok(Shared {
-            options: options.clone(),
-            case,
-            model,
-            laws: Arc::default(),
-        })
+        Ok(Shared { options: options.clone(), case, model, laws: Arc::default() })
     }
 
     /// First impulsive and sloshing period [s], on a fixed base.
@@ -90,14 +82,8 @@ impl Shared {
             return complete(&case, &self.options, &linear, progress);
         }
         // What does not depend on the record stands in the thorough run.
-        let case = Case {
-            site: Site::default(),
-            ..case
-        };
-        let options = Options {
-            frequency: None,
-            ..self.options.clone()
-        };
+        let case = Case { site: Site::default(), ..case };
+        let options = Options { frequency: None, ..self.options.clone() };
         complete(&case, &options, &linear, progress)
     }
 
@@ -127,9 +113,6 @@ impl Shared {
     }
 
     fn under(&self, motion: &GroundMotion) -> Case {
-        Case {
-            ground_motion: Some(motion.clone()),
-            ..self.case.clone()
-        }
+        Case { ground_motion: Some(motion.clone()), ..self.case.clone() }
     }
 }

@@ -74,10 +74,7 @@ impl Slab {
         };
         let disc =
             Disc::new(radius + projection, soil).map_err(|e| FeError::Analysis(format!("tank.foundation: {e}")))?;
-        Ok(Some(Slab {
-            disc,
-            thickness: foundation.thickness.unwrap_or(0.0),
-        }))
+        Ok(Some(Slab { disc, thickness: foundation.thickness.unwrap_or(0.0) }))
     }
 
     /// Mass [kg].

@@ -36,10 +36,7 @@ pub(crate) fn tilt(
     angle: f64,
     build: impl FnOnce(&Case) -> Result<Coupled, FeError>,
 ) -> Result<Part, FeError> {
-    let tilted = Case {
-        gravity: case.gravity * angle.cos(),
-        ..case.clone()
-    };
+    let tilted = Case { gravity: case.gravity * angle.cos(), ..case.clone() };
     let coupled = build(&tilted)?;
     let across = Across::new(&coupled, -case.gravity * angle.sin())?;
     let on_base = |id, channel: Channel| {
@@ -47,15 +44,10 @@ pub(crate) fn tilt(
         Finding::new(id, value, channel.dimension())
     };
     let rows = coupled.shape_rows.r.iter().zip(&coupled.shape_rows.surface);
-    let surface: Vec<[f64; 2]> = rows
-        .map(|(r, row)| [*r, row.iter().map(|&(i, c)| c * across.x[i]).sum()])
-        .collect();
+    let surface: Vec<[f64; 2]> = rows.map(|(r, row)| [*r, row.iter().map(|&(i, c)| c * across.x[i]).sum()]).collect();
     let rise = surface.iter().fold(0.0, |most: f64, point| most.max(point[1].abs()));
     let resultants = vec![
-        Finding {
-            form: Form::Degrees(2),
-            ..Finding::new("angle", angle, Dimension::Angle)
-        },
+        Finding { form: Form::Degrees(2), ..Finding::new("angle", angle, Dimension::Angle) },
         on_base("base_shear", Channel::BaseShear),
         on_base("base_moment", Channel::BaseMoment),
         on_base("overturning_moment", Channel::OverturningMoment),
@@ -63,20 +55,14 @@ pub(crate) fn tilt(
     ];
     let columns = ["r", "rise"].map(|id| (id, Dimension::Length, Form::Usual));
     let surface = surface.iter().map(|point| point.map(Into::into).to_vec()).collect();
-    let mut blocks = vec![
-        Block::Note(Message::new("tilt-rest")),
-        Block::values("resultants", resultants),
-    ];
+    let mut blocks = vec![Block::Note(Message::new("tilt-rest")), Block::values("resultants", resultants)];
     blocks.extend(remarks(case, angle).into_iter().map(Block::Text));
     blocks.push(Block::Note(Message::new("tilt-over-height")));
     let height = case.tank.wall_height();
     let drawn = coupled.lines.iter().filter(|line| line.z.len() > 1);
     blocks.extend(drawn.map(|line| Block::Chart(across.chart(line, height))));
     blocks.push(Block::Series(Table::new("surface", &columns, surface)));
-    Ok(Part {
-        id: "tilt".into(),
-        blocks,
-    })
+    Ok(Part { id: "tilt".into(), blocks })
 }
 
 /// The state under an acceleration that does not change.
@@ -94,11 +80,7 @@ impl<'a> Across<'a> {
             .map_err(failure("the coupled stiffness matrix"))?
             .solve_vector(&coupled.mass.times(&coupled.influence));
         x.iter_mut().for_each(|x| *x *= -acceleration);
-        Ok(Across {
-            coupled,
-            acceleration,
-            x,
-        })
+        Ok(Across { coupled, acceleration, x })
     }
 
     /// An observation without its static part.
@@ -113,19 +95,14 @@ impl<'a> Across<'a> {
     fn chart(&self, line: &ProbeLine, height: f64) -> Chart {
         let side = |sign: f64| {
             let points = line.probes.iter().zip(&line.z);
-            points
-                .map(|(p, z)| [p.static_value + sign * self.value(p), *z])
-                .collect()
+            points.map(|(p, z)| [p.static_value + sign * self.value(p), *z]).collect()
         };
         let title = match line.what {
             // The whole one here.
             OnWall::Pressure => "tilt-on-wall-pressure".to_owned(),
             other => format!("on-wall-{}", other.id()),
         };
-        let lines = vec![
-            Line::new("low", Look::Main, side(1.0)),
-            Line::new("high", Look::Other, side(-1.0)),
-        ];
+        let lines = vec![Line::new("low", Look::Main, side(1.0)), Line::new("high", Look::Other, side(-1.0))];
         let x = Axis::new(&title, line.what.dimension(), Scale::Zero);
         let y = Axis::new("height", Dimension::Length, Scale::Range([0.0, height]));
         Chart {
@@ -141,9 +118,7 @@ fn remarks(case: &Case, angle: f64) -> Vec<Message> {
     let rise = case.tank.shape.half_length() * angle.tan();
     let remark = |id: &str| {
         let degrees = Amount::new(angle, Dimension::Angle).form(Form::Degrees(1));
-        Message::new(id)
-            .with("angle", degrees)
-            .with("rise", Amount::new(rise, Dimension::Length))
+        Message::new(id).with("angle", degrees).with("rise", Amount::new(rise, Dimension::Length))
     };
     let overtops = (rise > case.freeboard()).then(|| {
         let freeboard = Amount::new(case.freeboard(), Dimension::Length);

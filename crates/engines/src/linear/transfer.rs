@@ -39,12 +39,7 @@ pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options)
     let Some(wanted) = &options.frequency else {
         return Ok(());
     };
-    let kept = superpose::keep(
-        &model.horizontal.coupled,
-        &model.horizontal.modes,
-        &model.damper,
-        options.wave_modes,
-    );
+    let kept = superpose::keep(&model.horizontal.coupled, &model.horizontal.modes, &model.damper, options.wave_modes);
     let ratio = |mode: &CoupledMode| model.damper.of(mode);
     if let Some(mode) = kept.iter().find(|mode| ratio(mode) <= 0.0) {
         simulation.notes.push(format!(
@@ -76,12 +71,9 @@ pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options)
         ));
     }
     let system = ModalSystem::new(coupled, kept, &model.damper)?;
-    let observed = FUNCTIONS
-        .into_iter()
-        .filter_map(|function| Some((function, coupled.probe(function.0)?)));
-    let (functions, probes): (Vec<_>, Vec<Observable>) = observed
-        .map(|(function, probe)| (function, vec![(0, 1.0, probe)]))
-        .unzip();
+    let observed = FUNCTIONS.into_iter().filter_map(|function| Some((function, coupled.probe(function.0)?)));
+    let (functions, probes): (Vec<_>, Vec<Observable>) =
+        observed.map(|(function, probe)| (function, vec![(0, 1.0, probe)])).unzip();
     let hysteretic = wanted.damping == FrequencyDamping::Hysteretic;
     let statics = superpose::transfer(&system, &probes, hysteretic, &[0.0])?;
     let found = superpose::transfer(&system, &probes, hysteretic, &omega)?;

@@ -40,13 +40,7 @@ impl Turned {
             mode.participation = dot(&mode.vector, &turn);
         }
         lean(&mut harmonic.coupled);
-        Turned {
-            harmonic,
-            step: grid.h(),
-            sub_steps: grid.sub_steps,
-            acceleration,
-            rotation,
-        }
+        Turned { harmonic, step: grid.h(), sub_steps: grid.sub_steps, acceleration, rotation }
     }
 
     /// A and ψ̈ on a grid.
@@ -57,14 +51,9 @@ impl Turned {
 
 /// The system under a rotation.
 fn lean(coupled: &mut Coupled) {
-    let edge = coupled
-        .probe(Channel::BaseMoment)
-        .map_or(0.0, |probe| probe.ground_acceleration);
+    let edge = coupled.probe(Channel::BaseMoment).map_or(0.0, |probe| probe.ground_acceleration);
     let on_lines = coupled.lines.iter_mut().chain(&mut coupled.shear);
-    let probes = coupled
-        .probes
-        .iter_mut()
-        .chain(on_lines.flat_map(|line| &mut line.probes));
+    let probes = coupled.probes.iter_mut().chain(on_lines.flat_map(|line| &mut line.probes));
     for probe in probes {
         probe.ground_acceleration = match probe.channel {
             Channel::BaseShear => edge,

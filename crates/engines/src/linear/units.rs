@@ -37,10 +37,7 @@ pub(crate) fn units(model: &Model, options: &Options) -> Result<ModalUnits, FeEr
         Some(vertical) => Some(Box::new(of(vertical, model, options)?)),
         None => None,
     };
-    Ok(ModalUnits {
-        vertical: upwards,
-        ..of(model.held(), model, options)?
-    })
+    Ok(ModalUnits { vertical: upwards, ..of(model.held(), model, options)? })
 }
 
 /// The same of one harmonic.
@@ -61,10 +58,8 @@ fn of(harmonic: &Harmonic, model: &Model, options: &Options) -> Result<ModalUnit
         .collect();
     let system = ModalSystem::new(coupled, kept, &model.damper)?;
     let scalars: Vec<Channel> = SCALARS.into_iter().filter(|c| coupled.probe(*c).is_some()).collect();
-    let mut probes: Vec<Observable> = scalars
-        .iter()
-        .filter_map(|channel| Some(vec![(0, 1.0, coupled.probe(*channel)?)]))
-        .collect();
+    let mut probes: Vec<Observable> =
+        scalars.iter().filter_map(|channel| Some(vec![(0, 1.0, coupled.probe(*channel)?)])).collect();
     for line in &coupled.lines {
         probes.extend(line.probes.iter().map(|probe| vec![(0, 1.0, probe)]));
     }
@@ -85,13 +80,7 @@ fn of(harmonic: &Harmonic, model: &Model, options: &Options) -> Result<ModalUnit
             units: all.by_ref().take(line.probes.len()).collect(),
         });
     }
-    Ok(ModalUnits {
-        modes,
-        scalars,
-        lines,
-        level: coupled.level,
-        vertical: None,
-    })
+    Ok(ModalUnits { modes, scalars, lines, level: coupled.level, vertical: None })
 }
 
 /// Periods and masses, which do not depend on the ground motion.
@@ -99,14 +88,8 @@ pub(crate) fn properties(model: &Model) -> BTreeMap<Quantity, f64> {
     let first = |kind| model.held().first(kind);
     let impulsive = model.held().impulsive();
     let found = [
-        (
-            Quantity::SloshingPeriod,
-            first(Kind::Sloshing).map(|m| std::f64::consts::TAU / m.omega),
-        ),
-        (
-            Quantity::ConvectiveMass,
-            first(Kind::Sloshing).map(CoupledMode::effective_mass),
-        ),
+        (Quantity::SloshingPeriod, first(Kind::Sloshing).map(|m| std::f64::consts::TAU / m.omega)),
+        (Quantity::ConvectiveMass, first(Kind::Sloshing).map(CoupledMode::effective_mass)),
         (Quantity::ImpulsivePeriod, impulsive.as_ref().map(Impulsive::period)),
         (Quantity::ImpulsiveMass, impulsive.as_ref().map(Impulsive::mass)),
     ];
@@ -126,20 +109,12 @@ pub(crate) fn without_record(
     notes.extend(super::model_notes(case, engine));
     notes.extend(super::soil::note(case, engine, false));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
-    let labels = [
-        ("method", "response-spectrum method, no time history".to_owned()),
-        ("damping", model.damper.text()),
-    ];
+    let labels = [("method", "response-spectrum method, no time history".to_owned()), ("damping", model.damper.text())];
     let result = Run {
         mesh: model.horizontal.coupled.mesh.clone(),
         modes: super::modes(case, model),
         modal: super::modal::parts(&model.on_fixed_base(), None),
-        integration: labels
-            .map(|(label, text)| Labelled {
-                label: label.into(),
-                text,
-            })
-            .into(),
+        integration: labels.map(|(label, text)| Labelled { label: label.into(), text }).into(),
         damping_table: super::damping_table(model),
         mass_balance: super::describe::mass_balance(model),
         ..Run::new(engine)

@@ -28,31 +28,19 @@ pub(super) fn further(scalars: &[Scalar<'_>], counted: usize, kept: usize) -> Ve
     let sides = |modes: usize| {
         let waves = scalars.iter().filter(|s| s.channel.is_wave_at_wall());
         let selected = |&(system, factor, probe): &(usize, f64, &Probe)| {
-            let probe = Probe {
-                modes: ModeSelection::FirstSloshing(modes),
-                ..probe.clone()
-            };
+            let probe = Probe { modes: ModeSelection::FirstSloshing(modes), ..probe.clone() };
             (system, factor, probe)
         };
         waves.map(|s| s.observable.iter().map(selected).collect()).collect()
     };
     let counts = counts.into_iter().filter(|&modes| modes > counted);
-    counts
-        .map(|modes| Further {
-            modes,
-            sides: sides(modes),
-        })
-        .collect()
+    counts.map(|modes| Further { modes, sides: sides(modes) }).collect()
 }
 
 impl Further {
     /// What is observed, side by side.
     pub(super) fn observables(&self) -> impl Iterator<Item = Observable<'_>> {
-        self.sides.iter().map(|side| {
-            side.iter()
-                .map(|(system, factor, probe)| (*system, *factor, probe))
-                .collect()
-        })
+        self.sides.iter().map(|side| side.iter().map(|(system, factor, probe)| (*system, *factor, probe)).collect())
     }
 }
 
@@ -96,9 +84,8 @@ mod tests {
     use tank::options::LinearOptions;
 
     /// Zeros of J₁'.
-    const ZEROS: [f64; 8] = [
-        1.841_184, 5.331_443, 8.536_316, 11.706_005, 14.863_589, 18.015_528, 21.164_370, 24.311_327,
-    ];
+    const ZEROS: [f64; 8] =
+        [1.841_184, 5.331_443, 8.536_316, 11.706_005, 14.863_589, 18.015_528, 21.164_370, 24.311_327];
 
     /// A rigid cylinder, R = 20 m, 2 m deep, under two cycles at the frequency of its seventh mode, against
     ///
@@ -112,12 +99,8 @@ mod tests {
     #[test]
     fn waves_with_five_and_eight_modes_are_those_of_the_closed_form() {
         let (radius, depth, g) = (20.0, 2.0, tank::STANDARD_GRAVITY);
-        let mut case = test_tanks::case(
-            Shape::Cylinder { radius },
-            &[(3.0, 0.2)],
-            (210e9, 0.3, 7850.0),
-            (1000.0, depth),
-        );
+        let mut case =
+            test_tanks::case(Shape::Cylinder { radius }, &[(3.0, 0.2)], (210e9, 0.3, 7850.0), (1000.0, depth));
         let omega = ZEROS.map(|xi| (g * xi / radius * (xi * depth / radius).tanh()).sqrt());
         let dt = 0.02;
         let shaken = (2.0 * std::f64::consts::TAU / omega[6] / dt) as usize;
@@ -132,11 +115,7 @@ mod tests {
             transverse: None,
             vertical: None,
         });
-        let options = LinearOptions {
-            refine: 4.0,
-            mesh_error: false,
-            ..LinearOptions::default()
-        };
+        let options = LinearOptions { refine: 4.0, mesh_error: false, ..LinearOptions::default() };
         let model = Model::new(&case, &options, false, crate::harmonic::Places::Usual).unwrap();
         let motion = case.ground_motion.as_ref().unwrap();
         let found = analyse(&model, motion, &options, &fem::progress::Silent).unwrap();
@@ -158,19 +137,13 @@ mod tests {
             assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
         }
         let text = note(Some(five), 5, &found.waves);
-        assert_eq!(
-            text.is_some(),
-            found.waves.iter().any(|(_, w)| (w / five - 1.0).abs() > APART)
-        );
+        assert_eq!(text.is_some(), found.waves.iter().any(|(_, w)| (w / five - 1.0).abs() > APART));
     }
 
     #[test]
     fn a_note_stands_above_five_per_cent_only() {
         assert_eq!(note(Some(1.0), 5, &[(8, 1.04), (12, 0.96)]), None);
         let text = note(Some(1.0), 5, &[(8, 1.04), (12, 1.07)]).unwrap();
-        assert!(
-            text.contains("with the 5") && text.contains("with 8") && text.contains("with 12"),
-            "{text}"
-        );
+        assert!(text.contains("with the 5") && text.contains("with 8") && text.contains("with 12"), "{text}");
     }
 }

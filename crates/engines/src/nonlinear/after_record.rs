@@ -23,16 +23,8 @@ impl Span {
     ///
     /// Errors: free vibration of more than [`LONGEST_TAIL`]; more samples than a response may have.
     pub(crate) fn new(motion: &GroundMotion, after: AfterRecord, sloshing: f64) -> Result<Span, FeError> {
-        let period = if sloshing > 0.0 {
-            std::f64::consts::TAU / sloshing
-        } else {
-            0.0
-        };
-        let span = Span {
-            record: motion.duration(),
-            tail: after.duration(period),
-            after,
-        };
+        let period = if sloshing > 0.0 { std::f64::consts::TAU / sloshing } else { 0.0 };
+        let span = Span { record: motion.duration(), tail: after.duration(period), after };
         if span.tail > LONGEST_TAIL {
             return Err(FeError::TooLong {
                 what: format!("the free vibration after the record takes {:.3e} s", span.tail),
@@ -65,11 +57,7 @@ impl Span {
                 significant(count, 3)
             ),
             AfterRecord::Time(time) => {
-                format!(
-                    "{record} of {:.2} s and {} s of free vibration",
-                    self.record,
-                    significant(time, 4)
-                )
+                format!("{record} of {:.2} s and {} s of free vibration", self.record, significant(time, 4))
             }
         }
     }

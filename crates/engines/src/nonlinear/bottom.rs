@@ -110,11 +110,7 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
             "\"anchored\", or a `tank.bottom` of steel",
         )),
         Ok(_) => {
-            let steel = case
-                .tank
-                .bottom
-                .as_ref()
-                .is_some_and(|b| matches!(b.material.behaviour, Behaviour::Steel(_)));
+            let steel = case.tank.bottom.as_ref().is_some_and(|b| matches!(b.material.behaviour, Behaviour::Steel(_)));
             (!steel).then_some((
                 "the nonlinear bottom of an unanchored tank needs a bottom plate that yields",
                 "a material of `tank.bottom` whose behaviour is \"steel\", or \"anchored\"",
@@ -158,11 +154,7 @@ impl Plate {
         let out = (0..outside).map(|i| radius + bottom.projection * (1.0 - i as f64 / OUTSIDE as f64));
         let radii: Vec<f64> = out.chain(inside.iter().map(|x| radius - x)).collect();
         let pressure = |r: &f64| {
-            if *r > radius * (1.0 + 1e-9) {
-                0.0
-            } else {
-                impulsive_pressure(case, radius, *r)
-            }
+            if *r > radius * (1.0 + 1e-9) { 0.0 } else { impulsive_pressure(case, radius, *r) }
         };
         let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
         Ok(Plate {
@@ -255,10 +247,7 @@ impl Plate {
 
     /// The same of the part under the liquid.
     pub(super) fn wet_areas(&self) -> Vec<f64> {
-        let inside = Plate {
-            radii: self.radii[self.foot..].to_vec(),
-            ..self.clone()
-        };
+        let inside = Plate { radii: self.radii[self.foot..].to_vec(), ..self.clone() };
         let dry = vec![0.0; self.foot];
         dry.into_iter().chain(inside.areas()).collect()
     }
@@ -307,11 +296,7 @@ impl Plate {
             for node in ends(ring) {
                 builder.hold(node, Dof::Uy);
                 // The foot is a fold, with rotations about the global axes.
-                let turns: &[Dof] = if i == self.foot {
-                    &[Dof::Rx, Dof::Rz]
-                } else {
-                    &[Dof::Ry]
-                };
+                let turns: &[Dof] = if i == self.foot { &[Dof::Rx, Dof::Rz] } else { &[Dof::Ry] };
                 turns.iter().for_each(|&d| builder.hold(node, d));
             }
         }
@@ -368,9 +353,8 @@ impl Plate {
         let weak = WEAK * self.base.modulus * area;
         let spring = Spring::to_ground(node, Direction::Translation([1.0, 0.0, 0.0]), weak).map_err(failed)?;
         builder.element(KEY, spring);
-        let ground = Ground::new(node, self.base.modulus, area)
-            .and_then(|g| g.with_friction(self.friction))
-            .map_err(failed)?;
+        let ground =
+            Ground::new(node, self.base.modulus, area).and_then(|g| g.with_friction(self.friction)).map_err(failed)?;
         Ok(builder.element(GROUND, ground))
     }
 }

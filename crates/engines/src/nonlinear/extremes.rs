@@ -6,10 +6,7 @@ use tank::units::Dimension;
 
 /// Largest change from the value at rest to either side; `None` before the first instant.
 pub(crate) fn of_range(title: String, dimension: Dimension, rest: f64, range: &Range) -> Option<TwoSided> {
-    let at = |value: f64, time: f64| At {
-        value: value - rest,
-        time: Some(time),
-    };
+    let at = |value: f64, time: f64| At { value: value - rest, time: Some(time) };
     (range.min.is_finite() && range.max.is_finite()).then(|| TwoSided {
         title,
         dimension,
@@ -31,10 +28,7 @@ pub(crate) fn of_maps(maps: &[CellMap], grid: &WallGrid) -> Vec<TwoSided> {
             dimension: map.dimension,
             rest: 0.0,
             min: None,
-            max: At {
-                value: own.map(|(_, v)| *v).fold(0.0, f64::max),
-                time: None,
-            },
+            max: At { value: own.map(|(_, v)| *v).fold(0.0, f64::max), time: None },
         }
     };
     widths.flat_map(|map| [side(map, false), side(map, true)]).collect()
@@ -78,11 +72,7 @@ mod tests {
     }
 
     fn grid(columns: Columns) -> WallGrid {
-        WallGrid {
-            columns,
-            z: vec![0.0, 1.0, 2.0],
-            surface: 1.5,
-        }
+        WallGrid { columns, z: vec![0.0, 1.0, 2.0], surface: 1.5 }
     }
 
     #[test]
@@ -94,9 +84,7 @@ mod tests {
         });
         let found = of_maps(&[map(&[1.0, 2.0, 5.0, 3.0, 0.0, 4.0, 0.0, 0.0])], &half);
         assert_eq!(found.iter().map(|x| x.max.value).collect::<Vec<_>>(), [4.0, 5.0]);
-        let walls = grid(Columns::Walls {
-            names: vec!["a".into(), "b".into()],
-        });
+        let walls = grid(Columns::Walls { names: vec!["a".into(), "b".into()] });
         let found = of_maps(&[map(&[1.0, 2.0, 3.0, 0.0])], &walls);
         assert_eq!(found.iter().map(|x| x.max.value).collect::<Vec<_>>(), [3.0, 2.0]);
     }

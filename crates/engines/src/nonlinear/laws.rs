@@ -27,16 +27,9 @@ pub(crate) fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
 /// An error of a law as one of the engine.
 pub(crate) fn refused(error: LawError) -> FeError {
     match error {
-        LawError::Parameter {
-            law,
-            parameter,
-            found,
-            allowed,
-        } => FeError::Option {
-            option: format!("{law}: {parameter}"),
-            found,
-            allowed,
-        },
+        LawError::Parameter { law, parameter, found, allowed } => {
+            FeError::Option { option: format!("{law}: {parameter}"), found, allowed }
+        }
         other => FeError::Analysis(other.to_string()),
     }
 }
@@ -67,10 +60,7 @@ pub(crate) fn uniaxial_concrete(
         ConcreteLaw::Uniaxial => Compression::Sargin {
             strength,
             peak_strain: peak_strain(strength),
-            post_peak: PostPeak::Crushing {
-                crushing_energy: CRUSHING * fracture_energy(strength),
-                size: element,
-            },
+            post_peak: PostPeak::Crushing { crushing_energy: CRUSHING * fracture_energy(strength), size: element },
         },
         ConcreteLaw::PlasticFracturing => {
             return unsupported(
@@ -97,24 +87,16 @@ pub(crate) fn tension(concrete: &Concrete, layer: &Layer, direction: Option<BarD
         Softening::Brittle => Falls::Brittle,
     };
     let counts = |d: BarDirection| direction.is_none_or(|wanted| d == wanted);
-    let yields = layer
-        .reinforcement
-        .iter()
-        .filter_map(|bars| match bars.material.behaviour {
-            Behaviour::Reinforcement(Bar { yield_strength, .. }) if counts(bars.direction) => {
-                Some(yield_strength / bars.material.youngs_modulus)
-            }
-            _ => None,
-        });
-    let stiffening = (concrete.tension_stiffening > 0.0).then(|| Stiffening {
-        share: concrete.tension_stiffening,
-        yield_strain: yields.fold(f64::INFINITY, f64::min),
+    let yields = layer.reinforcement.iter().filter_map(|bars| match bars.material.behaviour {
+        Behaviour::Reinforcement(Bar { yield_strength, .. }) if counts(bars.direction) => {
+            Some(yield_strength / bars.material.youngs_modulus)
+        }
+        _ => None,
     });
+    let stiffening = (concrete.tension_stiffening > 0.0)
+        .then(|| Stiffening { share: concrete.tension_stiffening, yield_strain: yields.fold(f64::INFINITY, f64::min) });
     let directions = [BarDirection::Hoop, BarDirection::Vertical];
-    let bonds = directions
-        .into_iter()
-        .filter(|&d| counts(d))
-        .filter_map(|d| bond(concrete, layer, d));
+    let bonds = directions.into_iter().filter(|&d| counts(d)).filter_map(|d| bond(concrete, layer, d));
     // At half a thousandth cracks are stabilised and bars elastic.
     let held = |b: &Bond| b.stresses(layer.material.youngs_modulus, 5e-4)[0];
     Tension {
@@ -140,9 +122,7 @@ fn bond(concrete: &Concrete, layer: &Layer, direction: BarDirection) -> Option<B
     if area == 0.0 {
         return None;
     }
-    let f_ck = concrete
-        .characteristic_strength
-        .unwrap_or(concrete.compressive_strength - MEAN_LESS_CHARACTERISTIC);
+    let f_ck = concrete.characteristic_strength.unwrap_or(concrete.compressive_strength - MEAN_LESS_CHARACTERISTIC);
     let [strength, slip, exponent] = model_code_1990(f_ck, conditions);
     // Bars that yield first limit the bond of all.
     let yields = |b: &tank::Reinforcement| match b.material.behaviour {
@@ -214,11 +194,7 @@ mod tests {
             crack_spacing: Some(0.2),
             bond,
         };
-        let steel = Behaviour::Reinforcement(Bar {
-            yield_strength: 500e6,
-            tangent_modulus: 0.0,
-            rupture_strain: None,
-        });
+        let steel = Behaviour::Reinforcement(Bar { yield_strength: 500e6, tangent_modulus: 0.0, rupture_strain: None });
         let bars = |direction, area| Reinforcement {
             direction,
             area,
@@ -239,9 +215,7 @@ mod tests {
     #[test]
     fn bond_of_a_layer() {
         let (layer, concrete) = wall(BarBond::Good);
-        let up = tension(&concrete, &layer, Some(BarDirection::Vertical), 0.5)
-            .bond
-            .unwrap();
+        let up = tension(&concrete, &layer, Some(BarDirection::Vertical), 0.5).bond.unwrap();
         assert!((up.ratio - 0.0075).abs() < 1e-12 && up.spacing == 0.2 && up.diameter == 0.016);
         assert!((up.strength - 2e6 * 30f64.sqrt()).abs() < 1.0);
         let around = tension(&concrete, &layer, Some(BarDirection::Hoop), 0.5).bond.unwrap();

@@ -4,9 +4,5 @@ use results::LiquidParting;
 
 /// A separation as the results name it.
 pub(crate) fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
-    LiquidParting {
-        time: found.time,
-        height: found.height,
-        open: found.open,
-    }
+    LiquidParting { time: found.time, height: found.height, open: found.open }
 }

@@ -228,19 +228,12 @@ fn interruption(shells: &[PushShell], missing: bool) -> String {
     };
     match shells {
         [perfect] if perfect.interrupted => {
-            let rest = if missing {
-                ", and the imperfect one was not run"
-            } else {
-                ""
-            };
+            let rest = if missing { ", and the imperfect one was not run" } else { "" };
             format!("interrupted in the perfect shell, {}{rest}", capacity(perfect))
         }
         [_] if missing => "the perfect shell is complete; interrupted before the imperfect one".into(),
         [_, imperfect] if imperfect.interrupted => {
-            format!(
-                "the perfect shell is complete; interrupted in the imperfect one, {}",
-                capacity(imperfect)
-            )
+            format!("the perfect shell is complete; interrupted in the imperfect one, {}", capacity(imperfect))
         }
         _ => String::new(),
     }
@@ -249,10 +242,7 @@ fn interruption(shells: &[PushShell], missing: bool) -> String {
 impl Followed<'_> {
     fn shell(&self) -> PushShell {
         let end = self.end.clone().unwrap_or_else(|| "interrupted".into());
-        PushShell {
-            interrupted: self.end.is_none(),
-            ..self.seen.shell(end)
-        }
+        PushShell { interrupted: self.end.is_none(), ..self.seen.shell(end) }
     }
 }
 
@@ -329,10 +319,7 @@ fn imperfect(
         }
     };
     let found = path::follow(plan, Some(&dent), "imperfect shell", kept.1, keeper, progress)?;
-    Ok(PushShell {
-        imperfection: Some(imperfection),
-        ..found.shell()
-    })
+    Ok(PushShell { imperfection: Some(imperfection), ..found.shell() })
 }
 
 fn facts(plan: &Plan) -> Vec<Fact> {
@@ -346,11 +333,7 @@ fn facts(plan: &Plan) -> Vec<Fact> {
         fact(FactKind::RadiusOverThickness, plan.radius / lowest.thickness, number),
         fact(FactKind::ElementsOverHeight, (plan.levels.len() - 1) as f64, number),
         fact(FactKind::ElementsAround, (plan.angles.len() - 1) as f64, number),
-        fact(
-            FactKind::LowestElement,
-            (plan.levels[1] - plan.levels[0]) / bending,
-            number,
-        ),
+        fact(FactKind::LowestElement, (plan.levels[1] - plan.levels[0]) / bending, number),
         fact(FactKind::SmallestAround, plan.radius * plan.angles[1] / bending, number),
         fact(FactKind::ImpulsiveMass, mass, Dimension::Mass),
         fact(FactKind::ImpulsiveHeight, moment / mass, Dimension::Length),

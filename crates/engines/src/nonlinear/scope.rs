@@ -81,10 +81,7 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
     // Each refusal is listed once, however many courses share it.
     let mut listed: Vec<Refusal> = Vec::new();
     for refusal in all {
-        if !listed
-            .iter()
-            .any(|r| r.place == refusal.place && r.message == refusal.message)
-        {
+        if !listed.iter().any(|r| r.place == refusal.place && r.message == refusal.message) {
             listed.push(refusal);
         }
     }
@@ -126,12 +123,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
         ));
     }
     let levels = |n: u32| fibres::levels(case, n);
-    let rows = Rows {
-        case,
-        given: options.elements,
-        chosen: strip::ELEMENTS,
-        levels: &levels,
-    };
+    let rows = Rows { case, given: options.elements, chosen: strip::ELEMENTS, levels: &levels };
     for (index, course) in case.tank.courses.iter().enumerate() {
         let layers = course.build_up();
         let main = match fibres::main_leaf(&layers) {
@@ -184,12 +176,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
         Some(_) => wanted(n).z,
         None => cells.z.clone(),
     };
-    let rows = Rows {
-        case,
-        given: options.elements,
-        chosen: cells.rows() as u32,
-        levels: &levels,
-    };
+    let rows = Rows { case, given: options.elements, chosen: cells.rows() as u32, levels: &levels };
     let arc = radius * cells.angle();
     let mut first_gap = None;
     for (index, course) in case.tank.courses.iter().enumerate() {
@@ -216,11 +203,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
                 _ => f64::INFINITY,
             };
             if sized {
-                let around = Some(Around {
-                    arc,
-                    perimeter: TAU * radius,
-                    half: cells.half,
-                });
+                let around = Some(Around { arc, perimeter: TAU * radius, half: cells.half });
                 check(index, layer, &concrete, softens, &law, &rows, around, all);
             } else if let Err(error) = law(TINY) {
                 all.push(against_law(layer, &concrete, error));
@@ -236,10 +219,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
                 if (row.gap - gap).abs() > 1e-9 * radius {
                     let shown = |gap: f64| match gap {
                         0.0 => "one shell".to_owned(),
-                        gap => format!(
-                            "two shells, {} apart between their middles",
-                            display(gap, Dimension::Length)
-                        ),
+                        gap => format!("two shells, {} apart between their middles", display(gap, Dimension::Length)),
                     };
                     all.push(
                         Refusal::new(
@@ -280,10 +260,8 @@ fn concretes(layers: &[Layer]) -> impl Iterator<Item = (&Layer, Concrete)> {
 
 fn in_words(course: &Course) -> String {
     let layers = course.build_up();
-    let words: Vec<String> = layers
-        .iter()
-        .map(|l| format!("{} {}", display(l.thickness, Dimension::Length), l.material.name))
-        .collect();
+    let words: Vec<String> =
+        layers.iter().map(|l| format!("{} {}", display(l.thickness, Dimension::Length), l.material.name)).collect();
     words.join(", ")
 }
 
@@ -368,10 +346,7 @@ fn check(
     }
     let name = &layer.material.name;
     let length = |size: f64| display(size, Dimension::Length);
-    let sizes = [
-        (Place::Rows, rows.longest(course, rows.count())),
-        (Place::Sectors, around.map_or(0.0, |a| a.arc)),
-    ];
+    let sizes = [(Place::Rows, rows.longest(course, rows.count())), (Place::Sectors, around.map_or(0.0, |a| a.arc))];
     for (place, size) in sizes {
         if size <= TINY || law(size).is_ok() {
             continue;
@@ -390,14 +365,10 @@ fn check(
         };
         let cracks = concrete.band(size) > softens;
         let message = match cracks {
-            true => format!(
-                "the softening of `{name}` is too steep for elements of {}: cracks snap back",
-                length(size)
-            ),
-            false => format!(
-                "the crushing of `{name}` is too brittle for elements of {}: it snaps back",
-                length(size)
-            ),
+            true => {
+                format!("the softening of `{name}` is too steep for elements of {}: cracks snap back", length(size))
+            }
+            false => format!("the crushing of `{name}` is too brittle for elements of {}: it snaps back", length(size)),
         };
         let formula = if cracks { " (0.98 E·G_f/f_t²)" } else { "" };
         let bound = format!("elements of at most {}{formula}", length(largest));

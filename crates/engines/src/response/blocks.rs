@@ -94,10 +94,7 @@ pub(super) fn load(motions: &[&Motion]) -> Load {
 /// A failed response as an error of the engine.
 pub(super) fn failed(error: AnalysisError) -> FeError {
     match error {
-        AnalysisError::NotFinite { time, cause } => FeError::NotFinite {
-            time,
-            cause: cause.into(),
-        },
+        AnalysisError::NotFinite { time, cause } => FeError::NotFinite { time, cause: cause.into() },
         error => FeError::Analysis(error.to_string()),
     }
 }

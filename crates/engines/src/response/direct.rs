@@ -70,10 +70,7 @@ impl<'a> DirectSystem<'a> {
                 }
             }
         }
-        let block = Block {
-            system,
-            modes: modes.iter().collect(),
-        };
+        let block = Block { system, modes: modes.iter().collect() };
         DirectSystem { block, damping }
     }
 }
@@ -81,10 +78,7 @@ impl<'a> DirectSystem<'a> {
 /// Matrices of the systems as diagonal blocks on the pattern of full blocks.
 fn diagonal<'a>(pattern: &Arc<Pattern>, matrices: impl Iterator<Item = &'a Matrix>) -> Symmetric {
     let lower = |matrix: &'a Matrix| (0..matrix.cols).flat_map(move |j| &matrix.column(j)[j..]).copied();
-    Symmetric {
-        pattern: pattern.clone(),
-        values: matrices.flat_map(lower).collect(),
-    }
+    Symmetric { pattern: pattern.clone(), values: matrices.flat_map(lower).collect() }
 }
 
 /// The energies at the end of a response.
@@ -113,11 +107,8 @@ pub fn respond(
 ) -> Result<(Observed, EnergyBalance), FeError> {
     let blocks: Vec<&Block> = systems.iter().map(|s| &s.block).collect();
     let size = blocks.iter().map(|b| b.size()).sum();
-    let unknowns: Vec<Vec<usize>> = blocks
-        .iter()
-        .zip(offsets(&blocks))
-        .map(|(block, start)| (start..start + block.size()).collect())
-        .collect();
+    let unknowns: Vec<Vec<usize>> =
+        blocks.iter().zip(offsets(&blocks)).map(|(block, start)| (start..start + block.size()).collect()).collect();
     let pattern = Arc::new(Pattern::from_cliques(size, unknowns.iter().map(Vec::as_slice)));
     let mut influence = [0, 1, 2].map(|_| vec![0.0; size]);
     for ((block, own), influence) in blocks.iter().zip(&unknowns).zip(&mut influence) {
@@ -125,31 +116,16 @@ pub fn respond(
     }
     let mass = diagonal(&pattern, blocks.iter().map(|b| &b.system.mass));
     let stiffness = diagonal(&pattern, blocks.iter().map(|b| &b.system.stiffness));
-    let damping = Damping {
-        sparse: Some(diagonal(&pattern, systems.iter().map(|s| &s.damping))),
-        ..Damping::none()
-    };
+    let damping = Damping { sparse: Some(diagonal(&pattern, systems.iter().map(|s| &s.damping))), ..Damping::none() };
     let system = System::from_matrices(mass, stiffness, influence).with_damping(damping);
     let symbolic = Symbolic::new(pattern, &Ordering::Given((0..size).collect()))
         .map_err(failure("the effective matrix of a step"))?;
-    let settings = Settings {
-        kind: Kind::Definite,
-        between: false,
-        ..Settings::new(grid)
-    };
+    let settings = Settings { kind: Kind::Definite, between: false, ..Settings::new(grid) };
     let (scalars, others) = (functionals(&blocks, scalars), functionals(&blocks, others));
     let loads = [load(motions)];
-    let found = integrate(
-        &system,
-        &Arc::new(symbolic),
-        &loads,
-        &settings,
-        &scalars,
-        &others,
-        &Steps(progress),
-    )
-    .map_err(failed)?
-    .pop()
-    .ok_or_else(|| FeError::Analysis("no motion was integrated".into()))?;
+    let found = integrate(&system, &Arc::new(symbolic), &loads, &settings, &scalars, &others, &Steps(progress))
+        .map_err(failed)?
+        .pop()
+        .ok_or_else(|| FeError::Analysis("no motion was integrated".into()))?;
     Ok((found.observed, balance(&found.energy)))
 }

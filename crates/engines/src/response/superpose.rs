@@ -65,10 +65,7 @@ pub fn keep<'a>(
         Kind::Structural => STRUCTURAL_MODES,
         Kind::Rotational => 0,
     };
-    modes
-        .iter()
-        .filter(|m| m.omega <= limit || m.number <= least(m.kind))
-        .collect()
+    modes.iter().filter(|m| m.omega <= limit || m.number <= least(m.kind)).collect()
 }
 
 impl<'a> ModalSystem<'a> {
@@ -77,9 +74,8 @@ impl<'a> ModalSystem<'a> {
     /// Errors: a stiffness matrix that is not positive definite.
     pub fn new(system: &'a Coupled, modes: Vec<&'a CoupledMode>, damper: &Damper) -> Result<ModalSystem<'a>, FeError> {
         let load = system.mass.times(&system.influence);
-        let statics = Cholesky::factor(&system.stiffness)
-            .map_err(failure("the coupled stiffness matrix"))?
-            .solve_vector(&load);
+        let statics =
+            Cholesky::factor(&system.stiffness).map_err(failure("the coupled stiffness matrix"))?.solve_vector(&load);
         Ok(ModalSystem {
             damping: modes.iter().map(|m| damper.beside(m)).collect(),
             block: Block { system, modes },
@@ -156,10 +152,7 @@ pub fn combine(
     for (state, _) in terms.iter_mut().flatten() {
         *state = place[state];
     }
-    Ok(Combined {
-        states: used.iter().map(|&k| std::mem::take(&mut states[k])).collect(),
-        terms,
-    })
+    Ok(Combined { states: used.iter().map(|&k| std::mem::take(&mut states[k])).collect(), terms })
 }
 
 /// Observables of one system per unit of pseudo-acceleration of each of its modes, and of the ground acceleration that the modes not
@@ -191,9 +184,7 @@ pub fn transfer(
         false => (&system.damping, &none),
     };
     let rows = functionals(&[&system.block], observables);
-    Reduced::modal(&basis, viscous, hysteretic)
-        .and_then(|reduced| reduced.transfer(&rows, 0, omega))
-        .map_err(failed)
+    Reduced::modal(&basis, viscous, hysteretic).and_then(|reduced| reduced.transfer(&rows, 0, omega)).map_err(failed)
 }
 
 /// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others`.

@@ -51,13 +51,7 @@ pub(super) fn respond(
     let ground: Vec<Motion> = records.map(|r| Motion::new(r, &grid)).collect();
     let ground: Vec<&Motion> = ground.iter().collect();
     let observables: Vec<Observable> = (0..spaces[0].around.len())
-        .map(|i| {
-            spaces
-                .iter()
-                .enumerate()
-                .map(|(k, space)| (k, 1.0, &space.around[i].1))
-                .collect()
-        })
+        .map(|i| spaces.iter().enumerate().map(|(k, space)| (k, 1.0, &space.around[i].1)).collect())
         .collect();
     let observed = superpose::respond(&systems, &ground, grid, &[], &observables, progress)?;
     let what = spaces[0].around.iter().map(|(what, _)| *what);
@@ -68,32 +62,18 @@ pub(super) fn respond(
 /// Peaks of the harmonics, and the stress around the base.
 fn collect(case: &Case, imperfections: &tank::imperfection::Imperfections, found: &[(What, Extreme)]) -> Around {
     let mut waves: Vec<WaveAround> = Vec::new();
-    let mut base = BaseAround {
-        theta: Vec::new(),
-        min: Vec::new(),
-        max: Vec::new(),
-    };
+    let mut base = BaseAround { theta: Vec::new(), min: Vec::new(), max: Vec::new() };
     let mut rest = found;
     while let Some(((what, extreme), after)) = rest.split_first() {
         // Cosine and sine of one harmonic follow each other.
-        let twin = after
-            .first()
-            .filter(|(other, _)| other == what)
-            .map(|(_, e)| e.peak().0);
+        let twin = after.first().filter(|(other, _)| other == what).map(|(_, e)| e.peak().0);
         rest = if twin.is_some() { &after[1..] } else { after };
         let (peak, time) = extreme.peak();
         let peak = peak.hypot(twin.unwrap_or(0.0));
         let wave = |waves: &mut Vec<WaveAround>, n: u32| match waves.iter().position(|w| w.n == n) {
             Some(place) => place,
             None => {
-                waves.push(WaveAround {
-                    n,
-                    deviation: 0.0,
-                    displacement: 0.0,
-                    z: 0.0,
-                    time: 0.0,
-                    stress: None,
-                });
+                waves.push(WaveAround { n, deviation: 0.0, displacement: 0.0, z: 0.0, time: 0.0, stress: None });
                 waves.len() - 1
             }
         };
@@ -141,12 +121,7 @@ pub(super) fn limits(case: &Case, around: &Around) -> Vec<Limit> {
         },
     }];
     if let Some((displacement, n)) = around.largest_beyond() {
-        let thinnest = case
-            .tank
-            .courses
-            .iter()
-            .map(|c| c.thickness)
-            .fold(f64::INFINITY, f64::min);
+        let thinnest = case.tank.courses.iter().map(|c| c.thickness).fold(f64::INFINITY, f64::min);
         let holds = displacement <= SMALL * thinnest;
         out.push(Limit {
             id: "waves_against_thickness".into(),

@@ -42,11 +42,7 @@ pub(super) fn probes(projector: &Projector<'_>) -> Result<Vec<(What, Probe)>, Fe
     let tank = projector.tank;
     let sectors = tank.division.sectors;
     let waves = tank.imperfections.waves(tank.height());
-    let most = waves
-        .last()
-        .map_or(0, |n| n + 1)
-        .max(REPORTED)
-        .min((sectors / 2) as u32 - 1);
+    let most = waves.last().map_or(0, |n| n + 1).max(REPORTED).min((sectors / 2) as u32 - 1);
     let twins = !tank.imperfections.is_symmetric(tank.height());
     let angle = |s: usize| std::f64::consts::TAU * s as f64 / sectors as f64;
     let weights = |n: u32, sine: bool| -> Vec<f64> {
@@ -69,8 +65,7 @@ pub(super) fn probes(projector: &Projector<'_>) -> Result<Vec<(What, Probe)>, Fe
                     let (sine, cosine) = angle(s).sin_cos();
                     for (dof, direction) in [(Dof::Ux, cosine), (Dof::Uy, sine)] {
                         let own = tank.model.row(tank.wall.rows[level][s], dof);
-                        row.displacement
-                            .extend(own.into_iter().map(|(e, c)| (e, weight * direction * c)));
+                        row.displacement.extend(own.into_iter().map(|(e, c)| (e, weight * direction * c)));
                     }
                 }
                 let z = tank.wall.z[level];
@@ -80,12 +75,7 @@ pub(super) fn probes(projector: &Projector<'_>) -> Result<Vec<(What, Probe)>, Fe
     }
     let thickness = tank.wall.thickness[0];
     let edges = (0..sectors)
-        .map(|s| {
-            Ok(projector
-                .observer
-                .edge_reaction_at(s, Dof::Uz)?
-                .scaled(-1.0 / thickness))
-        })
+        .map(|s| Ok(projector.observer.edge_reaction_at(s, Dof::Uz)?.scaled(-1.0 / thickness)))
         .collect::<Result<Vec<Row>, FeError>>()?;
     for n in 0..=most {
         for sine in [false, true].into_iter().filter(|sine| twins || !sine) {

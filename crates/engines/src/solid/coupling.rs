@@ -32,11 +32,8 @@ const MOST: usize = 24;
 
 /// Harmonics that the imperfections couple to `harmonic`, without itself.
 pub(super) fn harmonics(waves: &[u32], harmonic: u32) -> Vec<u32> {
-    let mut all: Vec<u32> = waves
-        .iter()
-        .flat_map(|&n| [n.abs_diff(harmonic), n + harmonic])
-        .filter(|&k| k != harmonic)
-        .collect();
+    let mut all: Vec<u32> =
+        waves.iter().flat_map(|&n| [n.abs_diff(harmonic), n + harmonic]).filter(|&k| k != harmonic).collect();
     all.sort_unstable();
     all.dedup();
     all
@@ -80,9 +77,7 @@ pub(super) fn reduce(
     let scale = dot(&forces, &first).abs() / dot(load, &first).abs().max(f64::MIN_POSITIVE);
     for k in coupled {
         if progress.interrupted() {
-            return Err(FeError::Interrupted {
-                stage: "the reduction".into(),
-            });
+            return Err(FeError::Interrupted { stage: "the reduction".into() });
         }
         let other = Harmonic::new(tank, k).with_twins(twins);
         let mut start: Vec<f64> = forces.iter().zip(load).map(|(k, f)| k - scale * f).collect();

@@ -62,10 +62,8 @@ impl OwnUnknowns<'_> {
         let dashpots = &self.space.dashpots;
         if !dashpots.is_empty() {
             let size = self.system.size();
-            let modal = damping.modal.get_or_insert_with(|| ModalPart {
-                momenta: Matrix::zeros(size, 0),
-                rates: Vec::new(),
-            });
+            let modal =
+                damping.modal.get_or_insert_with(|| ModalPart { momenta: Matrix::zeros(size, 0), rates: Vec::new() });
             for (row, coefficient) in dashpots {
                 let mut dense = vec![0.0; size];
                 row.iter().for_each(|&(i, c)| dense[i] += c);
@@ -79,10 +77,7 @@ impl OwnUnknowns<'_> {
 
     fn by_model(&self) -> Damping {
         match self.model.damper {
-            Damper::Rayleigh(r) => Damping::rayleigh(Rayleigh {
-                mass: r.mass,
-                stiffness: r.stiffness,
-            }),
+            Damper::Rayleigh(r) => Damping::rayleigh(Rayleigh { mass: r.mass, stiffness: r.stiffness }),
             Damper::ByKind { .. } | Damper::ByGroup { .. } | Damper::Caughey(_) => {
                 let (mut data, mut rates) = (Vec::new(), Vec::new());
                 for mode in self.modes() {
@@ -92,26 +87,15 @@ impl OwnUnknowns<'_> {
                         rates.push(rate);
                     }
                 }
-                let momenta = Matrix {
-                    rows: self.system.size(),
-                    cols: rates.len(),
-                    data,
-                };
-                Damping {
-                    modal: (!rates.is_empty()).then_some(ModalPart { momenta, rates }),
-                    ..Damping::none()
-                }
+                let momenta = Matrix { rows: self.system.size(), cols: rates.len(), data };
+                Damping { modal: (!rates.is_empty()).then_some(ModalPart { momenta, rates }), ..Damping::none() }
             }
         }
     }
 
     /// The observable of a probe, from its row over the model.
     fn observable(&self, probe: &Probe) -> Option<Observable> {
-        let Row {
-            displacement,
-            acceleration,
-            held,
-        } = self.space.rows.get(&probe.key())?.clone();
+        let Row { displacement, acceleration, held } = self.space.rows.get(&probe.key())?.clone();
         let displacement = match probe.modes {
             ModeSelection::All => displacement,
             ModeSelection::FirstSloshing(most) => {
@@ -147,9 +131,8 @@ impl Direct for OwnUnknowns<'_> {
     ) -> Result<Option<f64>, FeError> {
         let grid = self.model.grid(motion, Integrator::Newmark)?;
         let (rigid, load) = rigid_motion(self.tank, self.system, 1)?;
-        let mut system = LinearSystem::new(&self.tank.model, &self.tank.assembler)
-            .map_err(failed)?
-            .with_damping(self.damping());
+        let mut system =
+            LinearSystem::new(&self.tank.model, &self.tank.assembler).map_err(failed)?.with_damping(self.damping());
         (system.influence[0], system.inertia[0]) = (rigid, load);
         let pattern = self.tank.assembler.pattern();
         let symbolic = Symbolic::new(pattern.clone(), &order(&self.tank.model, pattern))
@@ -158,11 +141,7 @@ impl Direct for OwnUnknowns<'_> {
         let record = &motion.horizontal;
         let loads = [Load::ground(0, Motion::sampled(record.dt, &record.acceleration, &grid))];
         let settings = Settings {
-            kind: if self.space.potentials.contains(&true) {
-                FactorKind::QuasiDefinite
-            } else {
-                FactorKind::Definite
-            },
+            kind: if self.space.potentials.contains(&true) { FactorKind::QuasiDefinite } else { FactorKind::Definite },
             ..Settings::new(grid)
         };
         // θ = 180° has a separate scalar, with the opposite sign.
@@ -170,10 +149,7 @@ impl Direct for OwnUnknowns<'_> {
             .scalars
             .iter()
             .map(|(s, _)| s.observable.first())
-            .map(|term| {
-                term.and_then(|&(_, _, probe)| self.observable(probe))
-                    .unwrap_or_default()
-            })
+            .map(|term| term.and_then(|&(_, _, probe)| self.observable(probe)).unwrap_or_default())
             .collect();
         let lines = &self.model.horizontal.coupled.lines;
         let others: Vec<Observable> = lines
@@ -196,22 +172,14 @@ impl Direct for OwnUnknowns<'_> {
             };
             *history = History {
                 values: found.values.iter().map(|v| factor * v).collect(),
-                extreme: Extreme {
-                    min: factor.abs() * extreme.min,
-                    max: factor.abs() * extreme.max,
-                    ..extreme
-                },
+                extreme: Extreme { min: factor.abs() * extreme.min, max: factor.abs() * extreme.max, ..extreme },
             };
             // Samples that an interrupted run did not reach are unknown.
             history.values.resize(grid.samples, f64::NAN);
         }
         let after: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
         let scalars: Vec<_> = analysis.scalars.iter().map(|(s, _)| s.clone()).collect();
-        analysis.difference = if transient.complete {
-            largest_difference(&scalars, &before, &after)
-        } else {
-            None
-        };
+        analysis.difference = if transient.complete { largest_difference(&scalars, &before, &after) } else { None };
         let mut rest = transient.observed.extremes.iter().copied();
         let level = self.model.horizontal.coupled.level;
         analysis.lines = lines

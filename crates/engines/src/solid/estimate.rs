@@ -80,26 +80,14 @@ pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<
                     }),
                     vertical: scaled(mesh.vertical, 1),
                 };
-                let solid = SolidOptions {
-                    mesh: Some(mesh),
-                    ..solid.clone()
-                };
-                found
-                    .lever
-                    .smaller
-                    .push(smaller(format!("use --mesh {mesh}"), options, &solid)?);
+                let solid = SolidOptions { mesh: Some(mesh), ..solid.clone() };
+                found.lever.smaller.push(smaller(format!("use --mesh {mesh}"), options, &solid)?);
             }
         }
         None => {
             for refine in coarser(options.refine) {
-                let options = Options {
-                    refine,
-                    ..options.clone()
-                };
-                found
-                    .lever
-                    .smaller
-                    .push(smaller(format!("use --refine {refine}"), &options, solid)?);
+                let options = Options { refine, ..options.clone() };
+                found.lever.smaller.push(smaller(format!("use --refine {refine}"), &options, solid)?);
             }
         }
     }
@@ -176,9 +164,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         samples = response.samples();
         let omega = crate::estimate::first_wall_frequency(case);
         let in_sample = |(per_period, most): (f64, f64)| {
-            (response.dt * per_period * omega / std::f64::consts::TAU)
-                .ceil()
-                .clamp(1.0, most)
+            (response.dt * per_period * omega / std::f64::consts::TAU).ceil().clamp(1.0, most)
         };
         steps = samples * in_sample((25.0, 40.0));
         seconds += 3.0 * directions * steps * MODAL_STEP;
@@ -204,10 +190,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         }
     }
     // A box along y is a model of its own, built before the other.
-    let two = case
-        .ground_motion
-        .as_ref()
-        .is_some_and(|motion| motion.transverse.is_some());
+    let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
     if two && matches!(case.tank.shape, Shape::Rectangle { .. }) {
         seconds *= 2.0;
     }

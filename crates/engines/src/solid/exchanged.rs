@@ -19,15 +19,7 @@ pub(super) fn exchanged(case: &Case, solid: &SolidOptions) -> Option<(Case, Soli
     let (mut other, mut own) = (case.clone(), solid.clone());
     // Its modes see records alone.
     other.site = Site::default();
-    other.tank.shape = Shape::Rectangle {
-        length: breadth,
-        breadth: length,
-        strip,
-    };
-    own.mesh = solid.mesh.map(|size| MeshSize {
-        radial: size.sectors / 2,
-        sectors: 2 * size.radial,
-        ..size
-    });
+    other.tank.shape = Shape::Rectangle { length: breadth, breadth: length, strip };
+    own.mesh = solid.mesh.map(|size| MeshSize { radial: size.sectors / 2, sectors: 2 * size.radial, ..size });
     Some((other, own, [0.5 * length, 0.5 * breadth]))
 }

@@ -41,9 +41,7 @@ fn thinned(count: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }
-    (0..most)
-        .map(|k| (k * (count - 1) + (most - 1) / 2) / (most - 1))
-        .collect()
+    (0..most).map(|k| (k * (count - 1) + (most - 1) / 2) / (most - 1)).collect()
 }
 
 impl Drawing {
@@ -111,18 +109,12 @@ impl Drawing {
         rays.extend(y[1..middle].iter().map(|j| corner + 2 * length + breadth + j));
         let n = rays.len();
         let levels = thinned(tank.wall.rows.len(), LEVELS);
-        let mut nodes: Vec<usize> = (levels.iter())
-            .flat_map(|&level| rays.iter().map(move |&s| tank.wall.rows[level][s]))
-            .collect();
+        let mut nodes: Vec<usize> =
+            (levels.iter()).flat_map(|&level| rays.iter().map(move |&s| tank.wall.rows[level][s])).collect();
         let quad = |l: usize, s: usize, next: usize| [l * n + s, l * n + next, (l + 1) * n + next, (l + 1) * n + s];
-        let wall = (0..levels.len() - 1)
-            .flat_map(|l| (0..n).map(move |s| quad(l, s, (s + 1) % n)))
-            .collect();
+        let wall = (0..levels.len() - 1).flat_map(|l| (0..n).map(move |s| quad(l, s, (s + 1) % n))).collect();
         let start = nodes.len();
-        nodes.extend(
-            y.iter()
-                .flat_map(|j| x.iter().map(move |i| tank.volume.surface_nodes[i + (length + 1) * j])),
-        );
+        nodes.extend(y.iter().flat_map(|j| x.iter().map(move |i| tank.volume.surface_nodes[i + (length + 1) * j])));
         let number = |i: usize, j: usize| start + i + x.len() * j;
         let surface = (0..y.len() - 1)
             .flat_map(|j| (0..x.len() - 1).map(move |i| (i, j)))
@@ -165,11 +157,7 @@ pub(super) fn title(tank: &TankModel, mode: &TankMode) -> String {
     };
     match (mode.kind, mode.waves) {
         (Kind::Sloshing, _) => format!("sloshing, {waves}"),
-        (_, Some(w)) => format!(
-            "wall, {waves}, {} half wave{}",
-            w.axial,
-            if w.axial == 1 { "" } else { "s" }
-        ),
+        (_, Some(w)) => format!("wall, {waves}, {} half wave{}", w.axial, if w.axial == 1 { "" } else { "s" }),
         (_, None) => format!("wall, {waves}"),
     }
 }
@@ -192,10 +180,7 @@ pub(super) fn fields(
     };
     for mode in modes {
         let shape = drawing.displacement(tank, &mode.vector);
-        let peak = shape
-            .iter()
-            .map(|v| v.iter().map(|c| c * c).sum::<f64>().sqrt())
-            .fold(0.0, f64::max);
+        let peak = shape.iter().map(|v| v.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max);
         let scale = if peak > 0.0 { 1.0 / peak } else { 1.0 };
         out.modes.push(Picture {
             title: title(tank, mode),
@@ -213,8 +198,7 @@ pub(super) fn fields(
         });
         out.maps.push(pressure_map(tank, &moment, what));
         let maps: &[StressMap] = if tank.is_round() { &[HOOP] } else { &[AROUND, UPWARDS] };
-        out.maps
-            .extend(maps.iter().map(|map| stress_map(tank, spaces, &moment, (map, what))));
+        out.maps.extend(maps.iter().map(|map| stress_map(tank, spaces, &moment, (map, what))));
     }
     out
 }
@@ -312,12 +296,8 @@ struct StressMap {
     section: fn(f64) -> f64,
 }
 
-const HOOP: StressMap = StressMap {
-    id: "hoop_stress",
-    title: "Hoop membrane stress",
-    resultant: "n_11",
-    section: |t| t,
-};
+const HOOP: StressMap =
+    StressMap { id: "hoop_stress", title: "Hoop membrane stress", resultant: "n_11", section: |t| t };
 const AROUND: StressMap = StressMap {
     id: "horizontal_bending_stress",
     title: "Horizontal bending stress, outer face",
@@ -333,12 +313,7 @@ const UPWARDS: StressMap = StressMap {
 
 fn stress_map(tank: &TankModel, spaces: &[Space], moment: &Moment, (map, what): (&StressMap, &str)) -> WallMap {
     let sectors = tank.division.sectors;
-    let whole: Vec<f64> = moment
-        .displacement
-        .iter()
-        .zip(&spaces[0].statics)
-        .map(|(u, s)| u + s)
-        .collect();
+    let whole: Vec<f64> = moment.displacement.iter().zip(&spaces[0].statics).map(|(u, s)| u + s).collect();
     let levels = thinned(tank.wall.thickness.len(), LEVELS);
     let mut values = Vec::new();
     for s in 0..sectors {
@@ -399,9 +374,8 @@ pub(super) fn snapshots(
     let mut time = 0.0;
     while time <= end {
         let moment = histories.at(tank, spaces, time);
-        let u: Vec<[f64; 3]> = (0..tank.model.nodes().len())
-            .map(|node| displacement(tank, &moment.displacement, node))
-            .collect();
+        let u: Vec<[f64; 3]> =
+            (0..tank.model.nodes().len()).map(|node| displacement(tank, &moment.displacement, node)).collect();
         let pressure = cell_pressures(tank, &moment);
         let resultants = centre_resultants(&tank.model, &tank.wall.elements, &moment.displacement)
             .into_iter()
@@ -415,13 +389,7 @@ pub(super) fn snapshots(
                 q_v: r[7],
             })
             .collect();
-        out.states.push(Snapshot {
-            time: moment.time,
-            displacement: u,
-            pressure,
-            resultants,
-            ..Snapshot::default()
-        });
+        out.states.push(Snapshot { time: moment.time, displacement: u, pressure, resultants, ..Snapshot::default() });
         time += interval;
     }
     out

@@ -27,12 +27,7 @@ pub(super) struct Form<'a> {
 impl<'a> Form<'a> {
     /// Form of the tank of a case, with a liquid that follows the wall.
     pub(super) fn of(case: &Case, imperfections: &'a Imperfections) -> Form<'a> {
-        Form {
-            radius: case.tank.shape.half_length(),
-            height: case.tank.wall_height(),
-            imperfections,
-            wet: true,
-        }
+        Form { radius: case.tank.shape.half_length(), height: case.tank.wall_height(), imperfections, wet: true }
     }
 
     /// The deviation at a point of the perfect wall, with its angle; `None` of a perfect tank.
@@ -60,8 +55,7 @@ impl<'a> Form<'a> {
     /// Area vectors at the corners of a face of the wall over its perfect area; `None` where the liquid is that of the perfect tank.
     pub(super) fn area_vectors(&self, face: &Face) -> Option<[[f64; 3]; 4]> {
         (self.wet && !self.imperfections.is_empty()).then(|| {
-            face.chart
-                .map(|[_, theta, z]| area(self.radius, theta, self.imperfections.at(theta, z, self.height)))
+            face.chart.map(|[_, theta, z]| area(self.radius, theta, self.imperfections.at(theta, z, self.height)))
         })
     }
 

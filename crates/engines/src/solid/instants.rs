@@ -25,10 +25,7 @@ fn moment(result: &Run, peak: Peak) -> Option<(String, f64)> {
 
 /// Moments of the largest base moment and of the largest wave at the wall.
 pub(super) fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
-    [Peak::BaseMoment, Peak::Wave]
-        .into_iter()
-        .filter_map(|peak| moment(result, peak))
-        .collect()
+    [Peak::BaseMoment, Peak::Wave].into_iter().filter_map(|peak| moment(result, peak)).collect()
 }
 
 /// The moments of `analysis.snapshots`, title and time [s].
@@ -43,19 +40,12 @@ pub(super) fn asked(result: &Run, end: f64, instants: &[Instant]) -> Result<Vec<
         allowed,
     };
     let resolve = |(i, instant): (usize, &Instant)| match *instant {
-        Instant::At(time) if time > end * (1.0 + 1e-9) => Err(refused(
-            i,
-            format!("{time} s"),
-            format!("at most {end:.3} s, the end of record and free vibration"),
-        )),
+        Instant::At(time) if time > end * (1.0 + 1e-9) => {
+            Err(refused(i, format!("{time} s"), format!("at most {end:.3} s, the end of record and free vibration")))
+        }
         Instant::At(time) => Ok((format!("at t = {time:.3} s"), time)),
-        Instant::Peak(peak) => moment(result, peak).ok_or_else(|| {
-            refused(
-                i,
-                peak.name().into(),
-                "a time, or the peak of a history of this run".into(),
-            )
-        }),
+        Instant::Peak(peak) => moment(result, peak)
+            .ok_or_else(|| refused(i, peak.name().into(), "a time, or the peak of a history of this run".into())),
     };
     instants.iter().enumerate().map(resolve).collect()
 }

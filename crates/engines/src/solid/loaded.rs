@@ -29,11 +29,7 @@ use crate::error::failed;
 /// Group of the pressure.
 const PRESSURE: &str = "pressure";
 /// Convergence of the static state.
-const CRITERIA: Criteria = Criteria {
-    energy: 1e-12,
-    force: 1e-6,
-    iterations: 30,
-};
+const CRITERIA: Criteria = Criteria { energy: 1e-12, force: 1e-6, iterations: 30 };
 
 /// The loaded state of a wall.
 #[derive(Clone, Debug)]
@@ -70,10 +66,7 @@ impl LoadedState {
             .collect::<Result<Vec<LocalMatrix>, ElementError>>()
             .map_err(failed)?;
         let nodes = 0..wall.rows.len() * division.sectors;
-        Ok(LoadedState {
-            changes,
-            nodes: nodes.map(|node| model.at_node(&state.committed.u, node)).collect(),
-        })
+        Ok(LoadedState { changes, nodes: nodes.map(|node| model.at_node(&state.committed.u, node)).collect() })
     }
 
     /// Adds ΔK beside every shell; numbers of its elements.
@@ -100,9 +93,7 @@ impl LoadedState {
 fn equilibrium(model: &Model, gravity: f64) -> Result<State, FeError> {
     let assembler = Assembler::new(model);
     let ordering = order(model, assembler.pattern());
-    let symbolic = Symbolic::new(assembler.pattern().clone(), &ordering)
-        .map_err(failed)?
-        .into();
+    let symbolic = Symbolic::new(assembler.pattern().clone(), &ordering).map_err(failed)?.into();
     let weight = assembler.body_force(model, [0.0, 0.0, -gravity]);
     let none = vec![0.0; weight.len()];
     let mut state = State::new(model);
@@ -110,9 +101,7 @@ fn equilibrium(model: &Model, gravity: f64) -> Result<State, FeError> {
         .map_err(failed)?
         .step(&mut state, &Constraint::Load(0.0))
         .map_err(|failure| {
-            FeError::Analysis(format!(
-                "the wall does not carry its weight and the hydrostatic pressure: {failure}"
-            ))
+            FeError::Analysis(format!("the wall does not carry its weight and the hydrostatic pressure: {failure}"))
         })?;
     Ok(state)
 }
@@ -214,24 +203,10 @@ mod tests {
         let critical = f64::from(n * n - 1) * young * t * t * t / 12.0;
         for (factor, expected) in [(1.0, -0.5), (3.0, -0.75)] {
             let imperfections = Imperfections {
-                parts: vec![Imperfection::Wave(Wave {
-                    n,
-                    amplitude: 1e-4,
-                    profile: Profile::Constant,
-                    phase: 0.0,
-                })],
+                parts: vec![Imperfection::Wave(Wave { n, amplitude: 1e-4, profile: Profile::Constant, phase: 0.0 })],
             };
-            let form = Form {
-                radius,
-                height: 0.1,
-                imperfections: &imperfections,
-                wet: true,
-            };
-            let mesh = Cylinder {
-                radii: vec![0.0, radius],
-                sectors,
-                heights: vec![0.0, 0.1],
-            };
+            let form = Form { radius, height: 0.1, imperfections: &imperfections, wet: true };
+            let mesh = Cylinder { radii: vec![0.0, radius], sectors, heights: vec![0.0, 0.1] };
             let wall = mesh.wall().unwrap();
             let mut builder = Builder::new();
             let places: Vec<[f64; 3]> = wall.nodes.iter().map(|p| form.moved(*p)).collect();
@@ -262,10 +237,7 @@ mod tests {
             }
             for face in &wall.cells {
                 let positions = face.nodes.map(|k| builder.position(k));
-                builder.element(
-                    PRESSURE,
-                    FollowerPressure::new(face.nodes, positions, factor * critical),
-                );
+                builder.element(PRESSURE, FollowerPressure::new(face.nodes, positions, factor * critical));
             }
             let model = builder.build().unwrap();
             let state = equilibrium(&model, 0.0).unwrap();
@@ -281,10 +253,7 @@ mod tests {
                 })
                 .sum();
             let found = amplitude / 1e-4;
-            assert!(
-                (found / expected - 1.0).abs() < 0.02,
-                "{factor}: {found} for {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < 0.02, "{factor}: {found} for {expected}");
         }
     }
 }

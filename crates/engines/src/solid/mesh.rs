@@ -140,11 +140,7 @@ impl Division {
             radii: graded(halves[0], counts[0], RADIAL_GRADING),
             breadth: graded(halves[1], counts[1], RADIAL_GRADING),
             sectors: 4 * (counts[0] + counts[1]),
-            liquid: graded(
-                depth,
-                count(BOX_VERTICAL * (depth / shortest).clamp(1.0, 4.0)),
-                VERTICAL_GRADING,
-            ),
+            liquid: graded(depth, count(BOX_VERTICAL * (depth / shortest).clamp(1.0, 4.0)), VERTICAL_GRADING),
             wall: wall_levels(tank, depth, refine),
         })
     }
@@ -167,11 +163,7 @@ impl Division {
 
 fn check(size: MeshSize, round: bool) -> Result<(), FeError> {
     let least = if round { 4 } else { 2 };
-    let sides = if round {
-        "mesh, sectors"
-    } else {
-        "mesh, elements over the breadth"
-    };
+    let sides = if round { "mesh, sectors" } else { "mesh, elements over the breadth" };
     if !round && !size.sectors.is_multiple_of(2) {
         return Err(FeError::Option {
             option: sides.into(),
@@ -284,10 +276,7 @@ const MOST_LEVELS: f64 = 20_000.0;
 ///
 /// Errors: that, with the number.
 pub(crate) fn check_levels(tank: &Tank, depth: f64, refine: f64) -> Result<(), FeError> {
-    let count: f64 = cumulated(tank, depth, BASE, refine)
-        .iter()
-        .map(|(_, sums)| elements(sums[PARTS]))
-        .sum();
+    let count: f64 = cumulated(tank, depth, BASE, refine).iter().map(|(_, sums)| elements(sums[PARTS])).sum();
     if count <= MOST_LEVELS {
         return Ok(());
     }
@@ -317,10 +306,8 @@ fn cumulated(tank: &Tank, depth: f64, base: f64, refine: f64) -> Vec<([f64; 2], 
         Shape::Rectangle { .. } => height / 24.0,
     };
     let thinner = |z: f64| bending((z - 1e-6 * height).max(0.0)).min(bending(z + 1e-6 * height));
-    let seeds: Vec<(f64, f64)> = cuts[..cuts.len() - 1]
-        .iter()
-        .map(|&z| (z, if z == 0.0 { base } else { STEP } * thinner(z)))
-        .collect();
+    let seeds: Vec<(f64, f64)> =
+        cuts[..cuts.len() - 1].iter().map(|&z| (z, if z == 0.0 { base } else { STEP } * thinner(z))).collect();
     let length = |z: f64| {
         seeds
             .iter()
@@ -362,52 +349,25 @@ mod tests {
         }
         assert_eq!(division.liquid.last(), Some(&1.525));
         assert_eq!(division.sectors % 4, 0);
-        let fine = Options {
-            refine: 2.0,
-            ..Options::default()
-        };
+        let fine = Options { refine: 2.0, ..Options::default() };
         let twice = Division::new(&tank, 1.525, &fine, &SolidOptions::default(), true).unwrap();
         let ratio = twice.wall.len() as f64 / division.wall.len() as f64;
         assert!((1.8..2.2).contains(&ratio), "{ratio}");
-        assert!(
-            twice
-                .liquid
-                .iter()
-                .all(|z| twice.wall.iter().any(|w| (w - z).abs() < 1e-9))
-        );
+        assert!(twice.liquid.iter().all(|z| twice.wall.iter().any(|w| (w - z).abs() < 1e-9)));
     }
 
     #[test]
     fn numbers_are_taken_and_bad_ones_refused() {
         let tank = broad(1000.0).tank;
         let solid = |radial, sectors, vertical| SolidOptions {
-            mesh: Some(MeshSize {
-                radial,
-                sectors,
-                vertical,
-            }),
+            mesh: Some(MeshSize { radial, sectors, vertical }),
             ..SolidOptions::default()
         };
         let options = Options::default();
         let division = Division::new(&tank, 1.525, &options, &solid(12, 16, 20), true).unwrap();
-        assert_eq!(
-            division.size(),
-            MeshSize {
-                radial: 12,
-                sectors: 16,
-                vertical: 20
-            }
-        );
-        for bad in [
-            solid(0, 16, 20),
-            solid(12, 3, 20),
-            solid(12, 16, 0),
-            solid(12, 16, 100_000),
-        ] {
-            assert!(matches!(
-                Division::new(&tank, 1.525, &options, &bad, true),
-                Err(FeError::Option { .. })
-            ));
+        assert_eq!(division.size(), MeshSize { radial: 12, sectors: 16, vertical: 20 });
+        for bad in [solid(0, 16, 20), solid(12, 3, 20), solid(12, 16, 0), solid(12, 16, 100_000)] {
+            assert!(matches!(Division::new(&tank, 1.525, &options, &bad, true), Err(FeError::Option { .. })));
         }
     }
 }

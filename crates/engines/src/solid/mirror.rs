@@ -39,9 +39,7 @@ impl<'a> Mirrored<'a> {
         // A linear congruential generator: the same numbers every time.
         let mut state = seed;
         let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 40) as f64 / (1_u64 << 24) as f64 - 0.5
         };
         let mut field = vec![[0.0; KINDS]; self.model.nodes().len()];
@@ -60,9 +58,8 @@ impl<'a> Mirrored<'a> {
 
     /// Removes from `x` the other parts.
     pub(super) fn project(&self, x: &mut [f64]) {
-        let mut field: Vec<[f64; KINDS]> = (0..self.model.nodes().len())
-            .map(|node| self.model.at_node(x, node))
-            .collect();
+        let mut field: Vec<[f64; KINDS]> =
+            (0..self.model.nodes().len()).map(|node| self.model.at_node(x, node)).collect();
         for (axis, images) in self.images.iter().enumerate() {
             let sign = if (self.part >> axis) & 1 == 1 { -1.0 } else { 1.0 };
             let mean = |node: usize| -> [f64; KINDS] {
@@ -77,9 +74,7 @@ impl<'a> Mirrored<'a> {
 
 /// Sign of a component under the reflection at the plane across `axis`.
 fn reflected(axis: usize, component: usize) -> f64 {
-    let odd = matches!(
-        (axis, Dof::ALL[component]),
-        (0, Dof::Ux | Dof::Ry | Dof::Rz) | (1, Dof::Uy | Dof::Rx | Dof::Rz)
-    );
+    let odd =
+        matches!((axis, Dof::ALL[component]), (0, Dof::Ux | Dof::Ry | Dof::Rz) | (1, Dof::Uy | Dof::Rx | Dof::Rz));
     if odd { -1.0 } else { 1.0 }
 }

@@ -113,14 +113,7 @@ impl TankModel {
         if let Some(state) = &loaded {
             wall.loaded = state.add_to(&wall, &mut builder);
         }
-        let volume = add_liquid(
-            case,
-            &division,
-            (plan.as_ref(), form),
-            solid.liquid,
-            &wall,
-            &mut builder,
-        )?;
+        let volume = add_liquid(case, &division, (plan.as_ref(), form), solid.liquid, &wall, &mut builder)?;
         let joint = match solid.liquid {
             Liquid::Displacement => joint_stiffness(case, &division),
             Liquid::Potential => 0.0,
@@ -311,11 +304,7 @@ fn add_liquid(
     wall: &WallPart,
     builder: &mut Builder,
 ) -> Result<Volume, FeError> {
-    let mesh = Cylinder {
-        radii: division.radii.clone(),
-        sectors: division.sectors,
-        heights: division.liquid.clone(),
-    };
+    let mesh = Cylinder { radii: division.radii.clone(), sectors: division.sectors, heights: division.liquid.clone() };
     let chart = chart(plan);
     let mut volume = match plan {
         Some(plan) => plan.volume(&division.liquid),
@@ -377,13 +366,7 @@ pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
     let thickness = division.radii[n - 1] - division.radii[n - 2];
     let radius = case.tank.shape.half_length();
     let wall = |c: &tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
-    PENALTY
-        * case
-            .tank
-            .courses
-            .iter()
-            .map(wall)
-            .fold(BULK_MODULUS / thickness, f64::max)
+    PENALTY * case.tank.courses.iter().map(wall).fold(BULK_MODULUS / thickness, f64::max)
 }
 
 /// Wetted faces of liquid and wall, sector by sector, wherever they overlap.
@@ -428,20 +411,9 @@ fn normal(face: &Face) -> [f64; 3] {
 
 /// Adds `first` to all node numbers of a volume.
 fn shift(volume: &mut Volume, first: usize) {
-    volume
-        .cells
-        .iter_mut()
-        .flat_map(|c| &mut c.nodes)
-        .for_each(|n| *n += first);
-    let faces = volume
-        .wall
-        .iter_mut()
-        .chain(&mut volume.bottom)
-        .chain(&mut volume.surface);
+    volume.cells.iter_mut().flat_map(|c| &mut c.nodes).for_each(|n| *n += first);
+    let faces = volume.wall.iter_mut().chain(&mut volume.bottom).chain(&mut volume.surface);
     faces.flat_map(|f| &mut f.nodes).for_each(|n| *n += first);
     let lists = volume.wall_nodes.iter_mut().flatten().chain(&mut volume.axis);
-    lists
-        .chain(&mut volume.bottom_nodes)
-        .chain(&mut volume.surface_nodes)
-        .for_each(|n| *n += first);
+    lists.chain(&mut volume.bottom_nodes).chain(&mut volume.surface_nodes).for_each(|n| *n += first);
 }

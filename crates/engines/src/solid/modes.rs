@@ -44,12 +44,7 @@ pub fn modes(
     check_options(case, options)?;
     progress.stage("mesh, matrices and factors", 1);
     let tank = TankModel::new(case, options, solid)?;
-    let system = System::new(
-        &tank.model,
-        &tank.assembler,
-        &poles(case, solid),
-        solid.memory_limit_mib << 20,
-    )?;
+    let system = System::new(&tank.model, &tank.assembler, &poles(case, solid), solid.memory_limit_mib << 20)?;
     progress.advance(1);
     let most = spectrum::most_waves(&tank).min(MOST_WAVES);
     let damper = Damper::new(case, &options.damping)?;
@@ -96,16 +91,9 @@ fn shape(tank: &TankModel, x: &[f64]) -> ModeShape {
     let value = |row: Row| sparse_dot(&row.displacement, x);
     let mut shape = ModeShape {
         z: tank.wall.z.clone(),
-        wall: (0..tank.wall.z.len())
-            .map(|level| value(observer.radial_displacement(level)))
-            .collect(),
+        wall: (0..tank.wall.z.len()).map(|level| value(observer.radial_displacement(level))).collect(),
         r: tank.division.radii.clone(),
-        surface: tank
-            .division
-            .radii
-            .iter()
-            .map(|&r| value(observer.elevation(r)))
-            .collect(),
+        surface: tank.division.radii.iter().map(|&r| value(observer.elevation(r))).collect(),
     };
     let all = || shape.wall.iter().chain(&shape.surface);
     let peak = all().fold(0.0_f64, |m, v| m.max(v.abs()));

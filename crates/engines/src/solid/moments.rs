@@ -55,17 +55,13 @@ impl Histories {
     ///
     /// Errors: those of [`superpose::respond`].
     pub(super) fn new(model: &Model, motion: &GroundMotion, options: &Options) -> Result<Histories, FeError> {
-        let kept: Vec<Vec<&CoupledMode>> = model
-            .systems()
-            .map(|h| superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes))
-            .collect();
+        let kept: Vec<Vec<&CoupledMode>> =
+            model.systems().map(|h| superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes)).collect();
         // Along y the tank moves as along x.
         let second = motion.transverse.as_ref().map(|record| (0, true, record));
         let upwards = motion.vertical.as_ref().map(|record| (1, false, record));
-        let directions: Vec<(usize, bool, &Record)> = std::iter::once((0, false, &motion.horizontal))
-            .chain(second)
-            .chain(upwards)
-            .collect();
+        let directions: Vec<(usize, bool, &Record)> =
+            std::iter::once((0, false, &motion.horizontal)).chain(second).chain(upwards).collect();
         let all: Vec<&Harmonic> = model.systems().collect();
         let systems = directions
             .iter()
@@ -74,15 +70,10 @@ impl Histories {
         let grid = model.grid(motion, Integrator::Modal)?;
         let ground: Vec<Motion> = directions.iter().map(|(.., r)| Motion::new(r, &grid)).collect();
         let ground: Vec<&Motion> = ground.iter().collect();
-        let sizes: Vec<usize> = directions
-            .iter()
-            .map(|&(s, ..)| all[s].coupled.influence.len())
-            .collect();
+        let sizes: Vec<usize> = directions.iter().map(|&(s, ..)| all[s].coupled.influence.len()).collect();
         let probes: Vec<(usize, Vec<Probe>)> = sizes.iter().map(|&n| unit_probes(n)).enumerate().collect();
-        let observables: Vec<Observable> = probes
-            .iter()
-            .flat_map(|(system, probes)| probes.iter().map(|p| vec![(*system, 1.0, p)]))
-            .collect();
+        let observables: Vec<Observable> =
+            probes.iter().flat_map(|(system, probes)| probes.iter().map(|p| vec![(*system, 1.0, p)])).collect();
         let observed = superpose::respond(&systems, &ground, grid, &observables, &[], &fem::progress::Silent)?;
         let mut rest = observed.scalars.into_iter().map(|h| h.values);
         let directions = directions
@@ -98,20 +89,10 @@ impl Histories {
                         *value -= iota * a;
                     }
                 }
-                Direction {
-                    system,
-                    turned,
-                    q,
-                    acceleration,
-                    ground,
-                }
+                Direction { system, turned, q, acceleration, ground }
             })
             .collect();
-        Ok(Histories {
-            dt: grid.dt,
-            samples: grid.samples,
-            directions,
-        })
+        Ok(Histories { dt: grid.dt, samples: grid.samples, directions })
     }
 
     /// Time of the last sample [s].

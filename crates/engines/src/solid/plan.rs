@@ -32,10 +32,7 @@ fn whole(half: &[f64]) -> Vec<f64> {
 impl Plan {
     /// The plan whose halves have their nodes at `x` and `y` [m], each from 0.
     pub(super) fn new(x: &[f64], y: &[f64]) -> Plan {
-        Plan {
-            x: whole(x),
-            y: whole(y),
-        }
+        Plan { x: whole(x), y: whole(y) }
     }
 
     /// Places (i, j) of the nodes of the walls, in the order of the ring.
@@ -65,13 +62,8 @@ impl Plan {
         };
         let number = |level: usize, s: usize| level * sectors + s % sectors;
         let levels = heights.len();
-        let nodes = (0..levels)
-            .flat_map(|l| (0..sectors).map(move |s| (l, s)))
-            .map(|(l, s)| place(l, s))
-            .collect();
-        let rows = (0..levels)
-            .map(|l| (0..sectors).map(|s| number(l, s)).collect())
-            .collect();
+        let nodes = (0..levels).flat_map(|l| (0..sectors).map(move |s| (l, s))).map(|(l, s)| place(l, s)).collect();
+        let rows = (0..levels).map(|l| (0..sectors).map(|s| number(l, s)).collect()).collect();
         (nodes, self.faces(levels, number, place), rows)
     }
 
@@ -86,10 +78,8 @@ impl Plan {
         for level in 0..levels - 1 {
             for s in 0..self.sectors() {
                 let corners = [(level, s), (level, s + 1), (level + 1, s + 1), (level + 1, s)];
-                faces.push(Face {
-                    nodes: corners.map(|(l, s)| number(l, s)),
-                    chart: corners.map(|(l, s)| place(l, s)),
-                });
+                faces
+                    .push(Face { nodes: corners.map(|(l, s)| number(l, s)), chart: corners.map(|(l, s)| place(l, s)) });
             }
         }
         faces
@@ -99,12 +89,7 @@ impl Plan {
     ///
     /// Errors: places that do not ascend.
     pub(super) fn volume(&self, heights: &[f64]) -> Result<Volume, MeshError> {
-        let block = Rectangle {
-            x: self.x.clone(),
-            y: self.y.clone(),
-            z: heights.to_vec(),
-        }
-        .block()?;
+        let block = Rectangle { x: self.x.clone(), y: self.y.clone(), z: heights.to_vec() }.block()?;
         let ring = self.ring();
         let sectors = ring.len();
         let number = |level: usize, s: usize| {
@@ -114,9 +99,7 @@ impl Plan {
         let wall = self.faces(heights.len(), number, |level, s| block.nodes[number(level, s)]);
         Ok(Volume {
             wall,
-            wall_nodes: (0..heights.len())
-                .map(|l| (0..sectors).map(|s| number(l, s)).collect())
-                .collect(),
+            wall_nodes: (0..heights.len()).map(|l| (0..sectors).map(|s| number(l, s)).collect()).collect(),
             axis: Vec::new(),
             bottom_nodes: block.bottom.nodes,
             bottom: block.bottom.faces,
@@ -130,10 +113,7 @@ impl Plan {
     /// Places among the nodes of a level of the liquid on the line y = 0, from the middle to x = +L and to x = −L.
     pub(super) fn lines(&self) -> [Vec<usize>; 2] {
         let (middle, row) = ((self.x.len() - 1) / 2, self.x.len() * ((self.y.len() - 1) / 2));
-        [
-            (0..=middle).map(|k| row + middle + k).collect(),
-            (0..=middle).map(|k| row + middle - k).collect(),
-        ]
+        [(0..=middle).map(|k| row + middle + k).collect(), (0..=middle).map(|k| row + middle - k).collect()]
     }
 }
 

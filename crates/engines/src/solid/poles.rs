@@ -25,11 +25,7 @@ pub(super) fn poles(case: &Case, solid: &SolidOptions) -> Vec<f64> {
         return Vec::new();
     }
     let height = tank.wall_height();
-    let stiffness: f64 = tank
-        .courses
-        .iter()
-        .map(|c| c.material.youngs_modulus * c.thickness * c.height)
-        .sum();
+    let stiffness: f64 = tank.courses.iter().map(|c| c.material.youngs_modulus * c.thickness * c.height).sum();
     let (depth, radius) = (case.liquid.fill_height, tank.shape.half_length());
     let omega = std::f64::consts::TAU / (6.5 * depth) * (stiffness / height / (case.liquid.density * radius)).sqrt();
     vec![omega * omega, 6.25 * omega * omega]

@@ -19,11 +19,8 @@ use crate::linear::Across;
 use crate::probe::{ModeSelection, Probe, ProbeLine, Turn};
 
 /// Stresses over the height.
-const STRESSES: [(OnWall, Resultant); 3] = [
-    (OnWall::Hoop, Resultant::Hoop),
-    (OnWall::Axial, Resultant::Axial),
-    (OnWall::Bending, Resultant::Moment),
-];
+const STRESSES: [(OnWall, Resultant); 3] =
+    [(OnWall::Hoop, Resultant::Hoop), (OnWall::Axial, Resultant::Axial), (OnWall::Bending, Resultant::Moment)];
 
 /// Turns rows over the model into probes over the reduced coordinates.
 pub(super) struct Projector<'a> {
@@ -43,9 +40,7 @@ impl Projector<'_> {
         if row.is_empty() {
             return Vec::new();
         }
-        (0..self.basis.cols)
-            .map(|j| sparse_dot(row, self.basis.column(j)))
-            .collect()
+        (0..self.basis.cols).map(|j| sparse_dot(row, self.basis.column(j))).collect()
     }
 
     /// Completes `probe` from its row.
@@ -59,12 +54,8 @@ impl Projector<'_> {
         let dofs = self.tank.model.dofs();
         let mut displacement = row.displacement.clone();
         // The mean of φ̈ over the surface is −g times the mean elevation.
-        let potential: f64 = row
-            .acceleration
-            .iter()
-            .filter(|(e, _)| dofs.unknown(*e).1 == Dof::Phi)
-            .map(|(_, c)| c)
-            .sum();
+        let potential: f64 =
+            row.acceleration.iter().filter(|(e, _)| dofs.unknown(*e).1 == Dof::Phi).map(|(_, c)| c).sum();
         if self.observer.harmonic == 0 && potential != 0.0 {
             let factor = -self.tank.gravity * potential;
             displacement.extend(self.system.mean_elevation.iter().map(|&(e, w)| (e, factor * w)));
@@ -80,10 +71,7 @@ impl Projector<'_> {
     }
 
     fn gauge(&self, r: f64, channel: Channel, options: &Options) -> Probe {
-        let probe = Probe {
-            modes: ModeSelection::FirstSloshing(options.wave_modes),
-            ..Probe::new(channel)
-        };
+        let probe = Probe { modes: ModeSelection::FirstSloshing(options.wave_modes), ..Probe::new(channel) };
         self.probe(probe, &self.observer.elevation(r))
     }
 
@@ -113,10 +101,7 @@ impl Projector<'_> {
             let what = OnWall::Displacement;
             probes.push(self.displacement(Probe::new(Channel::At { what, z }), &row));
         }
-        let two = case
-            .ground_motion
-            .as_ref()
-            .is_some_and(|motion| motion.transverse.is_some());
+        let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
         if let (true, Shape::Rectangle { length, breadth, .. }) = (two, case.tank.shape) {
             let degrees = Across::corner([0.5 * length, 0.5 * breadth]);
             let probe = Probe {
@@ -211,10 +196,7 @@ impl Projector<'_> {
         let (tank, roof) = (&case.tank, case.tank.roof.mass);
         let weight = case.gravity * (tank.wall_mass() + roof) / tank.perimeter();
         let probe = |what, row: Row, static_value| {
-            let empty = Probe {
-                static_value,
-                ..Probe::new(Channel::Base(what))
-            };
+            let empty = Probe { static_value, ..Probe::new(Channel::Base(what)) };
             self.probe(empty, &row)
         };
         let bending = moment.clone().scaled(6.0 / (t * t));
@@ -245,10 +227,7 @@ impl Projector<'_> {
     }
 
     fn displacement(&self, probe: Probe, row: &Row) -> Probe {
-        let probe = Probe {
-            static_value: sparse_dot(&row.displacement, self.statics),
-            ..probe
-        };
+        let probe = Probe { static_value: sparse_dot(&row.displacement, self.statics), ..probe };
         self.probe(probe, row)
     }
 
@@ -263,11 +242,7 @@ impl Projector<'_> {
             };
             self.probe(probe, &self.observer.pressure(i))
         });
-        let mut lines = vec![ProbeLine {
-            what: OnWall::Pressure,
-            z: wetted.clone(),
-            probes: pressure.collect(),
-        }];
+        let mut lines = vec![ProbeLine { what: OnWall::Pressure, z: wetted.clone(), probes: pressure.collect() }];
         let z = &self.tank.wall.z;
         // Both sides of a joint of courses.
         let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())
@@ -281,20 +256,12 @@ impl Projector<'_> {
                     (0, Some(edge)) => {
                         let row = self.rows.borrow().get(&edge.key()).cloned().unwrap_or_default();
                         self.rows.borrow_mut().insert(probe.key(), row);
-                        Probe {
-                            channel: probe.channel,
-                            place: probe.place,
-                            ..edge.clone()
-                        }
+                        Probe { channel: probe.channel, place: probe.place, ..edge.clone() }
                     }
                     _ => self.wall_probe(probe, resultant, course, *z),
                 }
             });
-            lines.push(ProbeLine {
-                what,
-                z: places.iter().map(|p| p.0).collect(),
-                probes: probes.collect(),
-            });
+            lines.push(ProbeLine { what, z: places.iter().map(|p| p.0).collect(), probes: probes.collect() });
         }
         if !self.tank.is_round() {
             lines.extend(self.plate_lines(&places));
@@ -342,10 +309,7 @@ impl Projector<'_> {
                 .map(|level| dense(self.observer.radial_displacement(level).displacement))
                 .collect(),
             r: radii.clone(),
-            surface: radii
-                .iter()
-                .map(|&r| dense(self.observer.elevation(r).displacement))
-                .collect(),
+            surface: radii.iter().map(|&r| dense(self.observer.elevation(r).displacement)).collect(),
         }
     }
 }

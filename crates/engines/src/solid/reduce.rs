@@ -78,11 +78,8 @@ pub(super) fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
     let dofs = tank.model.dofs();
     let wall_nodes = tank.wall.rows.len() * tank.division.sectors;
     let own: Vec<usize> = (0..dofs.len()).filter(|&e| dofs.unknown(e).0 < wall_nodes).collect();
-    let stiffness = tank
-        .assembler
-        .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL]))
-        .map_err(failed)?
-        .submatrix(&own);
+    let stiffness =
+        tank.assembler.stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL])).map_err(failed)?.submatrix(&own);
     let load = static_load(tank, &tank.assembler);
     let right: Vec<f64> = own.iter().map(|&e| load[e]).collect();
     let solved = super::system::symbolic(&stiffness, &tank.model, &own)?
@@ -295,15 +292,9 @@ fn structure(tank: &TankModel, basis: &Matrix) -> [[Vec<f64>; 2]; 2] {
 
 /// Vᵀ (ρ g S) V.
 fn surface_part(tank: &TankModel, basis: &Matrix) -> Result<Part, FeError> {
-    let gravity = tank
-        .assembler
-        .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
-        .map_err(failed)?;
+    let gravity = tank.assembler.stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE])).map_err(failed)?;
     let images: Vec<Vec<f64>> = (0..basis.cols).map(|j| gravity.times(basis.column(j))).collect();
-    Ok(Part {
-        unknowns: 0..basis.cols,
-        stiffness: symmetric(transposed_product(basis, &columns(&images))),
-    })
+    Ok(Part { unknowns: 0..basis.cols, stiffness: symmetric(transposed_product(basis, &columns(&images))) })
 }
 
 /// Vᵀ R V of the rotation penalty of a displacement liquid.
@@ -313,36 +304,25 @@ fn rotation_part(case: &Case, tank: &TankModel, basis: &Matrix) -> Result<Option
     }
     // The same elements with a negligible bulk modulus, so that the penalty remains.
     let own = displacement_liquid(case);
-    let rotation_only = LiquidProperties {
-        bulk_modulus: 1e-9 * own.density * case.gravity * tank.radius,
-        ..own
-    };
+    let rotation_only = LiquidProperties { bulk_modulus: 1e-9 * own.density * case.gravity * tank.radius, ..own };
     let n = basis.cols;
     let mut sum = Matrix::zeros(n, n);
     for cell in &tank.volume.cells {
         let element = Fluid8::new(cell, Chart::Cylindrical, rotation_only).map_err(failed)?;
         let stiffness = reference_stiffness(&element).map_err(failed)?.to_matrix();
-        let values: Vec<Vec<f64>> = (0..n)
-            .map(|j| local_values(&tank.model, &element, basis.column(j)))
-            .collect();
+        let values: Vec<Vec<f64>> = (0..n).map(|j| local_values(&tank.model, &element, basis.column(j))).collect();
         let local = columns(&values);
         let energy = transposed_product(&local, &fem::linalg::product(&stiffness, &local));
         for (s, e) in sum.data.iter_mut().zip(&energy.data) {
             *s += e;
         }
     }
-    Ok(Some(Part {
-        unknowns: 0..n,
-        stiffness: symmetric(sum),
-    }))
+    Ok(Some(Part { unknowns: 0..n, stiffness: symmetric(sum) }))
 }
 
 fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> {
     let division = &tank.division;
-    let label = |label: &str, text: String| Labelled {
-        label: label.into(),
-        text,
-    };
+    let label = |label: &str, text: String| Labelled { label: label.into(), text };
     let shortest = division.wall.windows(2).fold(f64::INFINITY, |m, z| m.min(z[1] - z[0]));
     vec![
         label(
@@ -367,17 +347,8 @@ fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> 
                 tank::units::display(shortest, tank::units::Dimension::Length)
             ),
         ),
-        label(
-            "unknowns",
-            format!("{} in {} nodes", system.size(), tank.model.nodes().len()),
-        ),
-        label(
-            "memory",
-            format!("about {} MiB for matrices and factors", system.bytes.div_ceil(1 << 20)),
-        ),
-        label(
-            "reduction",
-            format!("{vectors} load-dependent Ritz vectors, the static response among them"),
-        ),
+        label("unknowns", format!("{} in {} nodes", system.size(), tank.model.nodes().len())),
+        label("memory", format!("about {} MiB for matrices and factors", system.bytes.div_ceil(1 << 20))),
+        label("reduction", format!("{vectors} load-dependent Ritz vectors, the static response among them")),
     ]
 }

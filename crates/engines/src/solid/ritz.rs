@@ -69,20 +69,12 @@ pub(super) struct Growing<'a> {
 impl<'a> Growing<'a> {
     /// Without a vector.
     pub(super) fn new(system: &'a System) -> Growing<'a> {
-        Growing {
-            system,
-            basis: Vec::new(),
-            images: Vec::new(),
-            renewed: false,
-        }
+        Growing { system, basis: Vec::new(), images: Vec::new(), renewed: false }
     }
 
     /// Without a vector, for more than one harmonic: φ is solved for once more after orthogonalisation.
     pub(super) fn renewed(system: &'a System) -> Growing<'a> {
-        Growing {
-            renewed: true,
-            ..Growing::new(system)
-        }
+        Growing { renewed: true, ..Growing::new(system) }
     }
 
     /// Number of vectors.

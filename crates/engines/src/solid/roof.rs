@@ -46,9 +46,7 @@ impl RoofRing {
         let tilt = |direction: f64, share: f64| -2.0 * direction * share / radius;
         let tilts = positions.iter().zip(&shares);
         RoofRing {
-            tilts: tilts
-                .map(|(p, &s)| (tilt(p[0] / radius, s), tilt(p[1] / radius, s)))
-                .collect(),
+            tilts: tilts.map(|(p, &s)| (tilt(p[0] / radius, s), tilt(p[1] / radius, s))).collect(),
             nodes,
             shares,
             mass,
@@ -69,13 +67,7 @@ impl RoofRing {
         let square = |axis: usize| -> f64 { positions.iter().zip(&shares).map(|(p, s)| s * p[axis] * p[axis]).sum() };
         let [x, y] = [square(0), square(1)];
         let tilts = positions.iter().zip(&shares);
-        RoofRing {
-            tilts: tilts.map(|(p, s)| (-s * p[0] / x, -s * p[1] / y)).collect(),
-            nodes,
-            shares,
-            mass,
-            lever,
-        }
+        RoofRing { tilts: tilts.map(|(p, s)| (-s * p[0] / x, -s * p[1] / y)).collect(), nodes, shares, mass, lever }
     }
 }
 
@@ -157,16 +149,8 @@ mod tests {
         let exact = mass * ((z + lever).powi(2) + 0.5 * radius * radius);
         assert!((energy(&rotation) / exact - 1.0).abs() < 1e-12);
         // A rectangle of 4 by 6 m.
-        let corners = [
-            [2.0, 0.0],
-            [2.0, 3.0],
-            [0.0, 3.0],
-            [-2.0, 3.0],
-            [-2.0, 0.0],
-            [-2.0, -3.0],
-            [0.0, -3.0],
-            [2.0, -3.0],
-        ];
+        let corners =
+            [[2.0, 0.0], [2.0, 3.0], [0.0, 3.0], [-2.0, 3.0], [-2.0, 0.0], [-2.0, -3.0], [0.0, -3.0], [2.0, -3.0]];
         let frame: Vec<[f64; 3]> = corners.iter().map(|p| [p[0], p[1], z]).collect();
         let ring = RoofRing::frame((0..8).collect(), &frame, mass, lever);
         let m = reference_mass(&ring).to_matrix();

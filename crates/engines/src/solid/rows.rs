@@ -38,10 +38,7 @@ pub(super) struct Row {
 impl Row {
     /// A row of displacements.
     pub(super) fn of_displacement(displacement: SparseRow) -> Row {
-        Row {
-            displacement,
-            ..Row::default()
-        }
+        Row { displacement, ..Row::default() }
     }
 
     /// factor × the row.
@@ -176,10 +173,7 @@ impl Observer<'_> {
         let lower = place.floor();
         let share = |distance: f64| (step * distance).sin() / step.sin();
         let sector = |k: f64| (k.rem_euclid(count as f64) as usize).min(count - 1);
-        vec![
-            (sector(lower), share(lower + 1.0 - place)),
-            (sector(lower + 1.0), share(place - lower)),
-        ]
+        vec![(sector(lower), share(lower + 1.0 - place)), (sector(lower + 1.0), share(place - lower))]
     }
 
     /// Sectors of the wall at θ = 0 of a rectangle, and their shares in a value at its corner: on the straight line through the centres of
@@ -246,11 +240,8 @@ impl Observer<'_> {
         if course.len() == 1 {
             self.within((course.start, 0.0), at, &[meridional], &mut row);
         } else {
-            let upper = course
-                .clone()
-                .find(|&level| middle(level) >= z)
-                .unwrap_or(course.end - 1)
-                .max(course.start + 1);
+            let upper =
+                course.clone().find(|&level| middle(level) >= z).unwrap_or(course.end - 1).max(course.start + 1);
             let share = (z - middle(upper - 1)) / (middle(upper) - middle(upper - 1));
             for (level, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
                 self.within((level, 0.0), at, &[(meridional.0, weight * meridional.1)], &mut row);
@@ -258,10 +249,8 @@ impl Observer<'_> {
         }
         if resultant == Resultant::Hoop {
             let tolerance = 1e-9 * nodes[nodes.len() - 1];
-            let beside: Vec<usize> = course
-                .clone()
-                .filter(|&l| nodes[l] <= z + tolerance && nodes[l + 1] >= z - tolerance)
-                .collect();
+            let beside: Vec<usize> =
+                course.clone().filter(|&l| nodes[l] <= z + tolerance && nodes[l + 1] >= z - tolerance).collect();
             for &level in &beside {
                 let s = (2.0 * (z - middle(level)) / (nodes[level + 1] - nodes[level])).clamp(-1.0, 1.0);
                 let share = 1.0 / beside.len() as f64;
@@ -277,10 +266,9 @@ impl Observer<'_> {
     pub(super) fn pressure(&self, level: usize) -> Row {
         let node = self.tank.volume.wall_nodes[level][0];
         match self.tank.liquid {
-            Liquid::Potential => Row {
-                acceleration: scaled(self.row(node, Dof::Phi), -self.tank.density),
-                ..Row::default()
-            },
+            Liquid::Potential => {
+                Row { acceleration: scaled(self.row(node, Dof::Phi), -self.tank.density), ..Row::default() }
+            }
             Liquid::Displacement => {
                 // Nodes of wall and liquid lie together.
                 let mut row = scaled(self.row(node, Dof::Ux), self.tank.joint);
@@ -300,11 +288,7 @@ impl Observer<'_> {
         // Contribution of the held nodes alone: κᵀ M ι without the share of the unknowns.
         let whole = product(tank, field, &|_| ground);
         let held = whole - dot(&acceleration, &rigid);
-        Row {
-            acceleration: sparse(&acceleration),
-            held,
-            ..Row::default()
-        }
+        Row { acceleration: sparse(&acceleration), held, ..Row::default() }
     }
 }
 

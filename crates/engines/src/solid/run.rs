@@ -92,26 +92,16 @@ impl Prepared {
         let damper = Damper::new(case, &options.damping)?;
         progress.advance(1);
         stop(progress, "the mesh")?;
-        let system = System::new(
-            &tank.model,
-            &tank.assembler,
-            &poles(case, solid),
-            solid.memory_limit_mib << 20,
-        )?;
+        let system = System::new(&tank.model, &tank.assembler, &poles(case, solid), solid.memory_limit_mib << 20)?;
         progress.advance(1);
         let directions = if vertical { 2 } else { 1 };
-        progress.stage(
-            "reduction to the space that the ground motion excites",
-            VECTORS as u64 * directions,
-        );
+        progress.stage("reduction to the space that the ground motion excites", VECTORS as u64 * directions);
         let mut spaces = Vec::new();
         let mut prepare = |harmonic: u32| -> Result<Harmonic, FeError> {
             stop(progress, "the reduction")?;
             let (coupled, space) = reduce::new(case, options, &tank, &system, harmonic, progress)?;
             let mut modes = solve(&coupled, None)?;
-            coupling::number(&tank, &system, harmonic, &mut modes, &|mode| {
-                space.basis.times(&mode.vector)
-            });
+            coupling::number(&tank, &system, harmonic, &mut modes, &|mode| space.basis.times(&mode.vector));
             spaces.push(space);
             if !tank.is_round() {
                 renumber(&mut modes);
@@ -139,12 +129,7 @@ impl Prepared {
             horizontal,
             fixed: None,
         };
-        Ok(Prepared {
-            tank,
-            system,
-            spaces,
-            model,
-        })
+        Ok(Prepared { tank, system, spaces, model })
     }
 
     /// Modes of the reduced systems on the whole model, of one direction and kind, at most `count`.
@@ -208,10 +193,7 @@ impl Prepared {
         let motion = match self.tank.is_round() {
             true => motion,
             false => {
-                along = GroundMotion {
-                    transverse: None,
-                    ..motion.clone()
-                };
+                along = GroundMotion { transverse: None, ..motion.clone() };
                 &along
             }
         };
@@ -294,10 +276,7 @@ pub fn simulate(
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
     if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
-        simulation
-            .result
-            .parts
-            .push(tilted(case, angle, options, solid, progress)?);
+        simulation.result.parts.push(tilted(case, angle, options, solid, progress)?);
     }
     simulation.result.incomplete |= progress.interrupted();
     mesh_error::note(&mut simulation, second.as_ref(), options);
@@ -464,22 +443,12 @@ pub(crate) fn around_a_perfect_liquid(
     options: &Options,
     solid: &SolidOptions,
 ) -> Result<Option<results::Around>, FeError> {
-    let form = super::form::Form {
-        wet: false,
-        ..super::form::Form::of(case, &solid.imperfections)
-    };
+    let form = super::form::Form { wet: false, ..super::form::Form::of(case, &solid.imperfections) };
     let progress = &fem::progress::Silent;
     let tank = TankModel::formed(case, options, solid, &form)?;
     let prepared = Prepared::of(tank, case, options, solid, false, progress)?;
     let parts = (&prepared.model, &prepared.spaces[..]);
-    around::respond(
-        case,
-        &solid.imperfections,
-        parts,
-        checked_motion(case)?,
-        options,
-        progress,
-    )
+    around::respond(case, &solid.imperfections, parts, checked_motion(case)?, options, progress)
 }
 
 /// The refusal of imperfections, if there is one.

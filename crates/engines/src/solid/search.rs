@@ -35,9 +35,7 @@ pub(super) fn search(
     let mut found = Vec::new();
     for together in numbers.chunks(cores::available().min(AT_A_TIME)) {
         if progress.interrupted() {
-            return Err(FeError::Interrupted {
-                stage: "the search for modes".into(),
-            });
+            return Err(FeError::Interrupted { stage: "the search for modes".into() });
         }
         let one = |&n: &u32| of_number(tank, system, n, count, progress);
         let modes: Vec<Result<_, FeError>> = together.par_iter().map(one).collect();
@@ -63,9 +61,7 @@ fn of_number(
     progress: &dyn Progress,
 ) -> Result<Vec<TankMode>, FeError> {
     let complete = |modes: &[TankMode]| {
-        [Kind::Sloshing, Kind::Structural]
-            .iter()
-            .all(|kind| modes.iter().filter(|m| m.kind == *kind).count() >= count)
+        [Kind::Sloshing, Kind::Structural].iter().all(|kind| modes.iter().filter(|m| m.kind == *kind).count() >= count)
     };
     let mut modes = Vec::new();
     for &vectors in vectors(tank) {

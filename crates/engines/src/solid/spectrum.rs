@@ -73,14 +73,8 @@ pub fn of_harmonic(
     let space = reduce(system, &loads, vectors, &|x| symmetry.project(x), progress)?;
     let eigen =
         generalized_eigen(&space.stiffness, &space.mass, None).map_err(failure("the reduced stiffness matrix"))?;
-    let gravity = tank
-        .assembler
-        .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
-        .map_err(failed)?;
-    let wall = tank
-        .assembler
-        .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL, LOADED]))
-        .map_err(failed)?;
+    let gravity = tank.assembler.stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE])).map_err(failed)?;
+    let wall = tank.assembler.stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL, LOADED])).map_err(failed)?;
     // Where the potential energy is; a displacement liquid keeps some in its rotation penalty.
     let kind_of = |vector: &[f64], omega: f64| -> Kind {
         let share = |part: &Symmetric| dot(vector, &part.times(vector)) / (omega * omega);
@@ -117,13 +111,7 @@ pub fn of_harmonic(
         if error > residual {
             continue;
         }
-        found.push(TankMode {
-            kind,
-            harmonic: n,
-            omega,
-            waves: waves(tank, &vector),
-            vector,
-        });
+        found.push(TankMode { kind, harmonic: n, omega, waves: waves(tank, &vector), vector });
     }
     Ok(found)
 }

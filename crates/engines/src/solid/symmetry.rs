@@ -36,9 +36,9 @@ impl<'a> Symmetry<'a> {
     pub(super) fn loads(&self, poles: usize) -> Vec<(usize, Vec<f64>)> {
         match self {
             Symmetry::Cyclic(harmonic) => (0..poles).map(|pole| (pole, harmonic.load())).collect(),
-            Symmetry::Mirrored(part) => (0..poles)
-                .flat_map(|pole| [1, 2].map(|seed| (pole, part.load(seed, pole == 0))))
-                .collect(),
+            Symmetry::Mirrored(part) => {
+                (0..poles).flat_map(|pole| [1, 2].map(|seed| (pole, part.load(seed, pole == 0)))).collect()
+            }
         }
     }
 
@@ -65,13 +65,7 @@ impl<'a> Harmonic<'a> {
     /// The projection for harmonic `harmonic`.
     pub(super) fn new(tank: &'a TankModel, harmonic: u32) -> Harmonic<'a> {
         let (rings, axis) = tank.rings();
-        Harmonic {
-            tank,
-            rings,
-            axis,
-            harmonic,
-            twins: false,
-        }
+        Harmonic { tank, rings, axis, harmonic, twins: false }
     }
 
     /// The same with the motions that are antisymmetric about the plane y = 0.
@@ -84,9 +78,7 @@ impl<'a> Harmonic<'a> {
         // A linear congruential generator: the same numbers every time.
         let mut state = 1_u64;
         let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             0.5 + (state >> 40) as f64 / (1_u64 << 24) as f64
         };
         let model = &self.tank.model;
@@ -212,15 +204,8 @@ mod tests {
     /// round in the last digits: 1e-12.
     #[test]
     fn a_quarter_turn() {
-        let mesh = MeshSize {
-            radial: 2,
-            sectors: 8,
-            vertical: 3,
-        };
-        let solid = SolidOptions {
-            mesh: Some(mesh),
-            ..SolidOptions::DEFAULT
-        };
+        let mesh = MeshSize { radial: 2, sectors: 8, vertical: 3 };
+        let solid = SolidOptions { mesh: Some(mesh), ..SolidOptions::DEFAULT };
         let tank = TankModel::new(&broad(), &LinearOptions::default(), &solid).unwrap();
         let mut x = Harmonic::new(&tank, 1).load();
         Harmonic::new(&tank, 1).project(&mut x);

@@ -121,17 +121,7 @@ impl Phase {
         // Factors, the matrices themselves, and the vectors of a reduction with their images.
         let vectors = 3 * VECTORS;
         let bytes = 8 * (entries + 4 * stiffness.pattern.places() + vectors * dofs.len()) as u64;
-        Ok(Phase {
-            stiffness,
-            mass,
-            own,
-            phi,
-            own_stiffness,
-            symbolic,
-            whole,
-            liquid,
-            bytes,
-        })
+        Ok(Phase { stiffness, mass, own, phi, own_stiffness, symbolic, whole, liquid, bytes })
     }
 }
 
@@ -143,22 +133,10 @@ impl System {
     pub fn new(model: &Model, assembler: &Assembler, poles: &[f64], limit: u64) -> Result<System, FeError> {
         let phase = Phase::new(model, assembler, poles.len())?;
         allow(phase.bytes, limit)?;
-        let Phase {
-            stiffness,
-            mass: full_mass,
-            own,
-            phi,
-            own_stiffness,
-            symbolic,
-            whole,
-            liquid,
-            bytes,
-        } = phase;
+        let Phase { stiffness, mass: full_mass, own, phi, own_stiffness, symbolic, whole, liquid, bytes } = phase;
         let dofs = model.dofs();
         let own_symbolic = symbolic.clone();
-        let factor = symbolic
-            .factor(&own_stiffness, Kind::Definite)
-            .map_err(failure("the stiffness matrix"))?;
+        let factor = symbolic.factor(&own_stiffness, Kind::Definite).map_err(failure("the stiffness matrix"))?;
         let mut mass = full_mass.clone();
         let mut is_phi = vec![false; dofs.len()];
         phi.iter().for_each(|&e| is_phi[e] = true);
@@ -193,11 +171,7 @@ impl System {
                 }
             };
             let factor = factor.map_err(failure("K + s M"))?;
-            system.poles.push(Pole {
-                place: pole,
-                factor,
-                whole: whole.is_some(),
-            });
+            system.poles.push(Pole { place: pole, factor, whole: whole.is_some() });
         }
         if let Some((free, h, symbolic)) = liquid {
             system.add_potential(model, &full_mass, &phi, (free, h, symbolic))?;
@@ -213,11 +187,8 @@ impl System {
         (free, h, symbolic): (Vec<usize>, Symmetric, Arc<Symbolic>),
     ) -> Result<(), FeError> {
         let dofs = model.dofs();
-        let coupling: Block = full_mass
-            .block(phi, &self.own)
-            .into_iter()
-            .map(|(i, j, v)| (phi[i], self.own[j], v))
-            .collect();
+        let coupling: Block =
+            full_mass.block(phi, &self.own).into_iter().map(|(i, j, v)| (phi[i], self.own[j], v)).collect();
         let mut flux = vec![0.0; dofs.len()];
         let (mut mean, mut area) = (vec![0.0; dofs.len()], 0.0);
         for &(i, j, v) in &coupling {
@@ -231,23 +202,12 @@ impl System {
             let entries = values.iter().enumerate().filter(|(_, v)| **v != 0.0);
             entries.map(|(i, v)| (i, v / area)).collect()
         };
-        let elevation: Vec<f64> = (0..dofs.len())
-            .map(|e| if dofs.unknown(e).1 == Dof::Eta { flux[e] } else { 0.0 })
-            .collect();
+        let elevation: Vec<f64> =
+            (0..dofs.len()).map(|e| if dofs.unknown(e).1 == Dof::Eta { flux[e] } else { 0.0 }).collect();
         self.mean_elevation = weights(&elevation);
-        let factor = symbolic
-            .factor(&h, Kind::Definite)
-            .map_err(failure("the liquid matrix H"))?;
+        let factor = symbolic.factor(&h, Kind::Definite).map_err(failure("the liquid matrix H"))?;
         let lift = self.solve_plain(&flux)?;
-        self.potential = Some(Potential {
-            held: phi[0],
-            free,
-            factor,
-            coupling,
-            lift,
-            mean: weights(&mean),
-            flux,
-        });
+        self.potential = Some(Potential { held: phi[0], free, factor, coupling, lift, mean: weights(&mean), flux });
         Ok(())
     }
 
@@ -264,10 +224,7 @@ impl System {
     /// K⁻¹ b without keeping the volume.
     fn solve_plain(&self, b: &[f64]) -> Result<Vec<f64>, FeError> {
         let own: Vec<f64> = self.own.iter().map(|&e| b[e]).collect();
-        let solved = self
-            .factor
-            .solve_vector(&own)
-            .map_err(failure("the stiffness matrix"))?;
+        let solved = self.factor.solve_vector(&own).map_err(failure("the stiffness matrix"))?;
         let mut x = vec![0.0; b.len()];
         for (&e, v) in self.own.iter().zip(solved) {
             x[e] = v;
@@ -346,10 +303,7 @@ impl System {
         let mut out = vec![None; right.len()];
         let Some(liquid) = &self.potential else { return Ok(out) };
         let own: Vec<f64> = liquid.free.iter().map(|&e| right[e]).collect();
-        let solved = liquid
-            .factor
-            .solve_vector(&own)
-            .map_err(failure("the liquid matrix H"))?;
+        let solved = liquid.factor.solve_vector(&own).map_err(failure("the liquid matrix H"))?;
         let mut phi = vec![0.0; right.len()];
         for (&e, v) in liquid.free.iter().zip(&solved) {
             phi[e] = *v;
@@ -385,17 +339,11 @@ impl System {
 pub fn symbolic(matrix: &Symmetric, model: &Model, equations: &[usize]) -> Result<Arc<Symbolic>, FeError> {
     let nodes: Vec<usize> = equations.iter().map(|&e| model.dofs().unknown(e).0).collect();
     let ordering = Ordering::best(&matrix.pattern, &nodes, model.nodes());
-    Symbolic::new(matrix.pattern.clone(), &ordering)
-        .map(Arc::new)
-        .map_err(failure("the symbolic factor"))
+    Symbolic::new(matrix.pattern.clone(), &ordering).map(Arc::new).map_err(failure("the symbolic factor"))
 }
 
 /// Columns of a dense matrix from vectors.
 pub fn columns(vectors: &[Vec<f64>]) -> Matrix {
     let rows = vectors.first().map_or(0, Vec::len);
-    Matrix {
-        rows,
-        cols: vectors.len(),
-        data: vectors.concat(),
-    }
+    Matrix { rows, cols: vectors.len(), data: vectors.concat() }
 }

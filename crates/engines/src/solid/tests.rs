@@ -28,9 +28,7 @@ fn case() -> Case {
         horizontal: Record {
             name: "pulse".into(),
             dt: 0.01,
-            acceleration: (0..50)
-                .map(|k| (f64::from(k) / 49.0 * 6.0 * std::f64::consts::PI).sin())
-                .collect(),
+            acceleration: (0..50).map(|k| (f64::from(k) / 49.0 * 6.0 * std::f64::consts::PI).sin()).collect(),
             processing: Vec::new(),
         },
         transverse: None,
@@ -40,26 +38,14 @@ fn case() -> Case {
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 fn solid(amplitude: f64, phase: f64) -> SolidOptions {
     SolidOptions {
-        mesh: Some(MeshSize {
-            radial: 4,
-            sectors: 32,
-            vertical: 14,
-        }),
+        mesh: Some(MeshSize { radial: 4, sectors: 32, vertical: 14 }),
         imperfections: Imperfections {
-            parts: vec![Imperfection::Wave(Wave {
-                n: 3,
-                amplitude,
-                profile: Profile::Linear,
-                phase,
-            })],
+            parts: vec![Imperfection::Wave(Wave { n: 3, amplitude, profile: Profile::Linear, phase })],
         },
         initial_stress: Some(false),
         ..SolidOptions::default()
@@ -77,13 +63,7 @@ fn around(solid: &SolidOptions) -> Around {
 /// The same bits.
 #[test]
 fn an_amplitude_of_zero_is_the_perfect_tank() {
-    let (zero, none) = (
-        solid(0.0, 0.0),
-        SolidOptions {
-            imperfections: Imperfections::NONE,
-            ..solid(0.0, 0.0)
-        },
-    );
+    let (zero, none) = (solid(0.0, 0.0), SolidOptions { imperfections: Imperfections::NONE, ..solid(0.0, 0.0) });
     let (zero, none) = (run(&zero), run(&none));
     assert_eq!(zero.values, none.values);
     assert_eq!(zero.series, none.series);
@@ -96,10 +76,7 @@ fn an_amplitude_of_zero_is_the_perfect_tank() {
 #[test]
 fn an_imperfection_excites_its_neighbours() {
     let (one, two) = (around(&solid(2e-5, 0.0)), around(&solid(4e-5, 0.0)));
-    let perfect = run(&SolidOptions {
-        imperfections: Imperfections::NONE,
-        ..solid(0.0, 0.0)
-    });
+    let perfect = run(&SolidOptions { imperfections: Imperfections::NONE, ..solid(0.0, 0.0) });
     for n in [2, 4] {
         let (a, b) = (one.waves[n].displacement, two.waves[n].displacement);
         assert!(a > 0.0 && (b / a - 2.0).abs() < 1e-5, "{n}: {a} {b}");
@@ -118,10 +95,7 @@ fn an_imperfection_excites_its_neighbours() {
     let (left, right) = (around(&solid(2e-5, 0.3)), around(&solid(2e-5, -0.3)));
     for n in 0..=5 {
         let (a, b) = (&left.waves[n], &right.waves[n]);
-        assert!(
-            (a.displacement - b.displacement).abs() < 1e-5 * one.waves[4].displacement,
-            "{n}"
-        );
+        assert!((a.displacement - b.displacement).abs() < 1e-5 * one.waves[4].displacement, "{n}");
     }
 }
 
@@ -135,11 +109,7 @@ fn no_harmonic_is_lost_beside_a_loaded_wall() {
     wall.ground_motion = case().ground_motion;
     let found = [3e-4, 1.5e-3].map(|amplitude| {
         let own = SolidOptions {
-            mesh: Some(MeshSize {
-                radial: 6,
-                sectors: 48,
-                vertical: 20,
-            }),
+            mesh: Some(MeshSize { radial: 6, sectors: 48, vertical: 20 }),
             initial_stress: None,
             ..solid(amplitude, 0.0)
         };
@@ -169,10 +139,7 @@ fn a_site_with_vertical_motion_does_not_stop_an_imperfect_tank() {
         reduction_factor: None,
         bearing_capacity: None,
     });
-    let perfect = SolidOptions {
-        imperfections: Imperfections::NONE,
-        ..solid(0.0, 0.0)
-    };
+    let perfect = SolidOptions { imperfections: Imperfections::NONE, ..solid(0.0, 0.0) };
     for (solid, vertical) in [(solid(2e-5, 0.0), false), (perfect, true)] {
         let found = respond(&case, &options(), &solid, &Silent).unwrap();
         assert_eq!(found.units.is_some_and(|units| units.vertical.is_some()), vertical);
@@ -199,11 +166,7 @@ fn the_space_holds_the_modes_of_coupled_harmonics() {
         let searched = spectrum::of_harmonic(&tank, &system, n, (48, 2), &Silent).unwrap();
         for expected in searched.iter().filter(|m| m.kind == Kind::Structural) {
             let found = own.next().map_or(f64::NAN, |m| m.omega);
-            assert!(
-                (found / expected.omega - 1.0).abs() < 1e-3,
-                "{n}: {found} {}",
-                expected.omega
-            );
+            assert!((found / expected.omega - 1.0).abs() < 1e-3, "{n}: {found} {}", expected.omega);
         }
     }
 }

@@ -68,11 +68,7 @@ fn mantle(division: &Division, plan: Option<&Plan>) -> Result<Wall, FeError> {
         let (nodes, cells, rows) = plan.walls(&division.wall);
         return Ok(Wall { nodes, cells, rows });
     }
-    let mesh = Cylinder {
-        radii: division.radii.clone(),
-        sectors: division.sectors,
-        heights: division.wall.clone(),
-    };
+    let mesh = Cylinder { radii: division.radii.clone(), sectors: division.sectors, heights: division.wall.clone() };
     mesh.wall().map_err(failed)
 }
 

@@ -28,9 +28,8 @@ const SMALL: f64 = 0.2;
 /// Wave numbers of `radial[level][sector]` at ascending heights `z`; `None` if all are zero.
 pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
     let sectors = radial.first()?.len();
-    let lengths: Vec<f64> = (0..z.len())
-        .map(|l| 0.5 * (z[(l + 1).min(z.len() - 1)] - z[l.saturating_sub(1)]))
-        .collect();
+    let lengths: Vec<f64> =
+        (0..z.len()).map(|l| 0.5 * (z[(l + 1).min(z.len() - 1)] - z[l.saturating_sub(1)])).collect();
     let amplitude = |level: &[f64], n: usize| -> (f64, f64) {
         let factor = if n == 0 || 2 * n == sectors { 1.0 } else { 2.0 } / sectors as f64;
         let (mut c, mut s) = (0.0, 0.0);
@@ -46,23 +45,14 @@ pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
     for n in 0..=sectors / 2 {
         let line: Vec<(f64, f64)> = radial.iter().map(|level| amplitude(level, n)).collect();
         let mean = if n == 0 { 1.0 } else { 0.5 };
-        let energy: f64 = line
-            .iter()
-            .zip(&lengths)
-            .map(|((c, s), h)| mean * (c * c + s * s) * h)
-            .sum();
+        let energy: f64 = line.iter().zip(&lengths).map(|((c, s), h)| mean * (c * c + s * s) * h).sum();
         total += energy;
         if energy > 0.0 && best.as_ref().is_none_or(|b| energy > b.0) {
             best = Some((energy, n, line));
         }
     }
     let (energy, n, line) = best?;
-    let peak = line.iter().copied().fold(
-        (0.0, 0.0),
-        |m, v| {
-            if v.0.hypot(v.1) > f64::hypot(m.0, m.1) { v } else { m }
-        },
-    );
+    let peak = line.iter().copied().fold((0.0, 0.0), |m, v| if v.0.hypot(v.1) > f64::hypot(m.0, m.1) { v } else { m });
     let norm = peak.0.hypot(peak.1);
     let phase = (peak.0 / norm, peak.1 / norm);
     let (mut changes, mut last) = (0, 0.0_f64);
@@ -76,11 +66,7 @@ pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
         }
         last = value;
     }
-    Some(Waves {
-        circumferential: n as u32,
-        axial: changes + 1,
-        share: energy / total,
-    })
+    Some(Waves { circumferential: n as u32, axial: changes + 1, share: energy / total })
 }
 
 #[cfg(test)]
@@ -91,11 +77,7 @@ mod tests {
         let z: Vec<f64> = (0..=40).map(|l| (f64::from(l) / 40.0).powf(1.3)).collect();
         let radial = z
             .iter()
-            .map(|&z| {
-                (0..24)
-                    .map(|s| axial(z) * (n * TAU * f64::from(s) / 24.0 + phase).cos())
-                    .collect()
-            })
+            .map(|&z| (0..24).map(|s| axial(z) * (n * TAU * f64::from(s) / 24.0 + phase).cos()).collect())
             .collect();
         (radial, z)
     }

@@ -35,18 +35,11 @@ fn with_site(mut case: Case) -> Case {
 }
 
 fn quick() -> LinearOptions {
-    LinearOptions {
-        mesh_error: false,
-        ..LinearOptions::default()
-    }
+    LinearOptions { mesh_error: false, ..LinearOptions::default() }
 }
 
 fn options(combination: ModalCombination, parts: PartCombination) -> SpectrumOptions {
-    SpectrumOptions {
-        combination,
-        parts,
-        ..SpectrumOptions::DEFAULT
-    }
+    SpectrumOptions { combination, parts, ..SpectrumOptions::DEFAULT }
 }
 
 const CQC: SpectrumOptions = SpectrumOptions::DEFAULT;
@@ -58,18 +51,8 @@ fn units(run: &Simulation) -> &ModalUnits {
 /// Two modes and a rest by hand: 2 · 3 and 4 · 1, rest 5 · 0.5, at frequencies so far apart that CQC is SRSS.
 #[test]
 fn by_hand() {
-    let mode = |kind, omega: f64| KeptMode {
-        kind,
-        number: 1,
-        omega,
-        damping: 1e-6,
-        mass: 1.0,
-    };
-    let unit = Unit {
-        modes: vec![4.0, 2.0],
-        rest: 5.0,
-        static_value: 0.0,
-    };
+    let mode = |kind, omega: f64| KeptMode { kind, number: 1, omega, damping: 1e-6, mass: 1.0 };
+    let unit = Unit { modes: vec![4.0, 2.0], rest: 5.0, static_value: 0.0 };
     let tank = ModalUnits {
         modes: vec![mode(Kind::Sloshing, 1.0), mode(Kind::Structural, 4.0)],
         scalars: vec![(Channel::BaseShear, unit)],
@@ -84,11 +67,7 @@ fn by_hand() {
         _ => 3.0,
     };
     let one = |_: f64, _: f64| 1.0;
-    let action = Action {
-        structural: &structural,
-        sloshing: &one,
-        wave: &one,
-    };
+    let action = Action { structural: &structural, sloshing: &one, wave: &one };
     let shear = |options: &SpectrumOptions| tank.respond(&action, options, true).values[&Quantity::BaseShear];
     let (i, c) = ((36.0_f64 + 6.25).sqrt(), 4.0);
     use ModalCombination as M;
@@ -100,13 +79,7 @@ fn by_hand() {
         (shear(&options(M::Srss, P::Abs)), i + c),
         (shear(&options(M::Abs, P::Modal)), 6.0 + 2.5 + 4.0),
         (shear(&options(M::Abs, P::Srss)), 8.5_f64.hypot(4.0)),
-        (
-            shear(&SpectrumOptions {
-                missing_mass: false,
-                ..CQC
-            }),
-            6.0_f64.hypot(4.0),
-        ),
+        (shear(&SpectrumOptions { missing_mass: false, ..CQC }), 6.0_f64.hypot(4.0)),
     ] {
         assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
     }
@@ -127,12 +100,7 @@ fn sloshing_masses(ratio: f64) -> [f64; 10] {
 fn a_rigid_tank_has_the_masses_of_potential_flow() {
     for (radius, depth) in [(10.0, 8.0), (5.0, 12.0), (20.0, 8.0)] {
         let wall = (1.05 * depth, 0.05);
-        let case = with_site(test_tanks::case(
-            Shape::Cylinder { radius },
-            &[wall],
-            (1e16, 0.3, 1.0),
-            (1000.0, depth),
-        ));
+        let case = with_site(test_tanks::case(Shape::Cylinder { radius }, &[wall], (1e16, 0.3, 1.0), (1000.0, depth)));
         let run = simulate(&case, &quick()).unwrap();
         let mass = 1000.0 * std::f64::consts::PI * radius * radius * depth;
         let convective = sloshing_masses(depth / radius);
@@ -145,38 +113,18 @@ fn a_rigid_tank_has_the_masses_of_potential_flow() {
         for rule in [ModalCombination::Cqc, ModalCombination::Srss, ModalCombination::Abs] {
             let options = options(rule, PartCombination::Modal);
             let of = |structural: Ordinates<'_>, sloshing: Ordinates<'_>| {
-                let action = Action {
-                    structural,
-                    sloshing,
-                    wave: &half,
-                };
+                let action = Action { structural, sloshing, wave: &half };
                 units(&run).respond(&action, &options, true)
             };
             let shear = of(&rising, &nothing).values[&Quantity::BaseShear];
-            assert!(
-                (shear / impulsive - 1.0).abs() < 5e-3,
-                "{rule:?} {radius}: {}",
-                shear / impulsive
-            );
+            assert!((shear / impulsive - 1.0).abs() < 5e-3, "{rule:?} {radius}: {}", shear / impulsive);
             let own = of(&nothing, &first).values[&Quantity::BaseShear];
-            let periods: Vec<f64> = units(&run)
-                .modes
-                .iter()
-                .map(KeptMode::period)
-                .filter(|t| *t > apart)
-                .collect();
+            let periods: Vec<f64> = units(&run).modes.iter().map(KeptMode::period).filter(|t| *t > apart).collect();
             assert_eq!(periods.len(), 1, "{periods:?}");
-            assert!(
-                (own / (0.5 * mass * convective[0]) - 1.0).abs() < 2e-3,
-                "{rule:?} {radius}"
-            );
+            assert!((own / (0.5 * mass * convective[0]) - 1.0).abs() < 2e-3, "{rule:?} {radius}");
         }
         // The first mode alone: 2 R/(λ² − 1) S_a/g.
-        let action = Action {
-            structural: &nothing,
-            sloshing: &nothing,
-            wave: &first,
-        };
+        let action = Action { structural: &nothing, sloshing: &nothing, wave: &first };
         let wave = units(&run).respond(&action, &CQC, true).values[&Quantity::SloshingHeight];
         let expected = 2.0 / (1.841_184_f64.powi(2) - 1.0) * radius * 0.5 / 9.81;
         assert!((wave / expected - 1.0).abs() < 2e-3, "{radius}: {}", wave / expected);
@@ -192,10 +140,7 @@ fn modes_and_rest_are_the_whole_mass() {
     let whole = shear.modes.iter().sum::<f64>() + shear.rest;
     let mass = case.liquid_mass() + case.tank.wall_mass();
     let balance = run.result.mass_balance[0].error;
-    assert!(
-        (whole / mass - 1.0 - balance).abs() < 1e-9 && balance.abs() < 1e-3,
-        "{whole} {mass}"
-    );
+    assert!((whole / mass - 1.0 - balance).abs() < 1e-9 && balance.abs() < 1e-3, "{whole} {mass}");
 }
 
 /// Under the spectrum of a record, the history of the same modes lies between bounds that hold for any signs: the largest part less all
@@ -207,25 +152,13 @@ fn histories_lie_between_bounds() {
         let envelope = (t / 2.0).min(1.0) * (-0.15 * t).exp();
         envelope * ((3.1 * t).sin() + 0.8 * (17.0 * t).sin() + 0.6 * (41.0 * t + 1.0).sin())
     });
-    let record = Record {
-        name: "three waves".into(),
-        dt: 0.01,
-        acceleration: acceleration.collect(),
-        processing: Vec::new(),
-    };
+    let record =
+        Record { name: "three waves".into(), dt: 0.01, acceleration: acceleration.collect(), processing: Vec::new() };
     let mut case = with_site(test_tanks::broad());
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: record.clone(), transverse: None, vertical: None });
     let run = simulate(&case, &quick()).unwrap();
     let of_record = |period: f64, damping: f64| ordinates(&record, period, damping).psa;
-    let action = Action {
-        structural: &of_record,
-        sloshing: &of_record,
-        wave: &of_record,
-    };
+    let action = Action { structural: &of_record, sloshing: &of_record, wave: &of_record };
     let all = units(&run).respond(&action, &options(ModalCombination::Abs, PartCombination::Modal), true);
     let cqc = units(&run).respond(&action, &CQC, true);
     for quantity in [
@@ -239,18 +172,14 @@ fn histories_lie_between_bounds() {
         assert!(history < 1.02 * sum, "{quantity:?}: {history} {sum}");
         assert!(cqc.values[&quantity] <= sum * (1.0 + 1e-12), "{quantity:?}");
     }
-    for (quantity, channel) in [
-        (Quantity::SloshingHeight, Channel::Wave(Side::Front)),
-        (Quantity::BaseShear, Channel::BaseShear),
-    ] {
+    for (quantity, channel) in
+        [(Quantity::SloshingHeight, Channel::Wave(Side::Front)), (Quantity::BaseShear, Channel::BaseShear)]
+    {
         let unit = units(&run).scalar(channel).unwrap();
         let parts = unit.modes.iter().zip(&all.accelerations).map(|(r, a)| (r * a).abs());
         let largest = parts.fold(0.0, f64::max);
         let history = run.values[&quantity];
         let others = all.values[&quantity] - largest;
-        assert!(
-            history > 0.98 * (largest - others),
-            "{quantity:?}: {history} {largest} {others}"
-        );
+        assert!(history > 0.98 * (largest - others), "{quantity:?}: {history} {largest} {others}");
     }
 }

@@ -52,10 +52,7 @@ impl Strip {
         let Some(motion) = &case.ground_motion else {
             return Err(FeError::NoRecord);
         };
-        let Shape::Rectangle {
-            length, strip: true, ..
-        } = case.tank.shape
-        else {
+        let Shape::Rectangle { length, strip: true, .. } = case.tank.shape else {
             return unsupported(
                 "the tank is not a strip; the nonlinear engine runs strips of long rectangular tanks (shape rectangle, strip true)",
             );
@@ -92,10 +89,7 @@ impl Strip {
             sloshing: SLOSHING_MODES,
             contact: match options.contact {
                 Contact::Bonded => parameters::Contact::Bonded,
-                Contact::Opening => parameters::Contact::Joined {
-                    opens: true,
-                    penalty: None,
-                },
+                Contact::Opening => parameters::Contact::Joined { opens: true, penalty: None },
             },
         };
         let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?)?;
@@ -104,14 +98,10 @@ impl Strip {
         }
         let record = &motion.horizontal;
         let period = std::f64::consts::TAU / model.wall_frequency();
-        let step = options
-            .time_step
-            .unwrap_or_else(|| (period / STEPS_PER_PERIOD).min(0.5 * record.dt));
+        let step = options.time_step.unwrap_or_else(|| (period / STEPS_PER_PERIOD).min(0.5 * record.dt));
         let mut quake = StripQuake::new(record.clone(), step);
         quake.vertical.clone_from(&motion.vertical);
-        quake.scheme = TimeScheme::GeneralizedAlpha {
-            radius: options.spectral_radius,
-        };
+        quake.scheme = TimeScheme::GeneralizedAlpha { radius: options.spectral_radius };
         if options.contact == Contact::Opening {
             quake.newton = Options::for_contact();
         }
@@ -122,10 +112,7 @@ impl Strip {
         Ok(Strip {
             model,
             quake,
-            case: Case {
-                ground_motion: None,
-                ..case.clone()
-            },
+            case: Case { ground_motion: None, ..case.clone() },
             span,
             seconds: options.checkpoint,
             facts,

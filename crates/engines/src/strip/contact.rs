@@ -82,9 +82,7 @@ pub(super) fn penalty(tank: &StripTank) -> Result<f64, StripError> {
     let stiffness = assembler.stiffness(&model)?;
     let symbolic = Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree);
     let wrong = || failed("the wall under the pressure at rest");
-    let factor = Arc::new(symbolic.map_err(wrong())?)
-        .factor(&stiffness, Kind::QuasiDefinite)
-        .map_err(wrong())?;
+    let factor = Arc::new(symbolic.map_err(wrong())?).factor(&stiffness, Kind::QuasiDefinite).map_err(wrong())?;
     let hydrostatic = tank.liquid.on_wall(&tank.levels, 0).hydrostatic;
     let mut load = vec![0.0; model.dofs().len()];
     for (pair, &node) in hydrostatic.chunks_exact(2).zip(&wall) {

@@ -63,11 +63,9 @@ impl Strip {
         mut each: impl FnMut(IdaRun),
     ) -> Result<Vec<IdaRun>, FeError> {
         let file = |scale, side| checkpoint(scale).map(|file| file.wall(side, self.seconds));
-        let levels = self
-            .model
-            .incremental_from(&self.quake, scales, threads, &file, progress, |level| {
-                each(self.run(level));
-            })?;
+        let levels = self.model.incremental_from(&self.quake, scales, threads, &file, progress, |level| {
+            each(self.run(level));
+        })?;
         Ok(levels.iter().map(|level| self.run(level)).collect())
     }
 
@@ -79,15 +77,13 @@ impl Strip {
         };
         let wave = level.walls.iter().map(rise).fold(0.0, f64::max);
         let collapse = level.walls.iter().find_map(|wall| match &wall.outcome {
-            Outcome::Collapsed(collapse) => Some(Collapse {
-                time: collapse.time,
-                reason: collapse.failure.to_string(),
-            }),
+            Outcome::Collapsed(collapse) => {
+                Some(Collapse { time: collapse.time, reason: collapse.failure.to_string() })
+            }
             // A run that exceeded a limit of its model has not collapsed.
-            Outcome::Stopped { reason } if !wall.demand.departures.iter().any(|d| d.kind.stops()) => Some(Collapse {
-                time: wall.time,
-                reason: reason.clone(),
-            }),
+            Outcome::Stopped { reason } if !wall.demand.departures.iter().any(|d| d.kind.stops()) => {
+                Some(Collapse { time: wall.time, reason: reason.clone() })
+            }
             _ => None,
         });
         let [a, b] = &level.walls;
@@ -101,10 +97,7 @@ impl Strip {
             departures: demand.departures,
             base_moment: demand.base_moment,
             section_moment: Some(demand.section_moment),
-            moment_parts: Some(BaseMoment {
-                largest_section: demand.section_moment,
-                ..demand.parts
-            }),
+            moment_parts: Some(BaseMoment { largest_section: demand.section_moment, ..demand.parts }),
             first_crack: demand.first_crack,
             parting: demand.parting.map(parting),
             limits: self.limits(wave, None),

@@ -64,10 +64,7 @@ impl Demand {
     pub(super) fn of(history: &WallHistory) -> Demand {
         let largest = |scalar: Scalar| -> (f64, f64) {
             let values = history.scalar(scalar).iter().zip(&history.times);
-            values.fold(
-                (0.0, 0.0),
-                |most, (v, &time)| if v.abs() > most.0 { (v.abs(), time) } else { most },
-            )
+            values.fold((0.0, 0.0), |most, (v, &time)| if v.abs() > most.0 { (v.abs(), time) } else { most })
         };
         let (deflection, deflection_time) = largest(Scalar::Deflection);
         let cells = |value: fn(&Cell) -> f64| history.cells.iter().map(value).fold(0.0, f64::max);
@@ -92,10 +89,7 @@ impl Demand {
             bar_stress: cells(|c| c.bar_stress),
             bar_plastic_strain: cells(|c| c.bar_plastic_strain),
             parting: Parting::first(&history.separation, history.openings.as_ref()),
-            open: history
-                .openings
-                .as_ref()
-                .map(|o| o.open().iter().copied().fold(0.0, f64::max)),
+            open: history.openings.as_ref().map(|o| o.open().iter().copied().fold(0.0, f64::max)),
             ranges: Scalar::ALL.map(|scalar| history.range(scalar)).to_vec(),
             departures: history.departures.clone(),
         }

@@ -60,20 +60,13 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
         run: "nonlinear run",
         size: format!(
             "{beams:.0} elements over each of two walls, {steps:.0} steps{}",
-            if jobs > 0 {
-                format!(", {runs} runs, {at_a_time:.0} at a time")
-            } else {
-                String::new()
-            }
+            if jobs > 0 { format!(", {runs} runs, {at_a_time:.0} at a time") } else { String::new() }
         ),
         parts: vec![
             (THE_PROGRAM, PROGRAM),
             ("wall", beams * bytes),
             ("liquid", at_a_time * walls * NUMBER * BLOCKS * coupled * coupled),
-            (
-                "histories",
-                at_a_time * NUMBER * (walls * AT_STEP * steps + AT_SAMPLE * samples),
-            ),
+            ("histories", at_a_time * NUMBER * (walls * AT_STEP * steps + AT_SAMPLE * samples)),
         ],
         samples,
         steps,
@@ -84,11 +77,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
             other: format!(
                 "give `analysis.nonlinear.time_step` above {step:.2e} s{}{}",
                 if jobs > 1 { ", or use fewer --jobs" } else { "" },
-                if response.tail > 0.0 {
-                    ", or `after_record` as none"
-                } else {
-                    ""
-                }
+                if response.tail > 0.0 { ", or `after_record` as none" } else { "" }
             ),
         },
     })

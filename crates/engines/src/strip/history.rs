@@ -70,12 +70,7 @@ pub enum EventKind {
 
 impl EventKind {
     /// All of them.
-    pub const ALL: [EventKind; 4] = [
-        EventKind::Crack,
-        EventKind::Yield,
-        EventKind::BarYield,
-        EventKind::BarRupture,
-    ];
+    pub const ALL: [EventKind; 4] = [EventKind::Crack, EventKind::Yield, EventKind::BarYield, EventKind::BarRupture];
 }
 
 /// When and where.

@@ -103,12 +103,7 @@ struct Parts {
 impl StripLiquid {
     /// Liquid under standard gravity.
     pub fn new(half_width: f64, depth: f64, density: f64) -> StripLiquid {
-        StripLiquid {
-            half_width,
-            depth,
-            density,
-            gravity: STANDARD_GRAVITY,
-        }
+        StripLiquid { half_width, depth, density, gravity: STANDARD_GRAVITY }
     }
 
     /// k_n of antisymmetric sloshing mode `n`, from 0 [1/m].
@@ -159,12 +154,7 @@ impl StripLiquid {
     pub fn on(&self, trace: Trace, levels: &[f64], sloshing: usize) -> WallLiquid {
         let wall = trace.unknowns() * levels.len();
         let all = wall + sloshing;
-        let Parts {
-            sloshing_rows,
-            mass_rows,
-            area,
-            hydrostatic,
-        } = self.parts(trace, levels, sloshing);
+        let Parts { sloshing_rows, mass_rows, area, hydrostatic } = self.parts(trace, levels, sloshing);
         let (mut mass, mut stiffness) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
         for (j, row) in mass_rows.iter().enumerate() {
             rank_one(&mut mass, self.added_mass(j), row);
@@ -184,9 +174,7 @@ impl StripLiquid {
             stiffness,
             modal_masses: (0..sloshing).map(|n| self.modal_mass(n)).collect(),
             omega: (0..sloshing).map(|n| self.sloshing_frequency(n)).collect(),
-            elevation: (0..sloshing)
-                .map(|n| (self.wave_number(n) * self.half_width).sin())
-                .collect(),
+            elevation: (0..sloshing).map(|n| (self.wave_number(n) * self.half_width).sin()).collect(),
             area,
             hydrostatic,
         }
@@ -224,12 +212,7 @@ impl StripLiquid {
                 }
             }
         }
-        Parts {
-            sloshing_rows,
-            mass_rows,
-            area,
-            hydrostatic,
-        }
+        Parts { sloshing_rows, mass_rows, area, hydrostatic }
     }
 
     /// Mass that a unit translation of tank and wall sets in motion, ιᵀ (M_a + Sᵀ c S) ι [kg/m]; the liquid's own, ρ L H,
@@ -279,13 +262,7 @@ mod tests {
     fn rigid_wall() {
         let on_wall = liquid().on_wall(&[0.0, 0.4, 1.1, 1.9, 2.4, 3.0], 6);
         let translation: Vec<f64> = (0..18).map(|i| f64::from(i < 12 && i % 2 == 0)).collect();
-        let mass: f64 = on_wall
-            .mass
-            .times(&translation)
-            .iter()
-            .zip(&translation)
-            .map(|(a, b)| a * b)
-            .sum();
+        let mass: f64 = on_wall.mass.times(&translation).iter().zip(&translation).map(|(a, b)| a * b).sum();
         // The series of M_a in the matrix has 60 terms, that of the mass 400: the rest is Σ 16 ρ H²/(2j−1)³ π³.
         assert!((mass / liquid().translated_mass(6) - 1.0).abs() < 2e-5, "{mass}");
         let g = STANDARD_GRAVITY;
@@ -295,9 +272,7 @@ mod tests {
         assert!((area - 2.57).abs() < 1e-12);
         // Moment about the bottom: force times height, plus the moments.
         let levels = [0.0, 0.4, 1.1, 1.9, 2.4, 3.0];
-        let moment: f64 = (0..6)
-            .map(|i| on_wall.hydrostatic[2 * i] * levels[i] + on_wall.hydrostatic[2 * i + 1])
-            .sum();
+        let moment: f64 = (0..6).map(|i| on_wall.hydrostatic[2 * i] * levels[i] + on_wall.hydrostatic[2 * i + 1]).sum();
         assert!((moment / (1000.0 * g * 2.57_f64.powi(3) / 6.0) - 1.0).abs() < 1e-12);
     }
 
@@ -308,9 +283,7 @@ mod tests {
         let translation: Vec<f64> = (0..208).map(|i| f64::from(i < 8 && i % 2 == 0)).collect();
         let force = on_wall.mass.times(&translation);
         // k q = −c S ι a.
-        let elevation: f64 = (0..200)
-            .map(|n| -force[8 + n] / liquid().spring() * on_wall.elevation[n])
-            .sum();
+        let elevation: f64 = (0..200).map(|n| -force[8 + n] / liquid().spring() * on_wall.elevation[n]).sum();
         // Σ 8/((2n−1) π)² up to n = 200 lacks 4/(π² 400) = 1e-3.
         let exact = -liquid().half_width / STANDARD_GRAVITY;
         assert!((elevation / exact - 1.0).abs() < 2e-3, "{elevation} {exact}");
@@ -319,31 +292,14 @@ mod tests {
     /// Sloshing 2.3863 and 4.2999 rad/s, impulsive mass 3.342 t per wall (theory of the strip 8.4).
     #[test]
     fn strip_of_the_dissertation() {
-        let liquid = StripLiquid {
-            gravity: 9.81,
-            ..StripLiquid::new(2.5, 2.57, 1e4 / 9.81)
-        };
-        assert!(
-            (liquid.sloshing_frequency(0) - 2.3863).abs() < 5e-4,
-            "{}",
-            liquid.sloshing_frequency(0)
-        );
-        assert!(
-            (liquid.sloshing_frequency(1) - 4.2999).abs() < 5e-4,
-            "{}",
-            liquid.sloshing_frequency(1)
-        );
-        assert!(
-            (liquid.impulsive_mass() - 3342.0).abs() < 0.5 * 10.0,
-            "{}",
-            liquid.impulsive_mass()
-        );
+        let liquid = StripLiquid { gravity: 9.81, ..StripLiquid::new(2.5, 2.57, 1e4 / 9.81) };
+        assert!((liquid.sloshing_frequency(0) - 2.3863).abs() < 5e-4, "{}", liquid.sloshing_frequency(0));
+        assert!((liquid.sloshing_frequency(1) - 4.2999).abs() < 5e-4, "{}", liquid.sloshing_frequency(1));
+        assert!((liquid.impulsive_mass() - 3342.0).abs() < 0.5 * 10.0, "{}", liquid.impulsive_mass());
         // All modes: the liquid's own mass; the series lacks 2 ρ/L Σ k_n⁻³ beyond n modes.
         let own = liquid.density * liquid.half_width * liquid.depth;
         assert!((liquid.translated_mass(1000) / own - 1.0).abs() < 1e-6);
-        let rest: f64 = (12..1000)
-            .map(|n| 2.0 * liquid.density / 2.5 / liquid.wave_number(n).powi(3))
-            .sum();
+        let rest: f64 = (12..1000).map(|n| 2.0 * liquid.density / 2.5 / liquid.wave_number(n).powi(3)).sum();
         assert!((liquid.translated_mass(12) + rest - own).abs() < 0.01);
     }
 }

@@ -36,9 +36,7 @@ impl Walls<'_> {
     /// A value of each cell, row by row from the base.
     fn cells(&self, value: impl Fn(&WallRun, usize) -> f64) -> Vec<f64> {
         let value = &value;
-        (0..self.model.tank.sections.len())
-            .flat_map(|e| self.runs.iter().map(move |run| value(run, e)))
-            .collect()
+        (0..self.model.tank.sections.len()).flat_map(|e| self.runs.iter().map(move |run| value(run, e))).collect()
     }
 
     pub(super) fn maps(&self) -> Vec<CellMap> {
@@ -52,11 +50,7 @@ impl Walls<'_> {
             "Largest stress over strength of any fibre; in tension over the remaining strength.",
         ));
         let leaves: Vec<Vec<Layer>> = (0..self.model.tank.sections.len()).map(|e| self.leaf(e)).collect();
-        if leaves
-            .iter()
-            .flatten()
-            .any(|l| l.material.behaviour != Behaviour::Elastic)
-        {
+        if leaves.iter().flatten().any(|l| l.material.behaviour != Behaviour::Elastic) {
             maps.push(map(
                 "plastic_strain",
                 "plastic strain of the wall",
@@ -181,22 +175,12 @@ impl Walls<'_> {
                 for e in 0..picture.faces[face].len() {
                     let [now, largest] = cracks(picture, face, e).map(|strain| self.width(e, face, strain));
                     if largest > 0.0 {
-                        found.push(Crack {
-                            cell: 2 * e + wall,
-                            angle: 0.0,
-                            width: now,
-                            largest,
-                        });
+                        found.push(Crack { cell: 2 * e + wall, angle: 0.0, width: now, largest });
                     }
                 }
             }
             found.sort_by_key(|c| c.cell);
-            pictures.push(CrackPicture {
-                title,
-                face: FACES[face].into(),
-                time,
-                cracks: found,
-            });
+            pictures.push(CrackPicture { title, face: FACES[face].into(), time, cracks: found });
         };
         for (wall, name) in WALLS.into_iter().enumerate() {
             let picture = &self.runs[wall].history.pictures[0];
@@ -212,14 +196,7 @@ impl Walls<'_> {
 }
 
 fn map(id: &str, title: &str, dimension: Dimension, values: Vec<f64>, mark: Option<f64>, note: &str) -> CellMap {
-    CellMap {
-        id: id.into(),
-        title: title.into(),
-        dimension,
-        values,
-        mark,
-        note: note.into(),
-    }
+    CellMap { id: id.into(), title: title.into(), dimension, values, mark, note: note.into() }
 }
 
 fn is_concrete(layer: &Layer) -> bool {

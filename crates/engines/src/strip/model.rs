@@ -103,14 +103,9 @@ impl StripModel {
     pub fn new(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
         check(tank, damping)?;
         let mut builder = Builder::new();
-        let Nodes {
-            axis: wall,
-            wet,
-            mut feet,
-        } = shells::place(&mut builder, tank, WALL)?;
-        let amplitude_nodes: Vec<usize> = (0..tank.sloshing)
-            .map(|_| builder.node([0.0, 0.0, tank.liquid.depth]))
-            .collect();
+        let Nodes { axis: wall, wet, mut feet } = shells::place(&mut builder, tank, WALL)?;
+        let amplitude_nodes: Vec<usize> =
+            (0..tank.sloshing).map(|_| builder.node([0.0, 0.0, tank.liquid.depth])).collect();
         let touched: Vec<Vec<usize>> = match tank.contact {
             Contact::Bonded => wet.clone(),
             Contact::Joined { .. } => contact::face(&mut builder, tank).into_iter().map(|n| vec![n]).collect(),
@@ -119,10 +114,7 @@ impl StripModel {
         let levels = &tank.levels[..face.len()];
         let trace = tank.trace();
         let liquid = tank.liquid.on(trace, levels, tank.sloshing);
-        builder.element(
-            LIQUID,
-            liquid_element(tank, damping, &liquid, &touched, &amplitude_nodes)?,
-        );
+        builder.element(LIQUID, liquid_element(tank, damping, &liquid, &touched, &amplitude_nodes)?);
         let joints = match tank.contact {
             Contact::Bonded => None,
             Contact::Joined { opens, penalty } => {
@@ -130,14 +122,7 @@ impl StripModel {
                     Some(given) => given,
                     None => contact::penalty(tank)?,
                 };
-                Some(Joints::add_to(
-                    &mut builder,
-                    tank,
-                    &wet,
-                    [&face, &amplitude_nodes],
-                    penalty,
-                    opens,
-                )?)
+                Some(Joints::add_to(&mut builder, tank, &wet, [&face, &amplitude_nodes], penalty, opens)?)
             }
         };
         match tank.base_spring {
@@ -156,10 +141,8 @@ impl StripModel {
         let mut system = System::new(&model, &assembler)?;
         let (k, m) = (system.stiffness.to_dense(), system.mass.to_dense());
         let modes = generalized_eigen(&k, &m, None).map_err(failed("modes of the strip"))?;
-        let amplitudes: Vec<usize> = amplitude_nodes
-            .iter()
-            .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
-            .collect();
+        let amplitudes: Vec<usize> =
+            amplitude_nodes.iter().filter_map(|&n| model.dofs().equation(n, Dof::Amplitude)).collect();
         let wall_mode = first_wall_mode(tank, &modes, &amplitudes);
         let groups = by_group(&model, coefficients(damping, modes.omega[wall_mode]));
         system.damping = match damping {
@@ -308,10 +291,7 @@ impl StripModel {
     pub fn largest_acceleration(&self, a: &[f64], ground: f64) -> (f64, f64) {
         let along = |&node: &usize| self.model.at_node(a, node)[Dof::Ux.index()] + ground;
         let all = self.wall.iter().map(along).zip(&self.tank.levels);
-        all.fold(
-            (0.0, 0.0),
-            |worst, (a, &z)| if a.abs() > worst.0 { (a.abs(), z) } else { worst },
-        )
+        all.fold((0.0, 0.0), |worst, (a, &z)| if a.abs() > worst.0 { (a.abs(), z) } else { worst })
     }
 
     /// Moment that the ground exerts on the base [N], of the linear strip, relative to the state at rest.
@@ -332,20 +312,13 @@ impl StripModel {
     /// Observables of the linear strip, relative to the state at rest: deflection of the top [m], elevation of the surface
     /// at the wall [m].
     pub fn observables(&self) -> Vec<Observable> {
-        let observable = |name: &str, displacement| Observable {
-            name: name.into(),
-            displacement,
-            ..Observable::default()
-        };
+        let observable =
+            |name: &str, displacement| Observable { name: name.into(), displacement, ..Observable::default() };
         vec![
             observable("deflection of the top", vec![(self.top(), 1.0)]),
             observable(
                 "elevation at the wall",
-                self.amplitudes
-                    .iter()
-                    .copied()
-                    .zip(self.liquid.elevation.iter().copied())
-                    .collect(),
+                self.amplitudes.iter().copied().zip(self.liquid.elevation.iter().copied()).collect(),
             ),
         ]
     }

@@ -71,20 +71,14 @@ fn kind(model: &StripModel, j: usize) -> Kind {
 fn shape(model: &StripModel, phi: &[f64]) -> ModeShape {
     let liquid = &model.tank.liquid;
     let amplitudes: Vec<f64> = model.amplitudes.iter().map(|&e| phi[e]).collect();
-    let r: Vec<f64> = (0..=SURFACE)
-        .map(|i| liquid.half_width * i as f64 / SURFACE as f64)
-        .collect();
+    let r: Vec<f64> = (0..=SURFACE).map(|i| liquid.half_width * i as f64 / SURFACE as f64).collect();
     let elevation = |x: &f64| {
         let waves = amplitudes.iter().enumerate();
         waves.map(|(n, q)| q * (liquid.wave_number(n) * x).sin()).sum::<f64>()
     };
     let mut shape = ModeShape {
         z: model.tank.levels.clone(),
-        wall: model
-            .wall
-            .iter()
-            .map(|&node| model.model.at_node(phi, node)[Dof::Ux.index()])
-            .collect(),
+        wall: model.wall.iter().map(|&node| model.model.at_node(phi, node)[Dof::Ux.index()]).collect(),
         surface: r.iter().map(elevation).collect(),
         r,
     };

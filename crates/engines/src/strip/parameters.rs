@@ -119,13 +119,7 @@ impl From<StripError> for FeError {
 ///
 /// Errors: no wet element, lengths that are not positive, a surface above the wall.
 pub fn levels([depth, height]: [f64; 2], [wet, dry]: [usize; 2], ratio: f64) -> Result<Vec<f64>, StripError> {
-    let refuse = |parameter, found: String, allowed| {
-        Err(StripError::Parameter {
-            parameter,
-            found,
-            allowed,
-        })
-    };
+    let refuse = |parameter, found: String, allowed| Err(StripError::Parameter { parameter, found, allowed });
     if wet == 0 || (dry == 0) != (height == depth) {
         let found = format!("{wet} wet, {dry} dry for a depth of {depth} m and a height of {height} m");
         return refuse("elements", found, "1 or more wet, dry ones where the wall is dry");
@@ -136,11 +130,7 @@ pub fn levels([depth, height]: [f64; 2], [wet, dry]: [usize; 2], ratio: f64) -> 
     if !(ratio > 0.0 && ratio.is_finite()) {
         return refuse("ratio", ratio.to_string(), "> 0");
     }
-    let growth = if wet > 1 {
-        ratio.powf(1.0 / (wet - 1) as f64)
-    } else {
-        1.0
-    };
+    let growth = if wet > 1 { ratio.powf(1.0 / (wet - 1) as f64) } else { 1.0 };
     let lengths: Vec<f64> = (0..wet).map(|i| growth.powi(i as i32)).collect();
     let total: f64 = lengths.iter().sum();
     let mut z = vec![0.0];

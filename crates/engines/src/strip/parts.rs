@@ -42,9 +42,7 @@ pub(super) fn liquid_element(
     let over = |matrix: &Matrix| shells::spread(matrix, trace.unknowns(), face);
     let mass = over(&liquid.mass);
     let n = mass.rows;
-    let mut element = SuperElement::new(nodes, dofs)?
-        .with_mass(mass)?
-        .with_stiffness(over(&liquid.stiffness))?;
+    let mut element = SuperElement::new(nodes, dofs)?.with_mass(mass)?.with_stiffness(over(&liquid.stiffness))?;
     if let StripDamping::ByGroup { sloshing, .. } = damping {
         let mut c = Matrix::zeros(n, n);
         for (i, (mass, omega)) in liquid.modal_masses.iter().zip(&liquid.omega).enumerate() {
@@ -112,11 +110,7 @@ pub(super) fn base_rows(
         row("moment at the base", Dof::Ry)?,
     ];
     if let Some(stiffness) = tank.base_spring {
-        rows[2].displacement = model
-            .row(base[0], Dof::Ry)
-            .iter()
-            .map(|&(e, c)| (e, -stiffness * c))
-            .collect();
+        rows[2].displacement = model.row(base[0], Dof::Ry).iter().map(|&(e, c)| (e, -stiffness * c)).collect();
     }
     Ok(rows)
 }
@@ -132,13 +126,7 @@ pub(super) fn dofs_of(trace: Trace) -> &'static [Dof] {
 pub(super) const AMPLITUDE: &[Dof] = &[Dof::Amplitude];
 
 pub(super) fn check(tank: &StripTank, damping: StripDamping) -> Result<(), StripError> {
-    let refuse = |parameter, found: String, allowed| {
-        Err(StripError::Parameter {
-            parameter,
-            found,
-            allowed,
-        })
-    };
+    let refuse = |parameter, found: String, allowed| Err(StripError::Parameter { parameter, found, allowed });
     let (z, liquid) = (&tank.levels, &tank.liquid);
     if z.len() < 2 || z[0] != 0.0 || !z.windows(2).all(|w| w[0] < w[1] && w[1].is_finite()) {
         return refuse("levels", format!("{z:?} m"), "ascending from 0");

@@ -28,11 +28,7 @@ impl Report<'_> {
                 title: OnWall::Pressure.title().into(),
                 dimension: OnWall::Pressure.dimension(),
                 z: history.pressure.iter().map(|(z, _)| *z).collect(),
-                static_: history
-                    .pressure
-                    .iter()
-                    .map(|(z, _)| weight * (liquid.depth - z).max(0.0))
-                    .collect(),
+                static_: history.pressure.iter().map(|(z, _)| weight * (liquid.depth - z).max(0.0)).collect(),
                 min: history.pressure.iter().map(|(_, r)| r.min).collect(),
                 max: history.pressure.iter().map(|(_, r)| r.max).collect(),
             },
@@ -60,13 +56,7 @@ impl Report<'_> {
         };
         vec![
             label("wall elements", wall),
-            label(
-                "liquid",
-                format!(
-                    "condensed onto the wall in closed form, {} sloshing modes",
-                    model.tank.sloshing
-                ),
-            ),
+            label("liquid", format!("condensed onto the wall in closed form, {} sloshing modes", model.tank.sloshing)),
             label("unknowns", format!("{} a wall", model.model.dofs().len())),
         ]
     }
@@ -123,10 +113,7 @@ impl Report<'_> {
             ));
         }
         if self.walls.interrupted() {
-            out.push(label(
-                "interrupted",
-                format!("histories and extremes end at {:.2} s", self.walls.time()),
-            ));
+            out.push(label("interrupted", format!("histories and extremes end at {:.2} s", self.walls.time())));
         }
         out
     }
@@ -226,12 +213,7 @@ impl Report<'_> {
                 significant(100.0 * model.wall_ratio(), 2)
             ));
         }
-        if self
-            .motion
-            .vertical
-            .as_ref()
-            .is_some_and(|v| v.dt != self.motion.horizontal.dt)
-        {
+        if self.motion.vertical.as_ref().is_some_and(|v| v.dt != self.motion.horizontal.dt) {
             notes.push(
                 "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
                     .into(),
@@ -242,8 +224,5 @@ impl Report<'_> {
 }
 
 fn label(label: &str, text: String) -> Labelled {
-    Labelled {
-        label: label.into(),
-        text,
-    }
+    Labelled { label: label.into(), text }
 }

@@ -124,11 +124,7 @@ impl StripLevel {
 
     /// The level as a point of a curve.
     pub fn point(&self, demand: impl Fn(&Demand) -> f64) -> Point {
-        Point {
-            scale: self.scale,
-            demand: demand(&self.demand()),
-            censored: self.collapsed(),
-        }
+        Point { scale: self.scale, demand: demand(&self.demand()), censored: self.collapsed() }
     }
 }
 
@@ -221,11 +217,7 @@ impl StripModel {
     ) -> Result<WallRun, StripError> {
         let mut observer = WallObserver::new(self, until);
         let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
-        Ok(WallRun {
-            lost: observer.lost(),
-            history: observer.finish()?,
-            run,
-        })
+        Ok(WallRun { lost: observer.lost(), history: observer.finish()?, run })
     }
 
     /// Samples and steps of a run.
@@ -261,12 +253,8 @@ impl StripModel {
         settings.newton = quake.newton.clone();
         settings.halvings = quake.halvings;
         settings.checkpoint = checkpoint;
-        let problem = Problem {
-            model: &self.model,
-            assembler: &self.assembler,
-            symbolic: &self.symbolic,
-            system: &self.system,
-        };
+        let problem =
+            Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system };
         Ok(march(problem, &load, &settings, &mut [observer], progress)?)
     }
 
@@ -302,10 +290,7 @@ impl StripModel {
         order.sort_by(|a, b| b.total_cmp(a));
         let run = |scale: f64| -> Result<StripLevel, StripError> {
             let wall = |side| self.resumable(quake, scale, side, checkpoint(scale, side), &Quiet(progress));
-            Ok(StripLevel {
-                scale,
-                walls: [wall(Side::Front)?, wall(Side::Back)?],
-            })
+            Ok(StripLevel { scale, walls: [wall(Side::Front)?, wall(Side::Back)?] })
         };
         let complete = |level: &StripLevel| level.walls.iter().all(|w| w.outcome != Outcome::Interrupted);
         let found = ida::incremental(&order, threads, progress, run, |_, level| {
@@ -338,10 +323,7 @@ struct Counted<'a> {
 
 impl<'a> Counted<'a> {
     fn new(progress: &'a dyn Progress) -> Counted<'a> {
-        Counted {
-            progress,
-            stepping: AtomicBool::new(false),
-        }
+        Counted { progress, stepping: AtomicBool::new(false) }
     }
 }
 

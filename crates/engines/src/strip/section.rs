@@ -58,11 +58,7 @@ pub(crate) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
         leaf.iter().map(|l| l.material.youngs_modulus).fold(0.0, f64::max) * height.powi(3)
     };
     let all: f64 = leaves.iter().map(|leaf| stiffness(leaf)).sum();
-    let Some(main) = leaves
-        .iter()
-        .copied()
-        .max_by(|a, b| stiffness(a).total_cmp(&stiffness(b)))
-    else {
+    let Some(main) = leaves.iter().copied().max_by(|a, b| stiffness(a).total_cmp(&stiffness(b))) else {
         return unsupported("a wall without layers");
     };
     if stiffness(main) < (1.0 - NEGLIGIBLE) * all {
@@ -79,9 +75,7 @@ pub(crate) fn section(layers: &[Layer], element: f64, options: &NonlinearOptions
     let main = main_leaf(layers)?;
     let mass = |layers: &[Layer]| -> f64 { layers.iter().map(|l| l.material.density * l.thickness).sum() };
     let own = mass(main);
-    let mut section = FibreSection::new(own)
-        .and_then(|s| s.with_attached_mass(mass(layers) - own))
-        .map_err(failed)?;
+    let mut section = FibreSection::new(own).and_then(|s| s.with_attached_mass(mass(layers) - own)).map_err(failed)?;
     // ζ from the middle of the leaf, towards the outside.
     let height: f64 = main.iter().map(|l| l.thickness).sum();
     let mut inner = -0.5 * height;
@@ -94,11 +88,7 @@ pub(crate) fn section(layers: &[Layer], element: f64, options: &NonlinearOptions
             rule => section.fibres(law, &fibres(rule, centre, layer.thickness)?),
         }
         .map_err(failed)?;
-        for bar in layer
-            .reinforcement
-            .iter()
-            .filter(|b| b.direction == BarDirection::Vertical)
-        {
+        for bar in layer.reinforcement.iter().filter(|b| b.direction == BarDirection::Vertical) {
             bars.push((bar_law(&bar.material)?, [inner + bar.depth, bar.area]));
         }
         inner += layer.thickness;
@@ -113,10 +103,7 @@ pub(crate) fn section(layers: &[Layer], element: f64, options: &NonlinearOptions
 fn fibres(rule: ThicknessRule, centre: f64, thickness: f64) -> Result<Vec<[f64; 2]>, FeError> {
     let rule = quadrature(rule);
     let points = rule.points().map_err(failed)?;
-    Ok(points
-        .iter()
-        .map(|&(x, w)| [centre + 0.5 * thickness * x, 0.5 * thickness * w])
-        .collect())
+    Ok(points.iter().map(|&(x, w)| [centre + 0.5 * thickness * x, 0.5 * thickness * w]).collect())
 }
 
 /// Law of a fibre along the wall, and its quadrature. Plane strain across the strip: E/(1 − ν²).
@@ -129,20 +116,18 @@ fn fibre_law(
     let nu = material.poisson_ratio;
     let young = material.youngs_modulus / (1.0 - nu * nu);
     Ok(match material.behaviour {
-        Behaviour::Elastic | Behaviour::Interlayer(_) => (
-            Arc::new(Elastic::new(young, 0.0).map_err(refused)?),
-            options.integration.elastic,
-        ),
+        Behaviour::Elastic | Behaviour::Interlayer(_) => {
+            (Arc::new(Elastic::new(young, 0.0).map_err(refused)?), options.integration.elastic)
+        }
         Behaviour::Steel(steel) => {
             // In plane strain a plate yields at 2/√3 of its strength.
             let strength = 2.0 / 3.0_f64.sqrt() * steel.yield_strength;
             let law = VonMises::new(young, 0.0, strength, steel.tangent_modulus, steel.kinematic_share);
             (Arc::new(law.map_err(refused)?), options.integration.steel)
         }
-        Behaviour::Concrete(concrete) => (
-            Arc::new(uniaxial_concrete(&concrete, young, layer, element)?),
-            options.integration.concrete,
-        ),
+        Behaviour::Concrete(concrete) => {
+            (Arc::new(uniaxial_concrete(&concrete, young, layer, element)?), options.integration.concrete)
+        }
         Behaviour::Reinforcement(_) => return unsupported(format!("`{}` is for bars, not for a layer", material.name)),
     })
 }

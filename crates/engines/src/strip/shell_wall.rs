@@ -31,13 +31,7 @@ pub struct ShellWall {
 impl std::fmt::Debug for ShellWall {
     /// Sections are not shown.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "ShellWall {{ {} rows, leaf {}, gap {} m }}",
-            self.rows.len(),
-            self.main,
-            self.gap
-        )
+        write!(f, "ShellWall {{ {} rows, leaf {}, gap {} m }}", self.rows.len(), self.main, self.gap)
     }
 }
 

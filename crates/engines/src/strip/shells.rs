@@ -45,11 +45,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
         for (ends, section) in axis.windows(2).zip(&tank.sections) {
             FibreBeam::add_to(builder, group, [ends[0], ends[1]], section.clone(), tank.options)?;
         }
-        return Ok(Nodes {
-            wet: axis.iter().map(|&n| vec![n]).collect(),
-            feet: vec![axis[0]],
-            axis,
-        });
+        return Ok(Nodes { wet: axis.iter().map(|&n| vec![n]).collect(), feet: vec![axis[0]], axis });
     };
     check(tank, shells)?;
     let mesh_error = |e: fem::mesh::MeshError| StripError::Parameter {
@@ -78,11 +74,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
     let base = &footprint.levels[0];
     Ok(Nodes {
         axis: footprint.levels.iter().map(|l| bending[l[0]]).collect(),
-        wet: footprint
-            .levels
-            .iter()
-            .map(|l| l.iter().map(|&p| placed.inner[p]).collect())
-            .collect(),
+        wet: footprint.levels.iter().map(|l| l.iter().map(|&p| placed.inner[p]).collect()).collect(),
         feet: [&placed.inner, &placed.outer]
             .iter()
             .flat_map(|nodes| base.iter().filter_map(|&p| nodes.get(p).copied()))
@@ -91,13 +83,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
 }
 
 fn check(tank: &StripTank, shells: &ShellWall) -> Result<(), StripError> {
-    let refuse = |parameter, found: String, allowed| {
-        Err(StripError::Parameter {
-            parameter,
-            found,
-            allowed,
-        })
-    };
+    let refuse = |parameter, found: String, allowed| Err(StripError::Parameter { parameter, found, allowed });
     if tank.base_spring.is_some() {
         return refuse("base spring", "one under shells".into(), "a clamped base");
     }
@@ -148,11 +134,7 @@ pub(super) fn wall(case: &Case, levels: &[f64], integration: &Integration) -> Re
     for ends in levels.windows(2) {
         let layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
         let (own, main, gap) = shell_row(&layers, ends[1] - ends[0], integration)?;
-        let wall = found.get_or_insert_with(|| ShellWall {
-            rows: Vec::new(),
-            main,
-            gap,
-        });
+        let wall = found.get_or_insert_with(|| ShellWall { rows: Vec::new(), main, gap });
         if wall.main != main || (wall.gap - gap).abs() > 1e-9 * levels[levels.len() - 1] {
             return unsupported(
                 "courses of a strip of shells have the same number of leaves at the same distance between their middles",
@@ -180,10 +162,7 @@ pub(crate) fn shell_row(
     let leaves = layers.split(|l| l.kind == LayerKind::Interlayer);
     let number = leaves.take_while(|leaf| !std::ptr::eq(*leaf, main)).count();
     let parts = row.parts.get(number).into_iter().flatten();
-    let own = ShellRow {
-        build: row.build,
-        layers: parts.filter(|p| !matches!(p, Part::Bar(_))).count(),
-    };
+    let own = ShellRow { build: row.build, layers: parts.filter(|p| !matches!(p, Part::Bar(_))).count() };
     Ok((own, number, row.gap))
 }
 

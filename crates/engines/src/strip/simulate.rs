@@ -43,26 +43,11 @@ pub(crate) fn simulate(
     let files = Side::BOTH.map(|side| checkpoint.map(|c| c.wall(side, options.checkpoint)));
     let runs = strip.model.histories(&strip.quake, files, progress)?;
     let samples = runs.iter().map(|r| r.history.samples.len()).min().unwrap_or(0);
-    let walls = Walls {
-        case,
-        model: &strip.model,
-        runs: &runs,
-        breadth,
-        samples,
-    };
+    let walls = Walls { case, model: &strip.model, runs: &runs, breadth, samples };
     if walls.interrupted() && samples == 0 {
-        return Err(FeError::Interrupted {
-            stage: "the nonlinear run".into(),
-        });
+        return Err(FeError::Interrupted { stage: "the nonlinear run".into() });
     }
-    Ok(Report {
-        case,
-        options,
-        motion,
-        strip: &strip,
-        walls,
-    }
-    .simulation())
+    Ok(Report { case, options, motion, strip: &strip, walls }.simulation())
 }
 
 /// A history of the tank or of a wall, with its static value.
@@ -150,10 +135,7 @@ impl Report<'_> {
         let mut found = self.walls.nonlinear();
         let of = |line: &Line| {
             let [(max, max_time), (min, min_time)] = line.extremes();
-            let at = |value, time| At {
-                value,
-                time: Some(time),
-            };
+            let at = |value, time| At { value, time: Some(time) };
             TwoSided {
                 title: line.title.clone(),
                 dimension: line.channel.dimension(),
@@ -190,41 +172,17 @@ impl Report<'_> {
             let (wall, bottom) = (h.scalar(Scalar::Moment), h.scalar(Scalar::BottomMoment));
             wall.iter().zip(bottom).map(|(a, b)| a + b).collect()
         });
-        for (channel, (times, values)) in [
-            (Channel::BaseShear, shear),
-            (Channel::BaseMoment, moment),
-            (Channel::OverturningMoment, below),
-        ] {
-            lines.push(Line {
-                channel,
-                title: channel.title(),
-                rest: 0.0,
-                times,
-                values,
-            });
+        for (channel, (times, values)) in
+            [(Channel::BaseShear, shear), (Channel::BaseMoment, moment), (Channel::OverturningMoment, below)]
+        {
+            lines.push(Line { channel, title: channel.title(), rest: 0.0, times, values });
         }
         type OnSide = fn(Side) -> Channel;
         let walls: [(Scalar, OnSide, &str); 4] = [
-            (
-                Scalar::Deflection,
-                Channel::Deflection,
-                "Deflection of the top of the wall",
-            ),
-            (
-                Scalar::Shear,
-                |side| Channel::BaseOn(OnWall::Shear, side),
-                "Shear force at the base of the wall",
-            ),
-            (
-                Scalar::Moment,
-                |side| Channel::BaseOn(OnWall::Moment, side),
-                "Bending moment of the wall at the base",
-            ),
-            (
-                Scalar::SectionMoment,
-                Channel::SectionMoment,
-                "Bending moment of the lowest section of the wall",
-            ),
+            (Scalar::Deflection, Channel::Deflection, "Deflection of the top of the wall"),
+            (Scalar::Shear, |side| Channel::BaseOn(OnWall::Shear, side), "Shear force at the base of the wall"),
+            (Scalar::Moment, |side| Channel::BaseOn(OnWall::Moment, side), "Bending moment of the wall at the base"),
+            (Scalar::SectionMoment, Channel::SectionMoment, "Bending moment of the lowest section of the wall"),
         ];
         for (scalar, channel, title) in walls {
             for (side, angle) in Side::BOTH.into_iter().zip([0, 180]) {
@@ -279,20 +237,14 @@ impl Report<'_> {
             values.insert(Quantity::ConvectiveMass, mode.effective_mass);
         }
         let structural = modes.iter().filter(|m| m.kind == Kind::Structural.id());
-        let impulsive = Impulsive::of(structural.map(|m| Member {
-            number: m.number,
-            omega: m.omega,
-            mass: m.effective_mass,
-        }));
+        let impulsive =
+            Impulsive::of(structural.map(|m| Member { number: m.number, omega: m.omega, mass: m.effective_mass }));
         if let Some(impulsive) = impulsive {
             values.insert(Quantity::ImpulsivePeriod, impulsive.period());
             values.insert(Quantity::ImpulsiveMass, impulsive.mass());
         }
         let rises = lines.iter().filter(|l| l.channel.is_wave());
-        values.insert(
-            Quantity::SloshingHeight,
-            rises.map(|l| l.extremes()[0].0).fold(0.0, f64::max),
-        );
+        values.insert(Quantity::SloshingHeight, rises.map(|l| l.extremes()[0].0).fold(0.0, f64::max));
         for channel in [Channel::BaseShear, Channel::BaseMoment, Channel::OverturningMoment] {
             let line = lines.iter().find(|l| l.channel == channel);
             if let (Some(line), Some(quantity)) = (line, channel.quantity()) {
@@ -315,10 +267,7 @@ impl Report<'_> {
             let times = histories.series.time.iter();
             let column = times.map(|&t| value_at(&line.times, &line.values, t, &mut at) - line.rest);
             let column = column.collect();
-            let info = SeriesInfo {
-                title: line.title.clone(),
-                ..SeriesInfo::of(line.channel, line.rest, line.peak())
-            };
+            let info = SeriesInfo { title: line.title.clone(), ..SeriesInfo::of(line.channel, line.rest, line.peak()) };
             histories.push(info, column);
         }
         histories

@@ -27,17 +27,10 @@ const PLANE_MODULUS: f64 = 34e9 / (1.0 - 0.2 * 0.2);
 
 /// Strip 8.4 of one material, 30 cm.
 fn strip(behaviour: Behaviour, peak: f64) -> Case {
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     let mut case = test_tanks::case(shape, &[(3.0, 0.3)], (34e9, 0.2, 2950.0), (DENSITY, DEPTH));
     case.tank.courses[0].material.behaviour = behaviour;
-    case.damping = Ratios {
-        sloshing: 0.005,
-        impulsive: 0.05,
-    };
+    case.damping = Ratios { sloshing: 0.005, impulsive: 0.05 };
     // Two seconds that excite sloshing and wall alike, begun and ended softly.
     let dt = 0.01;
     let acceleration = (0..=200).map(|i| {
@@ -46,12 +39,7 @@ fn strip(behaviour: Behaviour, peak: f64) -> Case {
         peak * swell * (0.6 * (2.4 * t).sin() + 0.5 * (40.0 * t).sin() + 0.3 * (95.0 * t + 1.0).sin())
     });
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "test".into(),
-            dt,
-            acceleration: acceleration.collect(),
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "test".into(), dt, acceleration: acceleration.collect(), processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
@@ -107,10 +95,7 @@ fn reinforced(peak: f64) -> Case {
 
 fn options(case: &Case, elements: u32) -> NonlinearOptions {
     NonlinearOptions {
-        elements: Some(WallElements {
-            height: elements,
-            circumference: 1,
-        }),
+        elements: Some(WallElements { height: elements, circumference: 1 }),
         ..NonlinearOptions::new(case.damping)
     }
 }
@@ -141,15 +126,9 @@ fn small_motion_is_that_of_the_linear_engine() {
     own.time_step = Some(0.0624 / 60.0);
     own.spectral_radius = 1.0;
     let found = run(&case, &own);
-    let linear = crate::simulate(
-        &case,
-        &crate::Options {
-            wave_modes: 12,
-            mesh_error: false,
-            ..crate::Options::default()
-        },
-    )
-    .unwrap();
+    let linear =
+        crate::simulate(&case, &crate::Options { wave_modes: 12, mesh_error: false, ..crate::Options::default() })
+            .unwrap();
     for (quantity, tolerance) in [
         (Quantity::SloshingPeriod, 1e-3),
         (Quantity::ImpulsivePeriod, 2e-3),
@@ -182,9 +161,7 @@ fn small_motion_is_that_of_the_linear_engine() {
         let of = |s: &Simulation| s.result.envelopes.iter().find(|e| e.id == id).unwrap().clone();
         let (a, b) = (of(&found), of(&linear));
         // At the level nearest to 1 m of ours, linear in theirs between neighbours.
-        let i = (0..a.z.len())
-            .min_by(|&i, &j| (a.z[i] - 1.0).abs().total_cmp(&(a.z[j] - 1.0).abs()))
-            .unwrap();
+        let i = (0..a.z.len()).min_by(|&i, &j| (a.z[i] - 1.0).abs().total_cmp(&(a.z[j] - 1.0).abs())).unwrap();
         let z = a.z[i];
         let k = b.z.windows(2).position(|w| w[0] <= z && z <= w[1]).unwrap();
         let part = (z - b.z[k]) / (b.z[k + 1] - b.z[k]);
@@ -202,10 +179,7 @@ fn small_motion_is_that_of_the_linear_engine() {
     assert!(found.result.events.is_empty(), "{:?}", found.result.events);
     assert!(n.energies.error < 1e-6, "{}", n.energies.error);
     // Both walls the same, mirrored.
-    let (a, b) = (
-        column(&found, "wall_displacement_theta_0"),
-        column(&found, "wall_displacement_theta_180"),
-    );
+    let (a, b) = (column(&found, "wall_displacement_theta_0"), column(&found, "wall_displacement_theta_180"));
     let largest = a.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     assert!(a.iter().zip(b).all(|(x, y)| (x + y).abs() < 1e-6 * largest));
 }
@@ -224,25 +198,15 @@ fn at_rest() {
         ("wall_displacement_theta_180", top, 5e-3),
     ] {
         let entry = found.result.histories.iter().find(|s| s.id == id).unwrap();
-        assert!(
-            (entry.static_value / reference - 1.0).abs() < tolerance,
-            "{id}: {}",
-            entry.static_value
-        );
+        assert!((entry.static_value / reference - 1.0).abs() < tolerance, "{id}: {}", entry.static_value);
         assert!(entry.peak < 1e-6 * reference.abs(), "{id}: {}", entry.peak);
     }
     // Without weight the pressure is still there at the start.
     let mut weightless = options(&case, 20);
     weightless.self_weight = false;
     let light = run(&case, &weightless);
-    let entry = |s: &Simulation| {
-        s.result
-            .histories
-            .iter()
-            .find(|s| s.id == "wall_displacement_theta_0")
-            .unwrap()
-            .clone()
-    };
+    let entry =
+        |s: &Simulation| s.result.histories.iter().find(|s| s.id == "wall_displacement_theta_0").unwrap().clone();
     assert!((entry(&light).static_value / entry(&found).static_value - 1.0).abs() < 1e-9);
     assert!(entry(&light).peak < 1e-6 * top);
     let n = nonlinear(&found);
@@ -272,12 +236,7 @@ fn walls_that_crack() {
     assert!(stress.values[0] > 10e6);
     assert_eq!(n.cracks.len(), 6);
     for picture in &n.cracks {
-        assert!(
-            picture
-                .cracks
-                .iter()
-                .all(|c| c.cell < n.grid.cells() && c.width <= c.largest)
-        );
+        assert!(picture.cracks.iter().all(|c| c.cell < n.grid.cells() && c.width <= c.largest));
     }
     let e = &n.energies;
     assert!(e.error < 1e-3, "{}", e.error);
@@ -288,12 +247,7 @@ fn walls_that_crack() {
     }
     assert!(e.hysteretic.windows(2).all(|w| w[1] >= w[0] - 1e-9) && *e.hysteretic.last().unwrap() > 0.0);
     for series in &found.result.histories {
-        assert_eq!(
-            column(&found, &series.id).len(),
-            found.series.time.len(),
-            "{}",
-            series.id
-        );
+        assert_eq!(column(&found, &series.id).len(), found.series.time.len(), "{}", series.id);
     }
     assert_eq!(n.loops.len(), 4);
     assert!(n.loops.iter().all(|l| l.points.len() == found.series.time.len()));
@@ -309,10 +263,7 @@ fn contact_that_opens() {
     for (peak, opens) in [(0.5, false), (12.0, true)] {
         let case = strip(Behaviour::Elastic, peak);
         let bonded = run(&case, &options(&case, 20));
-        let own = NonlinearOptions {
-            contact: Contact::Opening,
-            ..options(&case, 20)
-        };
+        let own = NonlinearOptions { contact: Contact::Opening, ..options(&case, 20) };
         let found = run(&case, &own);
         let n = nonlinear(&found);
         assert_eq!(found.result.end, End::Completed);
@@ -321,14 +272,7 @@ fn contact_that_opens() {
         assert_eq!(would.values.iter().any(|p| *p < 0.0), opens);
         let gap = n.maps.iter().find(|m| m.id == "separation").unwrap();
         assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
-        assert_eq!(
-            found
-                .result
-                .events
-                .iter()
-                .any(|e| e.title == "the liquid separates from the wall"),
-            opens
-        );
+        assert_eq!(found.result.events.iter().any(|e| e.title == "the liquid separates from the wall"), opens);
         assert_eq!(found.result.parted(), opens);
         // An incremental analysis gives the same at the scale 1.
         for options in [&options(&case, 20), &own] {
@@ -338,11 +282,7 @@ fn contact_that_opens() {
             let parting = runs[0].parting;
             assert_eq!(parting.is_some(), opens);
             assert!(parting.is_none_or(|p| p.open == open && p.height > 0.0 && p.height <= DEPTH));
-            let told = found
-                .result
-                .events
-                .iter()
-                .find(|e| e.title == "the liquid separates from the wall");
+            let told = found.result.events.iter().find(|e| e.title == "the liquid separates from the wall");
             if let (Some(parting), Some(told), true) = (parting, told, open) {
                 assert_eq!(parting.time, told.time);
             }
@@ -359,19 +299,12 @@ fn contact_that_opens() {
 /// A wall that does not carry the hydrostatic pressure: the part that it carries, and no response.
 #[test]
 fn collapse_at_rest() {
-    let Behaviour::Concrete(mut weak) = concrete() else {
-        unreachable!()
-    };
+    let Behaviour::Concrete(mut weak) = concrete() else { unreachable!() };
     // Cracks at (1 MPa + 0.09 MPa) h²/6 = 16 kNm/m of the 29 kNm/m at the base.
     (weak.tensile_strength, weak.softening) = (1e6, Softening::FractureEnergy(20.0));
     let case = strip(Behaviour::Concrete(weak), 1.0);
     let found = run(&case, &options(&case, 12));
-    let End::Collapsed {
-        load_factor: Some(factor),
-        time,
-        ..
-    } = found.result.end
-    else {
+    let End::Collapsed { load_factor: Some(factor), time, .. } = found.result.end else {
         panic!("{:?}", found.result.end);
     };
     assert!(time < 0.0 && factor > 0.5 && factor < 0.95, "{factor}");
@@ -385,24 +318,14 @@ fn collapse_at_rest() {
 fn collapse_is_a_result() {
     let case = strip(concrete(), 12.0);
     let found = run(&case, &options(&case, 12));
-    let End::Collapsed {
-        time,
-        load_factor,
-        reason,
-        place,
-    } = &found.result.end
-    else {
+    let End::Collapsed { time, load_factor, reason, place } = &found.result.end else {
         panic!("{:?}", found.result.end);
     };
     assert!(*time > 0.1 && *time < 2.0 && load_factor.is_none() && !reason.is_empty());
     assert!(place.starts_with("wall at"), "{place}");
     let last = *found.series.time.last().unwrap();
     assert!(last <= *time && last > time - 0.011, "{last} {time}");
-    assert!(
-        found.notes.iter().any(|n| n.starts_with("Collapse")),
-        "{:?}",
-        found.notes
-    );
+    assert!(found.notes.iter().any(|n| n.starts_with("Collapse")), "{:?}", found.notes);
     assert!(!found.result.incomplete);
     assert!(found.result.events.iter().any(|e| e.kind == EventKind::FirstCrack));
     assert!(found.values[&Quantity::BaseShear].is_finite());
@@ -421,10 +344,6 @@ fn what_the_strip_refuses() {
         other => panic!("{other:?}"),
     };
     assert!(refused(&case).contains("roof"));
-    case.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 4.0,
-        strip: false,
-    };
+    case.tank.shape = Shape::Rectangle { length: 5.0, breadth: 4.0, strip: false };
     assert!(refused(&case).contains("strip true"));
 }

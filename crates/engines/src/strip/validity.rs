@@ -41,12 +41,8 @@ pub const ACCELERATION: f64 = 500.0 * oscillator::STANDARD_GRAVITY;
 pub const ENERGY_SHARE: f64 = 0.05;
 
 /// Kinds of departures, in the order of the numbers that checkpoints hold.
-const KINDS: [DepartureKind; 4] = [
-    DepartureKind::BarStrain,
-    DepartureKind::MomentBalance,
-    DepartureKind::Acceleration,
-    DepartureKind::StoredEnergy,
-];
+const KINDS: [DepartureKind; 4] =
+    [DepartureKind::BarStrain, DepartureKind::MomentBalance, DepartureKind::Acceleration, DepartureKind::StoredEnergy];
 
 /// Bar closest to its limit.
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,11 +61,7 @@ impl BarStrain {
             given => given,
         };
         if ratio > self.ratio {
-            *self = BarStrain {
-                ratio,
-                strain,
-                height: bar.position[2],
-            };
+            *self = BarStrain { ratio, strain, height: bar.position[2] };
         }
     }
 }
@@ -94,9 +86,8 @@ impl Validity {
     /// Takes in a committed step, with the reaction at the base and the worst bar.
     pub(crate) fn see(&mut self, strip: &StripModel, now: &Instant<'_>, reaction: &BaseReaction, bar: BarStrain) {
         let elements = strip.model.elements().iter().enumerate();
-        let dissipated: f64 = elements
-            .map(|(e, element)| element.dissipated(&now.state.old[now.state.history(e)]))
-            .sum();
+        let dissipated: f64 =
+            elements.map(|(e, element)| element.dissipated(&now.state.old[now.state.history(e)])).sum();
         let [at_start, rest] = *self.start.get_or_insert_with(|| {
             let load = strip.at_rest();
             let work: f64 = load.iter().zip(&now.state.committed.u).map(|(p, u)| p * u).sum();
@@ -106,12 +97,7 @@ impl Validity {
         self.largest = self.largest.max(energies.input.abs()).max(energies.kinetic);
         let (u, force) = (&now.state.committed.u, &now.forces.at_end);
         let ([u0, f0], after) = (&self.before, u.iter().zip(force));
-        let work: f64 = u0
-            .iter()
-            .zip(f0)
-            .zip(after)
-            .map(|((u0, f0), (u, f))| 0.5 * (f + f0) * (u - u0))
-            .sum();
+        let work: f64 = u0.iter().zip(f0).zip(after).map(|((u0, f0), (u, f))| 0.5 * (f + f0) * (u - u0)).sum();
         self.joints += work;
         if !force.is_empty() {
             self.before = [u.clone(), force.clone()];
@@ -130,32 +116,13 @@ impl Validity {
         let (acceleration, place) = strip.largest_acceleration(&now.state.committed.a, now.ground[0]);
         let energy = -rest - ENERGY_SHARE * self.largest;
         for (kind, passed, height, value, limit) in [
-            (
-                DepartureKind::BarStrain,
-                bar.ratio > 1.0,
-                bar.height,
-                bar.strain,
-                bar.strain / bar.ratio,
-            ),
-            (
-                DepartureKind::MomentBalance,
-                share > MOMENT_SHARE,
-                0.0,
-                share,
-                MOMENT_SHARE,
-            ),
-            (
-                DepartureKind::Acceleration,
-                acceleration > ACCELERATION,
-                place,
-                acceleration,
-                ACCELERATION,
-            ),
+            (DepartureKind::BarStrain, bar.ratio > 1.0, bar.height, bar.strain, bar.strain / bar.ratio),
+            (DepartureKind::MomentBalance, share > MOMENT_SHARE, 0.0, share, MOMENT_SHARE),
+            (DepartureKind::Acceleration, acceleration > ACCELERATION, place, acceleration, ACCELERATION),
             (DepartureKind::StoredEnergy, stored < energy, place, stored, energy),
         ] {
             if passed && self.found.iter().all(|d| d.kind != kind) {
-                self.found
-                    .push(departure(kind, now.time, height, Passed { value, limit }));
+                self.found.push(departure(kind, now.time, height, Passed { value, limit }));
             }
         }
     }
@@ -194,10 +161,7 @@ impl Validity {
         (self.largest, self.moments) = (largest, [reaction, section]);
         let kind = |k: f64| KINDS.into_iter().find(|d| *d as usize as f64 == k);
         let departure = |d: &[f64]| {
-            let passed = Passed {
-                value: d[3],
-                limit: d[4],
-            };
+            let passed = Passed { value: d[3], limit: d[4] };
             Some(departure(kind(d[0])?, d[1], d[2], passed))
         };
         let all = from.numbers("departures")?;
@@ -208,13 +172,7 @@ impl Validity {
 
 /// A departure of one wall.
 fn departure(kind: DepartureKind, time: f64, height: f64, passed: Passed) -> Departure {
-    Departure {
-        kind,
-        time,
-        theta: None,
-        height,
-        passed: Some(passed),
-    }
+    Departure { kind, time, theta: None, height, passed: Some(passed) }
 }
 
 /// The first of each kind, by time.

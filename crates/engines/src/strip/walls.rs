@@ -23,10 +23,7 @@ pub(super) const FACES: [&str; 2] = ["inner face", "outer face"];
 
 /// The departure of the wall at the angle `theta` [rad].
 fn at(found: &Departure, theta: f64) -> Departure {
-    Departure {
-        theta: Some(theta),
-        ..found.clone()
-    }
+    Departure { theta: Some(theta), ..found.clone() }
 }
 
 /// Both walls after a run.
@@ -45,9 +42,7 @@ impl Walls<'_> {
         let levels = &self.model.tank.levels;
         Nonlinear {
             grid: WallGrid {
-                columns: Columns::Walls {
-                    names: WALLS.map(String::from).to_vec(),
-                },
+                columns: Columns::Walls { names: WALLS.map(String::from).to_vec() },
                 z: levels.clone(),
                 surface: self.case.liquid.fill_height,
             },
@@ -122,10 +117,7 @@ impl Walls<'_> {
             return End::Completed;
         };
         if let Some(left) = self.left(wall) {
-            return End::Left {
-                time: left.time,
-                departure: left,
-            };
+            return End::Left { time: left.time, departure: left };
         }
         let (run, lost) = (&self.runs[wall].run, &self.runs[wall].lost);
         let (reason, place) = match (&run.outcome, lost) {
@@ -135,12 +127,7 @@ impl Walls<'_> {
             _ => (String::new(), WALLS[wall].to_owned()),
         };
         let load_factor = self.load_factor(wall);
-        End::Collapsed {
-            time: if load_factor.is_some() { -1.0 } else { run.time },
-            load_factor,
-            reason,
-            place,
-        }
+        End::Collapsed { time: if load_factor.is_some() { -1.0 } else { run.time }, load_factor, reason, place }
     }
 
     fn place_of(&self, wall: usize, collapse: &Collapse) -> String {
@@ -242,10 +229,7 @@ impl Walls<'_> {
     }
 
     fn loops(&self) -> Vec<Loop> {
-        let axis = |title: &str, dimension| LoopAxis {
-            title: title.into(),
-            dimension,
-        };
+        let axis = |title: &str, dimension| LoopAxis { title: title.into(), dimension };
         let points = |run: &WallRun, x: Scalar, y: Scalar| -> Vec<[f64; 2]> {
             let (x, y) = (run.history.scalar(x), run.history.scalar(y));
             let samples = run.history.samples.iter().take(self.samples);
@@ -308,11 +292,7 @@ impl Walls<'_> {
             sum("factorisations", |r| r.run.cost.factors),
         ];
         if shortest.is_finite() {
-            out.push(Count {
-                label: "shortest step".into(),
-                value: shortest,
-                dimension: Dimension::Time,
-            });
+            out.push(Count { label: "shortest step".into(), value: shortest, dimension: Dimension::Time });
         }
         out
     }

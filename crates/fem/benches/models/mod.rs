@@ -9,11 +9,7 @@ use fem::model::{Builder, Model};
 
 fn volume([radial, sectors, levels]: [usize; 3]) -> Volume {
     let steps = |n: usize, length: f64| (0..=n).map(|i| length * i as f64 / n as f64).collect();
-    let cylinder = Cylinder {
-        radii: steps(radial, 10.0),
-        sectors,
-        heights: steps(levels, 20.0),
-    };
+    let cylinder = Cylinder { radii: steps(radial, 10.0), sectors, heights: steps(levels, 20.0) };
     cylinder.volume().expect("the mesh is regular")
 }
 
@@ -40,10 +36,7 @@ pub(crate) fn scalar(bricks: [usize; 3]) -> Model {
     let mut builder = Builder::new();
     builder.nodes(&mesh.nodes);
     for cell in &mesh.cells {
-        builder.element(
-            "liquid",
-            Potential8::new(cell, Chart::Cylindrical, 1000.0).expect("the bricks are regular"),
-        );
+        builder.element("liquid", Potential8::new(cell, Chart::Cylindrical, 1000.0).expect("the bricks are regular"));
     }
     for &node in &mesh.bottom_nodes {
         builder.hold(node, Dof::Phi);

@@ -53,9 +53,7 @@ pub fn lowest(
         let factor = symbolic.factor(&at(factor), Kind::QuasiDefinite);
         Ok(factor.map_err(failed("stiffness under load"))?.inertia().negative == 0)
     };
-    symbolic
-        .factor(stiffness, Kind::Definite)
-        .map_err(failed("stiffness before the load"))?;
+    symbolic.factor(stiffness, Kind::Definite).map_err(failed("stiffness before the load"))?;
     let (mut low, mut high) = (0.0, 1.0);
     while stable(high)? {
         low = high;
@@ -69,9 +67,7 @@ pub fn lowest(
         if next < 1.0 / MOST {
             return Err(AnalysisError::Linalg {
                 what: "stiffness under load",
-                source: LinalgError::Singular {
-                    size: symbolic.pattern().size(),
-                },
+                source: LinalgError::Singular { size: symbolic.pattern().size() },
             });
         }
         if stable(next)? {
@@ -95,11 +91,6 @@ pub fn lowest(
         return Ok(None);
     };
     let vector = found.vectors.column(0);
-    let largest = vector
-        .iter()
-        .fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
-    Ok(Some(Buckling {
-        factor: low / (1.0 - kappa),
-        mode: vector.iter().map(|v| v / largest).collect(),
-    }))
+    let largest = vector.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
+    Ok(Some(Buckling { factor: low / (1.0 - kappa), mode: vector.iter().map(|v| v / largest).collect() }))
 }

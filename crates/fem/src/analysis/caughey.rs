@@ -33,11 +33,8 @@ impl Caughey {
     ///
     /// Errors: fewer than two pairs or more than [`MOST`]; a frequency that is not positive, equal frequencies; a ratio outside 0 to 1.
     pub fn fit(pairs: &[(f64, f64)]) -> Result<Caughey, DampingError> {
-        let refuse = |found: String, allowed: &str| DampingError {
-            option: "Caughey damping",
-            found,
-            allowed: allowed.into(),
-        };
+        let refuse =
+            |found: String, allowed: &str| DampingError { option: "Caughey damping", found, allowed: allowed.into() };
         let count = pairs.len();
         if !(2..=MOST).contains(&count) {
             return Err(refuse(format!("{count} pairs"), "2 to 6 pairs"));
@@ -54,10 +51,7 @@ impl Caughey {
         all[..count].copy_from_slice(pairs);
         all[..count].sort_by(|a, b| a.0.total_cmp(&b.0));
         match all[..count].windows(2).find(|w| w[1].0 - w[0].0 <= 1e-6 * w[1].0) {
-            Some(same) => Err(refuse(
-                format!("two pairs at {} rad/s", same[0].0),
-                "different frequencies",
-            )),
+            Some(same) => Err(refuse(format!("two pairs at {} rad/s", same[0].0), "different frequencies")),
             None => Ok(Caughey { pairs: all, count }),
         }
     }
@@ -96,10 +90,7 @@ mod tests {
     #[test]
     fn two_pairs_are_rayleigh() {
         let pairs = [(30.0, 0.05), (4.0, 0.02)];
-        let (caughey, rayleigh) = (
-            Caughey::fit(&pairs).unwrap(),
-            Rayleigh::fit(pairs[0], pairs[1], false).unwrap(),
-        );
+        let (caughey, rayleigh) = (Caughey::fit(&pairs).unwrap(), Rayleigh::fit(pairs[0], pairs[1], false).unwrap());
         for omega in [4.0, 5.5, 11.0, 20.0, 29.9, 30.0] {
             assert!((caughey.ratio(omega) - rayleigh.ratio(omega)).abs() < 1e-12);
         }
@@ -123,11 +114,7 @@ mod tests {
         let k = [[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 2.0]];
         let root = 2.0_f64.sqrt();
         let omegas = [2.0 - root, 2.0, 2.0 + root].map(f64::sqrt);
-        let modes = [
-            [0.5, root / 2.0, 0.5],
-            [root / 2.0, 0.0, -root / 2.0],
-            [0.5, -root / 2.0, 0.5],
-        ];
+        let modes = [[0.5, root / 2.0, 0.5], [root / 2.0, 0.0, -root / 2.0], [0.5, -root / 2.0, 0.5]];
         let a = [0.02, 0.01, 0.004];
         let times = |x: [f64; 3]| k.map(|row| row.iter().zip(x).map(|(k, x)| k * x).sum::<f64>());
         let damped = |x: [f64; 3]| {
@@ -144,12 +131,9 @@ mod tests {
 
     #[test]
     fn what_is_not_admissible() {
-        for pairs in [
-            &[(1.0, 0.02)][..],
-            &[(1.0, 0.02), (1.0, 0.03)],
-            &[(0.0, 0.02), (1.0, 0.03)],
-            &[(1.0, 1.2), (2.0, 0.03)],
-        ] {
+        for pairs in
+            [&[(1.0, 0.02)][..], &[(1.0, 0.02), (1.0, 0.03)], &[(0.0, 0.02), (1.0, 0.03)], &[(1.0, 1.2), (2.0, 0.03)]]
+        {
             assert!(Caughey::fit(pairs).is_err());
         }
     }

@@ -105,10 +105,7 @@ impl CheckpointError {
     pub fn of(self, path: &Path) -> CheckpointError {
         match self {
             CheckpointError::File { .. } | CheckpointError::Unusable { .. } => self,
-            cause => CheckpointError::Unusable {
-                path: path.display().to_string(),
-                cause: Box::new(cause),
-            },
+            cause => CheckpointError::Unusable { path: path.display().to_string(), cause: Box::new(cause) },
         }
     }
 
@@ -137,29 +134,17 @@ pub fn inspect(path: &Path) -> Result<(), CheckpointError> {
 
 /// Identity and payload of a sound file.
 fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
-    let failed = |e: std::io::Error| CheckpointError::File {
-        path: path.display().to_string(),
-        reason: e.to_string(),
-    };
+    let failed = |e: std::io::Error| CheckpointError::File { path: path.display().to_string(), reason: e.to_string() };
     let mut all = Vec::new();
-    File::open(path)
-        .map_err(failed)?
-        .read_to_end(&mut all)
-        .map_err(failed)?;
+    File::open(path).map_err(failed)?.read_to_end(&mut all).map_err(failed)?;
     if !all.starts_with(&MAGIC) {
         let found = all[..all.len().min(MAGIC.len())].to_vec();
         return Err(CheckpointError::Magic { found });
     }
     let size = all.len() as u64;
     // Whatever is missing of a head that ends early.
-    let short = |_| CheckpointError::Length {
-        found: size,
-        allowed: HEAD as u64 + 8,
-    };
-    let mut head = Reader {
-        bytes: all,
-        at: MAGIC.len(),
-    };
+    let short = |_| CheckpointError::Length { found: size, allowed: HEAD as u64 + 8 };
+    let mut head = Reader { bytes: all, at: MAGIC.len() };
     let version = u32::from_le_bytes(head.take("version").map_err(short)?);
     if version != VERSION {
         return Err(CheckpointError::Version { found: version });
@@ -176,10 +161,7 @@ fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
     let mut hash = Hash::default();
     hash.bytes(&payload);
     if found != hash.value() {
-        return Err(CheckpointError::Checksum {
-            found,
-            allowed: hash.value(),
-        });
+        return Err(CheckpointError::Checksum { found, allowed: hash.value() });
     }
     Ok((identity, payload))
 }
@@ -274,10 +256,8 @@ impl Writer {
     ///
     /// Errors: those of the file system.
     pub fn save(self, path: &Path, identity: u64) -> Result<(), CheckpointError> {
-        let failed = |e: std::io::Error| CheckpointError::File {
-            path: path.display().to_string(),
-            reason: e.to_string(),
-        };
+        let failed =
+            |e: std::io::Error| CheckpointError::File { path: path.display().to_string(), reason: e.to_string() };
         let mut hash = Hash::default();
         hash.bytes(&self.bytes);
         let beside = unfinished(path);
@@ -315,10 +295,7 @@ impl Reader {
     pub fn open(path: &Path, identity: u64) -> Result<Reader, CheckpointError> {
         let (found, bytes) = read(path)?;
         if found != identity {
-            return Err(CheckpointError::Identity {
-                found,
-                allowed: identity,
-            });
+            return Err(CheckpointError::Identity { found, allowed: identity });
         }
         Ok(Reader { bytes, at: 0 })
     }
@@ -355,11 +332,7 @@ impl Reader {
         let count = self.count()?;
         let left = (self.bytes.len() - self.at) / 8;
         if count > left {
-            return Err(CheckpointError::Shape {
-                what,
-                found: left,
-                allowed: count,
-            });
+            return Err(CheckpointError::Shape { what, found: left, allowed: count });
         }
         (0..count).map(|_| self.number()).collect()
     }
@@ -370,11 +343,7 @@ impl Reader {
     pub fn numbers_into(&mut self, what: &'static str, to: &mut [f64]) -> Result<(), CheckpointError> {
         let found = self.numbers(what)?;
         if found.len() != to.len() {
-            return Err(CheckpointError::Shape {
-                what,
-                found: found.len(),
-                allowed: to.len(),
-            });
+            return Err(CheckpointError::Shape { what, found: found.len(), allowed: to.len() });
         }
         to.copy_from_slice(&found);
         Ok(())
@@ -411,11 +380,7 @@ impl Reader {
         let found = u64::from_le_bytes(self.take(what)?);
         match range.contains(&found) {
             true => Ok(found),
-            false => Err(CheckpointError::Value {
-                what,
-                found: found as f64,
-                allowed,
-            }),
+            false => Err(CheckpointError::Value { what, found: found as f64, allowed }),
         }
     }
 
@@ -444,11 +409,7 @@ impl Reader {
     fn rest(&mut self, what: &'static str) -> Result<Vec<u8>, CheckpointError> {
         let length = self.count()?;
         let bytes = self.bytes.get(self.at..self.at.saturating_add(length));
-        let bytes = bytes.ok_or(CheckpointError::Shape {
-            what,
-            found: self.bytes.len() - self.at,
-            allowed: length,
-        })?;
+        let bytes = bytes.ok_or(CheckpointError::Shape { what, found: self.bytes.len() - self.at, allowed: length })?;
         self.at += length;
         Ok(bytes.to_vec())
     }

@@ -37,11 +37,7 @@ pub struct ContactSettings {
 
 impl Default for ContactSettings {
     fn default() -> ContactSettings {
-        ContactSettings {
-            iterations: 50,
-            passes: 0,
-            penetration: 0.0,
-        }
+        ContactSettings { iterations: 50, passes: 0, penetration: 0.0 }
     }
 }
 
@@ -72,12 +68,7 @@ pub fn settle(
 ) -> Result<ContactReport, AnalysisError> {
     check_length("load", load.len(), model.dofs().len())?;
     let mut tangent = Symmetric::zeros(assembler.pattern().clone());
-    let mut report = ContactReport {
-        iterations: Vec::new(),
-        penetration: Vec::new(),
-        closed: 0,
-        open: 0,
-    };
+    let mut report = ContactReport { iterations: Vec::new(), penetration: Vec::new(), closed: 0, open: 0 };
     for pass in 0..=settings.passes {
         let found = balance(model, assembler, symbolic, state, load, settings, &mut tangent);
         let (iterations, set) = match found {
@@ -132,9 +123,7 @@ fn balance(
         let cycle = !repeats && seen.contains(&set);
         seen.push(set.clone());
         previous = Some(set);
-        let factor = symbolic
-            .factor(tangent, Kind::QuasiDefinite)
-            .map_err(failed("the tangent with contact"))?;
+        let factor = symbolic.factor(tangent, Kind::QuasiDefinite).map_err(failed("the tangent with contact"))?;
         let mut du = factor.solve_vector(&r).map_err(failed("the tangent with contact"))?;
         if cycle {
             du.iter_mut().for_each(|d| *d *= 0.5);
@@ -143,10 +132,7 @@ fn balance(
     }
     Err(AnalysisError::Option {
         option: "contact",
-        found: format!(
-            "no equilibrium with a repeating set in {} iterations",
-            settings.iterations
-        ),
+        found: format!("no equilibrium with a repeating set in {} iterations", settings.iterations),
         allowed: "fewer; smaller load steps, or a smaller penalty".into(),
     })
 }

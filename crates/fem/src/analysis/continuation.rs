@@ -151,10 +151,7 @@ impl<'a> Continuation<'a> {
 
     /// The data that the next step needs besides the committed state.
     pub fn memory(&self) -> Memory {
-        Memory {
-            factor: self.lambda,
-            last: self.last.clone(),
-        }
+        Memory { factor: self.lambda, last: self.last.clone() }
     }
 
     /// Restores the data of [`Continuation::memory`]: from the same committed state the path continues bit for bit.
@@ -189,11 +186,7 @@ impl<'a> Continuation<'a> {
                     true => Some(self.negative()?),
                     false => None,
                 };
-                Ok(PathPoint {
-                    factor: lambda,
-                    iterations,
-                    negative,
-                })
+                Ok(PathPoint { factor: lambda, iterations, negative })
             }
             Err(failure) => {
                 state.revert();
@@ -213,9 +206,7 @@ impl<'a> Continuation<'a> {
         // Any vector that no symmetry of a structure makes orthogonal to a mode.
         let mut x: Vec<f64> = (0..n).map(|i| 1.0 + (1.7 * i as f64).sin()).collect();
         for _ in 0..60 {
-            let y = factor
-                .solve_vector(&x)
-                .map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
+            let y = factor.solve_vector(&x).map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
             let size = y.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
             let next: Vec<f64> = y.iter().map(|v| v / size).collect();
             let change = next.iter().zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -236,10 +227,7 @@ impl<'a> Continuation<'a> {
     /// Forces and, in `tangent`, K_T at the trial state.
     fn respond(&mut self, state: &mut State, mixed: bool) -> Result<Vec<f64>, StepFailure> {
         let kept = if mixed { self.kept.as_mut() } else { None };
-        let ask = Ask {
-            threads: self.threads,
-            ..Ask::now(Want::ALL, None)
-        };
+        let ask = Ask { threads: self.threads, ..Ask::now(Want::ALL, None) };
         let mut forces = Forces::default();
         self.assembler
             .answer(self.model, state, ask, &mut self.tangent, &mut forces, kept)
@@ -278,12 +266,7 @@ impl<'a> Continuation<'a> {
             let repeats = sets.last().is_none_or(|last| *last == set);
             let cycle = !repeats && sets.contains(&set);
             sets.push(set);
-            let applied: Vec<f64> = self
-                .constant
-                .iter()
-                .zip(&self.load)
-                .map(|(c, p)| c + lambda * p)
-                .collect();
+            let applied: Vec<f64> = self.constant.iter().zip(&self.load).map(|(c, p)| c + lambda * p).collect();
             let r: Vec<f64> = applied.iter().zip(&force).map(|(p, f)| p - f).collect();
             let rest = norm(&r);
             largest = largest.max(rest);
@@ -313,9 +296,7 @@ impl<'a> Continuation<'a> {
             both.column_mut(0).copy_from_slice(&r);
             both.column_mut(1).copy_from_slice(&self.load);
             let factor = self.factorise().map_err(StepFailure::Tangent)?;
-            factor
-                .solve(&mut both)
-                .map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
+            factor.solve(&mut both).map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
             let (du_r, du_p) = (both.column(0), both.column(1));
             let d_lambda = self.load_step(state, constraint, lambda, du_r, du_p, iteration);
             if !d_lambda.is_finite() {
@@ -343,12 +324,7 @@ impl<'a> Continuation<'a> {
 
     fn divergence(&self, iteration: usize, residual: f64, r: &[f64]) -> StepFailure {
         let (node, dof) = self.worst(r);
-        StepFailure::Divergence {
-            iteration,
-            residual,
-            node,
-            dof,
-        }
+        StepFailure::Divergence { iteration, residual, node, dof }
     }
 
     /// δλ that keeps the linearised constraint.

@@ -60,25 +60,16 @@ pub struct Rayleigh {
 
 impl Rayleigh {
     /// No damping.
-    pub const NONE: Rayleigh = Rayleigh {
-        mass: 0.0,
-        stiffness: 0.0,
-    };
+    pub const NONE: Rayleigh = Rayleigh { mass: 0.0, stiffness: 0.0 };
 
     /// Mass-proportional damping: the ratio `ratio` at `omega` [rad/s], falling with 1/ω.
     pub fn mass_proportional(omega: f64, ratio: f64) -> Rayleigh {
-        Rayleigh {
-            mass: 2.0 * ratio * omega,
-            stiffness: 0.0,
-        }
+        Rayleigh { mass: 2.0 * ratio * omega, stiffness: 0.0 }
     }
 
     /// Stiffness-proportional damping: the ratio `ratio` at `omega` [rad/s], growing with ω.
     pub fn stiffness_proportional(omega: f64, ratio: f64) -> Rayleigh {
-        Rayleigh {
-            mass: 0.0,
-            stiffness: 2.0 * ratio / omega,
-        }
+        Rayleigh { mass: 0.0, stiffness: 2.0 * ratio / omega }
     }
 
     /// Coefficients that give the ratios of two (circular frequency [rad/s], ratio) pairs.
@@ -86,11 +77,8 @@ impl Rayleigh {
     /// Errors: a frequency that is not positive, equal frequencies, a negative ratio; unless `allow_negative`, a negative
     /// coefficient, with the admissible range of ξ₂/ξ₁.
     pub fn fit(first: (f64, f64), second: (f64, f64), allow_negative: bool) -> Result<Rayleigh, DampingError> {
-        let refuse = |found: String, allowed: &str| DampingError {
-            option: "Rayleigh damping",
-            found,
-            allowed: allowed.into(),
-        };
+        let refuse =
+            |found: String, allowed: &str| DampingError { option: "Rayleigh damping", found, allowed: allowed.into() };
         for (omega, ratio) in [first, second] {
             if !(omega > 0.0 && omega.is_finite()) {
                 return Err(refuse(format!("circular frequency {omega} rad/s"), "a positive number"));
@@ -99,22 +87,13 @@ impl Rayleigh {
                 return Err(refuse(format!("damping ratio {ratio}"), "0 to 1"));
             }
         }
-        let ((w1, x1), (w2, x2)) = if first.0 <= second.0 {
-            (first, second)
-        } else {
-            (second, first)
-        };
+        let ((w1, x1), (w2, x2)) = if first.0 <= second.0 { (first, second) } else { (second, first) };
         let span = (w2 - w1) * (w2 + w1);
         if span <= 1e-9 * w2 * w2 {
-            return Err(refuse(
-                format!("both frequencies at {w1} rad/s"),
-                "two different frequencies",
-            ));
+            return Err(refuse(format!("both frequencies at {w1} rad/s"), "two different frequencies"));
         }
-        let rayleigh = Rayleigh {
-            mass: 2.0 * w1 * w2 * (w2 * x1 - w1 * x2) / span,
-            stiffness: 2.0 * (w2 * x2 - w1 * x1) / span,
-        };
+        let rayleigh =
+            Rayleigh { mass: 2.0 * w1 * w2 * (w2 * x1 - w1 * x2) / span, stiffness: 2.0 * (w2 * x2 - w1 * x1) / span };
         if rayleigh.is_negative() && !allow_negative {
             return Err(refuse(
                 format!(
@@ -201,10 +180,7 @@ impl Damping {
 
     /// a_M M + a_K K over all the model.
     pub fn rayleigh(rayleigh: Rayleigh) -> Damping {
-        Damping {
-            rayleigh,
-            ..Damping::default()
-        }
+        Damping { rayleigh, ..Damping::default() }
     }
 
     /// Rayleigh's coefficients by group of elements (`coefficients[group]`), and the elements' own damping (dashpots).
@@ -283,11 +259,8 @@ impl Damping {
     ///
     /// Errors: a negative coefficient in `rest`, a ratio outside 0 to 1, more ratios than modes.
     pub fn modal(mass: &Symmetric, modes: &Eigen, ratios: &[f64], rest: Rayleigh) -> Result<Damping, DampingError> {
-        let refuse = |found: String, allowed: &str| DampingError {
-            option: "modal damping",
-            found,
-            allowed: allowed.into(),
-        };
+        let refuse =
+            |found: String, allowed: &str| DampingError { option: "modal damping", found, allowed: allowed.into() };
         if rest.is_negative() {
             return Err(refuse(
                 format!("a_M = {} 1/s, a_K = {} s for the rest", rest.mass, rest.stiffness),
@@ -311,19 +284,9 @@ impl Damping {
                 rates.push(rate);
             }
         }
-        let modal = (!rates.is_empty()).then(|| ModalPart {
-            momenta: Matrix {
-                rows: mass.size(),
-                cols: rates.len(),
-                data,
-            },
-            rates,
-        });
-        Ok(Damping {
-            rayleigh: rest,
-            modal,
-            ..Damping::default()
-        })
+        let modal = (!rates.is_empty())
+            .then(|| ModalPart { momenta: Matrix { rows: mass.size(), cols: rates.len(), data }, rates });
+        Ok(Damping { rayleigh: rest, modal, ..Damping::default() })
     }
 
     /// y = C x.
@@ -354,12 +317,7 @@ impl Damping {
         let row = |(mode, &omega): (usize, &f64)| {
             let phi = modes.vectors.column(mode);
             let ratio = dot(phi, &self.times(mass, stiffness, phi)) / (2.0 * omega);
-            RatioRow {
-                mode,
-                omega,
-                ratio,
-                note: remark(ratio),
-            }
+            RatioRow { mode, omega, ratio, note: remark(ratio) }
         };
         modes.omega.iter().enumerate().map(row).collect()
     }
@@ -390,9 +348,7 @@ mod tests {
         let r = Rayleigh::fit((3.02, 0.01), (4.13, 0.02), true).unwrap();
         assert!((r.mass + 0.0600).abs() < 5e-5, "{}", r.mass);
         assert!((r.stiffness - 0.01320).abs() < 5e-6, "{}", r.stiffness);
-        let message = Rayleigh::fit((3.02, 0.01), (4.13, 0.02), false)
-            .unwrap_err()
-            .to_string();
+        let message = Rayleigh::fit((3.02, 0.01), (4.13, 0.02), false).unwrap_err().to_string();
         // 3.02/4.13 and its inverse.
         assert!(message.contains("0.7312") && message.contains("1.3675"), "{message}");
     }
@@ -411,11 +367,7 @@ mod tests {
             (50.0, 0.33, 5e-3),
             (100.0, 0.66, 5e-3),
         ] {
-            assert!(
-                (r.ratio(omega) - ratio).abs() <= tolerance,
-                "{omega}: {}",
-                r.ratio(omega)
-            );
+            assert!((r.ratio(omega) - ratio).abs() <= tolerance, "{omega}: {}", r.ratio(omega));
         }
     }
 

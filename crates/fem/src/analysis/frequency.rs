@@ -168,12 +168,7 @@ impl Reduced {
         let mut all = vec![Vec::with_capacity(omega.len()); observables.len()];
         for &omega in omega {
             let s = Complex::new(0.0, omega);
-            let singular = || {
-                refuse(
-                    format!("a singular system at {omega} rad/s"),
-                    "damping, or no resonance",
-                )
-            };
+            let singular = || refuse(format!("a singular system at {omega} rad/s"), "damping, or no resonance");
             let y = self.solve(s, &right).ok_or_else(singular)?;
             for (out, p) in all.iter_mut().zip(&projected) {
                 let value = amplitude(p, &y, s) + p.ground[axis];
@@ -198,10 +193,7 @@ impl Reduced {
         observables: &[Observable],
     ) -> Result<Vec<History>, AnalysisError> {
         if !load.forces.is_empty() {
-            return Err(refuse(
-                "nodal forces".into(),
-                "ground motion; forces by direct integration",
-            ));
+            return Err(refuse("nodal forces".into(), "ground motion; forces by direct integration"));
         }
         let (h, count) = (grid.h(), grid.steps() + 1);
         let (length, sigma) = match window {
@@ -241,10 +233,7 @@ impl Reduced {
                 }
             }
             let Some(y) = self.solve(s, &right) else {
-                return Err(refuse(
-                    format!("a singular system at {} rad/s", s.im),
-                    "damping, or no resonance",
-                ));
+                return Err(refuse(format!("a singular system at {} rad/s", s.im), "damping, or no resonance"));
             };
             for (out, p) in outputs.iter_mut().zip(&projected) {
                 let follows: Complex<f64> = ground.iter().zip(&p.ground).map(|(a, b)| a * *b).sum();
@@ -259,10 +248,7 @@ impl Reduced {
             }
             let mut y = inverse.make_output_vec();
             (inverse.process(&mut out, &mut y)).expect("imaginary parts were cleared where they must be");
-            let mut history = History {
-                values: Vec::new(),
-                extreme: Extreme::REST,
-            };
+            let mut history = History { values: Vec::new(), extreme: Extreme::REST };
             for (i, y) in y.iter().enumerate().take(count) {
                 let value = y / length as f64 * (sigma * h * i as f64).exp();
                 if !value.is_finite() {
@@ -283,9 +269,7 @@ impl Reduced {
 
     fn project(&self, row: &Observable) -> super::modal::Projected {
         let on = |sparse: &[(usize, f64)]| -> Vec<f64> {
-            (0..self.basis.cols)
-                .map(|j| apply(sparse, self.basis.column(j)))
-                .collect()
+            (0..self.basis.cols).map(|j| apply(sparse, self.basis.column(j))).collect()
         };
         let mut ground = row.total_ground(&self.influence);
         for (g, r) in ground.iter_mut().zip(&self.residual) {
@@ -309,11 +293,7 @@ fn amplitude(p: &super::modal::Projected, y: &DVector<Complex<f64>>, s: Complex<
 }
 
 fn refuse(found: String, allowed: &str) -> AnalysisError {
-    AnalysisError::Option {
-        option: "frequency domain",
-        found,
-        allowed: allowed.into(),
-    }
+    AnalysisError::Option { option: "frequency domain", found, allowed: allowed.into() }
 }
 
 /// The smallest even number ≥ `n` without prime factors above 5, which transforms fast.

@@ -192,13 +192,7 @@ impl Collapse {
             StepFailure::Element { number, .. } => Some(*number),
             _ => None,
         };
-        Collapse {
-            time,
-            load_factor,
-            worst,
-            element,
-            failure,
-        }
+        Collapse { time, load_factor, worst, element, failure }
     }
 }
 
@@ -270,13 +264,8 @@ fn check(problem: Problem<'_>, load: &Load, settings: &Settings) -> Result<(), A
         check_length("state of the start", start.committed.u.len(), n)?;
     }
     settings.scheme.with_step(settings.grid.h())?;
-    let refuse = |option, found: String, allowed: &str| {
-        Err(AnalysisError::Option {
-            option,
-            found,
-            allowed: allowed.into(),
-        })
-    };
+    let refuse =
+        |option, found: String, allowed: &str| Err(AnalysisError::Option { option, found, allowed: allowed.into() });
     if settings.halvings > 20 {
         return refuse("halvings", settings.halvings.to_string(), "0 to 20");
     }

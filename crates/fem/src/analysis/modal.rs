@@ -65,9 +65,7 @@ impl ModalBasis {
         statics: [Option<&[f64]>; 3],
     ) -> Result<ModalBasis, AnalysisError> {
         check_length("modes", vectors.rows, system.size())?;
-        let participation: Vec<[f64; 3]> = (0..omega.len())
-            .map(|j| system.participation(vectors.column(j)))
-            .collect();
+        let participation: Vec<[f64; 3]> = (0..omega.len()).map(|j| system.participation(vectors.column(j))).collect();
         ModalBasis::from_parts(omega, vectors, participation, system.influence.clone(), statics)
     }
 
@@ -137,9 +135,7 @@ impl ModalBasis {
             let w = self.omega[j];
             self.participation[j][axis] * (p.acceleration[j] - p.displacement[j] / (w * w))
         };
-        let followed: f64 = (0..self.len())
-            .map(|j| p.acceleration[j] * self.participation[j][axis])
-            .sum();
+        let followed: f64 = (0..self.len()).map(|j| p.acceleration[j] * self.participation[j][axis]).sum();
         ((0..self.len()).map(unit).collect(), p.ground[axis] - followed)
     }
 
@@ -311,23 +307,13 @@ impl ModalBasis {
 
     fn check(&self, ratios: &[f64], load: &Load) -> Result<(), AnalysisError> {
         let refuse = |found: String, allowed: String| {
-            Err(AnalysisError::Option {
-                option: "modal superposition",
-                found,
-                allowed,
-            })
+            Err(AnalysisError::Option { option: "modal superposition", found, allowed })
         };
         if ratios.len() != self.len() {
-            return refuse(
-                format!("{} damping ratios", ratios.len()),
-                format!("{}, one a mode", self.len()),
-            );
+            return refuse(format!("{} damping ratios", ratios.len()), format!("{}, one a mode", self.len()));
         }
         if !load.forces.is_empty() {
-            return refuse(
-                "nodal forces".into(),
-                "ground motion; forces by direct integration".into(),
-            );
+            return refuse("nodal forces".into(), "ground motion; forces by direct integration".into());
         }
         Ok(())
     }
@@ -345,21 +331,16 @@ impl ModalBasis {
             Some(_) => Vec::new(),
             None => self.groups(ratios, grid.h()),
         };
-        let mut together = self
-            .coupling
-            .as_ref()
-            .map(|d| (Propagator::new(self, ratios, d, grid.h()), vec![0.0; 2 * m]));
+        let mut together =
+            self.coupling.as_ref().map(|d| (Propagator::new(self, ratios, d, grid.h()), vec![0.0; 2 * m]));
         let mut chunk = Chunk::new(2 * m + 3);
         let mut loads = Vec::with_capacity(Chunk::LENGTH);
         while chunk.start < grid.steps() {
             chunk.len = (grid.steps() - chunk.start).min(Chunk::LENGTH) + 1;
             loads.clear();
             loads.extend((chunk.start..chunk.start + chunk.len - 1).map(|i| {
-                let both = |motion: &Option<_>| {
-                    motion
-                        .as_ref()
-                        .map_or((0.0, 0.0), |m: &super::motion::Motion| m.interval(i))
-                };
+                let both =
+                    |motion: &Option<_>| motion.as_ref().map_or((0.0, 0.0), |m: &super::motion::Motion| m.interval(i));
                 [both(&load.ground[0]), both(&load.ground[1]), both(&load.ground[2])]
             }));
             if let Some((propagator, state)) = &mut together {

@@ -73,13 +73,7 @@ impl Motion {
                 a[k] + (s - k as f64) * (next - a[k])
             }
         };
-        Motion {
-            acceleration: if a.is_empty() {
-                Vec::new()
-            } else {
-                (0..=last).map(value).collect()
-            },
-        }
+        Motion { acceleration: if a.is_empty() { Vec::new() } else { (0..=last).map(value).collect() } }
     }
 
     /// Acceleration at the end of sub-step `i` [m/s²].
@@ -107,12 +101,7 @@ mod tests {
     use super::*;
 
     fn record(dt: f64, acceleration: &[f64]) -> Record {
-        Record {
-            name: "test".into(),
-            dt,
-            acceleration: acceleration.to_vec(),
-            processing: Vec::new(),
-        }
+        Record { name: "test".into(), dt, acceleration: acceleration.to_vec(), processing: Vec::new() }
     }
 
     #[test]

@@ -65,17 +65,10 @@ impl Observable {
     /// A sample of an element: stress, resultant, pressure.
     pub fn sample(model: &Model, element: &dyn Element, sample: &Sample) -> Observable {
         let row: SparseRow = model.spread(element, &sample.row).into_iter().collect();
-        let mut out = Observable {
-            name: sample.name.to_owned(),
-            ..Observable::default()
-        };
+        let mut out = Observable { name: sample.name.to_owned(), ..Observable::default() };
         if sample.of_acceleration {
             for (k, b) in out.ground.iter_mut().enumerate() {
-                *b = local_held(model, element, &|_| unit(k))
-                    .iter()
-                    .zip(&sample.row)
-                    .map(|(w, r)| w * r)
-                    .sum();
+                *b = local_held(model, element, &|_| unit(k)).iter().zip(&sample.row).map(|(w, r)| w * r).sum();
             }
             out.acceleration = row;
         } else {
@@ -129,11 +122,8 @@ impl Observable {
             let r = rayleigh(number);
             let [on_k, on_m, own] =
                 all_rows(element, &virtual_motion).map_err(|source| AnalysisError::Element { number, source })?;
-            let on_c: Vec<f64> = own
-                .iter()
-                .zip(on_k.iter().zip(&on_m))
-                .map(|(c, (k, m))| c + r.stiffness * k + r.mass * m)
-                .collect();
+            let on_c: Vec<f64> =
+                own.iter().zip(on_k.iter().zip(&on_m)).map(|(c, (k, m))| c + r.stiffness * k + r.mass * m).collect();
             for (out, local) in [(&mut d, &on_k), (&mut e, &on_c), (&mut c, &on_m)] {
                 for (equation, value) in model.spread(element, local) {
                     *out.entry(equation).or_insert(0.0) += value;
@@ -269,20 +259,13 @@ mod tests {
         for level in 0..levels {
             let nodes: [usize; 8] = std::array::from_fn(|a| 4 * level + a);
             let corners = nodes.map(|n| [corner[n % 4][0], corner[n % 4][1], (n / 4) as f64]);
-            let brick = Solid8::new(
-                nodes,
-                corners,
-                Elastic::isotropic(4e3, 0.3, density),
-                Kinematics::Linear,
-            );
+            let brick = Solid8::new(nodes, corners, Elastic::isotropic(4e3, 0.3, density), Kinematics::Linear);
             builder.element("tower", brick.unwrap());
         }
         let model = builder.build().unwrap();
         let assembler = Assembler::new(&model);
         let stiffness = Rayleigh::stiffness_proportional(10.0, 0.05);
-        let system = System::new(&model, &assembler)
-            .unwrap()
-            .with_damping(Damping::rayleigh(stiffness));
+        let system = System::new(&model, &assembler).unwrap().with_damping(Damping::rayleigh(stiffness));
         let lever = |node: usize| {
             let [x, _, z] = model.nodes()[node];
             // Rotation about y: u_x = z, u_z = −x.
@@ -309,12 +292,7 @@ mod tests {
                         (true, 2) => -2.0,
                         _ => 0.0,
                     };
-                *g = whole
-                    - carried
-                        .iter()
-                        .zip(&system.influence[k])
-                        .map(|(m, i)| m * i)
-                        .sum::<f64>();
+                *g = whole - carried.iter().zip(&system.influence[k]).map(|(m, i)| m * i).sum::<f64>();
             }
             rows.push(Observable {
                 name: format!("{name} of inertia"),

@@ -34,13 +34,7 @@ impl Chunk {
 
     /// An empty chunk of `rows` states.
     pub fn new(rows: usize) -> Chunk {
-        Chunk {
-            start: 0,
-            len: 0,
-            data: vec![0.0; rows * Chunk::STRIDE],
-            low: vec![0.0; rows],
-            high: vec![0.0; rows],
-        }
+        Chunk { start: 0, len: 0, data: vec![0.0; rows * Chunk::STRIDE], low: vec![0.0; rows], high: vec![0.0; rows] }
     }
 
     /// The instants of one state.
@@ -131,11 +125,7 @@ impl Row {
     /// Slopes h ẏ at both ends of the step from instant `k` to `k` + 1, times the step h.
     fn slopes(slope: &Slope, chunk: &Chunk, k: usize, h: f64) -> (f64, f64) {
         let at = |k: usize| slope.states.iter().map(|&(s, c)| c * chunk.state(s)[k]).sum::<f64>() * h;
-        let linear: f64 = slope
-            .linear
-            .iter()
-            .map(|&(s, c)| c * (chunk.state(s)[k + 1] - chunk.state(s)[k]))
-            .sum();
+        let linear: f64 = slope.linear.iter().map(|&(s, c)| c * (chunk.state(s)[k + 1] - chunk.state(s)[k])).sum();
         (at(k) + linear, at(k + 1) + linear)
     }
 }
@@ -211,20 +201,11 @@ pub struct Extreme {
 
 impl Extreme {
     /// At rest.
-    pub const REST: Extreme = Extreme {
-        min: 0.0,
-        min_time: 0.0,
-        max: 0.0,
-        max_time: 0.0,
-    };
+    pub const REST: Extreme = Extreme { min: 0.0, min_time: 0.0, max: 0.0, max_time: 0.0 };
 
     /// Largest absolute value and its time.
     pub fn peak(&self) -> (f64, f64) {
-        if self.max >= -self.min {
-            (self.max, self.max_time)
-        } else {
-            (-self.min, self.min_time)
-        }
+        if self.max >= -self.min { (self.max, self.max_time) } else { (-self.min, self.min_time) }
     }
 
     pub(crate) fn include(&mut self, value: f64, time: f64) {
@@ -268,19 +249,13 @@ pub struct Observer<'a> {
 impl<'a> Observer<'a> {
     /// Observes histories of `scalars` and extremes of `others` on `grid`.
     pub fn new(scalars: &'a [Row], others: &'a [Row], grid: Grid) -> Observer<'a> {
-        let empty = History {
-            values: Vec::with_capacity(grid.samples),
-            extreme: Extreme::REST,
-        };
+        let empty = History { values: Vec::with_capacity(grid.samples), extreme: Extreme::REST };
         Observer {
             scalars,
             others,
             grid,
             buffer: vec![0.0; Chunk::STRIDE],
-            observed: Observed {
-                scalars: vec![empty; scalars.len()],
-                extremes: vec![Extreme::REST; others.len()],
-            },
+            observed: Observed { scalars: vec![empty; scalars.len()], extremes: vec![Extreme::REST; others.len()] },
         }
     }
 
@@ -399,10 +374,7 @@ mod tests {
                 let (a, b) = (f64::from(i) * 0.26).sin_cos();
                 Row {
                     value: vec![(0, a), (1, b)],
-                    slope: Some(Slope {
-                        states: vec![(0, -omega * b), (1, omega * a)],
-                        linear: Vec::new(),
-                    }),
+                    slope: Some(Slope { states: vec![(0, -omega * b), (1, omega * a)], linear: Vec::new() }),
                 }
             })
             .collect();
@@ -429,10 +401,7 @@ mod tests {
         // y = (s − 0.2)(s − 0.7)(s − 1.4) has y' = 3s² − 4.6s + 1.4: roots 0.4195… and 1.1138….
         let y = |s: f64| (s - 0.2) * (s - 0.7) * (s - 1.4);
         let slope = |s: f64| 3.0 * s * s - 4.6 * s + 1.4;
-        let roots: Vec<f64> = stationary(y(0.0), slope(0.0), y(1.0), slope(1.0))
-            .into_iter()
-            .flatten()
-            .collect();
+        let roots: Vec<f64> = stationary(y(0.0), slope(0.0), y(1.0), slope(1.0)).into_iter().flatten().collect();
         assert_eq!(roots.len(), 1);
         assert!(slope(roots[0]).abs() < 1e-12);
     }
@@ -440,10 +409,7 @@ mod tests {
     /// Chunks of all lengths: y = Σ k (i + k) for k = 1 to 5 is 15 i + 55.
     #[test]
     fn rows_are_evaluated_at_every_instant() {
-        let row = Row {
-            value: (1..6_u32).map(|k| (k as usize, f64::from(k))).collect(),
-            slope: None,
-        };
+        let row = Row { value: (1..6_u32).map(|k| (k as usize, f64::from(k))).collect(), slope: None };
         let mut chunk = Chunk::new(6);
         for k in 0..6 {
             (0..Chunk::STRIDE).for_each(|i| chunk.set(k, i, (i + k) as f64));

@@ -60,12 +60,7 @@ impl RingSolver {
         sparse: &Symmetric,
         shares: &[[f64; 2]],
     ) -> Result<RingSolver, LinalgError> {
-        let mut out = RingSolver {
-            layout: layout.clone(),
-            factors: Vec::new(),
-            open: None,
-            shares: shares.to_vec(),
-        };
+        let mut out = RingSolver { layout: layout.clone(), factors: Vec::new(), open: None, shares: shares.to_vec() };
         out.refactor(model, assembler, sparse, shares)?;
         Ok(out)
     }
@@ -159,9 +154,8 @@ impl RingSolver {
         let ring = layout.ring();
         let (families, size) = (ring.families(), layout.size());
         let mut room = ring.room();
-        let mut sections: Vec<Matrix> = (0..ring.harmonics())
-            .map(|m| Matrix::zeros(layout.symbolic(m).pattern().size(), families))
-            .collect();
+        let mut sections: Vec<Matrix> =
+            (0..ring.harmonics()).map(|m| Matrix::zeros(layout.symbolic(m).pattern().size(), families)).collect();
         let mut row = vec![0.0; ring.meridians()];
         for a in 0..size {
             for (value, &e) in row.iter_mut().zip(layout.equations(a)) {

@@ -58,11 +58,7 @@ impl TimeScheme {
     /// stability).
     pub fn with_step(self, h: f64) -> Result<GeneralizedAlpha, AnalysisError> {
         let refuse = |found: String, allowed: &str| {
-            Err(AnalysisError::Option {
-                option: "time integration",
-                found,
-                allowed: allowed.into(),
-            })
+            Err(AnalysisError::Option { option: "time integration", found, allowed: allowed.into() })
         };
         if !(h > 0.0 && h.is_finite()) {
             return refuse(format!("step {h} s"), "a positive number");
@@ -73,13 +69,7 @@ impl TimeScheme {
                 if !(beta > 0.0 && beta <= 1.0 && (0.5..=1.5).contains(&gamma)) {
                     return refuse(format!("β = {beta}, γ = {gamma}"), "0 < β ≤ 1 and 1/2 ≤ γ ≤ 3/2");
                 }
-                return Ok(GeneralizedAlpha {
-                    h,
-                    alpha_m: 0.0,
-                    alpha_f: 0.0,
-                    beta,
-                    gamma,
-                });
+                return Ok(GeneralizedAlpha { h, alpha_m: 0.0, alpha_f: 0.0, beta, gamma });
             }
             TimeScheme::Hht { alpha } => {
                 if !(-1.0 / 3.0..=0.0).contains(&alpha) {
@@ -242,11 +232,7 @@ impl Scheme for LoadStep {
     }
 
     fn weights(&self) -> Weights {
-        Weights {
-            mass: 0.0,
-            damping: 0.0,
-            stiffness: 1.0,
-        }
+        Weights { mass: 0.0, damping: 0.0, stiffness: 1.0 }
     }
 
     fn collocation(&self) -> (f64, f64) {

@@ -137,17 +137,13 @@ pub fn peaks(
     let keys: Vec<(f64, f64)> = basis.omega.iter().copied().zip(ratios.iter().copied()).collect();
     let peak = |observable: &Observable| {
         if !observable.velocity.is_empty() {
-            return Err(refuse(
-                format!("velocities in “{}”", observable.name),
-                "displacements and accelerations",
-            ));
+            return Err(refuse(format!("velocities in “{}”", observable.name), "displacements and accelerations"));
         }
         let p = basis.project(observable);
         let (mut totals, mut modes, mut missing) = (Vec::new(), Vec::new(), Vec::new());
         for (c, y) in components.iter().zip(&coordinates) {
-            let own: Vec<f64> = (0..m)
-                .map(|j| (p.displacement[j] - basis.omega[j].powi(2) * p.acceleration[j]) * y[j])
-                .collect();
+            let own: Vec<f64> =
+                (0..m).map(|j| (p.displacement[j] - basis.omega[j].powi(2) * p.acceleration[j]) * y[j]).collect();
             let followed: f64 = (0..m).map(|j| p.acceleration[j] * basis.participation[j][c.axis]).sum();
             let rest = (p.ground[c.axis] - followed) * c.zero_period;
             totals.push(combined(modal, &keys, &own, rest));
@@ -161,12 +157,7 @@ pub fn peaks(
                 totals.iter().map(|t| 0.3 * sum + 0.7 * t).fold(0.0, f64::max)
             }
         };
-        Ok(Peak {
-            value,
-            components: totals,
-            modes,
-            missing,
-        })
+        Ok(Peak { value, components: totals, modes, missing })
     };
     observables.iter().map(peak).collect()
 }

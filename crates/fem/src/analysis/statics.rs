@@ -20,9 +20,7 @@ impl Statics {
     ///
     /// Errors: a singular matrix (a mechanism, or a support forgotten), not enough memory.
     pub fn new(symbolic: &Arc<Symbolic>, stiffness: &Symmetric, kind: Kind) -> Result<Statics, AnalysisError> {
-        let factor = symbolic
-            .factor(stiffness, kind)
-            .map_err(failed("the stiffness matrix"))?;
+        let factor = symbolic.factor(stiffness, kind).map_err(failed("the stiffness matrix"))?;
         Ok(Statics { factor })
     }
 

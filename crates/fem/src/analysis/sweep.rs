@@ -23,17 +23,12 @@ impl<const S: usize> Sweep<S> {
     /// Panics if the patterns differ.
     pub fn new(matrices: [&Symmetric; S]) -> Sweep<S> {
         let pattern = &matrices[0].pattern;
-        assert!(
-            matrices.iter().all(|m| m.pattern == *pattern),
-            "matrices of one model share their pattern"
-        );
+        assert!(matrices.iter().all(|m| m.pattern == *pattern), "matrices of one model share their pattern");
         assert!(pattern.places() < u32::MAX as usize, "places are counted in 32 bits");
         Sweep {
             starts: pattern.starts.iter().map(|&s| s as u32).collect(),
             rows: pattern.rows.iter().map(|&r| r as u32).collect(),
-            values: (0..pattern.places())
-                .map(|p| std::array::from_fn(|s| matrices[s].values[p]))
-                .collect(),
+            values: (0..pattern.places()).map(|p| std::array::from_fn(|s| matrices[s].values[p])).collect(),
             x: Vec::new(),
             y: Vec::new(),
         }

@@ -30,9 +30,7 @@ impl System {
     ///
     /// Errors: those of the elements.
     pub fn new(model: &Model, assembler: &Assembler) -> Result<System, AnalysisError> {
-        let stiffness = assembler
-            .stiffness(model)
-            .map_err(|source| AnalysisError::Element { number: 0, source })?;
+        let stiffness = assembler.stiffness(model).map_err(|source| AnalysisError::Element { number: 0, source })?;
         Ok(System {
             mass: assembler.mass(model),
             stiffness,
@@ -45,13 +43,7 @@ impl System {
     /// A system of given matrices in which no held dof carries mass: M ι_k = M · ι_k.
     pub fn from_matrices(mass: Symmetric, stiffness: Symmetric, influence: [Vec<f64>; 3]) -> System {
         let inertia = [0, 1, 2].map(|k| mass.times(&influence[k]));
-        System {
-            mass,
-            stiffness,
-            damping: Damping::none(),
-            influence,
-            inertia,
-        }
+        System { mass, stiffness, damping: Damping::none(), influence, inertia }
     }
 
     /// With damping.

@@ -194,8 +194,7 @@ impl Watch<'_> {
             y += on_ground.iter().zip(&ground).map(|(b, a)| b * a).sum::<f64>();
             self.chunk.set(j, k, y);
             if !row.has_acceleration(on_ground) {
-                self.chunk
-                    .set(count + j, k, apply(&row.displacement, v) + apply(&row.velocity, a));
+                self.chunk.set(count + j, k, apply(&row.displacement, v) + apply(&row.velocity, a));
             }
         }
         let grid = &settings.grid;
@@ -212,14 +211,8 @@ impl Watch<'_> {
                 }
             };
             if keep {
-                *kept = Some(Snapshot {
-                    at: *at,
-                    time: grid.time(i),
-                    ground,
-                    u: u.to_vec(),
-                    v: v.to_vec(),
-                    a: a.to_vec(),
-                });
+                *kept =
+                    Some(Snapshot { at: *at, time: grid.time(i), ground, u: u.to_vec(), v: v.to_vec(), a: a.to_vec() });
             }
         }
     }
@@ -274,10 +267,7 @@ pub fn integrate(
     let count = scalars.len() + others.len();
     let row = |k: usize| Row {
         value: vec![(k, 1.0)],
-        slope: settings.between.then(|| Slope {
-            states: vec![(count + k, 1.0)],
-            linear: Vec::new(),
-        }),
+        slope: settings.between.then(|| Slope { states: vec![(count + k, 1.0)], linear: Vec::new() }),
     };
     let rows: Vec<Row> = (0..count).map(row).collect();
     let (scalar_rows, other_rows) = rows.split_at(scalars.len());
@@ -285,11 +275,7 @@ pub fn integrate(
         .iter()
         .map(|_| Watch {
             observables: scalars.iter().chain(others).collect(),
-            ground: scalars
-                .iter()
-                .chain(others)
-                .map(|o| o.total_ground(&system.influence))
-                .collect(),
+            ground: scalars.iter().chain(others).map(|o| o.total_ground(&system.influence)).collect(),
             chunk: Chunk::new(2 * count),
             observer: Observer::new(scalar_rows, other_rows, grid),
             energy: Energy::default(),

@@ -120,10 +120,7 @@ impl PartialEq for Zone {
 impl std::fmt::Debug for Zone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let count = self.elements.iter().filter(|own| **own).count();
-        f.debug_struct("Zone")
-            .field("elements", &count)
-            .field("sizes", &self.sizes)
-            .finish()
+        f.debug_struct("Zone").field("elements", &count).field("sizes", &self.sizes).finish()
     }
 }
 
@@ -205,10 +202,7 @@ fn members(model: &Model, own: impl Fn(usize) -> bool) -> (Vec<bool>, Vec<bool>)
     };
     let count = model.elements().len();
     let mut inside = vec![false; dofs.len()];
-    (0..count)
-        .filter(|&e| own(e))
-        .flat_map(unknowns)
-        .for_each(|q| inside[q] = true);
+    (0..count).filter(|&e| own(e)).flat_map(unknowns).for_each(|q| inside[q] = true);
     let within = |e: usize| {
         let element = &model.elements()[e];
         !element.is_linear() && element.operator().is_none() && unknowns(e).all(|q| inside[q])
@@ -246,11 +240,7 @@ fn inner_part(
 ) -> Result<(Vec<u32>, Arc<Pattern>), AnalysisError> {
     let size = inside.len();
     let border = (0..size).filter(|&e| touched[e]);
-    let flag: Vec<bool> = inside
-        .iter()
-        .zip(touched)
-        .map(|(inside, touched)| *inside && !touched)
-        .collect();
+    let flag: Vec<bool> = inside.iter().zip(touched).map(|(inside, touched)| *inside && !touched).collect();
     let interior = apart(model, pattern, &flag);
     let mut choice: Option<(f64, Vec<u32>, Arc<Pattern>)> = None;
     for order in [interior.clone(), dissected(model, pattern, &interior)] {
@@ -292,11 +282,7 @@ impl Zone {
         let operators: Vec<_> = assembler.operators(model).collect();
         let (touched, joined) = seams(&inside, pattern, &operators);
         // Outside: what the liquid does not join by dissection, then what it joins.
-        let free: Vec<bool> = inside
-            .iter()
-            .zip(&joined)
-            .map(|(inside, joined)| !inside && !joined)
-            .collect();
+        let free: Vec<bool> = inside.iter().zip(&joined).map(|(inside, joined)| !inside && !joined).collect();
         let mut outer_order = apart(model, pattern, &free);
         outer_order.extend((0..size).filter(|&e| !inside[e] && joined[e]));
         let outside = outer_order.len();

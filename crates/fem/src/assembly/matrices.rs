@@ -22,12 +22,7 @@ pub(super) struct Sink<'a> {
 impl<'a> Sink<'a> {
     /// All places of a matrix.
     pub(super) fn whole(values: &'a mut [f64]) -> Sink<'a> {
-        Sink {
-            border: values.len(),
-            head: values,
-            start: 0,
-            tail: &mut [],
-        }
+        Sink { border: values.len(), head: values, start: 0, tail: &mut [] }
     }
 
     #[inline]
@@ -153,9 +148,7 @@ impl Assembler {
     ) -> Result<Vec<[f64; KINDS]>, ElementError> {
         let mut out = vec![[0.0; KINDS]; model.nodes().len()];
         for (_, element) in model.elements().iter().enumerate().filter(|(e, _)| which(*e)) {
-            let force = reference_stiffness(&**element)?
-                .to_matrix()
-                .times(&local_values(model, &**element, u));
+            let force = reference_stiffness(&**element)?.to_matrix().times(&local_values(model, &**element, u));
             let mut k = 0;
             for (a, &node) in element.nodes().iter().enumerate() {
                 let mut at = [0.0; KINDS];
@@ -194,12 +187,7 @@ impl Assembler {
         } else {
             let Range { start, end } = self.shared;
             let mut copies: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; end - start]);
-            let mut tails = copies.each_mut().map(|copy| Sink {
-                head: copy,
-                start,
-                tail: &mut [],
-                border: end,
-            });
+            let mut tails = copies.each_mut().map(|copy| Sink { head: copy, start, tail: &mut [], border: end });
             let mut tail = tails.iter_mut();
             let heads = values.each_mut().map(|v| {
                 let (head, rest) = v.split_at_mut(end);
@@ -216,10 +204,7 @@ impl Assembler {
                 }
             }
         }
-        Ok(values.map(|values| Symmetric {
-            pattern: self.pattern.clone(),
-            values,
-        }))
+        Ok(values.map(|values| Symmetric { pattern: self.pattern.clone(), values }))
     }
 
     /// Sum of the elements' own damping matrices.
@@ -316,10 +301,7 @@ impl Work {
         self.old.resize(history, 0.0);
         element.init_history(&mut self.old);
         self.new.clone_from(&self.old);
-        let rest = Motion {
-            values: &self.values,
-            rotations: &self.rotations,
-        };
+        let rest = Motion { values: &self.values, rotations: &self.rotations };
         element.respond(rest, &self.old, &mut self.new, Want::TANGENT, &mut self.response)?;
         Ok(&mut self.response.tangent)
     }

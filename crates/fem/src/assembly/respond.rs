@@ -53,13 +53,7 @@ pub(crate) struct Ask<'a> {
 impl<'a> Ask<'a> {
     /// At one instant.
     pub(crate) fn now(want: Want, linear: Option<&'a LinearPart>) -> Ask<'a> {
-        Ask {
-            want,
-            linear,
-            end_tangent: 1.0,
-            threads: 1,
-            tangents: None,
-        }
+        Ask { want, linear, end_tangent: 1.0, threads: 1, tangents: None }
     }
 
     /// Whether the tangent of element `e` is wanted.
@@ -91,10 +85,7 @@ impl Kept {
         for element in model.elements() {
             offsets.push(offsets[offsets.len() - 1] + element.mixed().map_or(0, |mixed| mixed.mixed_len()));
         }
-        Kept {
-            values: vec![0.0; offsets[offsets.len() - 1]],
-            offsets,
-        }
+        Kept { values: vec![0.0; offsets[offsets.len() - 1]], offsets }
     }
 
     /// Forgets the iterate before: a step begins.
@@ -123,9 +114,7 @@ impl LinearPart {
         for j in 0..pattern.size() {
             let (first, last) = (pattern.starts[j], pattern.starts[j + 1]);
             let begin = self.entries.len();
-            let below = pattern.rows[first + 1..last]
-                .iter()
-                .zip(&self.tangent.values[first + 1..last]);
+            let below = pattern.rows[first + 1..last].iter().zip(&self.tangent.values[first + 1..last]);
             let found = below.filter(|(_, k)| **k != 0.0).map(|(&i, &k)| (i as u32, k));
             self.entries.extend(found);
             let diagonal = self.tangent.values[first];
@@ -306,10 +295,7 @@ impl Assembler {
         room: &mut Room,
     ) -> Result<(), ElementError> {
         let element = &*model.elements()[e];
-        let want = Want {
-            tangent: ask.wants_tangent(e),
-            ..ask.want
-        };
+        let want = Want { tangent: ask.wants_tangent(e), ..ask.want };
         let Slots { old, new, kept } = slots;
         let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
         let Room { gather, response } = room;
@@ -378,9 +364,7 @@ impl Assembler {
             new.clear();
             new.extend_from_slice(old);
             let motion = gather.motion(model, &state.trial, &**element);
-            element
-                .respond(motion, old, &mut new, Want::TANGENT, &mut response)
-                .map_err(|error| (e, error))?;
+            element.respond(motion, old, &mut new, Want::TANGENT, &mut response).map_err(|error| (e, error))?;
             positive_part(&mut response.tangent);
             response.tangent.data.iter_mut().for_each(|k| *k *= a);
             if self.turned[e] {

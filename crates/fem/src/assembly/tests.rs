@@ -28,10 +28,7 @@ fn halves_add_up() {
             let positions =
                 nodes.map(|k: usize| [k % (n + 1), k / (n + 1) % (n + 1), k / (n + 1).pow(2)].map(|i| i as f64));
             let material = Elastic::isotropic(3.0 + (k % 7) as f64, 0.3, 2.0 + (k % 5) as f64);
-            builder.element(
-                "solid",
-                Solid8::new(nodes, positions, material, Kinematics::Linear).unwrap(),
-            );
+            builder.element("solid", Solid8::new(nodes, positions, material, Kinematics::Linear).unwrap());
         }
         builder.hold(3, Dof::Uy);
         let model = builder.build().unwrap();
@@ -40,9 +37,7 @@ fn halves_add_up() {
         let (stiffness, mass) = assembler.stiffness_and_mass(&model).unwrap();
         assert_eq!(stiffness, assembler.stiffness(&model).unwrap());
         assert_eq!(mass, assembler.mass(&model));
-        let x: Vec<f64> = (0..model.dofs().len())
-            .map(|i| ((i * 7919) % 101) as f64 - 50.0)
-            .collect();
+        let x: Vec<f64> = (0..model.dofs().len()).map(|i| ((i * 7919) % 101) as f64 - 50.0).collect();
         let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
         for (e, element) in model.elements().iter().enumerate() {
             let own = local_values(&model, &**element, &x);
@@ -93,10 +88,7 @@ impl Element for Cubic {
         out: &mut Response,
     ) -> Result<(), ElementError> {
         if self.stiffness.is_nan() {
-            return Err(ElementError::NoAnswer {
-                kind: "cubic",
-                reason: "no stiffness".into(),
-            });
+            return Err(ElementError::NoAnswer { kind: "cubic", reason: "no stiffness".into() });
         }
         new[0] = old[0];
         for i in 0..3 {
@@ -127,11 +119,7 @@ fn net(faults: &[usize]) -> Model {
     }
     builder.hold(3, Dof::Uy);
     for e in 0..1000 {
-        let stiffness = if faults.contains(&e) {
-            f64::NAN
-        } else {
-            1.0 + (e % 11) as f64 / 3.0
-        };
+        let stiffness = if faults.contains(&e) { f64::NAN } else { 1.0 + (e % 11) as f64 / 3.0 };
         let nodes = [e % nodes, (e * 31 + 1 + e / nodes) % nodes];
         builder.element("net", Cubic { nodes, stiffness });
     }
@@ -148,10 +136,7 @@ fn threads_change_no_bit() {
         for (i, u) in state.trial.u.iter_mut().enumerate() {
             *u = (i as f64 * 0.37).sin();
         }
-        let ask = Ask {
-            threads,
-            ..Ask::now(want, None)
-        };
+        let ask = Ask { threads, ..Ask::now(want, None) };
         let (mut tangent, mut forces) = (Symmetric::zeros(assembler.pattern().clone()), Forces::default());
         let asked = assembler.answer(&model, &mut state, ask, &mut tangent, &mut forces, None);
         asked.unwrap();
@@ -173,10 +158,7 @@ fn the_first_failure_is_reported() {
     let model = net(&[977, 613, 640]);
     let assembler = Assembler::new(&model);
     for threads in [1, 2, 3, 8] {
-        let ask = Ask {
-            threads,
-            ..Ask::now(Want::ALL, None)
-        };
+        let ask = Ask { threads, ..Ask::now(Want::ALL, None) };
         let mut state = State::new(&model);
         let mut tangent = Symmetric::zeros(assembler.pattern().clone());
         let asked = assembler.answer(&model, &mut state, ask, &mut tangent, &mut Forces::default(), None);

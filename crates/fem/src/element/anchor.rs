@@ -54,13 +54,7 @@ impl Anchor {
     pub fn new(node: usize, stiffness: f64, strength: f64) -> Result<Anchor, ElementError> {
         positive("stiffness", stiffness, "> 0 N/m")?;
         positive("strength", strength, "> 0 N")?;
-        Ok(Anchor {
-            node: [node],
-            stiffness,
-            strength,
-            gap: 0.0,
-            rupture: None,
-        })
+        Ok(Anchor { node: [node], stiffness, strength, gap: 0.0, rupture: None })
     }
 
     /// With a play g ≥ 0 of its nut, or a pretension for g < 0 [m].
@@ -88,11 +82,7 @@ impl Anchor {
         let broken = history[BROKEN] > 0.0;
         let e = values[2] - self.gap - history[PLASTIC];
         AnchorForce {
-            force: if broken {
-                0.0
-            } else {
-                (self.stiffness * e).clamp(0.0, self.strength)
-            },
+            force: if broken { 0.0 } else { (self.stiffness * e).clamp(0.0, self.strength) },
             plastic: history[PLASTIC],
             broken,
         }
@@ -100,12 +90,7 @@ impl Anchor {
 }
 
 fn refuse(parameter: &'static str, found: f64, allowed: &'static str) -> ElementError {
-    ElementError::Parameter {
-        kind: KIND,
-        parameter,
-        found: found.to_string(),
-        allowed,
-    }
+    ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }
 }
 
 fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Result<(), ElementError> {
@@ -202,10 +187,7 @@ mod tests {
 
     fn step(anchor: &Anchor, up: f64, old: &[f64]) -> (f64, Vec<f64>) {
         let (mut out, mut new) = (Response::sized(3), old.to_vec());
-        let motion = Motion {
-            values: &[0.0, 0.0, up],
-            rotations: &[UnitQuaternion::identity()],
-        };
+        let motion = Motion { values: &[0.0, 0.0, up], rotations: &[UnitQuaternion::identity()] };
         anchor.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
         (out.force[2], new)
     }

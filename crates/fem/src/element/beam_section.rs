@@ -85,12 +85,7 @@ pub struct CurvaturePoint {
 }
 
 fn refuse<T>(parameter: &'static str, found: String, allowed: &'static str) -> Result<T, ElementError> {
-    Err(ElementError::Parameter {
-        kind: KIND,
-        parameter,
-        found,
-        allowed,
-    })
+    Err(ElementError::Parameter { kind: KIND, parameter, found, allowed })
 }
 
 fn law_error(source: materials::LawError) -> ElementError {
@@ -107,14 +102,7 @@ impl FibreSection {
         if !(mass >= 0.0 && mass.is_finite()) {
             return refuse("mass", mass.to_string(), "≥ 0");
         }
-        Ok(FibreSection {
-            blocks: Vec::new(),
-            layers: 0,
-            slots: 1,
-            mass,
-            attached_mass: 0.0,
-            shear: f64::INFINITY,
-        })
+        Ok(FibreSection { blocks: Vec::new(), layers: 0, slots: 1, mass, attached_mass: 0.0, shear: f64::INFINITY })
     }
 
     /// Adds mass per length [kg/m] that moves with the beam but rests on something else (a liner with its layer).
@@ -183,23 +171,12 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range.
     pub fn bars(mut self, law: Arc<dyn Law<1>>, fibres: &[[f64; 2]]) -> Result<FibreSection, ElementError> {
-        if let Some([depth, area]) = fibres
-            .iter()
-            .find(|[d, a]| !(d.is_finite() && a.is_finite() && *a > 0.0))
-        {
-            return refuse(
-                "fibre",
-                format!("{area} m² at {depth} m"),
-                "an area > 0 at a finite depth",
-            );
+        if let Some([depth, area]) = fibres.iter().find(|[d, a]| !(d.is_finite() && a.is_finite() && *a > 0.0)) {
+            return refuse("fibre", format!("{area} m² at {depth} m"), "an area > 0 at a finite depth");
         }
         let slots = law.history_len();
         self.slots += slots * fibres.len();
-        self.blocks.push(Block {
-            law,
-            slots,
-            fibres: fibres.to_vec(),
-        });
+        self.blocks.push(Block { law, slots, fibres: fibres.to_vec() });
         Ok(self)
     }
 
@@ -263,9 +240,8 @@ impl FibreSection {
             let law = &*block.law;
             for &[depth, area] in &block.fibres {
                 let end = at + block.slots;
-                let found = law
-                    .respond(&[strain + depth * curvature], &old[at..end], &mut new[at..end])
-                    .map_err(law_error)?;
+                let found =
+                    law.respond(&[strain + depth * curvature], &old[at..end], &mut new[at..end]).map_err(law_error)?;
                 let (force, stiffness) = (area * found.stress[0], area * found.tangent[0][0]);
                 out.axial += force;
                 out.moment += depth * force;
@@ -333,12 +309,7 @@ impl FibreSection {
             old.copy_from_slice(&new);
             let mut fibres = Vec::new();
             self.inspect([strain, curvature], &old, &mut |f| fibres.push(f));
-            line.push(CurvaturePoint {
-                curvature,
-                moment: found.moment,
-                strain,
-                fibres,
-            });
+            line.push(CurvaturePoint { curvature, moment: found.moment, strain, fibres });
         }
         Ok(line)
     }
@@ -406,10 +377,7 @@ mod tests {
     /// Elastic and eccentric: M = E I κ + N times the distance of the centroid.
     #[test]
     fn moment_of_an_eccentric_section() {
-        let section = FibreSection::new(0.0)
-            .unwrap()
-            .rectangle(elastic(200.0), [1.0, 0.3], 0.15, 10)
-            .unwrap();
+        let section = FibreSection::new(0.0).unwrap().rectangle(elastic(200.0), [1.0, 0.3], 0.15, 10).unwrap();
         let line = section.moment_curvature(-6.0, &[1e-3, 2e-3]).unwrap();
         for point in line {
             let exact = 200.0 * 0.027 / 12.0 * point.curvature - 6.0 * 0.15;

@@ -82,36 +82,22 @@ impl ContactLaw {
 
     /// Pressure only, residual stiffness 1e-6 k_n where open; k_n [N/m³].
     pub fn unilateral(normal_stiffness: f64) -> ContactLaw {
-        ContactLaw {
-            opening: Opening::Unilateral { residual: 1e-6 },
-            ..ContactLaw::bonded(normal_stiffness)
-        }
+        ContactLaw { opening: Opening::Unilateral { residual: 1e-6 }, ..ContactLaw::bonded(normal_stiffness) }
     }
 
     /// The same with a tangential stiffness k_t [N/m³].
     pub fn with_tangential(self, tangential_stiffness: f64) -> ContactLaw {
-        ContactLaw {
-            tangential_stiffness,
-            ..self
-        }
+        ContactLaw { tangential_stiffness, ..self }
     }
 
     /// The same with multipliers.
     pub fn augmented(self) -> ContactLaw {
-        ContactLaw {
-            augmented: true,
-            ..self
-        }
+        ContactLaw { augmented: true, ..self }
     }
 
     fn check(&self) -> Result<(), ElementError> {
         let refuse = |parameter, found: f64, allowed| {
-            Err(ElementError::Parameter {
-                kind: KIND,
-                parameter,
-                found: found.to_string(),
-                allowed,
-            })
+            Err(ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed })
         };
         if !(self.normal_stiffness > 0.0 && self.normal_stiffness.is_finite()) {
             return refuse("normal_stiffness", self.normal_stiffness, "> 0");
@@ -170,21 +156,11 @@ impl Contact8 {
         let mut nodes = [0; 8];
         nodes[..4].copy_from_slice(&top);
         nodes[4..].copy_from_slice(&bottom);
-        let element = Contact8 {
-            nodes,
-            chart,
-            corners: face.chart,
-            normals: normals.map(Vector3::from),
-            law,
-        };
+        let element = Contact8 { nodes, chart, corners: face.chart, normals: normals.map(Vector3::from), law };
         let mut least = f64::INFINITY;
         Gap::whole(|r, s, _| least = least.min(element.area_factor(r, s)));
         if least.is_nan() || least <= 0.0 {
-            return Err(ElementError::Jacobian {
-                kind: KIND,
-                determinant: least,
-                nodes: nodes.to_vec(),
-            });
+            return Err(ElementError::Jacobian { kind: KIND, determinant: least, nodes: nodes.to_vec() });
         }
         Ok(element)
     }
@@ -198,11 +174,7 @@ impl Contact8 {
 
     /// Gap at the four corners [m] for the values of the element's dofs; negative where pressed.
     pub fn gaps(&self, values: &[f64]) -> [f64; 4] {
-        std::array::from_fn(|a| {
-            (0..3)
-                .map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i]))
-                .sum()
-        })
+        std::array::from_fn(|a| (0..3).map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i])).sum())
     }
 
     /// g_a − λ_a/k_n.
@@ -415,12 +387,7 @@ impl Inspect for Contact8 {
             let position = self.chart.position(self.chart_at(r, s));
             let pressure = gap.iter().map(|c| -self.law.normal_stiffness * c).collect();
             for (name, row) in [("gap", gap), ("contact_pressure", pressure)] {
-                samples.push(Sample {
-                    name,
-                    position,
-                    row,
-                    of_acceleration: false,
-                });
+                samples.push(Sample { name, position, row, of_acceleration: false });
             }
         });
         samples

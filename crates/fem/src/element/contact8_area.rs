@@ -155,10 +155,7 @@ mod tests {
             let piece = 1.0 - c + c * f64::ln(c);
             // Five points for a logarithm.
             assert!((area(gap(c), Integration::Clipped) - 2.0 * piece).abs() < 1e-3, "{c}");
-            assert!(
-                (area(gap(-c), Integration::Clipped) - (4.0 - 2.0 * piece)).abs() < 1e-3,
-                "{c}"
-            );
+            assert!((area(gap(-c), Integration::Clipped) - (4.0 - 2.0 * piece)).abs() < 1e-3, "{c}");
         }
     }
 }

@@ -73,10 +73,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Options {
-        Options {
-            points: Points::Gauss2,
-            second_order: false,
-        }
+        Options { points: Points::Gauss2, second_order: false }
     }
 }
 
@@ -115,14 +112,8 @@ impl FibreBeam {
         section: Arc<FibreSection>,
         options: Options,
     ) -> Result<FibreBeam, ElementError> {
-        let refuse = |parameter, found: String, allowed| {
-            Err(ElementError::Parameter {
-                kind: KIND,
-                parameter,
-                found,
-                allowed,
-            })
-        };
+        let refuse =
+            |parameter, found: String, allowed| Err(ElementError::Parameter { kind: KIND, parameter, found, allowed });
         let [dx, dy, dz] = [0, 1, 2].map(|i| ends[1][i] - ends[0][i]);
         let length = dx.hypot(dz);
         if !(length > 0.0 && length.is_finite()) {
@@ -184,10 +175,7 @@ impl FibreBeam {
             if z != 0.0 {
                 let e1 = Vector3::new(x, 0.0, z);
                 let e2 = Vector3::y();
-                builder.frame(
-                    middle,
-                    Matrix3::from_rows(&[e1.transpose(), e2.transpose(), e1.cross(&e2).transpose()]),
-                );
+                builder.frame(middle, Matrix3::from_rows(&[e1.transpose(), e2.transpose(), e1.cross(&e2).transpose()]));
             }
         }
         Ok(builder.element(group, beam))
@@ -241,17 +229,7 @@ fn rotation_slope(s: f64, l: f64, phi: f64) -> [f64; 4] {
 fn spread([x, z]: [f64; 2], axial: &[f64; 3], bending: &[f64; 4]) -> Row {
     let [u1, u2, um] = *axial;
     let [w1, t1, w2, t2] = *bending;
-    [
-        x * u1 + z * w1,
-        z * u1 - x * w1,
-        t1,
-        x * u2 + z * w2,
-        z * u2 - x * w2,
-        t2,
-        x * um,
-        0.0,
-        z * um,
-    ]
+    [x * u1 + z * w1, z * u1 - x * w1, t1, x * u2 + z * w2, z * u2 - x * w2, t2, x * um, 0.0, z * um]
 }
 
 /// Matrix over the axial and one over the bending dofs as one over the global dofs.
@@ -369,10 +347,7 @@ impl Element for FibreBeam {
             if want.tangent {
                 let [[c00, c01], [c10, c11]] = found.tangent.map(|row| row.map(|c| weight * c));
                 for j in 0..SIZE {
-                    let (a, b) = (
-                        c00 * strain[j] + c01 * curvature[j],
-                        c10 * strain[j] + c11 * curvature[j],
-                    );
+                    let (a, b) = (c00 * strain[j] + c01 * curvature[j], c10 * strain[j] + c11 * curvature[j]);
                     for i in 0..SIZE {
                         out.tangent.data[i + j * SIZE] += strain[i] * a + curvature[i] * b;
                     }
@@ -392,11 +367,7 @@ impl Element for FibreBeam {
         if want.tangent
             && let Some(g) = &self.shortening
         {
-            out.tangent
-                .data
-                .iter_mut()
-                .zip(&g.data)
-                .for_each(|(k, g)| *k += mean * g);
+            out.tangent.data.iter_mut().zip(&g.data).for_each(|(k, g)| *k += mean * g);
         }
         Ok(())
     }

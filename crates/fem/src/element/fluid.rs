@@ -58,10 +58,7 @@ impl RotationPart {
     /// * `weight_density`: ρ g [N/m³]
     /// * `half_width`: R, radius or half length [m]
     pub fn split(weight_density: f64, half_width: f64) -> RotationPart {
-        RotationPart::Split {
-            centre: 10.0 * weight_density * half_width,
-            rest: 0.1 * weight_density * half_width,
-        }
+        RotationPart::Split { centre: 10.0 * weight_density * half_width, rest: 0.1 * weight_density * half_width }
     }
 
     /// (K of the full quadrature, K of the one-point quadrature).
@@ -142,10 +139,5 @@ pub(super) fn parameter_error(
     value: f64,
     allowed: &'static str,
 ) -> ElementError {
-    ElementError::Parameter {
-        kind,
-        parameter,
-        found: value.to_string(),
-        allowed,
-    }
+    ElementError::Parameter { kind, parameter, found: value.to_string(), allowed }
 }

@@ -39,11 +39,7 @@ struct Reference {
 impl Reference {
     fn at(r: f64, s: f64, t: f64, weight: f64) -> Reference {
         let slope = hex8::slope(r, s, t);
-        Reference {
-            n: hex8::value(r, s, t),
-            d: std::array::from_fn(|k| slope.map(|row| row[k])),
-            weight,
-        }
+        Reference { n: hex8::value(r, s, t), d: std::array::from_fn(|k| slope.map(|row| row[k])), weight }
     }
 }
 
@@ -141,12 +137,7 @@ impl Fluid8 {
         let det = j[0][0] * c[0][0] + j[0][1] * c[0][1] + j[0][2] * c[0][2];
         let inverse = 1.0 / det;
         let volume = reference.weight * det * self.chart.volume_factor(x);
-        (
-            x,
-            self.chart.inverse_metric(x),
-            volume,
-            c.map(|row| row.map(|v| inverse * v)),
-        )
+        (x, self.chart.inverse_metric(x), volume, c.map(|row| row.map(|v| inverse * v)))
     }
 
     fn point(&self, reference: &Reference) -> Point {
@@ -156,13 +147,7 @@ impl Fluid8 {
                 f[0][i] * reference.d[0][a] + f[1][i] * reference.d[1][a] + f[2][i] * reference.d[2][a]
             })
         });
-        Point {
-            n: reference.n,
-            d,
-            x,
-            metric,
-            volume,
-        }
+        Point { n: reference.n, d, x, metric, volume }
     }
 
     /// Row of e over the covariant components: g^ii N,_i − N g^jj Γⁱ_jj.
@@ -308,14 +293,8 @@ fn dot(a: &[f64; 8], b: &[f64; 8]) -> f64 {
 
 /// Adds weight · rowᵀ row.
 fn add_square(half: &mut Half, row: &[[f64; 8]; 3], weight: f64) {
-    const PAIRS: [(usize, usize, f64); 6] = [
-        (0, 0, 0.5),
-        (1, 1, 0.5),
-        (2, 2, 0.5),
-        (0, 1, 1.0),
-        (0, 2, 1.0),
-        (1, 2, 1.0),
-    ];
+    const PAIRS: [(usize, usize, f64); 6] =
+        [(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5), (0, 1, 1.0), (0, 2, 1.0), (1, 2, 1.0)];
     for (block, (i, k, part)) in half.iter_mut().zip(PAIRS) {
         for (own, value) in block.iter_mut().zip(&row[i]) {
             let f = part * weight * value;

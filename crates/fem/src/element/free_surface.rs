@@ -46,12 +46,7 @@ impl FreeSurface {
 
     fn with(face: &Face, chart: Chart, weight_density: f64, one_point: bool) -> Result<FreeSurface, ElementError> {
         if !(weight_density > 0.0 && weight_density.is_finite()) {
-            return Err(parameter_error(
-                KIND,
-                "weight density",
-                weight_density,
-                "a positive number",
-            ));
+            return Err(parameter_error(KIND, "weight density", weight_density, "a positive number"));
         }
         let centre = area_factor(face, chart, 0.0, 0.0)?;
         let mut matrix = [[0.0; 4]; 4];
@@ -67,10 +62,7 @@ impl FreeSurface {
                 }
             }
         }
-        Ok(FreeSurface {
-            nodes: face.nodes,
-            matrix,
-        })
+        Ok(FreeSurface { nodes: face.nodes, matrix })
     }
 }
 
@@ -92,11 +84,7 @@ fn area_factor(face: &Face, chart: Chart, r: f64, s: f64) -> Result<f64, Element
     if determinant > 0.0 && determinant.is_finite() {
         Ok(determinant)
     } else {
-        Err(ElementError::Jacobian {
-            kind: KIND,
-            determinant,
-            nodes: face.nodes.to_vec(),
-        })
+        Err(ElementError::Jacobian { kind: KIND, determinant, nodes: face.nodes.to_vec() })
     }
 }
 
@@ -149,11 +137,7 @@ mod tests {
     /// In the cylindrical chart the area of a disc is exact: Σ S_ab = ρ g π R².
     #[test]
     fn areas() {
-        let mesh = Cylinder {
-            radii: vec![0.0, 0.5, 2.0],
-            sectors: 7,
-            heights: vec![0.0, 1.0],
-        };
+        let mesh = Cylinder { radii: vec![0.0, 0.5, 2.0], sectors: 7, heights: vec![0.0, 1.0] };
         let volume = mesh.volume().unwrap();
         for at_one_point in [false, true] {
             let mut sum = 0.0;

@@ -57,12 +57,7 @@ impl Ground {
     pub fn new(node: usize, modulus: f64, area: f64) -> Result<Ground, ElementError> {
         positive("modulus", modulus, "> 0 N/m³")?;
         positive("area", area, "> 0 m²")?;
-        Ok(Ground {
-            node: [node],
-            stiffness: modulus * area,
-            gap: 0.0,
-            friction: None,
-        })
+        Ok(Ground { node: [node], stiffness: modulus * area, gap: 0.0, friction: None })
     }
 
     /// With a distance g₀ ≥ 0 in the reference state [m].
@@ -92,33 +87,20 @@ impl Ground {
             Some(_) if !open => std::array::from_fn(|i| -self.stiffness * (values[i] - history[SLIP + i])),
             _ => [0.0; 2],
         };
-        GroundForce {
-            reaction,
-            friction,
-            open,
-        }
+        GroundForce { reaction, friction, open }
     }
 
     /// r, −dr/du_z, and whether the point is open.
     fn press(&self, values: &[f64]) -> (f64, f64, bool) {
         let gap = values[2] + self.gap;
         let open = gap > 0.0;
-        let k = if open {
-            RESIDUAL * self.stiffness
-        } else {
-            self.stiffness
-        };
+        let k = if open { RESIDUAL * self.stiffness } else { self.stiffness };
         (-k * gap, k, open)
     }
 }
 
 fn refuse(parameter: &'static str, found: f64, allowed: &'static str) -> ElementError {
-    ElementError::Parameter {
-        kind: KIND,
-        parameter,
-        found: found.to_string(),
-        allowed,
-    }
+    ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }
 }
 
 fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Result<(), ElementError> {
@@ -188,11 +170,7 @@ impl Element for Ground {
             }
             if want.tangent {
                 for (j, other) in trial.iter().enumerate() {
-                    let along = if slides && size > 0.0 {
-                        trial[i] * other / (size * size)
-                    } else {
-                        0.0
-                    };
+                    let along = if slides && size > 0.0 { trial[i] * other / (size * size) } else { 0.0 };
                     let unit = if i == j { 1.0 } else { 0.0 };
                     out.tangent.add(i, j, share * k * (unit - along));
                 }
@@ -236,10 +214,7 @@ mod tests {
 
     fn answer(ground: &Ground, values: [f64; 3], old: &[f64]) -> (Response, Vec<f64>) {
         let (mut out, mut new) = (Response::sized(3), old.to_vec());
-        let motion = Motion {
-            values: &values,
-            rotations: &[UnitQuaternion::identity()],
-        };
+        let motion = Motion { values: &values, rotations: &[UnitQuaternion::identity()] };
         ground.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
         (out, new)
     }

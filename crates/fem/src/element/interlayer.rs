@@ -49,10 +49,7 @@ mod tests {
         let corners = CORNERS;
         builder.nodes(&corners);
         let nodes = std::array::from_fn(|a| a);
-        builder.element(
-            "layer",
-            Solid8::new(nodes, corners, material, Kinematics::Linear).unwrap(),
-        );
+        builder.element("layer", Solid8::new(nodes, corners, material, Kinematics::Linear).unwrap());
         builder.build().unwrap()
     }
 

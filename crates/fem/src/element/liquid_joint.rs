@@ -68,14 +68,8 @@ impl LiquidJoint {
     ///
     /// Errors: no unknown or no point; a row that leaves the unknowns; a stiffness that is not positive.
     pub fn new(unknowns: &[(usize, Dof)], points: Vec<JointPoint>, opens: bool) -> Result<LiquidJoint, ElementError> {
-        let refuse = |parameter, found: String, allowed| {
-            Err(ElementError::Parameter {
-                kind: KIND,
-                parameter,
-                found,
-                allowed,
-            })
-        };
+        let refuse =
+            |parameter, found: String, allowed| Err(ElementError::Parameter { kind: KIND, parameter, found, allowed });
         if unknowns.is_empty() || points.is_empty() {
             let found = format!("{} unknowns, {} points", unknowns.len(), points.len());
             return refuse("points", found, "one or more of each");
@@ -83,11 +77,7 @@ impl LiquidJoint {
         for point in &points {
             let rows = point.closing.iter().chain(&point.relief);
             if let Some((i, c)) = rows.copied().find(|(i, c)| *i >= unknowns.len() || !c.is_finite()) {
-                return refuse(
-                    "row",
-                    format!("{c} on unknown {i}"),
-                    "finite, on unknowns of the element",
-                );
+                return refuse("row", format!("{c} on unknown {i}"), "finite, on unknowns of the element");
             }
             if !(point.stiffness > 0.0 && point.stiffness.is_finite()) {
                 return refuse("stiffness", point.stiffness.to_string(), "> 0 N/m");
@@ -114,11 +104,7 @@ impl LiquidJoint {
                 let closing = dot(&point.closing, values);
                 let (force, _) = self.force(point, closing, relief);
                 let open = self.opens && point.stiffness * closing + relief < 0.0;
-                PointForce {
-                    closing,
-                    force,
-                    gap: if open { force / point.stiffness - closing } else { 0.0 },
-                }
+                PointForce { closing, force, gap: if open { force / point.stiffness - closing } else { 0.0 } }
             })
             .collect()
     }
@@ -238,10 +224,7 @@ mod tests {
         let mut out = Response::sized(4);
         let mut new = old.to_vec();
         let rotations = vec![UnitQuaternion::identity(); 4];
-        let motion = Motion {
-            values,
-            rotations: &rotations,
-        };
+        let motion = Motion { values, rotations: &rotations };
         joint.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
         (out, new)
     }
@@ -287,11 +270,7 @@ mod tests {
 
     #[test]
     fn bad_parameters_are_rejected() {
-        let point = |row, stiffness| JointPoint {
-            closing: vec![row],
-            relief: Vec::new(),
-            stiffness,
-        };
+        let point = |row, stiffness| JointPoint { closing: vec![row], relief: Vec::new(), stiffness };
         let over = |point| LiquidJoint::new(&[(0, Dof::Ux)], vec![point], true);
         assert!(over(point((0, 1.0), 1.0)).is_ok());
         assert!(over(point((1, 1.0), 1.0)).is_err());

@@ -14,10 +14,7 @@ pub struct LocalMatrix {
 impl LocalMatrix {
     /// n × n zeros.
     pub fn zeros(n: usize) -> LocalMatrix {
-        LocalMatrix {
-            n,
-            data: vec![0.0; n * n],
-        }
+        LocalMatrix { n, data: vec![0.0; n * n] }
     }
 
     /// Sets the size and all entries to zero, keeping the storage.
@@ -56,10 +53,6 @@ impl LocalMatrix {
 
     /// As a general dense matrix.
     pub fn to_matrix(&self) -> Matrix {
-        Matrix {
-            rows: self.n,
-            cols: self.n,
-            data: self.data.clone(),
-        }
+        Matrix { rows: self.n, cols: self.n, data: self.data.clone() }
     }
 }

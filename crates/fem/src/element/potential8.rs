@@ -50,11 +50,7 @@ impl Potential8 {
     /// Errors: a Jacobian or a density that is not positive.
     pub fn new(cell: &Hexahedron, chart: Chart, density: f64) -> Result<Potential8, ElementError> {
         check_positive(KIND, "density", density)?;
-        let element = Potential8 {
-            cell: *cell,
-            chart,
-            density,
-        };
+        let element = Potential8 { cell: *cell, chart, density };
         element.integrate(|_| {})?;
         Ok(element)
     }
@@ -185,14 +181,7 @@ mod tests {
     use crate::mesh::{Cylinder, Face};
 
     /// Faces of a hexahedron, counter-clockwise seen from outside.
-    const FACES: [[usize; 4]; 6] = [
-        [0, 3, 2, 1],
-        [4, 5, 6, 7],
-        [0, 1, 5, 4],
-        [1, 2, 6, 5],
-        [2, 3, 7, 6],
-        [3, 0, 4, 7],
-    ];
+    const FACES: [[usize; 4]; 6] = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
     fn distorted() -> Hexahedron {
         let mut chart = [
@@ -210,10 +199,7 @@ mod tests {
             chart[a][0] = chart[a - 4][0];
             chart[a][1] = chart[a - 4][1];
         }
-        Hexahedron {
-            nodes: std::array::from_fn(|a| a),
-            chart,
-        }
+        Hexahedron { nodes: std::array::from_fn(|a| a), chart }
     }
 
     /// H φ with φ linear is the flux of its gradient through the faces: ∫ N,i dV = ∮ N n_i dA on any hexahedron. Tested
@@ -233,18 +219,13 @@ mod tests {
         // The energy of φ = x, y or z is that of unit velocity, ρ V.
         for k in 0..3 {
             let x: Vec<f64> = cell.chart.iter().map(|c| c[k]).collect();
-            let energy: f64 = (0..8)
-                .map(|i| (0..8).map(|j| x[i] * h.get(i, j) * x[j]).sum::<f64>())
-                .sum();
+            let energy: f64 = (0..8).map(|i| (0..8).map(|j| x[i] * h.get(i, j) * x[j]).sum::<f64>()).sum();
             assert!((energy + 2.0 * element.volume()).abs() < 1e-13);
         }
         for k in 0..2 {
             let mut flux = [0.0; 8];
             for corners in &FACES[2..] {
-                let face = Face {
-                    nodes: *corners,
-                    chart: corners.map(|c| cell.chart[c]),
-                };
+                let face = Face { nodes: *corners, chart: corners.map(|c| cell.chart[c]) };
                 let normal = super::super::potential_face::point(&face, Chart::Cartesian, 0.0, 0.0).normal;
                 let wet = WetFace::new(&face, Chart::Cartesian, *corners, [normal.into(); 4], 2.0).unwrap();
                 let b = reference_mass(&wet);
@@ -262,11 +243,7 @@ mod tests {
     /// Cylindrical chart, axis wedges included: the volume is π R² H, and so is the energy of φ = z.
     #[test]
     fn cylinder_volume_and_vertical_potential() {
-        let mesh = Cylinder {
-            radii: vec![0.0, 0.5, 1.3],
-            sectors: 7,
-            heights: vec![0.0, 0.4, 1.0],
-        };
+        let mesh = Cylinder { radii: vec![0.0, 0.5, 1.3], sectors: 7, heights: vec![0.0, 0.4, 1.0] };
         let volume = mesh.volume().unwrap();
         let (mut sum, mut energy) = (0.0, 0.0);
         for cell in &volume.cells {
@@ -274,9 +251,7 @@ mod tests {
             sum += element.volume();
             let h = reference_mass(&element);
             let z: Vec<f64> = cell.chart.iter().map(|c| c[2]).collect();
-            energy -= (0..8)
-                .map(|i| (0..8).map(|j| z[i] * h.get(i, j) * z[j]).sum::<f64>())
-                .sum::<f64>();
+            energy -= (0..8).map(|i| (0..8).map(|j| z[i] * h.get(i, j) * z[j]).sum::<f64>()).sum::<f64>();
         }
         let exact = PI * 1.69;
         assert!((sum / exact - 1.0).abs() < 1e-13 && (energy / exact - 1.0).abs() < 1e-13);
@@ -286,13 +261,7 @@ mod tests {
     fn inverted_cells_are_rejected() {
         let mut cell = distorted();
         cell.chart.swap(0, 4);
-        assert!(matches!(
-            Potential8::new(&cell, Chart::Cartesian, 1.0),
-            Err(ElementError::Jacobian { .. })
-        ));
-        assert!(matches!(
-            Potential8::new(&distorted(), Chart::Cartesian, -1.0),
-            Err(ElementError::Parameter { .. })
-        ));
+        assert!(matches!(Potential8::new(&cell, Chart::Cartesian, 1.0), Err(ElementError::Jacobian { .. })));
+        assert!(matches!(Potential8::new(&distorted(), Chart::Cartesian, -1.0), Err(ElementError::Parameter { .. })));
     }
 }

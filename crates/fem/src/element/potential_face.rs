@@ -45,12 +45,7 @@ pub(super) fn point(face: &Face, chart: Chart, r: f64, s: f64) -> FacePoint {
     let vector = |t: [f64; 3]| (0..3).fold(Vector3::zeros(), |v, i| v + base[i] * (t[i] * length[i]));
     let cross = vector(tangents[0]).cross(&vector(tangents[1]));
     let area = cross.norm();
-    FacePoint {
-        n,
-        chart: x,
-        area,
-        normal: if area > 0.0 { cross / area } else { cross },
-    }
+    FacePoint { n, chart: x, area, normal: if area > 0.0 { cross / area } else { cross } }
 }
 
 /// The 2 × 2 Gauss points; `area` includes the weights.
@@ -67,11 +62,7 @@ pub(super) fn gauss_points(face: &Face, chart: Chart) -> [FacePoint; 4] {
 pub(super) fn check_face(kind: &'static str, face: &Face, chart: Chart) -> Result<(), ElementError> {
     for p in gauss_points(face, chart) {
         if !(p.area > 0.0 && p.area.is_finite()) {
-            return Err(ElementError::Jacobian {
-                kind,
-                determinant: p.area,
-                nodes: face.nodes.to_vec(),
-            });
+            return Err(ElementError::Jacobian { kind, determinant: p.area, nodes: face.nodes.to_vec() });
         }
     }
     Ok(())
@@ -82,11 +73,6 @@ pub(super) fn check_positive(kind: &'static str, parameter: &'static str, value:
     if value > 0.0 && value.is_finite() {
         Ok(())
     } else {
-        Err(ElementError::Parameter {
-            kind,
-            parameter,
-            found: value.to_string(),
-            allowed: "a positive number",
-        })
+        Err(ElementError::Parameter { kind, parameter, found: value.to_string(), allowed: "a positive number" })
     }
 }

@@ -33,12 +33,7 @@ impl PotentialSurface {
         check_positive(KIND, "density", density)?;
         check_positive(KIND, "gravity", gravity)?;
         check_face(KIND, face, chart)?;
-        Ok(PotentialSurface {
-            face: *face,
-            chart,
-            density,
-            gravity,
-        })
+        Ok(PotentialSurface { face: *face, chart, density, gravity })
     }
 
     /// S, 4 × 4 [m²].

@@ -98,10 +98,7 @@ pub enum Axes {
 
 impl Axes {
     /// Hoop direction about the global z axis.
-    pub const HOOP_Z: Axes = Axes::Hoop {
-        origin: [0.0; 3],
-        axis: [0.0, 0.0, 1.0],
-    };
+    pub const HOOP_Z: Axes = Axes::Hoop { origin: [0.0; 3], axis: [0.0, 0.0, 1.0] };
 
     /// Unit e_1 at `position` on a surface with the unit normal `normal`; `None` where the rule does not apply.
     pub fn first(&self, position: Vector3<f64>, normal: Vector3<f64>) -> Option<Vector3<f64>> {
@@ -213,8 +210,7 @@ impl Shell4 {
         for corner in (0..4).filter(|&c| at[c]) {
             let area: f64 = self.points.iter().map(|p| p.n[corner] * p.area).sum();
             let stiffness = factor * self.section.shear_stiffness() * area;
-            self.drilling
-                .push(Corner::new(&self.x, corner, stiffness, &self.nodes)?);
+            self.drilling.push(Corner::new(&self.x, corner, stiffness, &self.nodes)?);
         }
         Ok(self)
     }

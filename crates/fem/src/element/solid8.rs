@@ -95,11 +95,7 @@ struct Point {
     normal: Vector3<f64>,
 }
 
-const ORIGIN: Point = Point {
-    gradients: [[0.0; 3]; 8],
-    volume: 0.0,
-    normal: Vector3::new(0.0, 0.0, 0.0),
-};
+const ORIGIN: Point = Point { gradients: [[0.0; 3]; 8], volume: 0.0, normal: Vector3::new(0.0, 0.0, 0.0) };
 
 impl Solid8 {
     /// Nodes and their coordinates [m] in the order of [`crate::shape::hex8`].
@@ -126,20 +122,11 @@ impl Solid8 {
                 });
             }
         }
-        let element = Solid8 {
-            nodes,
-            coordinates,
-            material,
-            kinematics,
-        };
+        let element = Solid8 { nodes, coordinates, material, kinematics };
         for slopes in &SLOPES {
             let determinant = element.jacobian(slopes).determinant();
             if determinant.is_nan() || determinant <= 0.0 {
-                return Err(ElementError::Jacobian {
-                    kind: KIND,
-                    determinant,
-                    nodes: nodes.to_vec(),
-                });
+                return Err(ElementError::Jacobian { kind: KIND, determinant, nodes: nodes.to_vec() });
             }
         }
         Ok(element)
@@ -166,9 +153,7 @@ impl Solid8 {
                 }
             }
         }
-        Matrix3::new(
-            j[0][0], j[0][1], j[0][2], j[1][0], j[1][1], j[1][2], j[2][0], j[2][1], j[2][2],
-        )
+        Matrix3::new(j[0][0], j[0][1], j[0][2], j[1][0], j[1][1], j[1][2], j[2][0], j[2][1], j[2][2])
     }
 
     #[inline]

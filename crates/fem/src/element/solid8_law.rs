@@ -71,22 +71,14 @@ pub enum Tension {
 
 impl Tension {
     /// No tension, sharp switch, residual 1e-6.
-    pub const NONE: Tension = Tension::None {
-        residual: 1e-6,
-        width: 0.0,
-    };
+    pub const NONE: Tension = Tension::None { residual: 1e-6, width: 0.0 };
 }
 
 impl Law {
     /// Refuses parameters out of range.
     pub(super) fn check(&self, kind: &'static str) -> Result<(), ElementError> {
         let refuse = |parameter, found: f64, allowed| {
-            Err(ElementError::Parameter {
-                kind,
-                parameter,
-                found: found.to_string(),
-                allowed,
-            })
+            Err(ElementError::Parameter { kind, parameter, found: found.to_string(), allowed })
         };
         match *self {
             Law::Isotropic { young_modulus, .. } if !(young_modulus > 0.0 && young_modulus.is_finite()) => {
@@ -103,14 +95,12 @@ impl Law {
             Law::Core { shear_modulus, .. } if !(shear_modulus > 0.0 && shear_modulus.is_finite()) => {
                 refuse("shear_modulus", shear_modulus, "> 0")
             }
-            Law::NormalOnly {
-                tension: Tension::None { residual, .. },
-                ..
-            } if !(residual > 0.0 && residual < 1.0) => refuse("residual", residual, "between 0 and 1"),
-            Law::NormalOnly {
-                tension: Tension::None { width, .. },
-                ..
-            } if !(width >= 0.0 && width.is_finite()) => refuse("width", width, "≥ 0"),
+            Law::NormalOnly { tension: Tension::None { residual, .. }, .. } if !(residual > 0.0 && residual < 1.0) => {
+                refuse("residual", residual, "between 0 and 1")
+            }
+            Law::NormalOnly { tension: Tension::None { width, .. }, .. } if !(width >= 0.0 && width.is_finite()) => {
+                refuse("width", width, "≥ 0")
+            }
             _ => Ok(()),
         }
     }
@@ -118,23 +108,14 @@ impl Law {
     /// Lamé's constants (λ, μ) of an isotropic law [Pa].
     pub fn lame(&self) -> Option<(f64, f64)> {
         match *self {
-            Law::Isotropic {
-                young_modulus,
-                poisson_ratio,
-            } => Some(lame(young_modulus, poisson_ratio)),
+            Law::Isotropic { young_modulus, poisson_ratio } => Some(lame(young_modulus, poisson_ratio)),
             Law::NormalOnly { .. } | Law::Core { .. } => None,
         }
     }
 
     /// Whether stress is proportional to strain.
     pub fn is_linear(&self) -> bool {
-        !matches!(
-            self,
-            Law::NormalOnly {
-                tension: Tension::None { .. },
-                ..
-            }
-        )
+        !matches!(self, Law::NormalOnly { tension: Tension::None { .. }, .. })
     }
 
     /// Whether an element of this law has modes without energy that only shells on both sides can hold.
@@ -145,27 +126,15 @@ impl Law {
     /// Stress and tangent moduli ∂S/∂E [Pa] at `strain`, for the layer normal `normal`.
     pub fn stress(&self, strain: &[f64; 6], normal: &Vector3<f64>) -> ([f64; 6], Moduli) {
         let moduli = match *self {
-            Law::Isotropic {
-                young_modulus,
-                poisson_ratio,
-            } => isotropic_moduli(lame(young_modulus, poisson_ratio)),
-            Law::NormalOnly {
-                e_normal,
-                tension: Tension::Full,
-            } => normal_moduli(e_normal, normal),
-            Law::NormalOnly {
-                e_normal,
-                tension: Tension::None { residual, width },
-            } => {
+            Law::Isotropic { young_modulus, poisson_ratio } => isotropic_moduli(lame(young_modulus, poisson_ratio)),
+            Law::NormalOnly { e_normal, tension: Tension::Full } => normal_moduli(e_normal, normal),
+            Law::NormalOnly { e_normal, tension: Tension::None { residual, width } } => {
                 let p = dyad(normal);
                 let strain: f64 = p.iter().zip(strain).map(|(p, e)| p * e).sum();
                 let (stress, modulus) = without_tension(e_normal, residual, width, strain);
                 return (p.map(|p| stress * p), normal_moduli(modulus, normal));
             }
-            Law::Core {
-                e_normal,
-                shear_modulus,
-            } => core_moduli(e_normal, shear_modulus, normal),
+            Law::Core { e_normal, shear_modulus } => core_moduli(e_normal, shear_modulus, normal),
         };
         let stress = moduli.map(|row| row.iter().zip(strain).map(|(d, e)| d * e).sum());
         (stress, moduli)
@@ -243,10 +212,7 @@ mod tests {
     /// Uniaxial stress: σ = E ε with ε_lateral = −ν ε.
     #[test]
     fn uniaxial_stress_shows_youngs_modulus() {
-        let law = Law::Isotropic {
-            young_modulus: 210e9,
-            poisson_ratio: 0.3,
-        };
+        let law = Law::Isotropic { young_modulus: 210e9, poisson_ratio: 0.3 };
         let (stress, _) = law.stress(&[1e-3, -0.3e-3, -0.3e-3, 0.0, 0.0, 0.0], &Vector3::z());
         assert!((stress[0] - 210e6).abs() < 1e-3);
         assert!(stress[1..].iter().all(|s| s.abs() < 1e-3));
@@ -254,10 +220,7 @@ mod tests {
 
     #[test]
     fn normal_law_sees_the_normal_strain_only() {
-        let law = Law::NormalOnly {
-            e_normal: 3e9,
-            tension: Tension::Full,
-        };
+        let law = Law::NormalOnly { e_normal: 3e9, tension: Tension::Full };
         let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
         let (stress, _) = law.stress(&[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0], &n);
         // E_nn = n_x² ε_xx = 1e-3/9, S = 3e9 · E_nn n ⊗ n.
@@ -290,21 +253,11 @@ mod tests {
     /// Pure shear γ across the layer gives τ = G γ, whatever the normal; shear and stretch in its plane give no stress.
     #[test]
     fn core_carries_shear_across() {
-        let law = Law::Core {
-            e_normal: 7.0,
-            shear_modulus: 3.0,
-        };
+        let law = Law::Core { e_normal: 7.0, shear_modulus: 3.0 };
         let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
         let t = Vector3::new(2.0, 1.0, -2.0) / 3.0;
         let voigt = |e: nalgebra::Matrix3<f64>| {
-            [
-                e[(0, 0)],
-                e[(1, 1)],
-                e[(2, 2)],
-                2.0 * e[(0, 1)],
-                2.0 * e[(1, 2)],
-                2.0 * e[(0, 2)],
-            ]
+            [e[(0, 0)], e[(1, 1)], e[(2, 2)], 2.0 * e[(0, 1)], 2.0 * e[(1, 2)], 2.0 * e[(0, 2)]]
         };
         let tensor = |s: [f64; 6]| nalgebra::Matrix3::new(s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]);
         let gamma = 1e-3;
@@ -319,10 +272,7 @@ mod tests {
 
     #[test]
     fn parameters_out_of_range_are_rejected() {
-        let isotropic = |young_modulus, poisson_ratio| Law::Isotropic {
-            young_modulus,
-            poisson_ratio,
-        };
+        let isotropic = |young_modulus, poisson_ratio| Law::Isotropic { young_modulus, poisson_ratio };
         assert!(isotropic(0.0, 0.2).check("solid8").is_err());
         assert!(isotropic(1.0, 0.5).check("solid8").is_err());
         assert!(isotropic(f64::NAN, 0.2).check("solid8").is_err());
@@ -331,10 +281,7 @@ mod tests {
         assert!(layer(1.0, Tension::NONE).check("solid8").is_ok());
         let wide = |residual, width| layer(1.0, Tension::None { residual, width });
         assert!(wide(0.0, 0.0).check("solid8").is_err() && wide(0.1, -1.0).check("solid8").is_err());
-        let core = Law::Core {
-            e_normal: 1.0,
-            shear_modulus: 0.0,
-        };
+        let core = Law::Core { e_normal: 1.0, shear_modulus: 0.0 };
         assert!(core.check("solid8").is_err());
         assert!(isotropic(1.0, -0.5).check("solid8").is_ok());
     }

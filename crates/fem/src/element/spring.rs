@@ -46,12 +46,7 @@ impl Link {
                 allowed: "unit vectors",
             });
         }
-        Ok(Link {
-            nodes: [nodes[0], nodes[nodes.len() - 1]],
-            count: nodes.len(),
-            dofs,
-            direction: vector,
-        })
+        Ok(Link { nodes: [nodes[0], nodes[nodes.len() - 1]], count: nodes.len(), dofs, direction: vector })
     }
 
     fn nodes(&self) -> &[usize] {
@@ -85,12 +80,7 @@ fn check_constant(kind: &'static str, parameter: &'static str, value: f64) -> Re
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(ElementError::Parameter {
-        kind,
-        parameter,
-        found: value.to_string(),
-        allowed: "≥ 0",
-    })
+    Err(ElementError::Parameter { kind, parameter, found: value.to_string(), allowed: "≥ 0" })
 }
 
 /// Linear spring.

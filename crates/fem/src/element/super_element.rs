@@ -137,12 +137,7 @@ impl SuperElement {
 }
 
 fn refuse(parameter: &'static str, found: String, allowed: &'static str) -> ElementError {
-    ElementError::Parameter {
-        kind: KIND,
-        parameter,
-        found,
-        allowed,
-    }
+    ElementError::Parameter { kind: KIND, parameter, found, allowed }
 }
 
 fn copy(from: &Option<Matrix>, out: &mut LocalMatrix) {
@@ -296,10 +291,7 @@ mod tests {
         };
         let (part, whole) = (build(true), build(false));
         let (a, b) = (Assembler::new(&part), Assembler::new(&whole));
-        assert_eq!(
-            a.stiffness_and_mass(&part).unwrap(),
-            b.stiffness_and_mass(&whole).unwrap()
-        );
+        assert_eq!(a.stiffness_and_mass(&part).unwrap(), b.stiffness_and_mass(&whole).unwrap());
         let mut state = crate::state::State::new(&part);
         state.trial.u = vec![0.3, -0.1];
         let mut tangent = crate::linalg::Symmetric::zeros(a.pattern().clone());

@@ -44,27 +44,11 @@ const KIND: &str = "wall";
 /// Number of local dofs: eight nodes with six.
 pub const SIZE: usize = 48;
 /// Resultants of the inner shell, in [`RESULTANTS`]' order.
-const INNER: [&str; 8] = [
-    "inner_n_11",
-    "inner_n_22",
-    "inner_n_12",
-    "inner_m_11",
-    "inner_m_22",
-    "inner_m_12",
-    "inner_q_1",
-    "inner_q_2",
-];
+const INNER: [&str; 8] =
+    ["inner_n_11", "inner_n_22", "inner_n_12", "inner_m_11", "inner_m_22", "inner_m_12", "inner_q_1", "inner_q_2"];
 /// Resultants of the outer shell.
-const OUTER: [&str; 8] = [
-    "outer_n_11",
-    "outer_n_22",
-    "outer_n_12",
-    "outer_m_11",
-    "outer_m_22",
-    "outer_m_12",
-    "outer_q_1",
-    "outer_q_2",
-];
+const OUTER: [&str; 8] =
+    ["outer_n_11", "outer_n_22", "outer_n_12", "outer_m_11", "outer_m_22", "outer_m_12", "outer_q_1", "outer_q_2"];
 
 /// Which face carries the mass of the layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -138,15 +122,7 @@ impl Wall {
             },
             other => other,
         })?;
-        Ok(Wall {
-            nodes,
-            inner,
-            outer,
-            layer: layer_solid,
-            mass: layer.mass,
-            directors,
-            lever,
-        })
+        Ok(Wall { nodes, inner, outer, layer: layer_solid, mass: layer.mass, directors, lever })
     }
 
     /// The inner shell.
@@ -319,13 +295,7 @@ impl Element for Wall {
         for (shell, i) in self.shells() {
             part.reset(SHELL_SIZE);
             let slots = self.slots(i);
-            shell.respond(
-                Wall::part(&motion, i),
-                &old[slots.clone()],
-                &mut new[slots],
-                want,
-                &mut part,
-            )?;
+            shell.respond(Wall::part(&motion, i), &old[slots.clone()], &mut new[slots], want, &mut part)?;
             if want.force {
                 let to = &mut out.force[SHELL_SIZE * i..];
                 to.iter_mut().zip(&part.force).for_each(|(f, p)| *f += p);
@@ -336,15 +306,9 @@ impl Element for Wall {
         }
         let (u, d) = self.faces(&motion);
         part.reset(24);
-        let face = Motion {
-            values: &u,
-            rotations: &[UnitQuaternion::identity(); 8],
-        };
+        let face = Motion { values: &u, rotations: &[UnitQuaternion::identity(); 8] };
         // The diagonal block needs the force.
-        let needed = Want {
-            force: true,
-            tangent: want.tangent,
-        };
+        let needed = Want { force: true, tangent: want.tangent };
         self.layer.respond(face, &[], &mut [], needed, &mut part)?;
         if want.force {
             self.add_force(&part.force, &d, &mut out.force);
@@ -395,10 +359,7 @@ impl Element for Wall {
 impl Contact for Wall {
     fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
         let (u, _) = self.faces(&motion);
-        let face = Motion {
-            values: &u,
-            rotations: motion.rotations,
-        };
+        let face = Motion { values: &u, rotations: motion.rotations };
         self.layer.switches(face, &[], see);
     }
 }

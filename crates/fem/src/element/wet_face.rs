@@ -181,21 +181,13 @@ fn smooth(areas: &mut [[f64; 4]; 4], chart: Chart, liquid: &Face, wall: &Face) {
     }
     let theta = |f: &Face| f.chart.map(|c| c[1]);
     let (own, other) = (theta(liquid), theta(wall));
-    let (low, high) = (
-        own.iter().copied().fold(f64::INFINITY, f64::min),
-        own.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let (low, high) =
+        (own.iter().copied().fold(f64::INFINITY, f64::min), own.iter().copied().fold(f64::NEG_INFINITY, f64::max));
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (high - low);
     let radius = liquid.chart[0][0];
-    let round = liquid
-        .chart
-        .iter()
-        .chain(&wall.chart)
-        .all(|c| (c[0] - radius).abs() <= 1e-6 * radius);
+    let round = liquid.chart.iter().chain(&wall.chart).all(|c| (c[0] - radius).abs() <= 1e-6 * radius);
     let paired = own.iter().chain(&other).all(|&t| near(t, low) || near(t, high));
-    let two_each = [own, other]
-        .iter()
-        .all(|f| f.iter().filter(|&&t| near(t, low)).count() == 2);
+    let two_each = [own, other].iter().all(|f| f.iter().filter(|&&t| near(t, low)).count() == 2);
     if !(round && paired && two_each && high > low) {
         return;
     }
@@ -204,9 +196,7 @@ fn smooth(areas: &mut [[f64; 4]; 4], chart: Chart, liquid: &Face, wall: &Face) {
         for b in 0..4 {
             if near(own[a], other[b]) {
                 // The neighbour of b along θ: the neighbouring corner on the other meridian.
-                let beside = [(b + 1) % 4, (b + 3) % 4]
-                    .into_iter()
-                    .find(|&c| !near(other[c], other[b]));
+                let beside = [(b + 1) % 4, (b + 3) % 4].into_iter().find(|&c| !near(other[c], other[b]));
                 let beside = beside.expect("two corners lie on each meridian");
                 let moved = 0.5 * consistent[a][beside];
                 areas[a][b] += moved;
@@ -267,9 +257,7 @@ impl Rectangle {
         };
         let ranges = [range(0), range(1), range(2)];
         let width = |i: usize| ranges[i].1 - ranges[i].0;
-        let fixed = (0..3)
-            .min_by(|&i, &j| width(i).total_cmp(&width(j)))
-            .expect("three coordinates");
+        let fixed = (0..3).min_by(|&i, &j| width(i).total_cmp(&width(j))).expect("three coordinates");
         let axes = [(fixed + 1) % 3, (fixed + 2) % 3];
         let widest = width(axes[0]).max(width(axes[1]));
         if width(fixed) > 1e-6 * widest {
@@ -371,12 +359,7 @@ impl Inspect for WetFace {
         for (entry, n) in row.iter_mut().zip(n) {
             *entry = -self.density * n;
         }
-        vec![Sample {
-            name: "pressure",
-            position,
-            row,
-            of_acceleration: true,
-        }]
+        vec![Sample { name: "pressure", position, row, of_acceleration: true }]
     }
 }
 
@@ -391,11 +374,7 @@ mod tests {
     const RADIUS: f64 = 1.7;
 
     fn cylinder(heights: &[f64]) -> Cylinder {
-        Cylinder {
-            radii: vec![0.0, RADIUS],
-            sectors: 9,
-            heights: heights.to_vec(),
-        }
+        Cylinder { radii: vec![0.0, RADIUS], sectors: 9, heights: heights.to_vec() }
     }
 
     fn normals(face: &Face) -> [[f64; 3]; 4] {
@@ -422,9 +401,7 @@ mod tests {
                 for a in 0..4 {
                     for c in 0..4 {
                         let theta = other.chart[c][1];
-                        for (i, (n, t)) in [(theta.cos(), -theta.sin()), (theta.sin(), theta.cos())]
-                            .iter()
-                            .enumerate()
+                        for (i, (n, t)) in [(theta.cos(), -theta.sin()), (theta.sin(), theta.cos())].iter().enumerate()
                         {
                             let value = b.get(a, 4 + 3 * c + i);
                             radial += value * n;
@@ -438,12 +415,9 @@ mod tests {
         // Each of the 9 sectors: liquid and wall cuts 0 .1 .2 .5 .9 1.1 1.3 1.5.
         assert_eq!(faces, 9 * 7);
         let exact = TAU * RADIUS * 1.5;
-        for (found, expected) in [
-            (area, exact),
-            (radial, exact),
-            (turn, 0.0),
-            (moment, TAU * RADIUS * 1.5_f64.powi(3) / 3.0),
-        ] {
+        for (found, expected) in
+            [(area, exact), (radial, exact), (turn, 0.0), (moment, TAU * RADIUS * 1.5_f64.powi(3) / 3.0)]
+        {
             assert!((found - expected).abs() < 1e-12 * exact, "{found} {expected}");
         }
     }
@@ -456,9 +430,7 @@ mod tests {
         for (own, other) in liquid.wall.iter().zip(&wall.cells) {
             assert_eq!(own.chart, other.chart);
             let direct = WetFace::new(own, Chart::Cylindrical, other.nodes, normals(other), 1.3).unwrap();
-            let cut = WetFace::overlapping(own, other, Chart::Cylindrical, normals(other), 1.3)
-                .unwrap()
-                .unwrap();
+            let cut = WetFace::overlapping(own, other, Chart::Cylindrical, normals(other), 1.3).unwrap().unwrap();
             let (a, b) = (reference_mass(&direct), reference_mass(&cut));
             for (x, y) in a.data.iter().zip(&b.data) {
                 assert!((x - y).abs() < 1e-14);

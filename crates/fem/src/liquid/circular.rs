@@ -38,29 +38,20 @@ impl CircularLiquid {
             found: sectors.to_string(),
             allowed: "an even number".into(),
         })?;
-        let modes: Vec<Option<Modes>> = liquid
-            .blocks
-            .iter()
-            .map(|block| Modes::of(block, levels))
-            .collect::<Result<_, _>>()?;
+        let modes: Vec<Option<Modes>> =
+            liquid.blocks.iter().map(|block| Modes::of(block, levels)).collect::<Result<_, _>>()?;
         let chosen = choose(&modes, &ring, count);
         let mut blocks = Vec::new();
         let mut rims = Vec::new();
         for (m, (block, modes)) in liquid.blocks.iter().zip(&modes).enumerate() {
             let own = chosen.iter().filter(|c| c.0 == m).count();
             let Some(modes) = modes else {
-                blocks.push(RingBlock {
-                    mass: block.mass.clone(),
-                    stiffness: None,
-                });
+                blocks.push(RingBlock { mass: block.mass.clone(), stiffness: None });
                 continue;
             };
             let t = modes.basis(own, levels);
             let project = |a: &Matrix| symmetric(transposed_product(&t, &product(a, &t)));
-            blocks.push(RingBlock {
-                mass: project(&block.mass),
-                stiffness: Some(project(&block.stiffness)),
-            });
+            blocks.push(RingBlock { mass: project(&block.mass), stiffness: Some(project(&block.stiffness)) });
             if let Some(rim) = &block.rim {
                 rims.push((m, (0..t.cols).map(|j| dot(rim, t.column(j))).collect::<Vec<f64>>()));
             }
@@ -92,11 +83,7 @@ impl CircularLiquid {
         if !fits || !(0.0..1.0).contains(&ratio) {
             return Err(CondenseError::Option {
                 what: "element of a condensed liquid",
-                found: format!(
-                    "{} wall dofs, {} of the surface, damping ratio {ratio}",
-                    wall.len(),
-                    surface.len()
-                ),
+                found: format!("{} wall dofs, {} of the surface, damping ratio {ratio}", wall.len(), surface.len()),
                 allowed: format!("{} and {}, a ratio from 0 to 1", self.operator.wall(), self.omega.len()),
             });
         }
@@ -104,10 +91,7 @@ impl CircularLiquid {
         Ok(CircularElement {
             nodes: unknowns.clone().map(|u| u.0).collect(),
             dofs: unknowns.map(|u| u.1).collect(),
-            operator: self
-                .operator
-                .clone()
-                .with_damping(self.omega.iter().map(|omega| 2.0 * ratio * omega).collect()),
+            operator: self.operator.clone().with_damping(self.omega.iter().map(|omega| 2.0 * ratio * omega).collect()),
         })
     }
 }
@@ -134,12 +118,7 @@ impl Modes {
         let coupling = block.mass.select(&surface, &wall);
         let mut follow = coupling.clone();
         Cholesky::factor(&m)?.solve(&mut follow);
-        Ok(Some(Modes {
-            omega: eigen.omega,
-            vectors: eigen.vectors,
-            coupling,
-            follow,
-        }))
+        Ok(Some(Modes { omega: eigen.omega, vectors: eigen.vectors, coupling, follow }))
     }
 
     /// (ŵ, η̂) of unit ŵ and unit amplitudes of the lowest `count` modes.
@@ -205,15 +184,7 @@ fn rim(operator: &RingOperator, m: usize, own: &[f64]) -> Rim {
         }
         row
     };
-    Rim {
-        harmonic: m as u32,
-        row: over(0),
-        sine: if m > 0 && ring.families() > 1 {
-            over(1)
-        } else {
-            Vec::new()
-        },
-    }
+    Rim { harmonic: m as u32, row: over(0), sine: if m > 0 && ring.families() > 1 { over(1) } else { Vec::new() } }
 }
 
 /// Symmetric to the last digit.

@@ -59,9 +59,7 @@ impl<'a> Condensed<'a> {
     /// Number of negative eigenvalues of E_ηη.
     pub fn negative(&self) -> usize {
         let count = |(block, surface): (&Block, &Option<(Matrix, Factor)>)| {
-            surface
-                .as_ref()
-                .map_or(0, |(_, f)| f.inertia().negative * block.columns.len())
+            surface.as_ref().map_or(0, |(_, f)| f.inertia().negative * block.columns.len())
         };
         self.liquid.blocks.iter().zip(&self.surface).map(count).sum()
     }

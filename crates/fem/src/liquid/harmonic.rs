@@ -94,33 +94,19 @@ impl HarmonicLiquid {
         sloshing: u32,
     ) -> Result<HarmonicLiquid, LinalgError> {
         let levels = heights.len() + floor.len();
-        assert!(
-            sectors >= 3 && heights.len() >= 2,
-            "a wall has 3 or more meridians and 2 or more levels"
-        );
+        assert!(sectors >= 3 && heights.len() >= 2, "a wall has 3 or more meridians and 2 or more levels");
         let mut fourier = Matrix::zeros(sectors, sectors);
         let mut blocks = Vec::new();
         let (mut column, mut elevations) = (0, 0);
         for m in 0..=sectors / 2 {
             let single = m == 0 || 2 * m == sectors;
             let square = if single { 1.0 } else { 2.0 } / sectors as f64;
-            let domain = Domain::Cylinder {
-                radius,
-                harmonic: m as u32,
-            };
+            let domain = Domain::Cylinder { radius, harmonic: m as u32 };
             let wall = (heights.to_vec(), Trace::Linear);
             let potential = Potential::with_floor(domain, mesh.clone(), wall, floor, density)?;
             let (mut mass, mut stiffness, rim) = matrices(&potential, gravity, m as u32 <= sloshing)?;
-            mass.data
-                .iter_mut()
-                .chain(&mut stiffness.data)
-                .for_each(|v| *v *= square);
-            let mut block = Block {
-                columns: Vec::new(),
-                mass,
-                stiffness,
-                rim,
-            };
+            mass.data.iter_mut().chain(&mut stiffness.data).for_each(|v| *v *= square);
+            let mut block = Block { columns: Vec::new(), mass, stiffness, rim };
             for part in 0..if single { 1 } else { 2 } {
                 for k in 0..sectors {
                     let angle = TAU * ((m * k) % sectors) as f64 / sectors as f64;
@@ -133,14 +119,7 @@ impl HarmonicLiquid {
             }
             blocks.push(block);
         }
-        Ok(HarmonicLiquid {
-            sectors,
-            heights: heights.to_vec(),
-            floor: floor.to_vec(),
-            fourier,
-            blocks,
-            elevations,
-        })
+        Ok(HarmonicLiquid { sectors, heights: heights.to_vec(), floor: floor.to_vec(), fourier, blocks, elevations })
     }
 
     /// Number of meridians.
@@ -230,10 +209,7 @@ fn matrices(
     }
     if potential.domain.is_floating() {
         let q = &potential.flux;
-        let last = surface
-            .clone()
-            .max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs()))
-            .expect("the surface has nodes");
+        let last = surface.clone().max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).expect("the surface has nodes");
         let keep: Vec<usize> = (0..surface.end).filter(|&i| i != last).collect();
         let mut t = Matrix::zeros(surface.end, keep.len());
         for (j, &i) in keep.iter().enumerate() {
@@ -260,11 +236,7 @@ fn matrices(
 }
 
 pub(super) fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
-    Matrix {
-        rows,
-        cols,
-        data: data.to_vec(),
-    }
+    Matrix { rows, cols, data: data.to_vec() }
 }
 
 #[cfg(test)]
@@ -291,11 +263,7 @@ mod tests {
             x.extend((0..SECTORS).map(|k| w(TAU * k as f64 / SECTORS as f64, l)));
         }
         x.resize(liquid.wall() + liquid.elevations(), 0.0);
-        Matrix {
-            rows: x.len(),
-            cols: 1,
-            data: x,
-        }
+        Matrix { rows: x.len(), cols: 1, data: x }
     }
 
     /// F6 on any mesh: a translation in any direction carries the mass of the liquid. (φ = x is in the space; 10⁻⁹ as the
@@ -328,10 +296,7 @@ mod tests {
     #[test]
     fn a_rising_bottom_lifts_the_liquid() {
         let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
-        let domain = Domain::Cylinder {
-            radius: RADIUS,
-            harmonic: 0,
-        };
+        let domain = Domain::Cylinder { radius: RADIUS, harmonic: 0 };
         let wall = (vec![0.0, 0.4, DEPTH], Trace::Linear);
         let potential = Potential::with_floor(domain, mesh, wall, &[RADIUS, 1.1, 0.3, 0.0], 1000.0).unwrap();
         let mut x = vec![1.0; potential.columns()];
@@ -347,10 +312,7 @@ mod tests {
     #[test]
     fn a_turning_bottom_feels_the_moment_of_the_pressure() {
         let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
-        let domain = Domain::Cylinder {
-            radius: RADIUS,
-            harmonic: 1,
-        };
+        let domain = Domain::Cylinder { radius: RADIUS, harmonic: 1 };
         let floor = [RADIUS, 1.5, 0.8, 0.0];
         let wall = || (vec![0.0, 0.4, DEPTH], Trace::Linear);
         let moving = Potential::with_floor(domain, mesh.clone(), wall(), &floor, 1000.0).unwrap();
@@ -383,11 +345,7 @@ mod tests {
         let mut x = w.clone();
         x.extend(&eta);
         let n = x.len();
-        let x = Matrix {
-            rows: n,
-            cols: 1,
-            data: x,
-        };
+        let x = Matrix { rows: n, cols: 1, data: x };
         let (k, m) = (liquid.stiffness(&x), liquid.mass(&x));
         for i in 0..n {
             let force = k.data[i] + s * m.data[i];

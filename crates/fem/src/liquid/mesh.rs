@@ -35,10 +35,7 @@ impl LiquidMesh {
             half_length * (RADIAL[k] + (RADIAL[k + 1] - RADIAL[k]) * (at - k as f64))
         });
         let z = corners(vertical, |s| depth * (1.0 - (1.0 - s).powf(GRADING)));
-        LiquidMesh {
-            r: with_midpoints(&r),
-            z: with_midpoints(&z),
-        }
+        LiquidMesh { r: with_midpoints(&r), z: with_midpoints(&z) }
     }
 
     /// Number of elements along r and z.

@@ -183,9 +183,7 @@ impl Potential {
         let (e, xi) = locate(&self.mesh.z, z);
         let shape = line::quadratic(xi);
         let last = self.mesh.r.len() - 1;
-        let nodes: Vec<(usize, f64)> = (0..3)
-            .map(|k| (last + (2 * e + k) * self.mesh.r.len(), shape[k]))
-            .collect();
+        let nodes: Vec<(usize, f64)> = (0..3).map(|k| (last + (2 * e + k) * self.mesh.r.len(), shape[k])).collect();
         let mut row = self.potential_row(&nodes);
         row.iter_mut().for_each(|v| *v *= -self.density);
         if !self.domain.is_floating() {
@@ -306,11 +304,7 @@ fn number_nodes(domain: &Domain, mesh: &LiquidMesh) -> Vec<Option<usize>> {
     let mut next = 0;
     (0..mesh.nodes())
         .map(|n| {
-            let held = if domain.is_floating() {
-                n == 0
-            } else {
-                n % mesh.r.len() == 0
-            };
+            let held = if domain.is_floating() { n == 0 } else { n % mesh.r.len() == 0 };
             (!held).then(|| {
                 next += 1;
                 next - 1
@@ -326,10 +320,8 @@ fn stiffness(domain: &Domain, mesh: &LiquidMesh, unknown: &[Option<usize>]) -> T
     let (na, nb) = mesh.elements();
     for b in 0..nb {
         for a in 0..na {
-            let (half_r, half_z) = (
-                0.5 * (mesh.r[2 * a + 2] - mesh.r[2 * a]),
-                0.5 * (mesh.z[2 * b + 2] - mesh.z[2 * b]),
-            );
+            let (half_r, half_z) =
+                (0.5 * (mesh.r[2 * a + 2] - mesh.r[2 * a]), 0.5 * (mesh.z[2 * b + 2] - mesh.z[2 * b]));
             let mut local = [[0.0; 9]; 9];
             for &(xi, wx) in gauss::FOUR {
                 let r = mesh.r[2 * a + 1] + half_r * xi;
@@ -374,9 +366,7 @@ fn couple_wall(domain: &Domain, mesh: &LiquidMesh, trace: &[f64], interpolation:
         }
         let middle = 0.5 * (a + b);
         let (e, _) = locate(&mesh.z, middle);
-        let k = (0..trace.len() - 2)
-            .find(|&k| middle < trace[k + 1])
-            .unwrap_or(trace.len() - 2);
+        let k = (0..trace.len() - 2).find(|&k| middle < trace[k + 1]).unwrap_or(trace.len() - 2);
         let (z0, z1, t0, t1) = (mesh.z[2 * e], mesh.z[2 * e + 2], trace[k], trace[k + 1]);
         for &(xi, w) in gauss::THREE {
             let z = middle + 0.5 * (b - a) * xi;

@@ -83,20 +83,8 @@ impl SeparationCheck {
     /// * `surface`: height of the surface at rest [m]
     /// * `heights`: places on the wetted wall [m]
     pub fn new(weight: f64, surface: f64, heights: Vec<f64>) -> SeparationCheck {
-        let seen = Seen {
-            first: None,
-            pressure: f64::INFINITY,
-            time: 0.0,
-            instants: 0,
-        };
-        SeparationCheck {
-            weight,
-            surface,
-            seen: vec![seen; heights.len()],
-            heights,
-            lowest: 0.0,
-            instants: 0,
-        }
+        let seen = Seen { first: None, pressure: f64::INFINITY, time: 0.0, instants: 0 };
+        SeparationCheck { weight, surface, seen: vec![seen; heights.len()], heights, lowest: 0.0, instants: 0 }
     }
 
     /// Static gauge pressure at place `i` [Pa].
@@ -328,26 +316,12 @@ impl Parting {
     pub fn first(check: &SeparationCheck, openings: Option<&Openings>) -> Option<Parting> {
         let all: Vec<Parting> = match openings {
             Some(openings) => {
-                let of = |p: &Opening| Parting {
-                    time: p.first,
-                    height: p.height,
-                    open: true,
-                };
+                let of = |p: &Opening| Parting { time: p.first, height: p.height, open: true };
                 openings.places().iter().map(of).collect()
             }
             None => {
-                let of = |p: &Place| Parting {
-                    time: p.first,
-                    height: p.height,
-                    open: false,
-                };
-                check
-                    .result()
-                    .places
-                    .iter()
-                    .filter(|p| p.below_trough)
-                    .map(of)
-                    .collect()
+                let of = |p: &Place| Parting { time: p.first, height: p.height, open: false };
+                check.result().places.iter().filter(|p| p.below_trough).map(of).collect()
             }
         };
         all.into_iter().min_by(|a, b| a.time.total_cmp(&b.time))

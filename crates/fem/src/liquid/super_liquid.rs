@@ -194,14 +194,9 @@ impl CondensedLiquid {
                 let scale = liquid.fourier.get(0, column);
                 let mut row = vec![0.0; wall + surface];
                 for (value, to) in rim.iter().zip(&spread) {
-                    to.iter()
-                        .for_each(|&(place, factor)| row[place] += scale * value * factor);
+                    to.iter().for_each(|&(place, factor)| row[place] += scale * value * factor);
                 }
-                out.rim.push(Rim {
-                    harmonic: m as u32,
-                    row,
-                    sine: Vec::new(),
-                });
+                out.rim.push(Rim { harmonic: m as u32, row, sine: Vec::new() });
             }
             first += elevations;
         }
@@ -321,11 +316,7 @@ impl CondensedLiquid {
                 .map(|rim| Rim {
                     harmonic: rim.harmonic,
                     row: row(&rim.row),
-                    sine: if rim.sine.is_empty() {
-                        Vec::new()
-                    } else {
-                        row(&rim.sine)
-                    },
+                    sine: if rim.sine.is_empty() { Vec::new() } else { row(&rim.sine) },
                 })
                 .collect(),
         })
@@ -345,22 +336,13 @@ impl CondensedLiquid {
         if !fits || !(ratio == 0.0 || (!self.omega.is_empty() && ratio > 0.0 && ratio < 1.0)) {
             return Err(CondenseError::Option {
                 what: "element of a condensed liquid",
-                found: format!(
-                    "{} wall dofs, {} of the surface, damping ratio {ratio}",
-                    wall.len(),
-                    surface.len()
-                ),
-                allowed: format!(
-                    "{} and {}, a ratio from 0 to 1, 0 without sloshing modes",
-                    self.wall,
-                    self.surface()
-                ),
+                found: format!("{} wall dofs, {} of the surface, damping ratio {ratio}", wall.len(), surface.len()),
+                allowed: format!("{} and {}, a ratio from 0 to 1, 0 without sloshing modes", self.wall, self.surface()),
             });
         }
         let unknowns: Vec<(usize, Dof)> = wall.iter().chain(surface).copied().collect();
-        let element = SuperElement::over(&unknowns)?
-            .with_mass(self.mass.clone())?
-            .with_stiffness(self.stiffness.clone())?;
+        let element =
+            SuperElement::over(&unknowns)?.with_mass(self.mass.clone())?.with_stiffness(self.stiffness.clone())?;
         if ratio == 0.0 {
             return Ok(element);
         }
@@ -419,9 +401,8 @@ fn keep_volume(
     });
     // −H 1 = 0, so that the rows of x are Fᵀ 1.
     let flux = pencil.restrict(&mass.times(&constant));
-    let dependent = (wall..order.len())
-        .max_by(|&a, &b| flux[order[a]].abs().total_cmp(&flux[order[b]].abs()))
-        .unwrap_or(wall);
+    let dependent =
+        (wall..order.len()).max_by(|&a, &b| flux[order[a]].abs().total_cmp(&flux[order[b]].abs())).unwrap_or(wall);
     let last = order[dependent];
     elevations.remove(dependent - wall);
     let mut t = Matrix::zeros(pencil.kept().len(), order.len() - 1);

@@ -55,13 +55,7 @@ impl<'a> WallPencil<'a> {
         liquid: &'a HarmonicLiquid,
     ) -> WallPencil<'a> {
         assert_eq!(normals.len(), liquid.wall(), "one row a wetted node");
-        WallPencil {
-            stiffness,
-            mass,
-            symbolic,
-            normals,
-            liquid,
-        }
+        WallPencil { stiffness, mass, symbolic, normals, liquid }
     }
 
     /// Number of unknowns of the wall; the elevations follow.
@@ -71,10 +65,7 @@ impl<'a> WallPencil<'a> {
 
     /// w = R u.
     fn normal(&self, u: &[f64]) -> Vec<f64> {
-        self.normals
-            .iter()
-            .map(|row| row.iter().map(|&(e, c)| c * u[e]).sum())
-            .collect()
+        self.normals.iter().map(|row| row.iter().map(|&(e, c)| c * u[e]).sum()).collect()
     }
 
     /// u ← u + factor Rᵀ f.
@@ -111,11 +102,7 @@ impl<'a> WallPencil<'a> {
 }
 
 fn column(data: Vec<f64>) -> Matrix {
-    Matrix {
-        rows: data.len(),
-        cols: 1,
-        data,
-    }
+    Matrix { rows: data.len(), cols: 1, data }
 }
 
 impl Pencil for WallPencil<'_> {
@@ -163,9 +150,7 @@ impl<'a> DenseWet<'a> {
         let kind = if s >= 0.0 { Kind::Definite } else { Kind::Indefinite };
         let wall = pencil.symbolic.factor(&pencil.effective(s), kind)?;
         let condensed = Condensed::new(pencil.liquid, s)?;
-        let free: Vec<usize> = (0..pencil.normals.len())
-            .filter(|&i| !pencil.normals[i].is_empty())
-            .collect();
+        let free: Vec<usize> = (0..pencil.normals.len()).filter(|&i| !pencil.normals[i].is_empty()).collect();
         let size = free.len();
         let mut c = Matrix::zeros(size, size);
         // In blocks: solves with many right-hand sides are cheaper, but all at once needs too much memory.
@@ -195,14 +180,7 @@ impl<'a> DenseWet<'a> {
                 joined.add(i, j, a.get(free[i], free[j]));
             }
         }
-        Ok(DenseWet {
-            pencil,
-            condensed,
-            wall,
-            free,
-            flexibility,
-            joined: dense_factor(&joined)?,
-        })
+        Ok(DenseWet { pencil, condensed, wall, free, flexibility, joined: dense_factor(&joined)? })
     }
 
     /// b ← (S + RᵀAR)⁻¹ b.
@@ -229,8 +207,7 @@ impl Shifted for DenseWet<'_> {
         for j in 0..b.cols {
             let (own, surface) = b.column_mut(j).split_at_mut(n);
             let free_surface = self.condensed.elevations(&still, surface)?;
-            self.pencil
-                .add_normal(-1.0, &self.condensed.wall_forces(&free_surface), own);
+            self.pencil.add_normal(-1.0, &self.condensed.wall_forces(&free_surface), own);
             self.solve_wall(own)?;
             surface.copy_from_slice(&self.condensed.elevations(&self.pencil.normal(own), surface)?);
         }
@@ -275,13 +252,7 @@ impl<'a> WallSolver<'a> {
             }
         }
         let preconditioner = pencil.symbolic.factor(&near, Kind::Definite)?;
-        Ok(WallSolver {
-            pencil,
-            condensed,
-            matrix,
-            preconditioner,
-            tolerance,
-        })
+        Ok(WallSolver { pencil, condensed, matrix, preconditioner, tolerance })
     }
 
     fn times(&self, u: &[f64]) -> Vec<f64> {
@@ -300,8 +271,7 @@ impl<'a> WallSolver<'a> {
         let still = vec![0.0; self.pencil.normals.len()];
         let mut r = own.to_vec();
         let free_surface = self.condensed.elevations(&still, surface)?;
-        self.pencil
-            .add_normal(-1.0, &self.condensed.wall_forces(&free_surface), &mut r);
+        self.pencil.add_normal(-1.0, &self.condensed.wall_forces(&free_surface), &mut r);
         let size = dot(&r, &self.preconditioner.solve_vector(&r)?);
         let mut x = guess[..n].to_vec();
         for (r, a) in r.iter_mut().zip(self.times(&x)) {

@@ -67,11 +67,7 @@ impl Cylinder {
 
     fn check(&self) -> Result<(), MeshError> {
         if self.sectors < 3 {
-            return Err(MeshError::Range {
-                what: "sectors",
-                found: self.sectors.to_string(),
-                allowed: "3 or more",
-            });
+            return Err(MeshError::Range { what: "sectors", found: self.sectors.to_string(), allowed: "3 or more" });
         }
         check_ascending("heights", &self.heights, 2)
     }
@@ -93,12 +89,7 @@ impl Cylinder {
         let (rings, sectors, levels) = (self.radii.len() - 1, self.sectors, self.heights.len());
         let per_level = 1 + rings * sectors;
         let number = |level: usize, ring: usize, sector: usize| {
-            level * per_level
-                + if ring == 0 {
-                    0
-                } else {
-                    1 + (ring - 1) * sectors + sector % sectors
-                }
+            level * per_level + if ring == 0 { 0 } else { 1 + (ring - 1) * sectors + sector % sectors }
         };
         let place =
             |level: usize, ring: usize, sector: usize| [self.radii[ring], self.theta(sector), self.heights[level]];
@@ -118,9 +109,7 @@ impl Cylinder {
             bottom: Vec::new(),
             surface: Vec::new(),
             axis: (0..levels).map(|l| number(l, 0, 0)).collect(),
-            wall_nodes: (0..levels)
-                .map(|l| (0..sectors).map(|s| number(l, rings, s)).collect())
-                .collect(),
+            wall_nodes: (0..levels).map(|l| (0..sectors).map(|s| number(l, rings, s)).collect()).collect(),
             bottom_nodes: (0..per_level).collect(),
             surface_nodes: ((levels - 1) * per_level..levels * per_level).collect(),
         };
@@ -155,12 +144,7 @@ impl Cylinder {
                         volume.surface.push(face(c));
                     }
                     if r + 1 == rings {
-                        let c = [
-                            (l, rings, s),
-                            (l, rings, s + 1),
-                            (l + 1, rings, s + 1),
-                            (l + 1, rings, s),
-                        ];
+                        let c = [(l, rings, s), (l, rings, s + 1), (l + 1, rings, s + 1), (l + 1, rings, s)];
                         volume.wall.push(face(c));
                     }
                 }
@@ -176,20 +160,14 @@ impl Cylinder {
         self.check()?;
         let (sectors, levels, radius) = (self.sectors, self.heights.len(), self.radius());
         if radius <= 0.0 || !radius.is_finite() {
-            return Err(MeshError::Range {
-                what: "radius",
-                found: radius.to_string(),
-                allowed: "a positive number",
-            });
+            return Err(MeshError::Range { what: "radius", found: radius.to_string(), allowed: "a positive number" });
         }
         let place = |l: usize, s: usize| [radius, self.theta(s), self.heights[l]];
         let number = |l: usize, s: usize| l * sectors + s % sectors;
         let mut wall = Wall {
             nodes: Vec::new(),
             cells: Vec::new(),
-            rows: (0..levels)
-                .map(|l| (0..sectors).map(|s| number(l, s)).collect())
-                .collect(),
+            rows: (0..levels).map(|l| (0..sectors).map(|s| number(l, s)).collect()).collect(),
         };
         for l in 0..levels {
             for s in 0..sectors {
@@ -199,10 +177,8 @@ impl Cylinder {
         for l in 0..levels - 1 {
             for s in 0..sectors {
                 let corners = [(l, s), (l, s + 1), (l + 1, s + 1), (l + 1, s)];
-                wall.cells.push(Face {
-                    nodes: corners.map(|(l, s)| number(l, s)),
-                    chart: corners.map(|(l, s)| place(l, s)),
-                });
+                wall.cells
+                    .push(Face { nodes: corners.map(|(l, s)| number(l, s)), chart: corners.map(|(l, s)| place(l, s)) });
             }
         }
         Ok(wall)
@@ -215,11 +191,7 @@ mod tests {
     use crate::shape::{gauss, hex8};
 
     fn sample() -> Cylinder {
-        Cylinder {
-            radii: vec![0.0, 0.7, 1.5, 2.0],
-            sectors: 12,
-            heights: vec![0.0, 1.0, 2.5],
-        }
+        Cylinder { radii: vec![0.0, 0.7, 1.5, 2.0], sectors: 12, heights: vec![0.0, 1.0, 2.5] }
     }
 
     /// In the cylindrical chart the volume is exact: π R² H.
@@ -228,10 +200,7 @@ mod tests {
         let volume = sample().volume().unwrap();
         assert_eq!(volume.nodes.len(), 3 * (1 + 3 * 12));
         assert_eq!(volume.cells.len(), 2 * 3 * 12);
-        assert_eq!(
-            (volume.wall.len(), volume.bottom.len(), volume.surface.len()),
-            (24, 36, 36)
-        );
+        assert_eq!((volume.wall.len(), volume.bottom.len(), volume.surface.len()), (24, 36, 36));
         let mut sum = 0.0;
         for cell in &volume.cells {
             for &(r, wr) in gauss::TWO {
@@ -279,15 +248,9 @@ mod tests {
     fn bad_counts_are_rejected() {
         let bad = Cylinder { sectors: 0, ..sample() };
         assert!(bad.volume().is_err() && bad.wall().is_err());
-        let bad = Cylinder {
-            heights: vec![0.0, -1.0],
-            ..sample()
-        };
+        let bad = Cylinder { heights: vec![0.0, -1.0], ..sample() };
         assert!(bad.volume().is_err());
-        let bad = Cylinder {
-            radii: vec![0.1, 1.0],
-            ..sample()
-        };
+        let bad = Cylinder { radii: vec![0.1, 1.0], ..sample() };
         assert!(bad.volume().is_err());
     }
 }

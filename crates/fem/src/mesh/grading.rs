@@ -5,11 +5,7 @@ use super::MeshError;
 /// Checks the ends and the number of elements.
 fn check(from: f64, to: f64, count: usize) -> Result<(), MeshError> {
     if count == 0 {
-        return Err(MeshError::Range {
-            what: "number of elements",
-            found: "0".to_owned(),
-            allowed: "1 or more",
-        });
+        return Err(MeshError::Range { what: "number of elements", found: "0".to_owned(), allowed: "1 or more" });
     }
     if !(from.is_finite() && to.is_finite() && to > from) {
         return Err(MeshError::Range {
@@ -34,17 +30,9 @@ pub fn uniform(from: f64, to: f64, count: usize) -> Result<Vec<f64>, MeshError> 
 pub fn geometric(from: f64, to: f64, count: usize, ratio: f64) -> Result<Vec<f64>, MeshError> {
     check(from, to, count)?;
     if !(ratio > 0.0 && ratio.is_finite()) {
-        return Err(MeshError::Range {
-            what: "grading ratio",
-            found: ratio.to_string(),
-            allowed: "a positive number",
-        });
+        return Err(MeshError::Range { what: "grading ratio", found: ratio.to_string(), allowed: "a positive number" });
     }
-    let step = if count > 1 {
-        ratio.powf(1.0 / (count - 1) as f64)
-    } else {
-        1.0
-    };
+    let step = if count > 1 { ratio.powf(1.0 / (count - 1) as f64) } else { 1.0 };
     let lengths: Vec<f64> = (0..count).map(|i| step.powi(i as i32)).collect();
     let sum: f64 = lengths.iter().sum();
     let mut places = Vec::with_capacity(count + 1);

@@ -76,10 +76,7 @@ impl Rectangle {
                             [i + 1, j + 1, k + 1],
                             [i, j + 1, k + 1],
                         ];
-                        block.cells.push(Hexahedron {
-                            nodes: corners.map(number),
-                            chart: corners.map(place),
-                        });
+                        block.cells.push(Hexahedron { nodes: corners.map(number), chart: corners.map(place) });
                     }
                 }
             }
@@ -112,10 +109,7 @@ impl Rectangle {
                     if end == 0 {
                         corners.reverse();
                     }
-                    side.faces.push(Face {
-                        nodes: corners.map(&number),
-                        chart: corners.map(&place),
-                    });
+                    side.faces.push(Face { nodes: corners.map(&number), chart: corners.map(&place) });
                 }
             }
         }
@@ -130,11 +124,7 @@ mod tests {
     use nalgebra::Vector3;
 
     fn sample() -> Rectangle {
-        Rectangle {
-            x: vec![-1.0, 0.0, 0.5, 2.0],
-            y: vec![0.0, 0.7, 1.0],
-            z: vec![0.0, 0.5],
-        }
+        Rectangle { x: vec![-1.0, 0.0, 0.5, 2.0], y: vec![0.0, 0.7, 1.0], z: vec![0.0, 0.5] }
     }
 
     /// Twice the area vector of a quadrilateral.
@@ -182,19 +172,9 @@ mod tests {
 
     #[test]
     fn bad_places_are_rejected() {
-        assert!(
-            Rectangle {
-                x: vec![0.0],
-                ..sample()
-            }
-            .block()
-            .is_err()
-        );
+        assert!(Rectangle { x: vec![0.0], ..sample() }.block().is_err());
         assert!(Rectangle { y: vec![], ..sample() }.block().is_err());
-        let bad = Rectangle {
-            z: vec![0.0, 0.0],
-            ..sample()
-        };
+        let bad = Rectangle { z: vec![0.0, 0.0], ..sample() };
         assert!(bad.block().is_err());
     }
 }

@@ -149,9 +149,7 @@ impl RingOperator {
         let at = |m: usize, family: usize| (family * self.blocks.len() + m) * stride;
         let mut waves = vec![0.0; families * self.blocks.len() * stride];
         for (level, row) in x[..self.wall()].chunks_exact(meridians).enumerate() {
-            self.ring.analyse(row, false, Weight::Forces, &mut room, |m, f, c| {
-                waves[at(m, f) + level] = c
-            });
+            self.ring.analyse(row, false, Weight::Forces, &mut room, |m, f, c| waves[at(m, f) + level] = c);
         }
         let place = |a: &RingAmplitude| at(a.harmonic, a.family) + self.levels + a.slot;
         for (a, &q) in self.amplitudes.iter().zip(&x[self.wall()..]) {

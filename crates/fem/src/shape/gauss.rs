@@ -23,13 +23,7 @@ pub const THREE: Rule = &[(-A3, 5.0 / 9.0), (0.0, 8.0 / 9.0), (A3, 5.0 / 9.0)];
 pub const FOUR: Rule = &[(-A4.1, W4.1), (-A4.0, W4.0), (A4.0, W4.0), (A4.1, W4.1)];
 
 /// Five points, exact to degree 9.
-pub const FIVE: Rule = &[
-    (-A5.1, W5.1),
-    (-A5.0, W5.0),
-    (0.0, 128.0 / 225.0),
-    (A5.0, W5.0),
-    (A5.1, W5.1),
-];
+pub const FIVE: Rule = &[(-A5.1, W5.1), (-A5.0, W5.0), (0.0, 128.0 / 225.0), (A5.0, W5.0), (A5.1, W5.1)];
 
 #[cfg(test)]
 mod tests {
@@ -40,11 +34,7 @@ mod tests {
         for (rule, degree) in [(TWO, 3), (THREE, 5), (FOUR, 7), (FIVE, 9)] {
             for power in 0..=degree {
                 let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(power)).sum();
-                let exact = if power % 2 == 0 {
-                    2.0 / f64::from(power + 1)
-                } else {
-                    0.0
-                };
+                let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
                 assert!((sum - exact).abs() < 1e-15, "degree {power}: {sum}");
             }
         }

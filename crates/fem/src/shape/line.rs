@@ -21,18 +21,8 @@ pub fn hermite(xi: f64, h: f64) -> [[f64; 4]; 3] {
         0.125 * h * (1.0 + xi) * (1.0 + xi) * (xi - 1.0),
     ];
     let bend = 1.5 / h * (1.0 - xi * xi);
-    let slope = [
-        -bend,
-        0.25 * (xi - 1.0) * (3.0 * xi + 1.0),
-        bend,
-        0.25 * (xi + 1.0) * (3.0 * xi - 1.0),
-    ];
-    let curvature = [
-        6.0 * xi / (h * h),
-        (3.0 * xi - 1.0) / h,
-        -6.0 * xi / (h * h),
-        (3.0 * xi + 1.0) / h,
-    ];
+    let slope = [-bend, 0.25 * (xi - 1.0) * (3.0 * xi + 1.0), bend, 0.25 * (xi + 1.0) * (3.0 * xi - 1.0)];
+    let curvature = [6.0 * xi / (h * h), (3.0 * xi - 1.0) / h, -6.0 * xi / (h * h), (3.0 * xi + 1.0) / h];
     [value, slope, curvature]
 }
 
@@ -43,20 +33,8 @@ pub fn hermite(xi: f64, h: f64) -> [[f64; 4]; 3] {
 pub fn bubbled(xi: f64, h: f64) -> [[f64; 5]; 2] {
     let square = xi * xi;
     let bubble = 1.0 - square;
-    let value = [
-        0.5 * (1.0 - xi),
-        0.5 * (1.0 + xi),
-        bubble,
-        xi * bubble,
-        (5.0 * square - 1.0) * bubble,
-    ];
-    let slope = [
-        -1.0 / h,
-        1.0 / h,
-        -4.0 * xi / h,
-        2.0 * (1.0 - 3.0 * square) / h,
-        8.0 * xi * (3.0 - 5.0 * square) / h,
-    ];
+    let value = [0.5 * (1.0 - xi), 0.5 * (1.0 + xi), bubble, xi * bubble, (5.0 * square - 1.0) * bubble];
+    let slope = [-1.0 / h, 1.0 / h, -4.0 * xi / h, 2.0 * (1.0 - 3.0 * square) / h, 8.0 * xi * (3.0 - 5.0 * square) / h];
     [value, slope]
 }
 
@@ -89,13 +67,7 @@ mod tests {
 
     #[test]
     fn hermite_interpolates_a_cubic() {
-        let cubic = |z: f64| {
-            (
-                1.0 + z * (2.0 + z * (3.0 - z)),
-                2.0 + z * (6.0 - 3.0 * z),
-                6.0 - 6.0 * z,
-            )
-        };
+        let cubic = |z: f64| (1.0 + z * (2.0 + z * (3.0 - z)), 2.0 + z * (6.0 - 3.0 * z), 6.0 - 6.0 * z);
         let (left, right) = (cubic(0.0), cubic(H));
         for xi in [-1.0, -0.3, 0.6, 1.0] {
             let shape = hermite(xi, H);

@@ -25,11 +25,7 @@ pub struct Shape {
 pub fn shape(xi: f64, eta: f64) -> Shape {
     let (a, da, b, db) = (quadratic(xi), quadratic_slope(xi), quadratic(eta), quadratic_slope(eta));
     let product = |f: &[f64; 3], g: &[f64; 3]| std::array::from_fn(|k| f[k % 3] * g[k / 3]);
-    Shape {
-        n: product(&a, &b),
-        dxi: product(&da, &b),
-        deta: product(&a, &db),
-    }
+    Shape { n: product(&a, &b), dxi: product(&da, &b), deta: product(&a, &db) }
 }
 
 #[cfg(test)]

@@ -16,18 +16,10 @@ fn rigid_motions_make_no_stress() {
         let element = specimen.element();
         for sample in element.samples() {
             assert_eq!(sample.row.len(), local_size(&*element), "{specimen}: {}", sample.name);
-            for (m, name) in MODES
-                .into_iter()
-                .enumerate()
-                .filter(|(m, _)| !specimen.resists.0.contains(m))
-            {
+            for (m, name) in MODES.into_iter().enumerate().filter(|(m, _)| !specimen.resists.0.contains(m)) {
                 let row = specimen.row(|x| mode(m, x));
                 let value: f64 = sample.row.iter().zip(&row).map(|(c, u)| c * u).sum();
-                assert!(
-                    value.abs() <= 1e-12 * largest(&sample.row),
-                    "{specimen}: {} under {name}",
-                    sample.name
-                );
+                assert!(value.abs() <= 1e-12 * largest(&sample.row), "{specimen}: {} under {name}", sample.name);
             }
         }
     }
@@ -45,10 +37,7 @@ fn dissipated_energy_grows() {
             let before = element.dissipated(&history);
             history = answer(&*element, moved, &history).history;
             let after = element.dissipated(&history);
-            assert!(
-                after >= before * (1.0 - 1e-12),
-                "{specimen}: {before} J, then {after} J"
-            );
+            assert!(after >= before * (1.0 - 1e-12), "{specimen}: {before} J, then {after} J");
         }
         some += usize::from(element.dissipated(&history) > 0.0);
     }
@@ -94,19 +83,13 @@ fn mixed_tangent_meets_the_consistent_one() {
             let expected = answer(&*element, &moved, &history);
             let mut out = Response::sized(local_size(&*element));
             let mut new = vec![0.0; history.len()];
-            mixed
-                .respond_mixed(moved.motion(), &history, &mut new, Want::ALL, &mut kept, &mut out)
-                .unwrap();
+            mixed.respond_mixed(moved.motion(), &history, &mut new, Want::ALL, &mut kept, &mut out).unwrap();
             assert_eq!((&out.force, &new), (&expected.force, &expected.history), "{specimen}");
             assert!(symmetric(&out.tangent), "{specimen}");
             let pairs = out.tangent.data.iter().zip(&expected.tangent.data);
             let difference = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             let scale = largest(&expected.tangent.data);
-            assert_eq!(
-                difference <= 1e-12 * scale,
-                meets,
-                "{specimen}: {difference:e} of {scale:e}"
-            );
+            assert_eq!(difference <= 1e-12 * scale, meets, "{specimen}: {difference:e} of {scale:e}");
         }
     }
     assert!(some >= least().mixed, "{some} elements have a mixed tangent");
@@ -134,10 +117,7 @@ fn geometric_stiffness_is_that_of_the_stresses() {
         }
         for (m, name) in MODES.into_iter().enumerate() {
             let found = largest(&of(&specimen.row(|x| mode(m, x))).data);
-            assert!(
-                found <= 1e-12 * stiffness,
-                "{specimen}: {found:e} of {stiffness:e} under {name}"
-            );
+            assert!(found <= 1e-12 * stiffness, "{specimen}: {found:e} of {stiffness:e} under {name}");
         }
     }
     assert!(some >= least().buckle, "{some} elements buckle");

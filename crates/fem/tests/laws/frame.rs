@@ -81,9 +81,6 @@ fn matrices(specimen: &Specimen, turn: &UnitQuaternion<f64>, what: &str, here: &
 
 fn close(specimen: &Specimen, what: &str, expected: &[f64], found: &[f64], scale: f64) {
     for (k, (e, f)) in expected.iter().zip(found).enumerate() {
-        assert!(
-            (e - f).abs() <= 1e-11 * scale,
-            "{specimen}: {what} {k}: {e} turned, {f} found"
-        );
+        assert!((e - f).abs() <= 1e-11 * scale, "{specimen}: {what} {k}: {e} turned, {f} found");
     }
 }

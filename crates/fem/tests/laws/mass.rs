@@ -20,12 +20,7 @@ fn directions(specimen: &Specimen) -> impl Iterator<Item = Dof> {
         Mass::Along(axis, ..) => d.index() == axis,
         _ => specimen.moves(d.index()),
     };
-    Dof::TRANSLATIONS
-        .iter()
-        .copied()
-        .filter(own)
-        .collect::<Vec<_>>()
-        .into_iter()
+    Dof::TRANSLATIONS.iter().copied().filter(own).collect::<Vec<_>>().into_iter()
 }
 
 fn product(a: &[f64], b: &[f64]) -> f64 {
@@ -54,10 +49,7 @@ fn the_mass_sums_up() {
                         "{specimen}: {found} kg along {dof}, not {total} ({why})"
                     );
                 }
-                assert!(
-                    smallest(&mass.data, mass.n) >= -1e-12 * largest(&mass.data),
-                    "{specimen}: negative mass"
-                );
+                assert!(smallest(&mass.data, mass.n) >= -1e-12 * largest(&mass.data), "{specimen}: negative mass");
             }
             Mass::Joins { left, right, value } => {
                 let found = product(&specimen.row(left), &times(&mass, &specimen.row(right)));
@@ -65,10 +57,7 @@ fn the_mass_sums_up() {
             }
             Mass::Elsewhere(why) => {
                 assert!(largest(&mass.data) > 0.0, "{specimen}: no mass; {why}");
-                assert!(
-                    smallest(&mass.data, mass.n) >= -1e-12 * largest(&mass.data),
-                    "{specimen}: negative mass"
-                );
+                assert!(smallest(&mass.data, mass.n) >= -1e-12 * largest(&mass.data), "{specimen}: negative mass");
             }
             Mass::None(why) => assert_eq!(largest(&mass.data), 0.0, "{specimen}: mass in spite of: {why}"),
         }
@@ -87,10 +76,7 @@ fn the_weight_is_that_of_the_mass() {
                 for dof in directions(&specimen) {
                     let sum = product(&forces, &specimen.row(|_| along(dof.index())));
                     let expected = total * pull[dof.index()];
-                    assert!(
-                        (sum / expected - 1.0).abs() <= 1e-12,
-                        "{specimen}: {sum} N along {dof}, not {expected}"
-                    );
+                    assert!((sum / expected - 1.0).abs() <= 1e-12, "{specimen}: {sum} N along {dof}, not {expected}");
                 }
             }
             Mass::Weightless(_, why) => assert_eq!(largest(&forces), 0.0, "{specimen}: weight in spite of: {why}"),
@@ -106,10 +92,7 @@ fn damping_is_symmetric_and_takes_energy() {
         let matrix = damping(&*specimen.element());
         assert!(symmetric(&matrix), "{specimen}: damping");
         let least = smallest(&matrix.data, matrix.n);
-        assert!(
-            least >= -1e-12 * largest(&matrix.data),
-            "{specimen}: gives energy, {least:e}"
-        );
+        assert!(least >= -1e-12 * largest(&matrix.data), "{specimen}: gives energy, {least:e}");
     }
 }
 

@@ -15,10 +15,7 @@ pub(crate) struct Moved {
 
 impl Moved {
     pub(crate) fn motion(&self) -> Motion<'_> {
-        Motion {
-            values: &self.values,
-            rotations: &self.rotations,
-        }
+        Motion { values: &self.values, rotations: &self.rotations }
     }
 
     /// No motion.
@@ -40,18 +37,13 @@ impl Moved {
                 vectors[a][i - 3] = x;
             }
         }
-        Moved {
-            values,
-            rotations: vectors.into_iter().map(UnitQuaternion::from_scaled_axis).collect(),
-        }
+        Moved { values, rotations: vectors.into_iter().map(UnitQuaternion::from_scaled_axis).collect() }
     }
 
     /// A run of `steps` motions that goes out and back, so that laws load and unload.
     pub(crate) fn run(specimen: &Specimen, steps: usize) -> Vec<Moved> {
         let part = |k: usize| (4.0 * k as f64 / steps as f64).sin();
-        (0..steps)
-            .map(|k| Moved::scattered(specimen, k / 3, part(k + 1)))
-            .collect()
+        (0..steps).map(|k| Moved::scattered(specimen, k / 3, part(k + 1))).collect()
     }
 
     /// The same with local dof `k` moved by `h`: rotations by a spin on top.

@@ -11,20 +11,12 @@ mod thin;
 
 /// All of them.
 pub(crate) fn all() -> Vec<Specimen> {
-    [solids::all(), thin::all(), joints::all(), liquids::all()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [solids::all(), thin::all(), joints::all(), liquids::all()].into_iter().flatten().collect()
 }
 
 /// Abilities among them.
 pub(crate) fn least() -> Least {
-    Least {
-        dissipate: 2,
-        mixed: 1,
-        buckle: 4,
-        change: 4,
-    }
+    Least { dissipate: 2, mixed: 1, buckle: 4, change: 4 }
 }
 
 /// A point in turned axes.

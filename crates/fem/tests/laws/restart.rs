@@ -38,10 +38,7 @@ fn a_split_run_repeats_the_whole() {
                 assert!(same(&found, &whole[k]), "{specimen}: split after {split}, step {k}");
                 answer(&**used, &Moved::scattered(&specimen, 7 + k, 0.5), &history);
                 let again = answer(&**used, moved, &history);
-                assert!(
-                    same(&again, &found),
-                    "{specimen}: asked about another motion before step {k}"
-                );
+                assert!(same(&again, &found), "{specimen}: asked about another motion before step {k}");
                 history = found.history;
             }
         }
@@ -60,11 +57,7 @@ fn what_is_wanted_changes_no_number() {
             let tangent = asked(&*element, moved, &history, Want::TANGENT);
             assert_eq!(force.force, both.force, "{specimen}");
             assert_eq!(tangent.tangent, both.tangent, "{specimen}");
-            assert_eq!(
-                (&force.history, &tangent.history),
-                (&both.history, &both.history),
-                "{specimen}"
-            );
+            assert_eq!((&force.history, &tangent.history), (&both.history, &both.history), "{specimen}");
             history = both.history;
         }
     }

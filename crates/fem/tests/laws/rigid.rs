@@ -35,14 +35,8 @@ fn rigid_motions_of_linear_theory_leave_no_force() {
             let force = largest(&times(&stiffness, &specimen.row(|x| mode(m, x))));
             let (resisted, why) = specimen.resists;
             match resisted.contains(&m) {
-                true => assert!(
-                    force > 1e-6 * scale,
-                    "{specimen}: {name} meets no force in spite of: {why}"
-                ),
-                false => assert!(
-                    force <= 1e-12 * scale,
-                    "{specimen}: {name} meets {force:e} of {scale:e}"
-                ),
+                true => assert!(force > 1e-6 * scale, "{specimen}: {name} meets no force in spite of: {why}"),
+                false => assert!(force <= 1e-12 * scale, "{specimen}: {name} meets {force:e} of {scale:e}"),
             }
         }
     }
@@ -76,21 +70,14 @@ fn finite_rotations_carry_the_forces_along() {
             let carried = moved.carried(&specimen, &turn, shift);
             let after = answer(&*element, &carried, &history).force;
             let expected = turned_vector(&specimen, &turn, &before);
-            let error = expected
-                .iter()
-                .zip(&after)
-                .map(|(e, f)| (e - f).abs())
-                .fold(0.0, f64::max);
+            let error = expected.iter().zip(&after).map(|(e, f)| (e - f).abs()).fold(0.0, f64::max);
             let scale = stiffness.max(largest(&before));
             match specimen.rotations {
                 Rotations::Finite => assert!(error <= 1e-11 * scale, "{specimen}: {error:e} of {scale:e}"),
                 Rotations::Small(why) => {
                     // Potentials do not turn.
                     let turns = largest(&before) > 0.0 && carried.values != moved.values;
-                    assert!(
-                        !turns || error > 1e-6 * scale,
-                        "{specimen}: finite rotations in spite of: {why}"
-                    );
+                    assert!(!turns || error > 1e-6 * scale, "{specimen}: finite rotations in spite of: {why}");
                 }
             }
         }

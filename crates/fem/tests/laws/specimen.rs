@@ -187,11 +187,7 @@ pub(crate) fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem
         .respond(moved.motion(), old, &mut history, want, &mut out)
         .unwrap_or_else(|error| panic!("{}: {error}", element.kind()));
     assert!(history.iter().all(|h| h.is_finite()), "{}: history", element.kind());
-    Answer {
-        force: out.force,
-        tangent: out.tangent,
-        history,
-    }
+    Answer { force: out.force, tangent: out.tangent, history }
 }
 
 /// The initial history of an element.

@@ -37,9 +37,7 @@ fn tangent_is_the_derivative_of_the_force() {
             }
             if let Tangent::SymmetricPart(why) = specimen.tangent {
                 let skew = (0..n).flat_map(|j| (0..j).map(move |i| (i, j)));
-                let worst = skew
-                    .map(|(i, j)| (expected[i][j] - expected[j][i]).abs())
-                    .fold(0.0, f64::max);
+                let worst = skew.map(|(i, j)| (expected[i][j] - expected[j][i]).abs()).fold(0.0, f64::max);
                 assert!(worst > 1e-6 * all, "{specimen}: symmetric in spite of: {why}");
             }
             history = at.history;

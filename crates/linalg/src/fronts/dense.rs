@@ -135,13 +135,8 @@ impl Desk {
             MemBuffer::new(cholesky_in_place_scratch::<f64>(BLOCK, Par::Seq, Default::default()))
         });
         let stack = MemStack::new(space);
-        let factored = cholesky_in_place(
-            block.as_mut(),
-            LdltRegularization::default(),
-            Par::Seq,
-            stack,
-            Default::default(),
-        );
+        let factored =
+            cholesky_in_place(block.as_mut(), LdltRegularization::default(), Par::Seq, stack, Default::default());
         factored.is_ok() && (0..n).all(|j| block[(j, j)].is_finite())
     }
 }
@@ -177,11 +172,7 @@ fn cut<'a>(
         let n = BLOCK.min(to.ncols());
         let (own, next) = to.split_at_col_mut(n);
         let r = scaled.subrows(at, n);
-        products.push(Product {
-            to: own,
-            l: y.subrows(at, y.nrows() - at),
-            r,
-        });
+        products.push(Product { to: own, l: y.subrows(at, y.nrows() - at), r });
         to = next.split_at_row_mut(n).1;
         at += n;
     }

@@ -21,10 +21,7 @@ impl Fronts {
             let mut own = vec![0.0; tree.size];
             self.each(members, |node| {
                 let columns = node.first..node.first + node.width;
-                own[columns.clone()]
-                    .iter_mut()
-                    .zip(&b[columns])
-                    .for_each(|(o, b)| *o += b);
+                own[columns.clone()].iter_mut().zip(&b[columns]).for_each(|(o, b)| *o += b);
             });
             let mut room = Vec::new();
             members.iter().for_each(|&k| self.down(k, &mut own, &mut room));
@@ -117,21 +114,14 @@ fn down<T: Copy + Into<f64>>(l: &[T], width: usize, room: &mut [f64]) {
         let column = |a: usize| &l[a * height + end..(a + 1) * height];
         if end - j == COLUMNS {
             let [y0, y1, y2, y3] = [room[j], room[j + 1], room[j + 2], room[j + 3]];
-            let columns = column(j)
-                .iter()
-                .zip(column(j + 1))
-                .zip(column(j + 2))
-                .zip(column(j + 3));
+            let columns = column(j).iter().zip(column(j + 1)).zip(column(j + 2)).zip(column(j + 3));
             for (r, (((l0, l1), l2), l3)) in room[end..].iter_mut().zip(columns) {
                 *r -= ((*l0).into() * y0 + (*l1).into() * y1) + ((*l2).into() * y2 + (*l3).into() * y3);
             }
         } else {
             for a in j..end {
                 let y = room[a];
-                room[end..]
-                    .iter_mut()
-                    .zip(column(a))
-                    .for_each(|(r, l)| *r -= (*l).into() * y);
+                room[end..].iter_mut().zip(column(a)).for_each(|(r, l)| *r -= (*l).into() * y);
             }
         }
     }
@@ -171,11 +161,7 @@ fn dots<T: Copy + Into<f64>>(columns: [&[T]; COLUMNS], b: &[f64]) -> [f64; COLUM
         }
     }
     std::array::from_fn(|k| {
-        let rest: f64 = columns[k][whole..]
-            .iter()
-            .zip(&b[whole..])
-            .map(|(a, b)| (*a).into() * b)
-            .sum();
+        let rest: f64 = columns[k][whole..].iter().zip(&b[whole..]).map(|(a, b)| (*a).into() * b).sum();
         sums[k].iter().sum::<f64>() + rest
     })
 }

@@ -48,10 +48,7 @@ fn grid(n: usize) -> (Symmetric, usize) {
     for i in 0..n {
         for j in 0..n {
             let near = [(i + 1, j), (i, j + 1), (i + 1, j + 1)];
-            let near = near
-                .iter()
-                .filter(|(a, b)| *a < n && *b < n)
-                .map(|(a, b)| at[a * n + b]);
+            let near = near.iter().filter(|(a, b)| *a < n && *b < n).map(|(a, b)| at[a * n + b]);
             cliques.push(std::iter::once(at[i * n + j]).chain(near).collect());
         }
         cliques.push(vec![at[i * n], eliminated + i]);
@@ -102,11 +99,7 @@ fn by_parts(fronts: &mut Fronts, a: &Symmetric, eliminated: usize, b: &[f64], th
 
 fn whole(a: &Symmetric, b: &[f64]) -> Vec<f64> {
     let symbolic = Arc::new(Symbolic::new(a.pattern.clone(), &Ordering::MinimumDegree).unwrap());
-    symbolic
-        .factor(a, Kind::QuasiDefinite)
-        .unwrap()
-        .solve_vector(b)
-        .unwrap()
+    symbolic.factor(a, Kind::QuasiDefinite).unwrap().solve_vector(b).unwrap()
 }
 
 fn load(size: usize) -> Vec<f64> {

@@ -74,9 +74,7 @@ impl Node {
                 rows.iter().zip(values).for_each(|(&row, u)| column[row as usize] += u);
             } else {
                 let column = &mut update[(at - width) * below..][..below];
-                rows.iter()
-                    .zip(values)
-                    .for_each(|(&row, u)| column[row as usize - width] += u);
+                rows.iter().zip(values).for_each(|(&row, u)| column[row as usize - width] += u);
             }
         }
     }
@@ -132,14 +130,7 @@ impl Tree {
             node.entries = start..entries.len();
         }
         let (bundles, top) = bundles(&nodes);
-        Tree {
-            size,
-            eliminated,
-            nodes,
-            entries,
-            bundles,
-            top,
-        }
+        Tree { size, eliminated, nodes, entries, bundles, top }
     }
 }
 

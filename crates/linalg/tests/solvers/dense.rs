@@ -2,11 +2,7 @@ use linalg::{Cholesky, LinalgError, Matrix, product, transposed_product};
 
 fn example() -> Matrix {
     // Entries of a positive definite 3 × 3 matrix with determinant 44 (by hand: 4·(5·3−1) − 2·(2·3−0)).
-    Matrix {
-        rows: 3,
-        cols: 3,
-        data: vec![4.0, 2.0, 0.0, 2.0, 5.0, 1.0, 0.0, 1.0, 3.0],
-    }
+    Matrix { rows: 3, cols: 3, data: vec![4.0, 2.0, 0.0, 2.0, 5.0, 1.0, 0.0, 1.0, 3.0] }
 }
 
 #[test]
@@ -40,10 +36,7 @@ fn half_solves_compose() {
 fn indefinite_is_rejected() {
     let mut a = example();
     a.add(2, 2, -4.0);
-    assert!(matches!(
-        Cholesky::factor(&a),
-        Err(LinalgError::NotPositiveDefinite { pivot: 3, size: 3 })
-    ));
+    assert!(matches!(Cholesky::factor(&a), Err(LinalgError::NotPositiveDefinite { pivot: 3, size: 3 })));
     a.add(0, 0, f64::NAN);
     assert!(Cholesky::factor(&a).is_err());
 }

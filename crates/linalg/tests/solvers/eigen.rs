@@ -85,8 +85,5 @@ fn modes_beyond_double_precision_are_left_out() {
 #[test]
 fn indefinite_stiffness_is_rejected() {
     let (k, m) = chain(4, -1.0);
-    assert!(matches!(
-        generalized_eigen(&k, &m, None),
-        Err(LinalgError::NotPositiveDefinite { .. })
-    ));
+    assert!(matches!(generalized_eigen(&k, &m, None), Err(LinalgError::NotPositiveDefinite { .. })));
 }

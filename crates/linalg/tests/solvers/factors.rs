@@ -29,9 +29,7 @@ fn dissection_is_a_bijection_and_saves_operations() {
         Ordering::best(pattern, &model.node_of, &model.coordinates),
         Ordering::minimum_degree_of_nodes(pattern, &model.node_of).unwrap(),
     ] {
-        let Ordering::Given(order) = &ordering else {
-            panic!("an order is given")
-        };
+        let Ordering::Given(order) = &ordering else { panic!("an order is given") };
         assert!(Ordering::is_bijection(order, pattern.size()));
         flops.push(Symbolic::new(pattern.clone(), &ordering).unwrap().flops());
     }
@@ -95,10 +93,7 @@ fn inertia_counts_eigenvalues() {
             shifted.add(-sigma, &model.mass);
             let factor = symbolic.factor(&shifted, Kind::Indefinite).unwrap();
             let negative = exact.iter().filter(|&&l| l < sigma).count();
-            let expected = Inertia {
-                positive: exact.len() - negative,
-                negative,
-            };
+            let expected = Inertia { positive: exact.len() - negative, negative };
             assert_eq!(factor.inertia(), expected, "{n:?} {sigma}");
             let b = right(exact.len(), 2);
             let mut x = b.clone();
@@ -124,13 +119,7 @@ fn indefinite_factor_passes_zero_diagonals() {
     }
     // Eigenvalues ±8 + (−2 Σ cos) with |2 Σ cos| < 6: as many positive as negative ones, none within 2 of zero.
     let factor = model.symbolic().factor(&a, Kind::Indefinite).unwrap();
-    assert_eq!(
-        factor.inertia(),
-        Inertia {
-            positive: 216,
-            negative: 216
-        }
-    );
+    assert_eq!(factor.inertia(), Inertia { positive: 216, negative: 216 });
     let b = right(a.size(), 1);
     let mut x = b.clone();
     factor.solve(&mut x).unwrap();

@@ -33,11 +33,7 @@ impl Box3 {
             for y in 0..n[1] - 1 {
                 for x in 0..n[0] - 1 {
                     let corners = (0..8).map(|c| node(x + c % 2, y + c / 2 % 2, z + c / 4));
-                    cliques.push(
-                        corners
-                            .flat_map(|k| (0..dofs).map(move |d| k * dofs + d))
-                            .collect::<Vec<_>>(),
-                    );
+                    cliques.push(corners.flat_map(|k| (0..dofs).map(move |d| k * dofs + d)).collect::<Vec<_>>());
                 }
             }
         }

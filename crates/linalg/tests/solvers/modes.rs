@@ -29,10 +29,7 @@ fn lowest_modes_with_multiplicities() {
 fn inertia_reveals_missed_modes() {
     let model = Box3::new([7, 7, 7], 1);
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
-    let search = Search {
-        block: 1,
-        ..Search::lowest(10)
-    };
+    let search = Search { block: 1, ..Search::lowest(10) };
     let found = modes(&pencil, &search).unwrap();
     for (f, e) in found.lambda.iter().zip(&model.exact()) {
         assert!((f / e - 1.0).abs() < 1e-9, "{f} {e}");
@@ -98,10 +95,7 @@ fn singular_stiffness_needs_a_shift() {
         model.stiffness.values[model.stiffness.pattern.starts[j]] -= s;
     }
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
-    let search = Search {
-        shift: 0.1,
-        ..Search::lowest(4)
-    };
+    let search = Search { shift: 0.1, ..Search::lowest(4) };
     let found = modes(&pencil, &search).unwrap();
     // 4 sin²(π/12) = 2 − √3, three times.
     let first = 2.0 - 3.0_f64.sqrt();
@@ -115,10 +109,7 @@ fn indefinite_stiffness_is_rejected() {
     let mut model = Box3::new([6, 6, 6], 1);
     model.stiffness.values.iter_mut().for_each(|v| *v = -*v);
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
-    assert!(matches!(
-        modes(&pencil, &Search::lowest(3)),
-        Err(LinalgError::NotPositiveDefinite { .. })
-    ));
+    assert!(matches!(modes(&pencil, &Search::lowest(3)), Err(LinalgError::NotPositiveDefinite { .. })));
 }
 
 /// Soft and 10¹⁰ times stiffer copies side by side: the soft modes keep their digits.

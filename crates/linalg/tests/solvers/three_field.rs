@@ -32,11 +32,7 @@ fn tank(length: f64, depth: f64, [nx, nz]: [usize; 2], wall: f64, held: bool) ->
     let (mut node_of, mut coordinates) = (Vec::new(), Vec::new());
     for j in 0..=nz {
         for i in 0..=nx {
-            let own = [
-                number(!(held && i == 0)),
-                number(j == nz),
-                number(i == nx && wall.is_finite()),
-            ];
+            let own = [number(!(held && i == 0)), number(j == nz), number(i == nx && wall.is_finite())];
             phi.push(own[0]);
             eta.push(own[1]);
             wall_of.push(own[2]);
@@ -45,11 +41,7 @@ fn tank(length: f64, depth: f64, [nx, nz]: [usize; 2], wall: f64, held: bool) ->
         }
     }
     let all = |nodes: &[usize]| -> Vec<usize> {
-        let mut out: Vec<usize> = nodes
-            .iter()
-            .flat_map(|&a| [phi[a], eta[a], wall_of[a]])
-            .flatten()
-            .collect();
+        let mut out: Vec<usize> = nodes.iter().flat_map(|&a| [phi[a], eta[a], wall_of[a]]).flatten().collect();
         out.sort_unstable();
         out
     };
@@ -195,12 +187,7 @@ fn sloshing_converges() {
         for j in 0..3 {
             let k = (j + 1) as f64 * std::f64::consts::PI / length;
             let error = (found.omega()[j] / (G * k * (k * depth).tanh()).sqrt() - 1.0).abs();
-            assert!(
-                n == 8 || error < 0.3 * last[j],
-                "mode {}: {error:e} after {:e}",
-                j + 1,
-                last[j]
-            );
+            assert!(n == 8 || error < 0.3 * last[j], "mode {}: {error:e} after {:e}", j + 1, last[j]);
             last[j] = error;
         }
     }
@@ -298,9 +285,5 @@ fn liquids_that_cannot_be_condensed_are_rejected() {
         }
     }
     let refused = ThreeField::new(&tank.k, &tank.m, tank.symbolic.clone(), tank.phi.clone());
-    assert!(
-        matches!(refused, Err(LinalgError::UncoupledLiquid { .. })),
-        "{:?}",
-        refused.err()
-    );
+    assert!(matches!(refused, Err(LinalgError::UncoupledLiquid { .. })), "{:?}", refused.err());
 }

@@ -150,11 +150,7 @@ impl Bond {
             return Err(refuse(law, "bond, ratio of bars", found(self.ratio, ""), allowed));
         }
         let values = std::array::from_fn(|i| capped(end * place(i)));
-        Ok(Curve {
-            end,
-            zero: yields,
-            values,
-        })
+        Ok(Curve { end, zero: yields, values })
     }
 }
 
@@ -218,11 +214,7 @@ impl Curve {
     /// Opening at the beginning of a piece; the last one begins where the bond has gone.
     #[inline]
     pub(super) fn begins(&self, piece: usize) -> f64 {
-        if piece > KNOTS {
-            self.zero
-        } else {
-            self.end * place(piece)
-        }
+        if piece > KNOTS { self.zero } else { self.end * place(piece) }
     }
 
     /// Value [Pa] at the beginning of a piece.
@@ -363,17 +355,10 @@ mod tests {
     /// α = 0 is the tie of constant bond stress by hand: σ_0 = 4 ρ τ L/φ, b half of it, once the whole length slips.
     #[test]
     fn constant_bond_by_hand() {
-        let bond = Bond {
-            exponent: 0.0,
-            strength: 3e6,
-            ..bond()
-        };
+        let bond = Bond { exponent: 0.0, strength: 3e6, ..bond() };
         let [b, sigma_0] = bond.stresses(E, 2e-3);
         let exact = 4.0 * 0.015 * 3e6 * 0.1 / 16e-3;
-        assert!(
-            (sigma_0 / exact - 1.0).abs() < 1e-6 && (b / exact - 0.5).abs() < 1e-6,
-            "{b} {sigma_0} {exact}"
-        );
+        assert!((sigma_0 / exact - 1.0).abs() < 1e-6 && (b / exact - 0.5).abs() < 1e-6, "{b} {sigma_0} {exact}");
     }
 
     /// The table: zero at both ends, below the strength, and work as the sum of trapezoids.
@@ -391,10 +376,7 @@ mod tests {
             sum += h * b;
             assert!((curve.work(e + 0.5 * h) - sum).abs() < 1e-5 * 2.9e6 * 3e-3);
         }
-        let text = Bond { spacing: 0.6, ..bond() }
-            .curve("law", [E, 2.9e6, 2.4e-4])
-            .unwrap_err()
-            .to_string();
+        let text = Bond { spacing: 0.6, ..bond() }.curve("law", [E, 2.9e6, 2.4e-4]).unwrap_err().to_string();
         assert!(text.contains("below 0.48"), "{text}");
     }
 

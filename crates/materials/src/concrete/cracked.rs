@@ -111,10 +111,9 @@ impl CrackedConcrete {
             shear_modulus: 0.5 * young / (1.0 + nu),
             strength: compressive_strength,
             surface: match envelope {
-                Envelope::DruckerPrager => Surface::Cone(Cone::of_strengths(
-                    compressive_strength,
-                    biaxial_ratio * compressive_strength,
-                )?),
+                Envelope::DruckerPrager => {
+                    Surface::Cone(Cone::of_strengths(compressive_strength, biaxial_ratio * compressive_strength)?)
+                }
                 Envelope::Kupfer => Surface::Kupfer([compressive_strength, biaxial_ratio]),
             },
             traction,
@@ -154,21 +153,14 @@ impl CrackedConcrete {
         }
         // Compression beyond f_c occurs only with lateral compression; the bound keeps the strength positive.
         let share = (-beside / self.strength).min(1.0);
-        (
-            f_t * (1.0 - 0.8 * share),
-            if share < 1.0 { 0.8 * f_t / self.strength } else { 0.0 },
-        )
+        (f_t * (1.0 - 0.8 * share), if share < 1.0 { 0.8 * f_t / self.strength } else { 0.0 })
     }
 
     /// Elastic response of a whole point, if it is one.
     #[inline]
     fn whole(&self, a: &[f64; 3]) -> Option<[f64; 3]> {
         let (c, nu) = (self.plane_modulus, self.poisson_ratio);
-        let stress = [
-            c * (a[0] + nu * a[1]),
-            c * (a[1] + nu * a[0]),
-            self.shear_modulus * a[2],
-        ];
+        let stress = [c * (a[0] + nu * a[1]), c * (a[1] + nu * a[0]), self.shear_modulus * a[2]];
         let (mean, half) = (0.5 * (stress[0] + stress[1]), 0.5 * (stress[0] - stress[1]));
         let radius = (half * half + stress[2] * stress[2]).sqrt();
         let (most, least) = (mean + radius, mean - radius);
@@ -223,10 +215,7 @@ impl Law<3> for CrackedConcrete {
             state.utilisation = state.utilisation.max(most);
             return state;
         }
-        let frame = Frame {
-            c: new[AXIS],
-            s: new[AXIS + 1],
-        };
+        let frame = Frame { c: new[AXIS], s: new[AXIS + 1] };
         // At a point at rest openings follow from the elastic strain, ε_cr = ε − ε_p − C⁻¹ σ.
         let a: [f64; 3] = std::array::from_fn(|i| strain[i] - new[PLASTIC + i]);
         let local = frame.strain(&a);

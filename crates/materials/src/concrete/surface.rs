@@ -58,11 +58,7 @@ impl Surface {
     /// n = ∂F/∂σ (the third for engineering shear) and ∂n/∂σ [1/Pa], off the axis of the cone.
     pub(super) fn normal(&self, t: &[f64; 3], q: f64) -> ([f64; 3], [[f64; 3]; 3]) {
         // q² = σᵀ Q σ (+ δ²)
-        const CONE: [[f64; 3]; 3] = [
-            [1.0 / 3.0, -1.0 / 6.0, 0.0],
-            [-1.0 / 6.0, 1.0 / 3.0, 0.0],
-            [0.0, 0.0, 1.0],
-        ];
+        const CONE: [[f64; 3]; 3] = [[1.0 / 3.0, -1.0 / 6.0, 0.0], [-1.0 / 6.0, 1.0 / 3.0, 0.0], [0.0, 0.0, 1.0]];
         const KUPFER: [[f64; 3]; 3] = [[0.25, -0.25, 0.0], [-0.25, 0.25, 0.0], [0.0, 0.0, 1.0]];
         let (form, push, bend) = match *self {
             Surface::Cone(cone) => (CONE, cone.alpha, 0.0),
@@ -119,10 +115,7 @@ mod tests {
     use super::*;
 
     fn surfaces() -> [Surface; 2] {
-        [
-            Surface::Cone(Cone::of_strengths(1.0, 1.16).unwrap()),
-            Surface::Kupfer([1.0, 1.1625]),
-        ]
+        [Surface::Cone(Cone::of_strengths(1.0, 1.16).unwrap()), Surface::Kupfer([1.0, 1.1625])]
     }
 
     /// F = 0 at −f_c and at (−f_bc, −f_bc).
@@ -156,10 +149,8 @@ mod tests {
                     let (mut up, mut down) = (t, t);
                     (up[i], down[i]) = (t[i] + 1e-6, t[i] - 1e-6);
                     assert!(((surface.at(&up).1 - surface.at(&down).1) / 2e-6 - n[i]).abs() < 1e-8);
-                    let (a, b) = (
-                        surface.normal(&up, surface.at(&up).0).0,
-                        surface.normal(&down, surface.at(&down).0).0,
-                    );
+                    let (a, b) =
+                        (surface.normal(&up, surface.at(&up).0).0, surface.normal(&down, surface.at(&down).0).0);
                     assert!((0..3).all(|j| ((a[j] - b[j]) / 2e-6 - h[j][i]).abs() < 1e-8));
                 }
             }

@@ -234,16 +234,8 @@ impl Traction {
         }
         // The tail begins before the bars yield.
         let most = 0.999 * self.yield_strain / self.tail_from;
-        let stretch = if most.is_finite() {
-            stretch.min(most.max(1.0))
-        } else {
-            stretch
-        };
-        Traction {
-            softening_strain: self.softening_strain * stretch,
-            tail_from: self.tail_from * stretch,
-            ..*self
-        }
+        let stretch = if most.is_finite() { stretch.min(most.max(1.0)) } else { stretch };
+        Traction { softening_strain: self.softening_strain * stretch, tail_from: self.tail_from * stretch, ..*self }
     }
 
     /// ∂t/∂f_t at the opening e, along [`Traction::reduced`].
@@ -270,11 +262,7 @@ impl Traction {
             let fade = (m.min(2.0 * y) - y).max(0.0);
             self.softening_strain * (self.strength - self.tail)
                 + self.tail * (m.min(y) - self.tail_from)
-                + if fade > 0.0 {
-                    self.tail * fade * (1.0 - 0.5 * fade / y)
-                } else {
-                    0.0
-                }
+                + if fade > 0.0 { self.tail * fade * (1.0 - 0.5 * fade / y) } else { 0.0 }
         };
         work - 0.5 * m * traction
     }
@@ -329,11 +317,7 @@ impl Traction {
             let q = a * (-x).exp();
             let (f, slope) = (x + q - v, 1.0 - q);
             let (square, bend) = (slope * slope, 0.5 * f * q);
-            let step = if bend.abs() < 0.25 * square {
-                f * slope / (square - bend)
-            } else {
-                f / slope
-            };
+            let step = if bend.abs() < 0.25 * square { f * slope / (square - bend) } else { f / slope };
             x = (x - step).max(0.0);
             if step.abs() < 1e-5 && bend.abs() < 1e-5 * square {
                 break;

@@ -100,11 +100,9 @@ impl UniaxialConcrete {
         let compressed = match compression {
             Compression::Elastic => Compressed::Elastic,
             Compression::Plastic { strength } => Compressed::Plastic { strength },
-            Compression::Sargin {
-                strength,
-                peak_strain,
-                post_peak,
-            } => Compressed::Sargin(Envelope::new(KIND, young_modulus, strength, peak_strain, post_peak)?),
+            Compression::Sargin { strength, peak_strain, post_peak } => {
+                Compressed::Sargin(Envelope::new(KIND, young_modulus, strength, peak_strain, post_peak)?)
+            }
         };
         let traction = match &tension {
             None => Traction::none(),
@@ -181,11 +179,7 @@ impl UniaxialConcrete {
                 }
                 new[PLASTIC] = strain - limit;
                 new[SHORTEST] = strain;
-                Response {
-                    stress: [-strength],
-                    tangent: [[0.0]],
-                    dissipation: strength * (limit - u),
-                }
+                Response { stress: [-strength], tangent: [[0.0]], dissipation: strength * (limit - u) }
             }
             Compressed::Sargin(envelope) => {
                 let s = -strain;
@@ -212,8 +206,7 @@ impl UniaxialConcrete {
         let m_old = old[CRACKED] * old[LONGEST];
         let (m, t, slope) = self.traction.opened(u, young, m_old);
         let before = if old[CRACKED] > 0.0 {
-            self.traction
-                .dissipated(m_old, old[LONGEST] * (1.0 - old[CRACKED]) * young)
+            self.traction.dissipated(m_old, old[LONGEST] * (1.0 - old[CRACKED]) * young)
         } else {
             0.0
         };
@@ -221,30 +214,18 @@ impl UniaxialConcrete {
         new[CRACKED] = m / u;
         let dissipation = if self.traction.brittle() {
             // Energy stored in the uncracked concrete.
-            if old[CRACKED] > 0.0 {
-                0.0
-            } else {
-                0.5 * self.traction.strength * self.cracking_strain
-            }
+            if old[CRACKED] > 0.0 { 0.0 } else { 0.5 * self.traction.strength * self.cracking_strain }
         } else {
             self.traction.dissipated(m, t) - before
         };
-        Response {
-            stress: [t],
-            tangent: [[slope]],
-            dissipation,
-        }
+        Response { stress: [t], tangent: [[slope]], dissipation }
     }
 }
 
 /// σ = E u.
 #[inline]
 fn straight(modulus: f64, u: f64) -> Response<1> {
-    Response {
-        stress: [modulus * u],
-        tangent: [[modulus]],
-        dissipation: 0.0,
-    }
+    Response { stress: [modulus * u], tangent: [[modulus]], dissipation: 0.0 }
 }
 
 impl Law<1> for UniaxialConcrete {
@@ -259,10 +240,7 @@ impl Law<1> for UniaxialConcrete {
     #[inline]
     fn respond(&self, strain: &[f64; 1], old: &[f64], new: &mut [f64]) -> Result<Response<1>, LawError> {
         if strain[0].is_nan() {
-            return Err(LawError::NoConvergence {
-                law: KIND,
-                increment: strain[0],
-            });
+            return Err(LawError::NoConvergence { law: KIND, increment: strain[0] });
         }
         Ok(self.update(strain[0], old, new))
     }
@@ -286,14 +264,7 @@ impl Law<1> for UniaxialConcrete {
         PointState {
             plastic_strain: -new[PLASTIC],
             utilisation,
-            cracks: [
-                (new[CRACKED] > 0.0).then_some(Crack {
-                    angle: 0.0,
-                    opening,
-                    largest,
-                }),
-                None,
-            ],
+            cracks: [(new[CRACKED] > 0.0).then_some(Crack { angle: 0.0, opening, largest }), None],
             damage: new[CRACKED].max(new[CRUSHED]),
             ..PointState::default()
         }

@@ -114,12 +114,7 @@ fn return_to_cone(
         if r > 0.0 {
             best = Some((
                 residual.abs(),
-                Returned {
-                    multiplier: lambda,
-                    state: [s, d0 * shrink, t0 * shrink],
-                    root: r,
-                    slope,
-                },
+                Returned { multiplier: lambda, state: [s, d0 * shrink, t0 * shrink], root: r, slope },
             ));
         }
         if residual.abs() <= 2e-16 * size {
@@ -138,19 +133,14 @@ fn return_to_cone(
             next = lambda - residual / (r_slope + sqrt2 * alpha * s_slope - slope);
         }
         if !(next > low && next < high) {
-            next = if high.is_finite() {
-                0.5 * (low + high)
-            } else {
-                2.0 * low + size / c
-            };
+            next = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low + size / c };
         }
         if next == lambda {
             break;
         }
         lambda = next;
     }
-    best.filter(|(residual, _)| *residual <= 1e-11 * size)
-        .map(|(_, found)| found)
+    best.filter(|(residual, _)| *residual <= 1e-11 * size).map(|(_, found)| found)
 }
 
 /// Plastic step of a point in plane stress, all along the modes (s, d, t).

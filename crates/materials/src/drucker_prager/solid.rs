@@ -21,10 +21,7 @@ struct Trial {
 impl DruckerPrager {
     fn solid_trial(&self, strain: &[f64; 6], old: &[f64]) -> Trial {
         let elastic: [f64; 6] = std::array::from_fn(|i| strain[i] - old[1 + i]);
-        let stress = self
-            .elastic
-            .solid()
-            .map(|row| row.iter().zip(&elastic).map(|(c, e)| c * e).sum());
+        let stress = self.elastic.solid().map(|row| row.iter().zip(&elastic).map(|(c, e)| c * e).sum());
         let mut deviator: [f64; 6] = stress;
         for i in 0..6 {
             let tensor = if i < 3 { 1.0 } else { 0.5 };
@@ -32,15 +29,8 @@ impl DruckerPrager {
         }
         let mean = (deviator[0] + deviator[1] + deviator[2]) / 3.0;
         deviator[..3].iter_mut().for_each(|s| *s -= mean);
-        let square: f64 = (0..6)
-            .map(|i| deviator[i] * deviator[i] * if i < 3 { 0.5 } else { 1.0 })
-            .sum();
-        Trial {
-            stress,
-            deviator,
-            mean,
-            root: square.sqrt(),
-        }
+        let square: f64 = (0..6).map(|i| deviator[i] * deviator[i] * if i < 3 { 0.5 } else { 1.0 }).sum();
+        Trial { stress, deviator, mean, root: square.sqrt() }
     }
 }
 
@@ -54,12 +44,7 @@ impl Law<6> for DruckerPrager {
     }
 
     fn respond(&self, strain: &[f64; 6], old: &[f64], new: &mut [f64]) -> Result<Response<6>, LawError> {
-        let Trial {
-            stress,
-            deviator: s,
-            mean,
-            root,
-        } = self.solid_trial(strain, old);
+        let Trial { stress, deviator: s, mean, root } = self.solid_trial(strain, old);
         let (alpha, k, c) = (self.cone.alpha, self.cone.k, self.hardening);
         let mut tangent = self.elastic.solid();
         new.copy_from_slice(old);
@@ -69,11 +54,7 @@ impl Law<6> for DruckerPrager {
             return Err(LawError::NoConvergence { law: KIND, increment });
         }
         if f <= ON_SURFACE * k {
-            return Ok(Response {
-                stress,
-                tangent,
-                dissipation: 0.0,
-            });
+            return Ok(Response { stress, tangent, dissipation: 0.0 });
         }
         let g = self.elastic.shear_modulus();
         let bulk = self.elastic.young_modulus() / (3.0 - 6.0 * self.elastic.poisson_ratio());
@@ -118,11 +99,7 @@ impl Law<6> for DruckerPrager {
         }
         new[0] += lambda * self.cone.uniaxial();
         let moduli = self.elastic.solid();
-        let mut response = Response {
-            stress,
-            tangent,
-            dissipation: k * lambda,
-        };
+        let mut response = Response { stress, tangent, dissipation: k * lambda };
         for i in 0..6 {
             new[1 + i] += flow[i];
             response.stress[i] -= (0..6).map(|j| moduli[i][j] * flow[j]).sum::<f64>();

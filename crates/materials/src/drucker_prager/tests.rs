@@ -30,10 +30,7 @@ fn plane_stress_agrees_with_the_solid() {
             let solid = law.respond(&full, &solid_old, &mut solid_new).unwrap();
             let expected = [x, y, 0.0, plane.stress[2], 0.0, 0.0];
             for i in 0..6 {
-                assert!(
-                    (solid.stress[i] - expected[i]).abs() < 1e-7 * 35e6,
-                    "{solid:?} {plane:?}"
-                );
+                assert!((solid.stress[i] - expected[i]).abs() < 1e-7 * 35e6, "{solid:?} {plane:?}");
             }
             assert!((solid.dissipation - plane.dissipation).abs() < 1e-9 * 35e6);
             plane_old.copy_from_slice(&plane_new);
@@ -46,9 +43,7 @@ fn plane_stress_agrees_with_the_solid() {
 #[test]
 fn apex_in_the_solid() {
     let law = law();
-    let answer = law
-        .respond(&[0.01, 0.01, 0.0102, 1e-5, 0.0, 0.0], &[0.0; 7], &mut [0.0; 7])
-        .unwrap();
+    let answer = law.respond(&[0.01, 0.01, 0.0102, 1e-5, 0.0, 0.0], &[0.0; 7], &mut [0.0; 7]).unwrap();
     let p = law.cone().k / (3.0 * law.cone().alpha);
     assert!((0..3).all(|i| (answer.stress[i] / p - 1.0).abs() < 1e-12));
     assert!(answer.stress[3].abs() < 1e-9 * p && answer.tangent == [[0.0; 6]; 6]);
@@ -80,10 +75,7 @@ fn parameters_out_of_range_are_rejected() {
         text(DruckerPrager::new(1.0, 0.2, 1.0, 0.5)),
         "drucker_prager: f_bc is 0.5 Pa, allowed from 1 to 1.5 Pa"
     );
-    assert_eq!(
-        text(DruckerPrager::new(1.0, 0.2, -1.0, 1.0)),
-        "drucker_prager: f_c is -1 Pa, allowed > 0 and finite"
-    );
+    assert_eq!(text(DruckerPrager::new(1.0, 0.2, -1.0, 1.0)), "drucker_prager: f_c is -1 Pa, allowed > 0 and finite");
     let cone = Cone { alpha: 0.3, k: 1.0 };
     assert!(DruckerPrager::of_cone(1.0, 0.2, cone).is_err() && law().with_hardening(-1.0).is_err());
 }

@@ -77,13 +77,7 @@ impl SteelGrade {
     ///
     /// Errors: a parameter out of range.
     pub fn law(&self, kinematic: f64) -> Result<VonMises, LawError> {
-        VonMises::new(
-            self.young_modulus,
-            self.poisson_ratio,
-            self.thin().yield_stress,
-            self.tangent_modulus,
-            kinematic,
-        )
+        VonMises::new(self.young_modulus, self.poisson_ratio, self.thin().yield_stress, self.tangent_modulus, kinematic)
     }
 }
 
@@ -105,8 +99,5 @@ pub(super) const fn step(up_to: f64, yield_stress: f64, ultimate_strength: f64) 
 /// * `up_to`: [mm]
 /// * `yield_stress`, `ultimate_strength`, `allowable_stress`: [MPa]
 pub(super) const fn api(up_to: f64, yield_stress: f64, ultimate_strength: f64, allowable_stress: f64) -> Step {
-    Step {
-        allowable_stress: Some(allowable_stress * 1e6),
-        ..step(up_to, yield_stress, ultimate_strength)
-    }
+    Step { allowable_stress: Some(allowable_stress * 1e6), ..step(up_to, yield_stress, ultimate_strength) }
 }

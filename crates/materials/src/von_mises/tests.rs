@@ -42,10 +42,7 @@ fn saturating_terms_approach_their_closed_forms() {
         stress - 1.0 - 0.8 * (1.0 - (-50.0 * plastic).exp()) - 0.5 * (1.0 - (-30.0 * plastic).exp())
     };
     let (coarse, fine) = (error(100), error(200));
-    assert!(
-        fine.abs() < 2e-3 && (coarse / fine - 2.0).abs() < 0.05,
-        "{coarse} {fine}"
-    );
+    assert!(fine.abs() < 2e-3 && (coarse / fine - 2.0).abs() < 0.05, "{coarse} {fine}");
 }
 
 /// Uniaxial stress in the solid and in plane stress gives the stress of the bar: the lateral strains are those of elasticity
@@ -57,20 +54,11 @@ fn three_sizes_agree_under_uniaxial_stress() {
     let mut history = [0.0; 3];
     let stress = law.respond(&[strain], &[0.0; 3], &mut history).unwrap().stress[0];
     let lateral = -0.3 * stress / 210e9 - 0.5 * history[1];
-    let plane = law
-        .respond(&[strain, lateral, 0.0], &[0.0; 7], &mut [0.0; 7])
-        .unwrap()
-        .stress;
-    let solid = law
-        .respond(&[strain, lateral, lateral, 0.0, 0.0, 0.0], &[0.0; 13], &mut [0.0; 13])
-        .unwrap()
-        .stress;
+    let plane = law.respond(&[strain, lateral, 0.0], &[0.0; 7], &mut [0.0; 7]).unwrap().stress;
+    let solid = law.respond(&[strain, lateral, lateral, 0.0, 0.0, 0.0], &[0.0; 13], &mut [0.0; 13]).unwrap().stress;
     let (p, s) = (plane.map(|x| x / stress), solid.map(|x| x / stress));
     assert!((p[0] - 1.0).abs() < 1e-10 && p[1].abs() < 1e-10, "{p:?}");
-    assert!(
-        (s[0] - 1.0).abs() < 1e-10 && s[1].abs() < 1e-10 && s[2].abs() < 1e-10,
-        "{s:?}"
-    );
+    assert!((s[0] - 1.0).abs() < 1e-10 && s[1].abs() < 1e-10 && s[2].abs() < 1e-10, "{s:?}");
 }
 
 /// An increment of a hundred times the yield strain, and of a million times, in ideal plasticity.
@@ -98,10 +86,7 @@ fn parameters_out_of_range_are_rejected() {
         text(VonMises::new(1.0, 0.3, 1.0, 1.0, 1.0)),
         "von_mises: tangent_modulus is 1 Pa, allowed at least 0 and below 1 Pa"
     );
-    assert_eq!(
-        text(VonMises::new(1.0, 0.3, 1.0, 0.0, 1.5)),
-        "von_mises: kinematic_share is 1.5, allowed from 0 to 1"
-    );
+    assert_eq!(text(VonMises::new(1.0, 0.3, 1.0, 0.0, 1.5)), "von_mises: kinematic_share is 1.5, allowed from 0 to 1");
     let law = VonMises::new(1.0, 0.3, 1.0, 0.0, 1.0).unwrap();
     assert!(law.with_back_stress(f64::NAN, 0.0).is_err() && law.with_saturation(1.0, 0.0).is_err());
     let law = (0..4).try_fold(law, |law, _| law.with_back_stress(1.0, 1.0)).unwrap();

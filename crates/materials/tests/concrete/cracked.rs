@@ -19,10 +19,7 @@ pub(crate) fn parameters() -> CrackedParameters {
         F_C,
         Tension {
             strength: F_T,
-            softening: Softening::Energy {
-                fracture_energy: G_F,
-                size: SIZE,
-            },
+            softening: Softening::Energy { fracture_energy: G_F, size: SIZE },
             stiffening: None,
             bond: None,
         },
@@ -49,11 +46,7 @@ fn uniaxial(point: &mut Point<3>, strain: f64, lateral: &mut f64) -> Response<3>
             low = at
         }
         let newton = at - response.stress[1] / response.tangent[1][1];
-        at = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
+        at = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if high - low < 1e-17 {
             break;
         }
@@ -121,21 +114,11 @@ fn energy_of_a_bar() {
         for elements in [5, 10, 20, 40] {
             let size = 1.0 / elements as f64;
             let softening = if by_energy {
-                Softening::Energy {
-                    fracture_energy: G_F,
-                    size,
-                }
+                Softening::Energy { fracture_energy: G_F, size }
             } else {
-                Softening::Strain {
-                    softening_strain: G_F / (strength * 0.2),
-                }
+                Softening::Strain { softening_strain: G_F / (strength * 0.2) }
             };
-            let tension = Tension {
-                strength,
-                softening,
-                stiffening: None,
-                bond: None,
-            };
+            let tension = Tension { strength, softening, stiffening: None, bond: None };
             let law = CrackedConcrete::new(&CrackedParameters::new(young, NU, 30e6, tension)).unwrap();
             let mut point = Point::new(&law);
             let (mut work, mut dissipated, mut lateral) = (0.0, 0.0, 0.0);
@@ -161,16 +144,9 @@ fn energy_of_a_bar() {
 /// M8. Tension to 3e-4 with ε_22 = 0, then γ = 5e-4 [MPa].
 #[test]
 fn shear_of_an_open_crack() {
-    let slow = ShearRetention {
-        least: 0.05,
-        strain: 1e-3,
-    };
+    let slow = ShearRetention { least: 0.05, strain: 1e-3 };
     for (retention, beta, shear) in [(ShearRetention::default(), 0.3450, 2.4435), (slow, 0.7823, 5.5414)] {
-        let law = CrackedConcrete::new(&CrackedParameters {
-            retention,
-            ..parameters()
-        })
-        .unwrap();
+        let law = CrackedConcrete::new(&CrackedParameters { retention, ..parameters() }).unwrap();
         let mut point = Point::new(&law);
         let stress = point.step(&[3e-4, 0.0, 0.0]).stress;
         assert!((stress[0] / 1.4076e6 - 1.0).abs() < 2e-3 && (stress[1] / 0.2815e6 - 1.0).abs() < 2e-3);
@@ -187,10 +163,7 @@ fn closed_crack_carries_and_remembers() {
     let law = law();
     let mut point = Point::new(&law);
     let mut lateral = 0.0;
-    let opened = (0..=100)
-        .map(|i| uniaxial(&mut point, 1.03e-5 * i as f64, &mut lateral).stress[0])
-        .last()
-        .unwrap();
+    let opened = (0..=100).map(|i| uniaxial(&mut point, 1.03e-5 * i as f64, &mut lateral).stress[0]).last().unwrap();
     let crack =
         |strain: f64, lateral: f64, history: &[f64]| law.inspect(&[strain, lateral, 0.0], history).cracks[0].unwrap();
     let widest = crack(1.03e-3, lateral, &point.history).largest;
@@ -231,13 +204,8 @@ fn compression_lowers_the_tensile_strength() {
 
 #[test]
 fn parameters_out_of_range_are_rejected() {
-    let tension = |size| Tension {
-        softening: Softening::Energy {
-            fracture_energy: G_F,
-            size,
-        },
-        ..parameters().tension
-    };
+    let tension =
+        |size| Tension { softening: Softening::Energy { fracture_energy: G_F, size }, ..parameters().tension };
     let with = |change: &dyn Fn(&mut CrackedParameters)| {
         let mut p = parameters();
         change(&mut p);
@@ -250,11 +218,7 @@ fn parameters_out_of_range_are_rejected() {
     assert!(with(&|p| p.young_modulus = -1.0).is_err());
     assert!(with(&|p| p.biaxial_ratio = 0.9).is_err());
     assert!(with(&|p| p.retention.least = 0.0).is_err());
-    assert!(
-        with(&|p| p.tension.softening = Softening::Brittle)
-            .unwrap()
-            .is_brittle()
-    );
+    assert!(with(&|p| p.tension.softening = Softening::Brittle).unwrap().is_brittle());
 }
 
 #[test]
@@ -273,11 +237,7 @@ fn cracks_are_reported() {
     let law = law();
     let turned = |n: f64, s: f64| {
         let (sin, cos) = 0.5_f64.sin_cos();
-        [
-            cos * cos * n + sin * sin * s,
-            sin * sin * n + cos * cos * s,
-            2.0 * sin * cos * (n - s),
-        ]
+        [cos * cos * n + sin * sin * s, sin * sin * n + cos * cos * s, 2.0 * sin * cos * (n - s)]
     };
     let mut point = Point::new(&law);
     let strain = turned(3e-4, 0.0);
@@ -303,10 +263,7 @@ fn cracks_are_reported() {
 fn energy_of_a_crack_in_a_long_cell() {
     let tension = Tension {
         strength: 3.5e6,
-        softening: Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.25,
-        },
+        softening: Softening::Energy { fracture_energy: 100.0, size: 0.25 },
         stiffening: None,
         bond: None,
     };
@@ -326,10 +283,6 @@ fn energy_of_a_crack_in_a_long_cell() {
             dissipated += law.respond(&strain, &old, &mut new).unwrap().dissipation;
             old.copy_from_slice(&new);
         }
-        assert!(
-            (dissipated * h / 100.0 - 1.0).abs() < 1e-6,
-            "{c} {s}: {}",
-            dissipated * h
-        );
+        assert!((dissipated * h / 100.0 - 1.0).abs() < 1e-6, "{c} {s}: {}", dissipated * h);
     }
 }

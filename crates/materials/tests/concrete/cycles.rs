@@ -23,30 +23,12 @@ fn closed_path(noise: &mut Noise, size: f64, corners: usize, steps: usize) -> Ve
 
 /// Laws for the property tests, by name.
 fn all() -> Vec<(&'static str, CrackedConcrete)> {
-    let stiffening = Some(Stiffening {
-        share: 0.3,
-        yield_strain: 2.5e-3,
-    });
-    let tail = Tension {
-        stiffening,
-        ..parameters().tension
-    };
+    let stiffening = Some(Stiffening { share: 0.3, yield_strain: 2.5e-3 });
+    let tail = Tension { stiffening, ..parameters().tension };
     [
         ("default", parameters()),
-        (
-            "turning",
-            CrackedParameters {
-                axes: CrackAxes::Turning,
-                ..parameters()
-            },
-        ),
-        (
-            "stiffened",
-            CrackedParameters {
-                tension: tail,
-                ..parameters()
-            },
-        ),
+        ("turning", CrackedParameters { axes: CrackAxes::Turning, ..parameters() }),
+        ("stiffened", CrackedParameters { tension: tail, ..parameters() }),
     ]
     .map(|(name, p)| (name, CrackedConcrete::new(&p).unwrap()))
     .to_vec()
@@ -65,9 +47,7 @@ fn closed_cycles_give_no_work() {
             let (mut work, mut strain, mut stress) = (0.0, [0.0; 3], [0.0; 3]);
             for next in closed_path(&mut noise, size, 5, 60) {
                 let response = point.step(&next);
-                work += (0..3)
-                    .map(|k| 0.5 * (stress[k] + response.stress[k]) * (next[k] - strain[k]))
-                    .sum::<f64>();
+                work += (0..3).map(|k| 0.5 * (stress[k] + response.stress[k]) * (next[k] - strain[k])).sum::<f64>();
                 lost = lost.min(response.dissipation);
                 steps += 1;
                 cut += usize::from(law.parts(&point.history) > 1);
@@ -186,14 +166,8 @@ fn axes_are_found_wherever_they_lie() {
 #[test]
 fn wild_jumps_have_an_answer() {
     for (number, softening) in [
-        Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.1,
-        },
-        Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.272,
-        },
+        Softening::Energy { fracture_energy: 100.0, size: 0.1 },
+        Softening::Energy { fracture_energy: 100.0, size: 0.272 },
         Softening::Brittle,
     ]
     .into_iter()
@@ -203,10 +177,7 @@ fn wild_jumps_have_an_answer() {
             let base = parameters();
             let law = CrackedConcrete::new(&CrackedParameters {
                 axes,
-                tension: Tension {
-                    softening,
-                    ..base.tension
-                },
+                tension: Tension { softening, ..base.tension },
                 ..base
             })
             .unwrap();

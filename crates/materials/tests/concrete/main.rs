@@ -71,14 +71,8 @@ fn follow_the_sheet(mut step: impl FnMut(f64) -> (f64, Option<Crack>)) {
     for (strain, stress, opening) in SHEET {
         let (found, crack) = step(strain);
         let found = found / 1e6;
-        assert!(
-            (found - stress).abs() <= (2e-3_f64 * stress.abs()).max(0.5e-4),
-            "{strain}: {found}"
-        );
+        assert!((found - stress).abs() <= (2e-3_f64 * stress.abs()).max(0.5e-4), "{strain}: {found}");
         let largest = crack.map_or(0.0, |c| 1e3 * c.largest);
-        assert!(
-            (largest - opening).abs() <= (2e-3 * opening).max(0.5e-4),
-            "{strain}: {largest}"
-        );
+        assert!((largest - opening).abs() <= (2e-3 * opening).max(0.5e-4), "{strain}: {largest}");
     }
 }

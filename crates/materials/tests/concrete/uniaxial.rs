@@ -13,30 +13,15 @@ const G_F: f64 = 100.0;
 const PEAK: f64 = 2e-3;
 
 fn softening(size: f64) -> Tension {
-    Tension {
-        strength: F_T,
-        softening: Softening::Energy {
-            fracture_energy: G_F,
-            size,
-        },
-        stiffening: None,
-        bond: None,
-    }
+    Tension { strength: F_T, softening: Softening::Energy { fracture_energy: G_F, size }, stiffening: None, bond: None }
 }
 
 fn sargin(post_peak: PostPeak) -> Compression {
-    Compression::Sargin {
-        strength: F_C,
-        peak_strain: PEAK,
-        post_peak,
-    }
+    Compression::Sargin { strength: F_C, peak_strain: PEAK, post_peak }
 }
 
 fn crushing(size: f64) -> Compression {
-    sargin(PostPeak::Crushing {
-        crushing_energy: 250.0 * G_F,
-        size,
-    })
+    sargin(PostPeak::Crushing { crushing_energy: 250.0 * G_F, size })
 }
 
 fn plastic() -> UniaxialConcrete {
@@ -46,13 +31,7 @@ fn plastic() -> UniaxialConcrete {
 /// All combinations for the property tests.
 fn all() -> Vec<UniaxialConcrete> {
     let mut laws = vec![UniaxialConcrete::new(E, Compression::Elastic, None).unwrap()];
-    let stiffened = Tension {
-        stiffening: Some(Stiffening {
-            share: 0.3,
-            yield_strain: 2.5e-3,
-        }),
-        ..softening(0.1)
-    };
+    let stiffened = Tension { stiffening: Some(Stiffening { share: 0.3, yield_strain: 2.5e-3 }), ..softening(0.1) };
     for tension in [None, Some(softening(0.1)), Some(stiffened)] {
         for compression in [
             Compression::Elastic,
@@ -87,11 +66,7 @@ fn opening_is_the_root() {
         let (mut low, mut high) = (0.0_f64, u);
         for _ in 0..200 {
             let e = 0.5 * (low + high);
-            if e + F_T / E * (-e / e_f).exp() < u {
-                low = e
-            } else {
-                high = e
-            }
+            if e + F_T / E * (-e / e_f).exp() < u { low = e } else { high = e }
         }
         let expected = F_T * (-low / e_f).exp();
         let found = Point::new(&law).step(&[u]).stress[0];
@@ -172,10 +147,7 @@ fn residual_strains_of_karsan_and_jirsa() {
 #[test]
 fn compression_only_weakens() {
     for post in [
-        PostPeak::Crushing {
-            crushing_energy: 250.0 * G_F,
-            size: 0.05,
-        },
+        PostPeak::Crushing { crushing_energy: 250.0 * G_F, size: 0.05 },
         PostPeak::Linear { strain: 3.5e-3 },
         PostPeak::Curve { strain: 3.5e-3 },
     ] {
@@ -188,10 +160,7 @@ fn compression_only_weakens() {
             let secant = law.secant(strain[0], &point.history);
             assert!(secant <= modulus * (1.0 + 1e-12), "{post:?} {strain:?}");
             assert!((secant * (strain[0] - point.history[0]) / response.stress[0] - 1.0).abs() < 1e-9);
-            assert!(
-                response.dissipation >= -1e-9 * F_C * 1e-5,
-                "{post:?} {strain:?} {response:?}"
-            );
+            assert!(response.dissipation >= -1e-9 * F_C * 1e-5, "{post:?} {strain:?} {response:?}");
             modulus = secant;
             dissipated += response.dissipation;
         }
@@ -255,13 +224,7 @@ fn work_is_what_is_dissipated() {
 
 #[test]
 fn tail_of_stiffened_concrete() {
-    let tension = Tension {
-        stiffening: Some(Stiffening {
-            share: 0.2,
-            yield_strain: 2.5e-3,
-        }),
-        ..softening(0.1)
-    };
+    let tension = Tension { stiffening: Some(Stiffening { share: 0.2, yield_strain: 2.5e-3 }), ..softening(0.1) };
     let law = UniaxialConcrete::new(E, Compression::Elastic, Some(tension)).unwrap();
     let mut point = Point::new(&law);
     assert!((point.step(&[2e-3]).stress[0] / (0.2 * F_T) - 1.0).abs() < 1e-12);
@@ -273,10 +236,7 @@ fn tail_of_stiffened_concrete() {
 
 #[test]
 fn brittle_concrete_breaks_once() {
-    let tension = Tension {
-        softening: Softening::Brittle,
-        ..softening(0.1)
-    };
+    let tension = Tension { softening: Softening::Brittle, ..softening(0.1) };
     let law = UniaxialConcrete::new(E, Compression::Elastic, Some(tension)).unwrap();
     assert!(law.is_brittle() && !plastic().is_brittle());
     let mut point = Point::new(&law);
@@ -298,37 +258,10 @@ fn parameters_out_of_range_are_rejected() {
     assert!(with(Compression::Plastic { strength: F_T }, softening(0.1)).is_err());
     assert!(with(crushing(2.0), softening(0.1)).is_err());
     for strength in [-1.0, 0.0, f64::NAN] {
-        assert!(
-            with(
-                Compression::Elastic,
-                Tension {
-                    strength,
-                    ..softening(0.1)
-                }
-            )
-            .is_err()
-        );
+        assert!(with(Compression::Elastic, Tension { strength, ..softening(0.1) }).is_err());
     }
-    for stiffening in [
-        Stiffening {
-            share: 1.0,
-            yield_strain: 2e-3,
-        },
-        Stiffening {
-            share: 0.3,
-            yield_strain: 1e-4,
-        },
-    ] {
-        assert!(
-            with(
-                Compression::Elastic,
-                Tension {
-                    stiffening: Some(stiffening),
-                    ..softening(0.1)
-                }
-            )
-            .is_err()
-        );
+    for stiffening in [Stiffening { share: 1.0, yield_strain: 2e-3 }, Stiffening { share: 0.3, yield_strain: 1e-4 }] {
+        assert!(with(Compression::Elastic, Tension { stiffening: Some(stiffening), ..softening(0.1) }).is_err());
     }
     assert!(UniaxialConcrete::new(0.0, Compression::Elastic, None).is_err());
 }

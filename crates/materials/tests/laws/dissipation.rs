@@ -8,11 +8,8 @@ fn check<const N: usize>(case: &Case<N>) {
     // Rounding of a product of stress and strain.
     let rounding = 1e-13 * case.strength * case.strain;
     for run in 0..40 {
-        let path = if run % 2 == 0 {
-            wander(&mut noise, case.strain, 5, 10)
-        } else {
-            cycle(&mut noise, case.strain, 4, 50)
-        };
+        let path =
+            if run % 2 == 0 { wander(&mut noise, case.strain, 5, 10) } else { cycle(&mut noise, case.strain, 4, 50) };
         let mut point = Point::new(&*case.law);
         let (mut work, mut scale) = (0.0, rounding);
         let (mut strain, mut stress) = ([0.0; N], point.answer(&[0.0; N]).0.stress);
@@ -32,11 +29,7 @@ fn check<const N: usize>(case: &Case<N>) {
         }
         // Work = dissipation + stored energy ≥ 0; the trapezoidal rule errs where a step crosses a kink.
         let closed = run % 2 == 1;
-        assert!(
-            !closed || work >= -1e-6 * scale,
-            "{}, N = {N}: work {work:e} of {scale:e}",
-            case.name
-        );
+        assert!(!closed || work >= -1e-6 * scale, "{}, N = {N}: work {work:e} of {scale:e}", case.name);
     }
 }
 

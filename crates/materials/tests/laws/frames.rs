@@ -83,9 +83,6 @@ fn check<const N: usize>(case: &Case<N>) {
 #[test]
 fn frames() {
     // A cell has directions of its own.
-    plane()
-        .iter()
-        .filter(|case| case.name != "concrete, sides")
-        .for_each(check);
+    plane().iter().filter(|case| case.name != "concrete, sides").for_each(check);
     solid().iter().for_each(check);
 }

@@ -11,10 +11,7 @@ impl Noise {
     }
 
     pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as f64 / f64::from(1u32 << 30) - 1.0
     }
 
@@ -28,11 +25,7 @@ impl Noise {
 pub(crate) fn wander<const N: usize>(noise: &mut Noise, size: f64, pieces: usize, steps: u32) -> Vec<[f64; N]> {
     let mut corners = vec![[0.0; N]];
     for i in 0..pieces {
-        let corner = if i % 3 == 2 {
-            corners[i / 2].map(|x| 0.5 * x)
-        } else {
-            noise.vector().map(|x| size * x)
-        };
+        let corner = if i % 3 == 2 { corners[i / 2].map(|x| 0.5 * x) } else { noise.vector().map(|x| size * x) };
         corners.push(corner);
     }
     polygon(&corners, steps)

@@ -38,11 +38,7 @@ fn check<const N: usize>(case: &Case<N>) {
             for i in 0..N {
                 let expected: f64 = (0..N).map(|j| moduli[i][j] * strain[j]).sum();
                 // Rounding of sums of N terms E ε.
-                assert!(
-                    (response.stress[i] - expected).abs() <= 1e-13 * scale * case.strain,
-                    "{}, N = {N}",
-                    case.name
-                );
+                assert!((response.stress[i] - expected).abs() <= 1e-13 * scale * case.strain, "{}, N = {N}", case.name);
             }
             assert_eq!(response.tangent, moduli, "{}, N = {N}", case.name);
             assert_eq!(response.dissipation, 0.0, "{}, N = {N}", case.name);

@@ -25,12 +25,7 @@ pub(crate) struct Case<const N: usize> {
 }
 
 fn case<const N: usize>(name: &'static str, law: impl Law<N> + 'static, strain: f64, strength: f64) -> Case<N> {
-    Case {
-        name,
-        law: Box::new(law),
-        strain,
-        strength,
-    }
+    Case { name, law: Box::new(law), strain, strength }
 }
 
 fn elastic() -> Elastic {
@@ -50,9 +45,7 @@ fn low_cycle_steel() -> VonMises {
 }
 
 fn cone(hardening: f64) -> DruckerPrager {
-    DruckerPrager::new(34e9, 0.2, 35e6, 1.16 * 35e6)
-        .and_then(|law| law.with_hardening(hardening))
-        .unwrap()
+    DruckerPrager::new(34e9, 0.2, 35e6, 1.16 * 35e6).and_then(|law| law.with_hardening(hardening)).unwrap()
 }
 
 fn plastic_fracturing() -> PlasticFracturing {
@@ -75,21 +68,14 @@ fn bar() -> Bar {
 fn tension() -> Tension {
     Tension {
         strength: 3.5e6,
-        softening: Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.1,
-        },
+        softening: Softening::Energy { fracture_energy: 100.0, size: 0.1 },
         stiffening: None,
         bond: None,
     }
 }
 
 fn cracked(axes: CrackAxes) -> CrackedConcrete {
-    CrackedConcrete::new(&CrackedParameters {
-        axes,
-        ..CrackedParameters::new(34e9, 0.2, 35e6, tension())
-    })
-    .unwrap()
+    CrackedConcrete::new(&CrackedParameters { axes, ..CrackedParameters::new(34e9, 0.2, 35e6, tension()) }).unwrap()
 }
 
 /// With the bond of bars of 1.5 %, 16 mm, cracks every 20 cm.
@@ -139,10 +125,7 @@ fn sargin() -> Compression {
     Compression::Sargin {
         strength: 35e6,
         peak_strain: 2.1e-3,
-        post_peak: PostPeak::Crushing {
-            crushing_energy: 25e3,
-            size: 0.1,
-        },
+        post_peak: PostPeak::Crushing { crushing_energy: 25e3, size: 0.1 },
     }
 }
 
@@ -154,18 +137,8 @@ pub(crate) fn bars() -> Vec<Case<1>> {
         case("von Mises, mixed", steel(2.1e9, 0.5), 0.01, 355e6),
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
         case("bar", bar(), 0.01, 500e6),
-        case(
-            "bar, rupture",
-            bar().with_rupture(0.008, Rupture::Drops).unwrap(),
-            0.01,
-            500e6,
-        ),
-        case(
-            "concrete, plastic",
-            uniaxial(Compression::Plastic { strength: 35e6 }),
-            0.003,
-            35e6,
-        ),
+        case("bar, rupture", bar().with_rupture(0.008, Rupture::Drops).unwrap(), 0.01, 500e6),
+        case("concrete, plastic", uniaxial(Compression::Plastic { strength: 35e6 }), 0.003, 35e6),
         case("concrete, crushing", uniaxial(sargin()), 0.003, 35e6),
         case(
             "concrete, bond",

@@ -21,10 +21,7 @@ fn check<const N: usize>(case: &Case<N>) {
     for split in 0..path.len() {
         let mut point = Point::new(&*case.law);
         let mut parts = bits(&mut point, &path[..split]);
-        let mut again = Point {
-            law: &*case.law,
-            history: point.history.clone(),
-        };
+        let mut again = Point { law: &*case.law, history: point.history.clone() };
         // A response that is not committed has no effect.
         again.answer(&path[0]);
         parts.extend(bits(&mut again, &path[split..]));

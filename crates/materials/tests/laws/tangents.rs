@@ -21,9 +21,7 @@ fn column<const N: usize>(point: &Point<'_, N>, strain: &[f64; N], j: usize, h: 
         ((response.dissipation > 0.0) == dissipates).then_some(response.stress)
     };
     let (a, b, c, d) = (at(-2.0 * h)?, at(-h)?, at(h)?, at(2.0 * h)?);
-    Some(std::array::from_fn(|i| {
-        (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h)
-    }))
+    Some(std::array::from_fn(|i| (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h)))
 }
 
 fn check<const N: usize>(case: &Case<N>) {
@@ -56,16 +54,9 @@ fn check<const N: usize>(case: &Case<N>) {
             point.step(strain);
         }
     }
-    println!(
-        "{:30} N = {N}: {worst:.1e} over {compared} columns, {kinks} beside kinks",
-        case.name
-    );
+    println!("{:30} N = {N}: {worst:.1e} over {compared} columns, {kinks} beside kinks", case.name);
     assert!(worst < TOLERANCE, "{}, N = {N}: {worst:e}", case.name);
-    assert!(
-        10 * kinks < compared + kinks,
-        "{}, N = {N}: {kinks} of {compared}",
-        case.name
-    );
+    assert!(10 * kinks < compared + kinks, "{}, N = {N}: {kinks} of {compared}", case.name);
 }
 
 #[test]

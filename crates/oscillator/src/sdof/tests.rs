@@ -10,12 +10,8 @@ fn by_matrix_exponential(omega: f64, damping: f64, h: f64) -> [[f64; 4]; 4] {
     fn mul(x: &M, y: &M) -> M {
         std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| x[i][k] * y[k][j]).sum()))
     }
-    let rate = [
-        [0.0, 1.0, 0.0, 0.0],
-        [-omega * omega, -2.0 * damping * omega, 1.0, 0.0],
-        [0.0, 0.0, 0.0, 1.0],
-        [0.0; 4],
-    ];
+    let rate =
+        [[0.0, 1.0, 0.0, 0.0], [-omega * omega, -2.0 * damping * omega, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], [0.0; 4]];
     let norm = (omega * omega + 2.0 * damping * omega + 2.0) * h;
     let squarings = norm.log2().ceil().max(0.0) as i32 + 4;
     let scale = h / 2f64.powi(squarings);
@@ -61,9 +57,7 @@ fn step_error(omega: f64, damping: f64, h: f64) -> f64 {
 #[test]
 fn step_equals_the_matrix_exponential() {
     // 1e-12: the exponential itself loses about 2^squarings · 1e-16.
-    for damping in [
-        0.0, 1e-4, 0.005, 0.05, 0.5, 0.999_999, 1.0, 1.000_001, 1.18, 1.999, 2.0, 5.0,
-    ] {
+    for damping in [0.0, 1e-4, 0.005, 0.05, 0.5, 0.999_999, 1.0, 1.000_001, 1.18, 1.999, 2.0, 5.0] {
         for h in [1e-5, 1e-3, 0.01, 0.09, 0.11, 0.3, 0.5, 0.99, 1.0, 1.01, 2.0, 6.0] {
             let error = step_error(1.0, damping, h);
             assert!(error < 1e-12, "xi {damping}, omega h {h}: {error:e}");
@@ -96,12 +90,7 @@ fn harmonic(omega: f64, damping: f64, frequency: f64, t: f64) -> f64 {
 
 fn worst_against_harmonic(history: &History, h: f64) -> (f64, f64) {
     let closed = |k: usize| harmonic(3.0, 0.01, 2.0, k as f64 * h);
-    let error = history
-        .u
-        .iter()
-        .enumerate()
-        .map(|(k, u)| (u - closed(k)).abs())
-        .fold(0.0, f64::max);
+    let error = history.u.iter().enumerate().map(|(k, u)| (u - closed(k)).abs()).fold(0.0, f64::max);
     (error, (0..history.u.len()).map(|k| closed(k).abs()).fold(0.0, f64::max))
 }
 
@@ -147,20 +136,14 @@ fn the_three_methods_agree() {
             let error = difference(&reference, &integral, omega);
             // Simpson's error is (ωh/n)⁴/2880 of the static response in every part; without damping it may add up.
             let bound = 10.0 * (omega * 0.02 / 64.0).powi(4) / 2880.0 + 1e-11;
-            assert!(
-                error < bound,
-                "Duhamel, T {period}, xi {damping}: {error:e} against {bound:e}"
-            );
+            assert!(error < bound, "Duhamel, T {period}, xi {damping}: {error:e} against {bound:e}");
             let n = (omega * 0.02 / 5e-4).ceil().max(100.0);
             let stepped = newmark(&ground, 0.02, omega, damping, n as usize);
             let error = difference(&reference, &stepped, omega);
             // The period error (ωh)²/12 adds up to the phase error ωt (ωh)²/12; added to it are the h²/12 of the
             // load in soft oscillators and the rounding of differences u₁ − u₀, 1e-16/(ωh)².
             let bound = 2.0 * omega * 8.0 * (omega * 0.02 / n).powi(2) / 12.0 + 1e-7;
-            assert!(
-                error < bound,
-                "Newmark, T {period}, xi {damping}: {error:e} against {bound:e}"
-            );
+            assert!(error < bound, "Newmark, T {period}, xi {damping}: {error:e} against {bound:e}");
         }
     }
 }

@@ -34,9 +34,8 @@ pub(crate) fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<
     let border = order.partition_point(|&i| oscillators[i].omega * h * STIFF > TAU);
     let loads = Loads::new(ground, h);
     let stiff = order[..border].chunks(LANES).map(|group| (true, group));
-    let groups: Vec<(bool, &[usize])> = stiff
-        .chain(order[border..].chunks(LANES).map(|group| (false, group)))
-        .collect();
+    let groups: Vec<(bool, &[usize])> =
+        stiff.chain(order[border..].chunks(LANES).map(|group| (false, group))).collect();
     let mut result = vec![Maxima::default(); oscillators.len()];
     // Threads take about 30 µs to wake up, a group of a usual record about as much: at least four groups per thread.
     let workers = match groups.len() / 4 {
@@ -72,11 +71,7 @@ fn run<'a>(
         let members = members(group, oscillators);
         if is_stiff {
             let stiff = Stiff::new(&members, h);
-            let traced = arch.dispatch(StiffTrace {
-                stiff: &stiff,
-                loads,
-                trace: &mut trace,
-            });
+            let traced = arch.dispatch(StiffTrace { stiff: &stiff, loads, trace: &mut trace });
             let first: [Maxima; LANES] = std::array::from_fn(|lane| stiff.begin(lane, loads, &trace, &traced));
             select(&trace, &first, &mut candidates);
             for (lane, &place) in group.iter().enumerate() {
@@ -84,11 +79,7 @@ fn run<'a>(
             }
         } else {
             let soft = Soft::new(&members, h);
-            let traced = arch.dispatch(SoftTrace {
-                soft: &soft,
-                loads,
-                trace: &mut trace,
-            });
+            let traced = arch.dispatch(SoftTrace { soft: &soft, loads, trace: &mut trace });
             let first: [Maxima; LANES] = std::array::from_fn(|lane| soft.begin(lane, &traced));
             select(&trace, &first, &mut candidates);
             for (lane, &place) in group.iter().enumerate() {
@@ -117,11 +108,5 @@ fn select(trace: &[Trace], m: &[Maxima; LANES], blocks: &mut Vec<usize>) {
         any
     };
     blocks.clear();
-    blocks.extend(
-        trace
-            .iter()
-            .enumerate()
-            .filter(|(_, t)| exceeds(t))
-            .map(|(block, _)| block),
-    );
+    blocks.extend(trace.iter().enumerate().filter(|(_, t)| exceeds(t)).map(|(block, _)| block));
 }

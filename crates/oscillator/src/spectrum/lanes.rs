@@ -30,10 +30,7 @@ impl<S: Simd, const N: usize> Unit<S, N> {
     /// Units that together work on all lanes.
     #[inline(always)]
     pub(crate) fn all(simd: S) -> impl Iterator<Item = Unit<S, N>> {
-        (0..LANES / Self::WIDTH).map(move |unit| Unit {
-            simd,
-            first: unit * Self::WIDTH,
-        })
+        (0..LANES / Self::WIDTH).map(move |unit| Unit { simd, first: unit * Self::WIDTH })
     }
 
     #[inline(always)]
@@ -94,9 +91,6 @@ impl<S: Simd, const N: usize> Unit<S, N> {
     /// `a` where x > y, `b` elsewhere.
     #[inline(always)]
     pub(crate) fn choose(self, x: Pack<S, N>, y: Pack<S, N>, a: Pack<S, N>, b: Pack<S, N>) -> Pack<S, N> {
-        std::array::from_fn(|k| {
-            self.simd
-                .select_f64s(self.simd.greater_than_f64s(x[k], y[k]), a[k], b[k])
-        })
+        std::array::from_fn(|k| self.simd.select_f64s(self.simd.greater_than_f64s(x[k], y[k]), a[k], b[k]))
     }
 }

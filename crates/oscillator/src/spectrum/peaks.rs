@@ -58,12 +58,7 @@ impl State {
     #[inline]
     pub(crate) fn new(y: f64, y1: f64, p: f64, sigma: f64, xi: f64) -> State {
         let y2 = p - y - 2.0 * xi * y1;
-        State {
-            y,
-            y1,
-            y2,
-            y3: sigma - y1 - 2.0 * xi * y2,
-        }
+        State { y, y1, y2, y3: sigma - y1 - 2.0 * xi * y2 }
     }
 
     /// R² of the oscillation about the line of the load, (x₁, x₂) being its state.
@@ -217,9 +212,6 @@ mod tests {
         m.take_free_vibration(1.0, 0.0, xi);
         let kappa = (1.0 - xi * xi).sqrt();
         let angle = (kappa / xi).atan();
-        assert!(
-            (m.y1 - (-xi * angle / kappa).exp() * angle.sin() / kappa).abs() < 1e-15,
-            "{m:?}"
-        );
+        assert!((m.y1 - (-xi * angle / kappa).exp() * angle.sin() / kappa).abs() < 1e-15, "{m:?}");
     }
 }

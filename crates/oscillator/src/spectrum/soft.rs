@@ -109,11 +109,7 @@ impl Soft {
     ) -> Maxima {
         let Oscillator { omega, damping } = self.oscillators[lane];
         let parts = (INTERVALS * omega * loads.h / TAU).ceil().max(1.0);
-        let part = if parts > 1.0 {
-            scaled(&self.oscillators[lane], loads.h / parts)
-        } else {
-            self.one[lane]
-        };
+        let part = if parts > 1.0 { scaled(&self.oscillators[lane], loads.h / parts) } else { self.one[lane] };
         for &block in candidates {
             let t = &trace[block];
             if t.bound[0][lane] <= m.y && t.bound[1][lane] <= m.y1 && t.bound[2][lane] <= m.a {
@@ -215,10 +211,7 @@ impl SoftTrace<'_> {
     #[inline(always)]
     fn run<S: Simd, const N: usize, const STRIDE: usize>(self, simd: S) -> SoftTraced {
         let s = self.soft;
-        let mut traced = SoftTraced {
-            end: [[0.0; LANES]; 2],
-            samples: [[0.0; LANES]; 3],
-        };
+        let mut traced = SoftTraced { end: [[0.0; LANES]; 2], samples: [[0.0; LANES]; 3] };
         for u in Unit::<S, N>::all(simd) {
             let [[a, b], [a1, b1]] = s.state.map(|row| row.map(|x| u.load(&x)));
             let load = s.load.map(|both| both.map(|x| u.load(&x)));

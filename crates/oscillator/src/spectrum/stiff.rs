@@ -61,10 +61,7 @@ impl Stiff {
     /// (x₁, x₂) at rest under the first load: opposite to the line.
     fn rest(&self, p: f64) -> [Lanes; 2] {
         let xi = |i: usize| self.oscillators[i].damping;
-        [
-            [-p; LANES],
-            lanes(|i| -xi(i) / ((1.0 - xi(i)) * (1.0 + xi(i))).sqrt() * p),
-        ]
+        [[-p; LANES], lanes(|i| -xi(i) / ((1.0 - xi(i)) * (1.0 + xi(i))).sqrt() * p)]
     }
 
     /// Maxima of one oscillator in the free vibration at the end and in its most promising block, which raises the
@@ -120,10 +117,7 @@ impl Stiff {
                 continue;
             }
             self.walk(lane, loads, t, block, |x, pair| {
-                let (load, sigma) = (
-                    larger(pair[0].abs(), pair[1].abs()),
-                    (pair[1] - pair[0]).abs() * per_step,
-                );
+                let (load, sigma) = (larger(pair[0].abs(), pair[1].abs()), (pair[1] - pair[0]).abs() * per_step);
                 // Room that the largest values so far leave for R.
                 let room = (m.a - load).min(m.y - load - two_xi * sigma).min(m.y1 - sigma);
                 if room < 0.0 || x.0 * x.0 + x.1 * x.1 > room * room {
@@ -142,11 +136,7 @@ impl Stiff {
         let (kick1, kick2) = (self.kick[0][lane], self.kick[1][lane]);
         let (cos, sin) = (self.cos[lane], self.sin[lane]);
         let first = block * BLOCK;
-        let mut change = if first == 0 {
-            0.0
-        } else {
-            loads.p[first] - loads.p[first - 1]
-        };
+        let mut change = if first == 0 { 0.0 } else { loads.p[first] - loads.p[first - 1] };
         for pair in loads.block(block).windows(2) {
             let kink = (pair[1] - pair[0]) - change;
             change = pair[1] - pair[0];
@@ -264,10 +254,7 @@ impl StiffTrace<'_> {
     fn run<S: Simd, const N: usize>(self, simd: S) -> StiffTraced {
         let s = self.stiff;
         let rest = s.rest(self.loads.p.first().copied().unwrap_or(0.0));
-        let mut traced = StiffTraced {
-            end: rest,
-            best: [0.0; LANES],
-        };
+        let mut traced = StiffTraced { end: rest, best: [0.0; LANES] };
         for u in Unit::<S, N>::all(simd) {
             let [kick1, kick2] = s.kick.map(|x| u.load(&x));
             let (cos, sin) = (u.load(&s.cos), u.load(&s.sin));
@@ -353,10 +340,7 @@ mod tests {
         let end = 7.0 * TAU;
         let epsilon = 0.5 / end;
         let phi = 6.5 * TAU + 2.0 * epsilon.atan();
-        let oscillator = Oscillator {
-            omega: end / H,
-            damping: 0.0,
-        };
+        let oscillator = Oscillator { omega: end / H, damping: 0.0 };
         let m = maxima(&[1.0, 1.5], H, &[oscillator])[0];
         close(m.y, 1.0 - phi.cos() + epsilon * (phi - phi.sin()));
     }
@@ -366,14 +350,7 @@ mod tests {
     /// acceleration is y + 2ξ y'.
     #[test]
     fn damped_oscillator_under_a_rising_load() {
-        for (xi, sudden) in [
-            (0.02, 0.0),
-            (0.1, 0.0),
-            (0.3, 0.0),
-            (0.1, 0.5),
-            (0.3, -0.4),
-            (0.7, 0.2f64),
-        ] {
+        for (xi, sudden) in [(0.02, 0.0), (0.1, 0.0), (0.3, 0.0), (0.1, 0.5), (0.3, -0.4), (0.7, 0.2f64)] {
             let kappa = f64::sqrt(1.0 - xi * xi);
             // e^{−ξφ} (α cos κφ + β sin κφ) and its slope.
             let decay = |alpha: f64, beta: f64, phi: f64| {
@@ -387,10 +364,7 @@ mod tests {
             let loaded = |phi: f64| {
                 let (rise, rise1) = decay(2.0 * xi, (2.0 * xi * xi - 1.0) / kappa, phi);
                 let (step, step1) = decay(-sudden, -sudden * xi / kappa, phi);
-                (
-                    sudden + step + (phi - 2.0 * xi + rise) / TURN,
-                    step1 + (1.0 + rise1) / TURN,
-                )
+                (sudden + step + (phi - 2.0 * xi + rise) / TURN, step1 + (1.0 + rise1) / TURN)
             };
             let (y_end, y1_end) = loaded(TURN);
             let free = |phi: f64| decay(y_end, (y1_end + xi * y_end) / kappa, phi);

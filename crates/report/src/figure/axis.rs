@@ -105,14 +105,7 @@ impl Axis {
                 }
             }
         }
-        Axis {
-            title: titled(title, scale.symbol()),
-            scale,
-            log: true,
-            range: (low, high),
-            major,
-            minor,
-        }
+        Axis { title: titled(title, scale.symbol()), scale, log: true, range: (low, high), major, minor }
     }
 
     /// The same logarithmic axis with labels at powers of ten alone, for many decades.
@@ -158,11 +151,7 @@ pub(super) struct Span {
 
 impl Span {
     pub(super) fn of(axis: &Axis) -> Span {
-        Span {
-            range: axis.range,
-            major: axis.major.iter().map(|(p, _)| *p).collect(),
-            minor: axis.minor.clone(),
-        }
+        Span { range: axis.range, major: axis.major.iter().map(|(p, _)| *p).collect(), minor: axis.minor.clone() }
     }
 }
 
@@ -177,11 +166,7 @@ impl Ranged for Span {
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        if hint.weight().allow_light_points() {
-            self.minor.clone()
-        } else {
-            self.major.clone()
-        }
+        if hint.weight().allow_light_points() { self.minor.clone() } else { self.major.clone() }
     }
 
     fn range(&self) -> std::ops::Range<f64> {
@@ -191,9 +176,5 @@ impl Ranged for Span {
 
 /// `title [unit]`.
 pub fn titled(title: &str, unit: &str) -> String {
-    if unit.is_empty() {
-        title.into()
-    } else {
-        format!("{title} [{unit}]")
-    }
+    if unit.is_empty() { title.into() } else { format!("{title} [{unit}]") }
 }

@@ -29,11 +29,7 @@ pub struct ClassBackend<'a> {
 impl<'a> ClassBackend<'a> {
     /// Draws into `svg`, whose size is given in user units.
     pub fn new(svg: &'a mut Svg, width: f64, height: f64, classes: &'a [String]) -> ClassBackend<'a> {
-        ClassBackend {
-            svg,
-            size: ((width * GRID) as u32, (height * GRID) as u32),
-            classes,
-        }
+        ClassBackend { svg, size: ((width * GRID) as u32, (height * GRID) as u32), classes }
     }
 
     fn class(&self, color: BackendColor) -> &'a str {

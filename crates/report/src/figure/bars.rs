@@ -49,10 +49,7 @@ pub fn bars(
         return None;
     }
     let scale = Scale::sharing(dimension, all, largest);
-    let labels = bars
-        .iter()
-        .map(|b| text_width(&b.look.full_label()) * FONT)
-        .fold(0.0, f64::max);
+    let labels = bars.iter().map(|b| text_width(&b.look.full_label()) * FONT).fold(0.0, f64::max);
     let left = labels.ceil() + 8.0;
     let right = WIDTH - 86.0;
     let height = TOP + ROW * bars.len() as f64 + 4.0;
@@ -70,11 +67,7 @@ pub fn bars(
         let y = TOP + ROW * i as f64;
         let class = if bar.look.site { "bar site" } else { "bar" };
         svg.text((left - 6.0, y + 10.5), Anchor::End, "lb", &bar.look.full_label());
-        svg.rect(
-            (left, y + 2.0),
-            (at(bar.value) - left, ROW - 6.0),
-            &format!("{class} {}", bar.look.class),
-        );
+        svg.rect((left, y + 2.0), (at(bar.value) - left, ROW - 6.0), &format!("{class} {}", bar.look.class));
         let mut text = scale.text(bar.value);
         if bar.overtops {
             text.push('*');
@@ -90,31 +83,19 @@ pub fn bars(
         if let (Some(_), false, false) = (bar.ratio, bar.look.reference, bar.outside) {
             svg.text((WIDTH, y + 10.5), Anchor::End, "mu", &format!("× {compared}"));
         }
-        table.row(vec![
-            bar.look.label.clone(),
-            if bar.look.site { "site" } else { "record" }.into(),
-            text,
-            compared,
-        ]);
+        table.row(vec![bar.look.label.clone(), if bar.look.site { "site" } else { "record" }.into(), text, compared]);
     }
     if let Some(fe) = bars.iter().find(|b| b.look.reference) {
         svg.line((at(fe.value), TOP - 2.0), (at(fe.value), height - 4.0), "rf");
     }
     svg.line((left, TOP - 2.0), (left, height - 4.0), "ax");
 
-    let all: Vec<String> = bars
-        .iter()
-        .map(|b| format!("{} {}", b.look.full_label(), scale.text(b.value)))
-        .collect();
+    let all: Vec<String> = bars.iter().map(|b| format!("{} {}", b.look.full_label(), scale.text(b.value))).collect();
     let description = figures::by_method(title, &all.join("; "), scale.symbol());
     Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption: figures::by_methods(
-            bars.iter().any(|b| b.look.site),
-            bars.iter().any(|b| b.overtops),
-            divided,
-        ),
+        caption: figures::by_methods(bars.iter().any(|b| b.look.site), bars.iter().any(|b| b.overtops), divided),
         description,
         size: (WIDTH, height),
         markup: svg.into_markup(),

@@ -34,11 +34,7 @@ impl Shown {
         };
         // Four significant digits of the largest value.
         let exponent = (factor * largest).log10().floor() as i32;
-        Shown {
-            factor,
-            unit,
-            decimals: (3 - exponent).clamp(0, 6) as usize,
-        }
+        Shown { factor, unit, decimals: (3 - exponent).clamp(0, 6) as usize }
     }
 
     fn number(&self, value: f64) -> String {
@@ -85,9 +81,7 @@ pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
     }
     let shown = Shown::of(map);
     let mut svg = Svg::new();
-    svg.append(&colours(&layout, |number| {
-        ((map.values[number] - low) / (high - low) * STEPS as f64) as usize
-    }));
+    svg.append(&colours(&layout, |number| ((map.values[number] - low) / (high - low) * STEPS as f64) as usize));
     let mark = map.mark.filter(|mark| *mark > low && *mark <= high);
     if let Some(mark) = mark {
         let data = outline(&layout, grid.rows(), |number| map.values[number] >= mark);
@@ -174,11 +168,7 @@ fn describe(grid: &WallGrid, map: &CellMap, shown: &Shown) -> String {
     let (most, least) = (best(|a, b| a > b), best(|a, b| a < b));
     let at = |i: usize| [shown.with_unit(map.values[i]), wall::place(grid, i)];
     let (largest, smallest) = (at(most), at(least));
-    words::cells(
-        &map.title,
-        largest.each_ref().map(String::as_str),
-        smallest.each_ref().map(String::as_str),
-    )
+    words::cells(&map.title, largest.each_ref().map(String::as_str), smallest.each_ref().map(String::as_str))
 }
 
 /// Values at some columns and rows, highest row first.
@@ -233,18 +223,8 @@ mod tests {
     fn strains_are_printed_in_thousandths_and_the_mark_is_told() {
         let figure = figure("a", &grid(), &map(|i| 1e-3 * (i / 6) as f64 * (1.0 + i as f64 / 24.0))).expect("a map");
         assert!(figure.markup.contains("[‰]") && figure.markup.contains("class=\"mk in\""));
-        assert!(
-            figure.caption.contains("Double line: 4\u{a0}‰; 25\u{a0}% of the cells"),
-            "{}",
-            figure.caption
-        );
-        assert!(
-            figure
-                .description
-                .contains("largest 5.875\u{a0}‰ at θ = ±165°, z = 3.50"),
-            "{}",
-            figure.description
-        );
+        assert!(figure.caption.contains("Double line: 4\u{a0}‰; 25\u{a0}% of the cells"), "{}", figure.caption);
+        assert!(figure.description.contains("largest 5.875\u{a0}‰ at θ = ±165°, z = 3.50"), "{}", figure.description);
         assert_eq!((figure.table.rows.len(), figure.table.columns.len()), (4, 7));
     }
 

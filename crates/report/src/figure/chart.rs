@@ -49,10 +49,7 @@ pub struct Rule {
 impl Rule {
     /// Rules at these values of x with their labels.
     pub fn all(marks: &[(f64, String)]) -> Vec<Rule> {
-        let rule = |(x, label): &(f64, String)| Rule {
-            x: *x,
-            label: label.clone(),
-        };
+        let rule = |(x, label): &(f64, String)| Rule { x: *x, label: label.clone() };
         marks.iter().map(rule).collect()
     }
 }
@@ -106,15 +103,7 @@ pub struct Frame {
 impl Chart {
     /// An empty chart.
     pub fn new(size: (f64, f64), x: Axis, y: Axis) -> Chart {
-        Chart {
-            size,
-            x,
-            y,
-            bands: Vec::new(),
-            lines: Vec::new(),
-            rules: Vec::new(),
-            marks: Vec::new(),
-        }
+        Chart { size, x, y, bands: Vec::new(), lines: Vec::new(), rules: Vec::new(), marks: Vec::new() }
     }
 
     /// Where the plot will stand.
@@ -180,12 +169,7 @@ impl Chart {
             .y_label_area_size(px(frame.left))
             .build_cartesian_2d(Span::of(&self.x), Span::of(&self.y))
             .map_err(|e| failed(&e))?;
-        let text = |h, v| {
-            ("sans-serif", FONT * GRID)
-                .into_font()
-                .color(&ink(label))
-                .pos(Pos::new(h, v))
-        };
+        let text = |h, v| ("sans-serif", FONT * GRID).into_font().color(&ink(label)).pos(Pos::new(h, v));
         let (x, y) = (&self.x, &self.y);
         chart
             .configure_mesh()
@@ -202,22 +186,16 @@ impl Chart {
         let at = |p: &(f64, f64)| (x.position(p.0), y.position(p.1));
         for (i, band) in self.bands.iter().enumerate() {
             let corners: Vec<(f64, f64)> = band.points.iter().map(at).collect();
-            chart
-                .draw_series(std::iter::once(Polygon::new(corners, ink(first + i))))
-                .map_err(|e| failed(&e))?;
+            chart.draw_series(std::iter::once(Polygon::new(corners, ink(first + i)))).map_err(|e| failed(&e))?;
         }
         for r in self.rules.iter().filter(|r| x.holds(r.x)) {
             let ends = [(x.position(r.x), y.range.0), (x.position(r.x), y.range.1)];
-            chart
-                .draw_series(std::iter::once(PathElement::new(ends.to_vec(), ink(rule))))
-                .map_err(|e| failed(&e))?;
+            chart.draw_series(std::iter::once(PathElement::new(ends.to_vec(), ink(rule)))).map_err(|e| failed(&e))?;
         }
         for (i, line) in self.lines.iter().enumerate() {
             let style = ink(first + self.bands.len() + i);
             for piece in pieces(&line.points, x, y) {
-                chart
-                    .draw_series(LineSeries::new(piece, style))
-                    .map_err(|e| failed(&e))?;
+                chart.draw_series(LineSeries::new(piece, style)).map_err(|e| failed(&e))?;
             }
         }
         for (i, mark) in self.marks.iter().enumerate() {
@@ -240,21 +218,14 @@ impl Chart {
         for rule in rules {
             let (x, _) = self.place(frame, (rule.x, 0.0_f64.max(f64::MIN_POSITIVE)));
             let width = text_width(&rule.label) * FONT;
-            let left = (x - width / 2.0)
-                .max(free_from)
-                .min(frame.right - width)
-                .max(frame.left + 2.0);
+            let left = (x - width / 2.0).max(free_from).min(frame.right - width).max(frame.left + 2.0);
             svg.symbol_text((left, frame.top - 5.0), "lb", &rule.label);
             free_from = left + width + 5.0;
         }
         for mark in &self.marks {
             let (x, y) = self.place(frame, mark.at);
             let width = text_width(&mark.label) * FONT;
-            let (anchor, dx) = if x + 8.0 + width > frame.right {
-                (Anchor::End, -7.0)
-            } else {
-                (Anchor::Start, 7.0)
-            };
+            let (anchor, dx) = if x + 8.0 + width > frame.right { (Anchor::End, -7.0) } else { (Anchor::Start, 7.0) };
             let y = y.clamp(frame.top + 10.0, frame.bottom - 4.0);
             if !mark.label.is_empty() {
                 svg.text((x + dx, y + 3.5), anchor, "lb halo", &mark.label);

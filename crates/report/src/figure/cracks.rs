@@ -162,13 +162,7 @@ fn mesh(svg: &mut Svg, layout: &Layout) {
     }
     let mut data = String::new();
     for cell in &layout.cells {
-        data.push_str(&format!(
-            "M{} {}H{}V{}",
-            n(cell.x.0),
-            n(cell.y.0),
-            n(cell.x.1),
-            n(cell.y.1)
-        ));
+        data.push_str(&format!("M{} {}H{}V{}", n(cell.x.0), n(cell.y.0), n(cell.x.1), n(cell.y.1)));
     }
     svg.append(&format!(r#"<path class="gm" d="{data}"/>"#));
 }
@@ -240,9 +234,7 @@ mod tests {
         WallGrid {
             columns: Columns::Sectors {
                 radius: 10.0,
-                edges: (0..=4)
-                    .map(|i| (if mirrored { 45.0 } else { 90.0 } * f64::from(i)).to_radians())
-                    .collect(),
+                edges: (0..=4).map(|i| (if mirrored { 45.0 } else { 90.0 } * f64::from(i)).to_radians()).collect(),
                 mirrored,
             },
             z: vec![0.0, 1.0, 3.0],
@@ -251,21 +243,11 @@ mod tests {
     }
 
     fn crack(cell: usize, angle: f64, width: f64) -> Crack {
-        Crack {
-            cell,
-            angle,
-            width,
-            largest: 0.5e-3,
-        }
+        Crack { cell, angle, width, largest: 0.5e-3 }
     }
 
     fn picture(cracks: Vec<Crack>) -> CrackPicture {
-        CrackPicture {
-            title: "largest base moment".into(),
-            face: "inner face".into(),
-            time: 3.5,
-            cracks,
-        }
+        CrackPicture { title: "largest base moment".into(), face: "inner face".into(), time: 3.5, cracks }
     }
 
     /// Ends of the strokes of a class.
@@ -294,28 +276,15 @@ mod tests {
         let layout = Layout::of(&binding, 36.0, 14.0).expect("cells");
         // tan a times the ratio of the scales; coordinates are printed to a tenth of about 60.
         let drawn = 0.5_f64.tan() * layout.stretch.1 / layout.stretch.0;
-        assert!(
-            (slope(found[0]) + drawn).abs() < 0.02 * drawn,
-            "{} {drawn}",
-            slope(found[0])
-        );
+        assert!((slope(found[0]) + drawn).abs() < 0.02 * drawn, "{} {drawn}", slope(found[0]));
         let cell = layout.cells[2];
         assert!(cell.number == 1 && found[0][0] > cell.x.0 && found[0][2] < cell.x.1);
-        assert!(
-            figure.caption.contains("1 open, 0 closed; widest 0.300\u{a0}mm"),
-            "{}",
-            figure.caption
-        );
+        assert!(figure.caption.contains("1 open, 0 closed; widest 0.300\u{a0}mm"), "{}", figure.caption);
     }
 
     #[test]
     fn weights_and_closed_cracks_are_told_apart() {
-        let cracks = vec![
-            crack(0, 0.0, 0.0),
-            crack(0, 1.5, 0.01e-3),
-            crack(2, 0.0, 2e-3),
-            crack(7, 1.0, 0.05e-3),
-        ];
+        let cracks = vec![crack(0, 0.0, 0.0), crack(0, 1.5, 0.01e-3), crack(2, 0.0, 2e-3), crack(7, 1.0, 0.05e-3)];
         let figure = figure("a", &grid(false), &picture(cracks)).expect("cracks");
         for (class, number) in [("cr shut", 1), ("cr c0", 2), ("cr c5", 1)] {
             assert_eq!(strokes(&figure, class).len(), number, "{class}");
@@ -331,10 +300,7 @@ mod tests {
     fn no_cracks_no_picture() {
         let none = picture(vec![]);
         assert!(figure("a", &grid(true), &none).is_none());
-        assert_eq!(
-            sentence(&none),
-            "Inner face: no crack, largest base moment, t = 3.50\u{a0}s."
-        );
+        assert_eq!(sentence(&none), "Inner face: no crack, largest base moment, t = 3.50\u{a0}s.");
         assert!(figure("a", &grid(true), &picture(vec![crack(99, 0.0, 1e-3)])).is_none());
         assert!(figure("a", &grid(true), &picture(vec![crack(0, f64::NAN, 1e-3)])).is_none());
     }
@@ -342,9 +308,7 @@ mod tests {
     #[test]
     fn walls_of_a_strip_stand_side_by_side() {
         let grid = WallGrid {
-            columns: Columns::Walls {
-                names: vec!["left wall".into(), "right wall".into()],
-            },
+            columns: Columns::Walls { names: vec!["left wall".into(), "right wall".into()] },
             z: (0..=10).map(|i| 0.3 * f64::from(i)).collect(),
             surface: 2.5,
         };

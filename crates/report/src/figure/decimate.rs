@@ -34,11 +34,7 @@ pub fn decimate(time: &[f64], values: &[f64], columns: usize) -> Vec<(f64, f64)>
 /// Points of a curve that need not run from left to right (a loop): the first, the last, the extremes of both
 /// coordinates, and every one that is at least a `part` of the curve's extent away from the one kept before it.
 pub fn thin(points: &[[f64; 2]], part: f64) -> Vec<(f64, f64)> {
-    let finite: Vec<[f64; 2]> = points
-        .iter()
-        .copied()
-        .filter(|p| p[0].is_finite() && p[1].is_finite())
-        .collect();
+    let finite: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
     let Some(last) = finite.len().checked_sub(1) else {
         return Vec::new();
     };
@@ -78,10 +74,7 @@ mod tests {
         let thinned = thin(&points, 0.01);
         assert!(thinned.len() < 3000 && thinned.len() > 300, "{}", thinned.len());
         let most = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0_f64, |m, x| m.max(x.abs()));
-        assert_eq!(
-            most(&mut thinned.iter().map(|p| p.0)),
-            most(&mut points.iter().map(|p| p[0]))
-        );
+        assert_eq!(most(&mut thinned.iter().map(|p| p.0)), most(&mut points.iter().map(|p| p[0])));
         assert_eq!(thinned[thinned.len() - 1], (points[19_999][0], points[19_999][1]));
         assert!(thin(&[], 0.01).is_empty());
         assert_eq!(thin(&[[1.0, 2.0], [f64::NAN, 0.0]], 0.01), [(1.0, 2.0)]);

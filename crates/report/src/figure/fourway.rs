@@ -56,16 +56,10 @@ type Numbered = ((f64, f64), (f64, f64), String);
 /// Draws the chart; returns its size and markup.
 pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f64), String), Error> {
     let usable = |p: &&(f64, f64)| p.0 > 0.0 && p.1 > 0.0 && p.0.is_finite() && p.1.is_finite();
-    let all: Vec<(f64, f64)> = curves
-        .iter()
-        .flat_map(|c| c.points.iter().filter(usable).copied())
-        .collect();
+    let all: Vec<(f64, f64)> = curves.iter().flat_map(|c| c.points.iter().filter(usable).copied()).collect();
     let bound =
         |pick: fn(&(f64, f64)) -> f64, start: f64, join: fn(f64, f64) -> f64| all.iter().map(pick).fold(start, join);
-    let t = (
-        nice(bound(|p| p.0, f64::INFINITY, f64::min), false),
-        nice(bound(|p| p.0, 0.0, f64::max), true),
-    );
+    let t = (nice(bound(|p| p.0, f64::INFINITY, f64::min), false), nice(bound(|p| p.0, 0.0, f64::max), true));
     let top = nice(1.15 * bound(|p| p.1, 0.0, f64::max), true);
     let low = nice(bound(|p| p.1, f64::INFINITY, f64::min), false).max(top / 2e3);
     let v = (low, top);
@@ -110,10 +104,7 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
     chart.size.0 = frame.left + width;
     let frame = chart.frame();
     let chart = chart.with_plot_height(DECADE * (v.1 / v.0).log10());
-    let frame = Frame {
-        bottom: chart.frame().bottom,
-        ..frame
-    };
+    let frame = Frame { bottom: chart.frame().bottom, ..frame };
 
     let mut markup = chart.draw()?;
     let overlay = numbers(&chart, frame, labels);
@@ -122,11 +113,7 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
 }
 
 fn grid_line(ends: [(f64, f64); 2], class: &str) -> Line {
-    Line {
-        points: ends.to_vec(),
-        class: class.into(),
-        label: String::new(),
-    }
+    Line { points: ends.to_vec(), class: class.into(), label: String::new() }
 }
 
 /// The length whose powers of ten have lines [m].

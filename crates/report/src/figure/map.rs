@@ -36,11 +36,7 @@ impl Field {
         if rows < 2 || columns < 2 || map.values.len() != rows * columns || map.values.iter().any(|v| !v.is_finite()) {
             return None;
         }
-        let mut field = Field {
-            theta: map.theta.clone(),
-            z: map.z.clone(),
-            values: map.values.clone(),
-        };
+        let mut field = Field { theta: map.theta.clone(), z: map.z.clone(), values: map.values.clone() };
         // The gap over the seam is one more step: the first column closes the circle.
         let (first, last) = (map.theta[0], map.theta[columns - 1]);
         let step = (last - first) / (columns - 1) as f64;
@@ -124,15 +120,7 @@ pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figur
         }
     }
     frame(&mut svg, &field, (x(theta.0), x(theta.1)), walls);
-    wall::bar(
-        &mut svg,
-        WIDE,
-        (TOP, bottom),
-        (low, high),
-        &levels,
-        decimals,
-        scale.symbol(),
-    );
+    wall::bar(&mut svg, WIDE, (TOP, bottom), (low, high), &levels, decimals, scale.symbol());
     Some(Figure {
         id: id.into(),
         title: map.title.clone(),
@@ -164,10 +152,7 @@ fn place_of_number(
     let apart = |at: (f64, f64), other: &(f64, f64, f64)| {
         (at.0 - other.0).abs() > room.0 + other.2 || (at.1 - other.1).abs() > 2.0 * room.1
     };
-    PLACES
-        .map(at)
-        .into_iter()
-        .find(|at| written.iter().all(|other| apart(*at, other)))
+    PLACES.map(at).into_iter().find(|at| written.iter().all(|other| apart(*at, other)))
 }
 
 fn ends(stations: &[f64]) -> (f64, f64) {
@@ -188,14 +173,7 @@ fn colours(step: impl Fn(usize, usize) -> usize, x: impl Fn(usize) -> f64, y: im
             // A hair of overlap: no seams between neighbours.
             let (left, right) = (x(start), x(i) + 0.3);
             let (top, bottom) = (y(j + 1) - 0.3, y(j));
-            paths[colour].push_str(&format!(
-                "M{} {}H{}V{}H{}Z",
-                n(left),
-                n(top),
-                n(right),
-                n(bottom),
-                n(left)
-            ));
+            paths[colour].push_str(&format!("M{} {}H{}V{}H{}Z", n(left), n(top), n(right), n(bottom), n(left)));
         }
     }
     let path = |(colour, data): (usize, String)| format!(r#"<path class="v v{colour}" d="{data}"/>"#);
@@ -219,11 +197,7 @@ fn contour(
     let crossing = |(i, j, vertical): Edge| {
         let (a, b) = (at(i, j), if vertical { at(i, j + 1) } else { at(i + 1, j) });
         let part = a / (a - b);
-        let along = if vertical {
-            (i as f64, j as f64 + part)
-        } else {
-            (i as f64 + part, j as f64)
-        };
+        let along = if vertical { (i as f64, j as f64 + part) } else { (i as f64 + part, j as f64) };
         place(along.0, along.1)
     };
     let mut links: std::collections::BTreeMap<Edge, Vec<Edge>> = std::collections::BTreeMap::new();
@@ -232,10 +206,7 @@ fn contour(
             let above = |v: f64| v > 0.0;
             let corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)].map(above);
             let edges: [Edge; 4] = [(i, j, false), (i + 1, j, true), (i, j + 1, false), (i, j, true)];
-            let crossed: Vec<Edge> = (0..4)
-                .filter(|&k| corners[k] != corners[(k + 1) % 4])
-                .map(|k| edges[k])
-                .collect();
+            let crossed: Vec<Edge> = (0..4).filter(|&k| corners[k] != corners[(k + 1) % 4]).map(|k| edges[k]).collect();
             // A saddle has four crossings: neighbours in their order are joined.
             for pair in crossed.chunks_exact(2) {
                 links.entry(pair[0]).or_default().push(pair[1]);
@@ -269,11 +240,7 @@ fn contour(
 /// Frame, ticks and titles of the plot; of a box with its corners and the names of its walls.
 fn frame(svg: &mut Svg, field: &Field, across: (f64, f64), walls: Option<Perimeter>) {
     let bottom = TOP + PLOT;
-    svg.path(
-        &[(across.0, TOP), (across.1, TOP), (across.1, bottom), (across.0, bottom)],
-        true,
-        "ax",
-    );
+    svg.path(&[(across.0, TOP), (across.1, TOP), (across.1, bottom), (across.0, bottom)], true, "ax");
     match walls {
         None => wall::angles(svg, ends(&field.theta), across, bottom),
         Some(walls) => wall::positions(svg, ends(&field.theta), across, (TOP, bottom), walls),
@@ -301,23 +268,14 @@ fn describe(map: &WallMap, walls: Option<Perimeter>) -> String {
             with_unit(map.z[j], Dimension::Length)
         )
     };
-    words::map_description(
-        (&map.title, walls.is_some()),
-        map.time,
-        &place(|a, b| a > b),
-        &place(|a, b| a < b),
-    )
+    words::map_description((&map.title, walls.is_some()), map.time, &place(|a, b| a > b), &place(|a, b| a < b))
 }
 
 /// Values at some angles or positions (columns) and heights (rows).
 fn table(map: &WallMap, scale: &Scale, walls: Option<Perimeter>) -> Table {
     let angles = spread(map.theta.len(), 9);
     let mut columns = vec![Column::numbers("z", "m")];
-    columns.extend(
-        angles
-            .iter()
-            .map(|&i| Column::numbers(&direction(map.theta[i], walls, 1), scale.symbol())),
-    );
+    columns.extend(angles.iter().map(|&i| Column::numbers(&direction(map.theta[i], walls, 1), scale.symbol())));
     let mut table = Table::new(columns);
     for j in spread(map.z.len(), 21).into_iter().rev() {
         let mut row = vec![fixed(map.z[j], 3)];
@@ -339,10 +297,7 @@ mod tests {
             title: "Pressure".into(),
             time: Some(1.0),
             dimension: Dimension::Stress,
-            values: theta
-                .iter()
-                .flat_map(|t| z.iter().map(|z| value(*t, *z)).collect::<Vec<_>>())
-                .collect(),
+            values: theta.iter().flat_map(|t| z.iter().map(|z| value(*t, *z)).collect::<Vec<_>>()).collect(),
             theta,
             z,
         }
@@ -389,16 +344,9 @@ mod tests {
     /// A box has no angles: positions along its walls, corners between them and the names of the walls.
     #[test]
     fn a_box_has_positions_along_its_walls() {
-        let walls = Perimeter {
-            length: 12.0,
-            breadth: 6.0,
-        };
+        let walls = Perimeter { length: 12.0, breadth: 6.0 };
         let drawn = figure("a", &map(|t, z| t.cos() * z), Some(walls)).expect("a map");
-        assert!(
-            !drawn.markup.contains('θ') && !drawn.description.contains('θ'),
-            "{}",
-            drawn.description
-        );
+        assert!(!drawn.markup.contains('θ') && !drawn.description.contains('θ'), "{}", drawn.description);
         for wall in Perimeter::WALLS {
             assert!(drawn.markup.contains(&format!(">{wall}<")), "{wall}");
         }

@@ -54,10 +54,7 @@ mod tests {
     /// A box of 24 m × 12 m: middles of walls and corners by hand, and once more a turn later.
     #[test]
     fn walls_and_corners() {
-        let plan = Perimeter {
-            length: 12.0,
-            breadth: 6.0,
-        };
+        let plan = Perimeter { length: 12.0, breadth: 6.0 };
         let corner = 6.0_f64.atan2(12.0);
         for (theta, expected) in [
             (0.0, 0.0),
@@ -81,10 +78,7 @@ mod tests {
 
     #[test]
     fn positions_rise_with_the_angle() {
-        let plan = Perimeter {
-            length: 2.0,
-            breadth: 5.0,
-        };
+        let plan = Perimeter { length: 2.0, breadth: 5.0 };
         let all: Vec<f64> = (0..=720).map(|i| plan.along(TAU * f64::from(i) / 700.0)).collect();
         assert!(all.windows(2).all(|s| s[1] > s[0]));
     }

@@ -59,21 +59,15 @@ pub fn plain(svg: &str, css: &str) -> String {
 /// A start tag with its looks.
 fn element(tag: &str, open: &[Open], rules: &[Rule]) -> (Open, String) {
     let name: String = tag[1..].chars().take_while(|c| c.is_ascii_alphanumeric()).collect();
-    let classes: Vec<String> = attribute(tag, "class")
-        .unwrap_or_default()
-        .split_whitespace()
-        .map(str::to_owned)
-        .collect();
+    let classes: Vec<String> =
+        attribute(tag, "class").unwrap_or_default().split_whitespace().map(str::to_owned).collect();
     let mut this = Open {
         element: name,
         classes,
         variables: open.last().map_or_else(BTreeMap::new, |outer| outer.variables.clone()),
     };
-    let mut found: Vec<(usize, &Rule)> = rules
-        .iter()
-        .filter(|rule| rule.meets(&this, open))
-        .map(|rule| (rule.weight(), rule))
-        .collect();
+    let mut found: Vec<(usize, &Rule)> =
+        rules.iter().filter(|rule| rule.meets(&this, open)).map(|rule| (rule.weight(), rule)).collect();
     // Stable: of rules of one weight the later one wins.
     found.sort_by_key(|(weight, _)| *weight);
     let declarations = || found.iter().flat_map(|(_, rule)| &rule.declarations);
@@ -90,16 +84,8 @@ fn element(tag: &str, open: &[Open], rules: &[Rule]) -> (Open, String) {
         }
     }
     let own = attribute(tag, "style").unwrap_or_default().to_owned();
-    let style: Vec<String> = looks
-        .iter()
-        .map(|(property, value)| format!("{property}:{value}"))
-        .collect();
-    let style = [style.join(";"), own]
-        .iter()
-        .filter(|s| !s.is_empty())
-        .cloned()
-        .collect::<Vec<_>>()
-        .join(";");
+    let style: Vec<String> = looks.iter().map(|(property, value)| format!("{property}:{value}")).collect();
+    let style = [style.join(";"), own].iter().filter(|s| !s.is_empty()).cloned().collect::<Vec<_>>().join(";");
     let mut text = without(&without(tag, "class"), "style");
     if !style.is_empty() {
         let at = 1 + this.element.len();
@@ -126,10 +112,7 @@ impl Rule {
         }
         // From the inside out, each compound at the nearest element that it is of.
         let mut around = open.iter().rev();
-        outer
-            .iter()
-            .rev()
-            .all(|compound| around.any(|element| compound.meets(element)))
+        outer.iter().rev().all(|compound| around.any(|element| compound.meets(element)))
     }
 
     /// Classes count before names.
@@ -210,10 +193,7 @@ fn beyond(text: &str) -> &str {
 
 fn compound(text: &str) -> Compound {
     let mut parts = text.split('.');
-    Compound {
-        element: parts.next().unwrap_or_default().to_owned(),
-        classes: parts.map(str::to_owned).collect(),
-    }
+    Compound { element: parts.next().unwrap_or_default().to_owned(), classes: parts.map(str::to_owned).collect() }
 }
 
 /// Value of an attribute.
@@ -250,9 +230,6 @@ mod tests {
 
     #[test]
     fn a_looks_with_an_unknown_variable_is_left_out() {
-        assert_eq!(
-            plain("<path class=\"a\"/>", ".a { stroke: var(--x); fill: #123; }"),
-            "<path style=\"fill:#123\"/>"
-        );
+        assert_eq!(plain("<path class=\"a\"/>", ".a { stroke: var(--x); fill: #123; }"), "<path style=\"fill:#123\"/>");
     }
 }

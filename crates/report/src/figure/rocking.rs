@@ -73,12 +73,7 @@ impl Plan<'_> {
         svg.circle(middle, scale * self.radius, "out");
         for (degrees, anchor, shift) in [(0.0, Anchor::Start, 6.0), (180.0, Anchor::End, -6.0)] {
             let (x, y) = at(degrees, self.radius);
-            svg.text(
-                (x + shift, y + 4.0),
-                anchor,
-                "tk",
-                words::SIDES[usize::from(degrees > 0.0)],
-            );
+            svg.text((x + shift, y + 4.0), anchor, "tk", words::SIDES[usize::from(degrees > 0.0)]);
         }
         match ground {
             Some(ground) => colours(&mut svg, ground, (middle.1 - drawn, middle.1 + drawn)),
@@ -156,19 +151,13 @@ const SHOWN: f64 = 0.12;
 
 /// Factor by which displacements are drawn, a round one.
 pub fn factor(tank: &Elevation, positions: &[Position]) -> f64 {
-    let most = positions
-        .iter()
-        .flat_map(|p| p.rim)
-        .fold(0.0_f64, |m, w| m.max(w.abs()));
+    let most = positions.iter().flat_map(|p| p.rim).fold(0.0_f64, |m, w| m.max(w.abs()));
     if most <= 0.0 {
         return 1.0;
     }
     let wanted = SHOWN * 2.0 * tank.radius / most;
     let decade = 10_f64.powf(wanted.log10().floor());
-    let round = [5.0, 2.0, 1.0]
-        .map(|step| step * decade)
-        .into_iter()
-        .find(|step| *step <= wanted);
+    let round = [5.0, 2.0, 1.0].map(|step| step * decade).into_iter().find(|step| *step <= wanted);
     round.unwrap_or(decade).max(1.0)
 }
 
@@ -189,19 +178,12 @@ pub fn positions(tank: &Elevation, positions: &[Position], width: &dyn Fn(f64) -
         // A point of the tank, x to θ = 0 and z upwards from the foot [m].
         let at = |x: f64, z: f64| {
             let (s, c) = turn.sin_cos();
-            (
-                middle + scale * (c * x - s * z),
-                ground - scale * (centre + s * x + c * z),
-            )
+            (middle + scale * (c * x - s * z), ground - scale * (centre + s * x + c * z))
         };
         let r = tank.radius;
         let surface = |x: f64| at(x, tank.depth - x * slope);
         svg.path(&[at(-r, 0.0), at(r, 0.0), surface(r), surface(-r)], true, "liq");
-        svg.path(
-            &[at(-r, 0.0), at(-r, tank.wall), at(r, tank.wall), at(r, 0.0)],
-            false,
-            "out",
-        );
+        svg.path(&[at(-r, 0.0), at(-r, tank.wall), at(r, tank.wall), at(r, 0.0)], false, "out");
         svg.line((middle - 0.46 * cell, ground), (middle + 0.46 * cell, ground), "gd");
         // The plate, from the lifted rim down to the ground.
         for (side, w) in [(1.0, position.rim[0]), (-1.0, position.rim[1])] {
@@ -214,10 +196,7 @@ pub fn positions(tank: &Elevation, positions: &[Position], width: &dyn Fn(f64) -
                 .map(|k| {
                     let share = f64::from(k) / 12.0;
                     // A curve that leaves the ground flat.
-                    (
-                        rim.0 - side * scale * reach * (1.0 - share),
-                        ground - (ground - rim.1) * share.powi(3),
-                    )
+                    (rim.0 - side * scale * reach * (1.0 - share), ground - (ground - rim.1) * share.powi(3))
                 })
                 .collect();
             svg.path(&plate, false, "ln k-lifted");

@@ -81,11 +81,7 @@ pub fn draw(faces: &[Face], ghost: &[Vec<[f64; 3]>], extent: &[[f64; 3]]) -> ((f
     let mut seen: Vec<Seen> = faces
         .iter()
         .filter(|f| f.corners.iter().flatten().all(|v| v.is_finite()))
-        .map(|f| Seen {
-            corners: f.corners.map(place),
-            depths: f.corners.map(|p| scale * view(p).2),
-            class: class(f),
-        })
+        .map(|f| Seen { corners: f.corners.map(place), depths: f.corners.map(|p| scale * view(p).2), class: class(f) })
         .collect();
     let visible = visible(&seen, (WIDTH, height));
     let mut keep = visible.iter();
@@ -127,19 +123,11 @@ fn class(face: &Face) -> String {
     let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     // The diagonals' product: right also where a corner is collapsed.
     let (u, v) = (minus(c, a), minus(d, b));
-    let normal = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
+    let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let size = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
     let (x, y, towards) = view(normal);
     // Both sides of a shell are lit: the side that is seen counts.
-    let lit = if size > 0.0 {
-        (-0.45 * x + 0.45 * y + 0.77 * towards) * towards.signum() / size
-    } else {
-        1.0
-    };
+    let lit = if size > 0.0 { (-0.45 * x + 0.45 * y + 0.77 * towards) * towards.signum() / size } else { 1.0 };
     let shade = (lit.clamp(0.0, 0.999) * SHADES) as usize;
     match face.part {
         Part::Wall => format!("qw s{shade}"),
@@ -220,10 +208,7 @@ pub fn contours(nodes: &[[f64; 3]], faces: &[[usize; 4]]) -> Vec<[usize; 2]> {
                 (x, y)
             })
             .collect();
-        (0..4)
-            .map(|k| screen[k].0 * screen[(k + 1) % 4].1 - screen[(k + 1) % 4].0 * screen[k].1)
-            .sum::<f64>()
-            > 0.0
+        (0..4).map(|k| screen[k].0 * screen[(k + 1) % 4].1 - screen[(k + 1) % 4].0 * screen[k].1).sum::<f64>() > 0.0
     };
     let mut edges: Vec<([usize; 2], bool)> = Vec::new();
     for face in faces {
@@ -234,11 +219,7 @@ pub fn contours(nodes: &[[f64; 3]], faces: &[[usize; 4]]) -> Vec<[usize; 2]> {
         }
     }
     edges.sort_unstable();
-    edges
-        .windows(2)
-        .filter(|w| w[0].0 == w[1].0 && w[0].1 != w[1].1)
-        .map(|w| w[0].0)
-        .collect()
+    edges.windows(2).filter(|w| w[0].0 == w[1].0 && w[0].1 != w[1].1).map(|w| w[0].0).collect()
 }
 
 /// A number as the factor of a scale: 1, 2 or 5 times a power of ten, not above it.
@@ -261,10 +242,7 @@ mod tests {
     use super::*;
 
     fn square(z: f64, side: f64) -> Face {
-        Face {
-            corners: [[-side, -side, z], [side, -side, z], [side, side, z], [-side, side, z]],
-            part: Part::Surface,
-        }
+        Face { corners: [[-side, -side, z], [side, -side, z], [side, side, z], [-side, side, z]], part: Part::Surface }
     }
 
     #[test]
@@ -306,14 +284,7 @@ mod tests {
 
     #[test]
     fn factors_are_round() {
-        for (value, factor) in [
-            (1.0, 1.0),
-            (7.3, 5.0),
-            (49.0, 20.0),
-            (0.3, 0.2),
-            (1000.0, 1000.0),
-            (0.0, 1.0),
-        ] {
+        for (value, factor) in [(1.0, 1.0), (7.3, 5.0), (49.0, 20.0), (0.3, 0.2), (1000.0, 1000.0), (0.0, 1.0)] {
             assert!((round_down(value) - factor).abs() < 1e-9 * factor, "{value}");
         }
     }

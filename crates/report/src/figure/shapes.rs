@@ -27,21 +27,12 @@ pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> ((f6
 
     // Undeformed.
     svg.path(
-        &[
-            (x(-half_length), y(depth)),
-            (x(half_length), y(depth)),
-            (x(half_length), y(0.0)),
-            (x(-half_length), y(0.0)),
-        ],
+        &[(x(-half_length), y(depth)), (x(half_length), y(depth)), (x(half_length), y(0.0)), (x(-half_length), y(0.0))],
         true,
         "liq",
     );
     for side in [-1.0, 1.0] {
-        svg.line(
-            (x(side * half_length), y(0.0)),
-            (x(side * half_length), y(wall_height)),
-            "rest",
-        );
+        svg.line((x(side * half_length), y(0.0)), (x(side * half_length), y(wall_height)), "rest");
     }
     svg.line((x(-half_length), y(depth)), (x(half_length), y(depth)), "rest");
     svg.line((x(-half_length) - 14.0, ground), (x(half_length) + 14.0, ground), "gd");

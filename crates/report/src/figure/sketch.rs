@@ -47,18 +47,10 @@ impl Section<'_> {
     fn liquid(&self, svg: &mut Svg) {
         let depth = self.summary.liquid.fill_height;
         let ((left, right), surface) = (self.sides(), self.y(depth));
-        svg.rect(
-            (left, surface),
-            (2.0 * self.half * self.scale, depth * self.scale),
-            "liq",
-        );
+        svg.rect((left, surface), (2.0 * self.half * self.scale, depth * self.scale), "liq");
         svg.line((left, surface), (right, surface), "ln k-water");
         let level = left + 0.5 * self.half * self.scale;
-        let mark = [
-            (level - 6.0, surface - 10.0),
-            (level + 6.0, surface - 10.0),
-            (level, surface - 1.0),
-        ];
+        let mark = [(level - 6.0, surface - 10.0), (level + 6.0, surface - 10.0), (level, surface - 1.0)];
         svg.path(&mark, true, "tri");
         let text = format!("ρ = {}", given(self.summary.liquid.density, Dimension::Density));
         let middle = (self.x(0.0), self.y(depth / 2.0) + 4.0);
@@ -131,9 +123,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let left = 118.0;
     let labels = tank.courses.iter().map(|c| text_width(&label(c)) * FONT);
     let right = 56.0 + labels.fold(120.0, f64::max).min(0.4 * WIDTH);
-    let scale = ((WIDTH - left - right) / (4.0 * half))
-        .min(280.0 / wall)
-        .min(280.0 / plan_depth);
+    let scale = ((WIDTH - left - right) / (4.0 * half)).min(280.0 / wall).min(280.0 / plan_depth);
     let thickest = tank.courses.iter().map(|c| c.total_thickness()).fold(0.0, f64::max);
     // The thickest course becomes 7 units wide, unless it is wider to scale.
     let exaggeration = nice_factor(7.0 / (thickest * scale)).max(1.0);
@@ -144,14 +134,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let top = f64::max(10.0 + roof, tall - wall * scale);
     let ground = top + wall * scale;
     let height = (ground + 70.0).max(top + plan_depth * scale + 22.0);
-    let section = Section {
-        summary,
-        scale,
-        left,
-        ground,
-        half,
-        wall,
-    };
+    let section = Section { summary, scale, left, ground, half, wall };
     let mut svg = Svg::new();
     section.liquid(&mut svg);
     // Axis of symmetry.
@@ -228,25 +211,13 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
             svg.rect((cx - a / 2.0, cy - b / 2.0), (a, b), "liq");
             if strip {
                 for side in [-1.0, 1.0] {
-                    svg.line(
-                        (cx + side * a / 2.0, cy - b / 2.0),
-                        (cx + side * a / 2.0, cy + b / 2.0),
-                        "wl",
-                    );
-                    svg.line(
-                        (cx - a / 2.0, cy + side * b / 2.0),
-                        (cx + a / 2.0, cy + side * b / 2.0),
-                        "cl",
-                    );
+                    svg.line((cx + side * a / 2.0, cy - b / 2.0), (cx + side * a / 2.0, cy + b / 2.0), "wl");
+                    svg.line((cx - a / 2.0, cy + side * b / 2.0), (cx + a / 2.0, cy + side * b / 2.0), "cl");
                 }
             } else {
                 svg.rect((cx - a / 2.0, cy - b / 2.0), (a, b), "out");
             }
-            let text = format!(
-                "{} {}",
-                if strip { "strip of" } else { "breadth" },
-                given(breadth, Dimension::Length)
-            );
+            let text = format!("{} {}", if strip { "strip of" } else { "breadth" }, given(breadth, Dimension::Length));
             svg.text((cx, cy - b / 2.0 - 6.0), Anchor::Middle, "lb", &text);
         }
     }
@@ -254,11 +225,7 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
     svg.line((cx - 26.0, cy + 16.0), (cx + 26.0, cy + 16.0), "ar-l");
     for side in [-1.0, 1.0] {
         svg.path(
-            &[
-                (cx + side * 32.0, cy + 16.0),
-                (cx + side * 22.0, cy + 12.0),
-                (cx + side * 22.0, cy + 20.0),
-            ],
+            &[(cx + side * 32.0, cy + 16.0), (cx + side * 22.0, cy + 12.0), (cx + side * 22.0, cy + 20.0)],
             true,
             "ar-h",
         );
@@ -309,9 +276,5 @@ fn nice_factor(value: f64) -> f64 {
         return 1.0;
     }
     let power = 10f64.powf(value.log10().floor());
-    [5.0, 2.0, 1.0]
-        .into_iter()
-        .map(|s| s * power)
-        .find(|s| *s <= value)
-        .unwrap_or(power)
+    [5.0, 2.0, 1.0].into_iter().map(|s| s * power).find(|s| *s <= value).unwrap_or(power)
 }

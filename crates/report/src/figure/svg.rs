@@ -72,12 +72,8 @@ impl Svg {
         let at = |i: usize| points.get(i).copied().unwrap_or(first);
         let mut data = format!("M{} {}", n(first.0), n(first.1));
         for i in 0..points.len() - 1 {
-            let (before, from, to, after) = (
-                at(i.saturating_sub(1)),
-                at(i),
-                at(i + 1),
-                at((i + 2).min(points.len() - 1)),
-            );
+            let (before, from, to, after) =
+                (at(i.saturating_sub(1)), at(i), at(i + 1), at((i + 2).min(points.len() - 1)));
             let near = |a: f64, b: f64, c: f64| a + (c - b) / 6.0;
             let handles = [
                 (near(from.0, before.0, to.0), near(from.1, before.1, to.1)),
@@ -124,13 +120,7 @@ impl Svg {
 
     /// A text whose `_` begins a subscript that ends with the word (`T_c1 = 2.1 s`).
     pub fn symbol_text(&mut self, at: (f64, f64), class: &str, text: &str) {
-        let _ = write!(
-            self.markup,
-            r#"<text class="{}" x="{}" y="{}">"#,
-            escape(class),
-            n(at.0),
-            n(at.1)
-        );
+        let _ = write!(self.markup, r#"<text class="{}" x="{}" y="{}">"#, escape(class), n(at.0), n(at.1));
         let (base, rest) = text.split_once('_').unwrap_or((text, ""));
         let (sub, tail) = rest.split_once(' ').map_or((rest, ""), |(s, t)| (s, t));
         self.markup.push_str(&escape(base));
@@ -145,26 +135,14 @@ impl Svg {
 
     /// A text turned by `degrees` (clockwise) about its anchor point.
     pub fn rotated_text(&mut self, at: (f64, f64), degrees: f64, anchor: Anchor, class: &str, text: &str) {
-        let _ = write!(
-            self.markup,
-            r#"<text class="{}" x="{}" y="{}""#,
-            escape(class),
-            n(at.0),
-            n(at.1)
-        );
+        let _ = write!(self.markup, r#"<text class="{}" x="{}" y="{}""#, escape(class), n(at.0), n(at.1));
         match anchor {
             Anchor::Start => {}
             Anchor::Middle => self.markup.push_str(r#" text-anchor="middle""#),
             Anchor::End => self.markup.push_str(r#" text-anchor="end""#),
         }
         if degrees != 0.0 {
-            let _ = write!(
-                self.markup,
-                r#" transform="rotate({} {} {})""#,
-                n(degrees),
-                n(at.0),
-                n(at.1)
-            );
+            let _ = write!(self.markup, r#" transform="rotate({} {} {})""#, n(degrees), n(at.0), n(at.1));
         }
         let _ = write!(self.markup, ">{}</text>", escape(text));
     }
@@ -228,26 +206,15 @@ mod tests {
         let mut svg = Svg::new();
         svg.curve(&[(0.0, 0.0), (6.0, 12.0), (12.0, 24.0)], "a");
         // Handles on the line: a third of the half chord at the ends, of the chord inside.
-        assert_eq!(
-            svg.into_markup(),
-            r#"<path class="a" d="M0 0C1 2 4 8 6 12C8 16 11 22 12 24"/>"#
-        );
+        assert_eq!(svg.into_markup(), r#"<path class="a" d="M0 0C1 2 4 8 6 12C8 16 11 22 12 24"/>"#);
     }
 
     #[test]
     fn path_data_is_short_and_does_not_drift() {
-        assert_eq!(
-            path_data(&[(1.0, 2.0), (1.54, 1.8), (12.0, 2.0), (11.0, 2.0)]),
-            "M1 2l.5-.2 10.5 .2-1 0"
-        );
+        assert_eq!(path_data(&[(1.0, 2.0), (1.54, 1.8), (12.0, 2.0), (11.0, 2.0)]), "M1 2l.5-.2 10.5 .2-1 0");
         // A third of a tenth per step: after 30 steps the end point is still right to the last printed digit.
         let points: Vec<(f64, f64)> = (0..=30).map(|i| (i as f64 / 30.0, 0.0)).collect();
-        let sum: f64 = path_data(&points)
-            .split(['l', ' '])
-            .skip(2)
-            .step_by(2)
-            .map(|t| t.parse::<f64>().unwrap())
-            .sum();
+        let sum: f64 = path_data(&points).split(['l', ' ']).skip(2).step_by(2).map(|t| t.parse::<f64>().unwrap()).sum();
         assert!((sum - 1.0).abs() < 1e-12);
     }
 
@@ -255,19 +222,13 @@ mod tests {
     #[test]
     fn path_data_far_off_the_page_is_finite() {
         let far = path_data(&[(1e300, -1e300), (-1e300, 0.0), (f64::NAN, f64::INFINITY)]);
-        assert_eq!(
-            far,
-            "M100000000000 -100000000000l-200000000000 100000000000 100000000000 100000000000"
-        );
+        assert_eq!(far, "M100000000000 -100000000000l-200000000000 100000000000 100000000000 100000000000");
     }
 
     #[test]
     fn text_is_escaped() {
         let mut svg = Svg::new();
         svg.text((0.0, 0.0), Anchor::Start, "t", "<script>&\"'");
-        assert_eq!(
-            svg.into_markup(),
-            r#"<text class="t" x="0" y="0">&lt;script&gt;&amp;&quot;&#39;</text>"#
-        );
+        assert_eq!(svg.into_markup(), r#"<text class="t" x="0" y="0">&lt;script&gt;&amp;&quot;&#39;</text>"#);
     }
 }

@@ -79,11 +79,7 @@ impl<'a> Layout<'a> {
         let mut columns: Vec<(usize, (f64, f64), bool)> = Vec::new();
         let upwards = height / (z1 - z0);
         let along = match &grid.columns {
-            Columns::Sectors {
-                radius,
-                edges,
-                mirrored,
-            } => {
+            Columns::Sectors { radius, edges, mirrored } => {
                 if !ascending(edges) || !radius.is_finite() || *radius <= 0.0 {
                     return None;
                 }
@@ -123,15 +119,7 @@ impl<'a> Layout<'a> {
                 mirrored,
             }));
         }
-        Some(Layout {
-            grid,
-            cells,
-            x,
-            y,
-            size: (width, y.1 + BELOW),
-            room,
-            stretch: (along, upwards),
-        })
+        Some(Layout { grid, cells, x, y, size: (width, y.1 + BELOW), room, stretch: (along, upwards) })
     }
 
     /// Edges of the separate parts of the plot: one around a tank, one a wall.
@@ -155,12 +143,7 @@ impl<'a> Layout<'a> {
     /// Frames, ticks and titles; the surface as a line of this class.
     pub fn frame(&self, svg: &mut Svg, surface: &str) {
         for part in self.parts() {
-            let corners = [
-                (part.0, self.y.0),
-                (part.1, self.y.0),
-                (part.1, self.y.1),
-                (part.0, self.y.1),
-            ];
+            let corners = [(part.0, self.y.0), (part.1, self.y.0), (part.1, self.y.1), (part.0, self.y.1)];
             svg.path(&corners, true, "ax");
             if let Some(level) = self.surface() {
                 svg.line((part.0, level), (part.1, level), surface);
@@ -168,18 +151,9 @@ impl<'a> Layout<'a> {
         }
         if let Some(level) = self.surface() {
             let tip = (self.x.1 + 6.0, level);
-            svg.path(
-                &[tip, (tip.0 - 4.0, tip.1 - 7.0), (tip.0 + 4.0, tip.1 - 7.0)],
-                true,
-                "tri",
-            );
+            svg.path(&[tip, (tip.0 - 4.0, tip.1 - 7.0), (tip.0 + 4.0, tip.1 - 7.0)], true, "tri");
         }
-        heights(
-            svg,
-            (self.grid.z[0], self.grid.z[self.grid.z.len() - 1]),
-            self.x.0,
-            self.y,
-        );
+        heights(svg, (self.grid.z[0], self.grid.z[self.grid.z.len() - 1]), self.x.0, self.y);
         match &self.grid.columns {
             Columns::Sectors { edges, mirrored, .. } => {
                 let last = match mirrored {
@@ -235,12 +209,7 @@ pub fn heights(svg: &mut Svg, z: (f64, f64), left: f64, y: (f64, f64)) {
         svg.line((left - 3.0, level), (left, level), "ax");
         svg.text((left - 6.0, level + 3.8), Anchor::End, "tk", &plain(height, decimals));
     }
-    svg.text(
-        (1.0, y.0 - 9.0),
-        Anchor::Start,
-        "at",
-        &titled("Height z", scale.symbol()),
-    );
+    svg.text((1.0, y.0 - 9.0), Anchor::Start, "at", &titled("Height z", scale.symbol()));
 }
 
 /// Ticks of the angles below a plot, and their title.
@@ -254,12 +223,7 @@ pub fn angles(svg: &mut Svg, theta: (f64, f64), x: (f64, f64), bottom: f64) {
         svg.line((at, bottom), (at, bottom + 3.0), "ax");
         svg.text((at, bottom + 14.0), Anchor::Middle, "tk", &fixed(f64::from(degrees), 0));
     }
-    svg.text(
-        (x.1, bottom + 30.0),
-        Anchor::End,
-        "at",
-        crate::words::labels::ANGLE_AXIS,
-    );
+    svg.text((x.1, bottom + 30.0), Anchor::End, "at", crate::words::labels::ANGLE_AXIS);
 }
 
 /// Ticks of the positions along the walls of a box below a plot from `y.0` to `y.1`, their title, corners and names of the walls.
@@ -278,12 +242,7 @@ pub fn positions(svg: &mut Svg, along: (f64, f64), x: (f64, f64), y: (f64, f64),
         let end = corners.get(i + 1).copied().unwrap_or(along.1);
         svg.text((at(0.5 * (corner + end)), y.0 - 5.0), Anchor::Middle, "at", name);
     }
-    svg.text(
-        (x.1, y.1 + 30.0),
-        Anchor::End,
-        "at",
-        &titled(crate::words::labels::WALLS_AXIS, scale.symbol()),
-    );
+    svg.text((x.1, y.1 + 30.0), Anchor::End, "at", &titled(crate::words::labels::WALLS_AXIS, scale.symbol()));
 }
 
 /// The colour bar at the right of a plot from `y.0` down to `y.1` in a figure of this width.
@@ -305,12 +264,7 @@ pub fn bar(svg: &mut Svg, width: f64, y: (f64, f64), range: (f64, f64), levels: 
         return;
     }
     let wide = text_width(unit) * FONT;
-    svg.text(
-        ((left + wide + 14.0).min(width), y.0 - 9.0),
-        Anchor::End,
-        "at",
-        &format!("[{unit}]"),
-    );
+    svg.text(((left + wide + 14.0).min(width), y.0 - 9.0), Anchor::End, "at", &format!("[{unit}]"));
 }
 
 #[cfg(test)]
@@ -354,9 +308,7 @@ mod tests {
     #[test]
     fn walls_stand_side_by_side() {
         let grid = WallGrid {
-            columns: Columns::Walls {
-                names: vec!["left".into(), "right".into()],
-            },
+            columns: Columns::Walls { names: vec!["left".into(), "right".into()] },
             z: vec![0.0, 1.0, 2.0, 3.0],
             surface: 9.0,
         };

@@ -74,10 +74,8 @@ pub fn waterfall(id: &str, title: &str, falls: &[Fall]) -> Option<Figure> {
         }
         y += GAP;
     }
-    let ends: Vec<String> = falls
-        .iter()
-        .map(|fall| format!("{} {}", fall.look.full_label(), ratio(fall.ratio)))
-        .collect();
+    let ends: Vec<String> =
+        falls.iter().map(|fall| format!("{} {}", fall.look.full_label(), ratio(fall.ratio))).collect();
     Some(Figure {
         id: id.into(),
         title: title.into(),
@@ -99,11 +97,7 @@ fn rows(fall: &Fall) -> Vec<Row> {
     let large = fall.steps.iter().filter(|s| !small(s.1)).cloned();
     let rest = (!others.is_empty()).then(|| (factors::rest(others.len()), others.iter().product::<f64>()));
     for (name, factor) in large.chain(rest) {
-        rows.push(Row {
-            name,
-            from: before,
-            to: before * factor,
-        });
+        rows.push(Row { name, from: before, to: before * factor });
         before *= factor;
     }
     rows
@@ -120,12 +114,7 @@ fn table(falls: &[Fall]) -> Table {
         let mut so_far = 1.0;
         for (name, factor) in &fall.steps {
             so_far *= factor;
-            table.row(vec![
-                fall.look.full_label(),
-                name.clone(),
-                significant(*factor, 4),
-                significant(so_far, 4),
-            ]);
+            table.row(vec![fall.look.full_label(), name.clone(), significant(*factor, 4), significant(so_far, 4)]);
         }
     }
     table
@@ -140,12 +129,7 @@ mod tests {
     fn small_factors_share_a_row() {
         let steps = [("a", 0.5), ("b", 1.01), ("c", 0.995), ("d", 1.5)];
         let fall = Fall {
-            look: Look {
-                label: "Housner".into(),
-                class: "k-housner".into(),
-                site: false,
-                reference: false,
-            },
+            look: Look { label: "Housner".into(), class: "k-housner".into(), site: false, reference: false },
             steps: steps.iter().map(|s| (s.0.to_owned(), s.1)).collect(),
             ratio: steps.iter().map(|s| s.1).product(),
         };

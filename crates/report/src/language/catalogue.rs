@@ -59,12 +59,7 @@ impl Catalogue {
         let starts: Vec<Option<char>> = catalogue.patterns.iter().map(start).collect();
         let with = |wanted: Option<char>| {
             let fits = |s: &&(usize, &Option<char>)| s.1.is_none() || *s.1 == wanted;
-            starts
-                .iter()
-                .enumerate()
-                .filter(|s| fits(&s))
-                .map(|(i, _)| i)
-                .collect::<Vec<_>>()
+            starts.iter().enumerate().filter(|s| fits(&s)).map(|(i, _)| i).collect::<Vec<_>>()
         };
         for letter in starts.iter().flatten() {
             catalogue.first.entry(*letter).or_insert_with(|| with(Some(*letter)));
@@ -106,16 +101,14 @@ impl Catalogue {
         };
         let (filled, used) = (holes(&from), holes(&to));
         if used.iter().any(|i| !filled.contains(i)) {
-            self.faults
-                .push(format!("{name}:{at}: `{german}` has a hole that `{english}` lacks"));
+            self.faults.push(format!("{name}:{at}: `{german}` has a hole that `{english}` lacks"));
             return;
         }
         if filled.is_empty() {
             if let Some(other) = self.exact.insert(english.into(), german.into())
                 && other != german
             {
-                self.faults
-                    .push(format!("{name}:{at}: `{english}` is `{other}` and `{german}`"));
+                self.faults.push(format!("{name}:{at}: `{english}` is `{other}` and `{german}`"));
             }
             return;
         }
@@ -132,12 +125,7 @@ impl Catalogue {
             Piece::Hole(..) => None,
         });
         let longest = texts.max_by_key(String::len).unwrap_or_default();
-        self.patterns.push(Pattern {
-            english: from,
-            german: to,
-            weight,
-            longest,
-        });
+        self.patterns.push(Pattern { english: from, german: to, weight, longest });
     }
 
     /// The German of a text; parts that the catalogue lacks stay, and are added to `missing`.
@@ -145,9 +133,7 @@ impl Catalogue {
         let plain = text.replace('\u{a0}', " ");
         let seen = Seen::default();
         // All of it, or as far as it goes with what stops it.
-        let german = self
-            .found(&plain, &seen)
-            .unwrap_or_else(|| self.partial(&plain, &seen, missing));
+        let german = self.found(&plain, &seen).unwrap_or_else(|| self.partial(&plain, &seen, missing));
         bound(&german)
     }
 
@@ -182,11 +168,7 @@ impl Catalogue {
             Some(german) => german,
             // More than a reference.
             None if text.contains('(') => self.partial(text, &Seen::default(), missing),
-            None => text
-                .split(", ")
-                .map(|p| part(p, missing))
-                .collect::<Vec<_>>()
-                .join(", "),
+            None => text.split(", ").map(|p| part(p, missing)).collect::<Vec<_>>().join(", "),
         }
     }
 

@@ -27,11 +27,7 @@ pub(super) fn commas(text: &str) -> String {
             out.push(c);
             continue;
         }
-        let start = (0..i)
-            .rev()
-            .take_while(|&j| digit(j) || chars[j] == '\u{202f}')
-            .last()
-            .unwrap_or(i);
+        let start = (0..i).rev().take_while(|&j| digit(j) || chars[j] == '\u{202f}').last().unwrap_or(i);
         let end = (i + 1..chars.len()).take_while(|&j| digit(j)).last().unwrap_or(i) + 1;
         let before = start.checked_sub(1).map(|j| chars[j]);
         let part = before.is_some_and(|b| b == '.' || b == '_' || b.is_alphabetic());

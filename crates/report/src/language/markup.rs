@@ -94,11 +94,7 @@ impl Page {
     /// Reads a tag and, for some, the content behind it; returns what follows.
     fn tag<'a>(&mut self, tag: &str, after: &'a str) -> &'a str {
         let closing = tag.starts_with("</");
-        let name = tag
-            .trim_start_matches(['<', '/'])
-            .split([' ', '>', '/', '\n'])
-            .next()
-            .unwrap_or_default();
+        let name = tag.trim_start_matches(['<', '/']).split([' ', '>', '/', '\n']).next().unwrap_or_default();
         let given = self.open.last().is_some_and(|o| o.given);
         match name {
             _ if given => {}
@@ -212,12 +208,7 @@ impl Page {
     /// Writes the text.
     fn flush(&mut self) {
         let text = std::mem::take(&mut self.text);
-        let words: String = text
-            .plain
-            .split([' ', '\n', '\t'])
-            .filter(|w| !w.is_empty())
-            .collect::<Vec<_>>()
-            .join(" ");
+        let words: String = text.plain.split([' ', '\n', '\t']).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
         if words.is_empty() {
             self.out.push_str(&text.plain);
             return;
@@ -237,11 +228,7 @@ impl Page {
             units => units,
         };
         let made = is_made(&words);
-        let words = if made {
-            words.into()
-        } else {
-            converted(&words, units, DIGITS)
-        };
+        let words = if made { words.into() } else { converted(&words, units, DIGITS) };
         let shown = match self.language {
             _ if made => words.into_owned(),
             Language::English => words.into_owned(),
@@ -254,18 +241,15 @@ impl Page {
             Language::German => german(&words),
         };
         let set = match (text.prose, text.breaks) {
-            (_, true) => math::words(&shown)
-                .replacen("<span class=\"words\">", "", 1)
-                .trim_end_matches("</span>")
-                .to_owned(),
+            (_, true) => {
+                math::words(&shown).replacen("<span class=\"words\">", "", 1).trim_end_matches("</span>").to_owned()
+            }
             (true, false) => math::prose(&shown),
             (false, false) => escape(&shown),
         };
         self.out.push_str(lead);
         for c in set.chars() {
-            let formula = (c as u32)
-                .checked_sub(FORMULA)
-                .and_then(|i| text.formulas.get(i as usize));
+            let formula = (c as u32).checked_sub(FORMULA).and_then(|i| text.formulas.get(i as usize));
             match formula {
                 Some(markup) => self.out.push_str(markup),
                 None => self.out.push(c),
@@ -291,18 +275,11 @@ fn commas(markup: &str) -> String {
 }
 
 /// Words in the running heads of printed pages.
-const HEADS: [&str; 4] = [
-    "seismic verification",
-    "seismic study",
-    "incremental dynamic analysis",
-    "pushover",
-];
+const HEADS: [&str; 4] = ["seismic verification", "seismic study", "incremental dynamic analysis", "pushover"];
 
 /// The style with its running heads.
 fn running_heads(style: &str) -> String {
-    let mut out = style
-        .replace("\"page \"", "\"Seite \"")
-        .replace("\" of \"", "\" von \"");
+    let mut out = style.replace("\"page \"", "\"Seite \"").replace("\" of \"", "\" von \"");
     for head in HEADS {
         out = out.replace(&format!("{head}\";"), &format!("{}\";", german(head)));
     }

@@ -7,10 +7,7 @@ use super::{CATALOGUE, page, say, untranslated};
 use crate::style::{self, Wish};
 
 fn wish(language: Language, units: System) -> (style::Wished, style::Scope) {
-    let wish = style::wish(Wish {
-        language: Some(language),
-        units: Some(units),
-    });
+    let wish = style::wish(Wish { language: Some(language), units: Some(units) });
     (wish, style::of(None))
 }
 
@@ -30,11 +27,7 @@ fn faults_of_a_file_are_named() {
     let faulty = Catalogue::new(&[("x", "a {}\n{} {3}\n\nb\n\nc\nd\n\nc\ne\n")]);
     assert_eq!(
         faulty.faults,
-        [
-            "x:1: `{} {3}` has a hole that `a {}` lacks",
-            "x:4: `b` without its German",
-            "x:9: `c` is `d` and `e`"
-        ]
+        ["x:1: `{} {3}` has a hole that `a {}` lacks", "x:4: `b` without its German", "x:9: `c` is `d` and `e`"]
     );
 }
 
@@ -44,10 +37,7 @@ fn holes_are_filled_with_translations() {
     for (english, german) in [
         ("Base shear", "Gesamterdbebenkraft"),
         ("Base shear, site", "Gesamterdbebenkraft, Standort"),
-        (
-            "At z = 1.50 m, base shear.",
-            "Bei z = 1,50\u{a0}m, Gesamterdbebenkraft.",
-        ),
+        ("At z = 1.50 m, base shear.", "Bei z = 1,50\u{a0}m, Gesamterdbebenkraft."),
         (
             "Base shear by method: Housner 1.2 kN; Housner, site 3.",
             "Gesamterdbebenkraft je Verfahren: Housner 1,2\u{a0}kN; Housner, Standort 3.",
@@ -75,15 +65,7 @@ fn what_is_missing_stays_and_is_named() {
 
 #[test]
 fn symbols_and_units_need_no_entry() {
-    for text in [
-        "12.5 kN·m",
-        "σ_v / f_y",
-        "T_c1 = 2.1 s",
-        "S235",
-        "`tank.radius`",
-        "EN 1998-4:2006 A.3",
-        "H/R",
-    ] {
+    for text in ["12.5 kN·m", "σ_v / f_y", "T_c1 = 2.1 s", "S235", "`tank.radius`", "EN 1998-4:2006 A.3", "H/R"] {
         assert!(is_neutral(text), "{text}");
     }
     for text in ["wall", "12 checks", "at 5 s"] {

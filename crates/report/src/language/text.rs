@@ -29,9 +29,8 @@ impl Case {
 }
 
 /// Words that begin an English sentence and whose German is not a noun.
-const PARTICLES: [&str; 14] = [
-    "the", "a", "an", "on", "without", "with", "at", "no", "it", "in", "one", "of", "under", "from",
-];
+const PARTICLES: [&str; 14] =
+    ["the", "a", "an", "on", "without", "with", "at", "no", "it", "in", "one", "of", "under", "from"];
 
 /// The text as it stands; with its first letter in lower case, or in upper case.
 pub(super) fn forms(text: &str) -> impl Iterator<Item = (Cow<'_, str>, Case)> {
@@ -51,9 +50,8 @@ pub(super) fn forms(text: &str) -> impl Iterator<Item = (Cow<'_, str>, Case)> {
 }
 
 /// Abbreviations that do not end a sentence.
-const ABBREVIATIONS: [&str; 12] = [
-    "eq.", "Eq.", "fig.", "Fig.", "no.", "e.g.", "i.e.", "vs.", "al.", "rev.", "ed.", "ch.",
-];
+const ABBREVIATIONS: [&str; 12] =
+    ["eq.", "Eq.", "fig.", "Fig.", "no.", "e.g.", "i.e.", "vs.", "al.", "rev.", "ed.", "ch."];
 
 /// A text as sentences.
 pub(super) fn sentences(text: &str) -> Vec<&str> {
@@ -136,14 +134,9 @@ pub(super) fn bound(text: &str) -> String {
     while let Some(at) = rest.find(' ') {
         let (before, after) = (&rest[..at], &rest[at + 1..]);
         out.push_str(before);
-        let number = before
-            .chars()
-            .next_back()
-            .is_some_and(|c| c.is_ascii_digit() || matches!(c, '⁰'..='⁹' | '²' | '³'));
-        let word = after
-            .split([' ', ',', ';', '.', ')', ':', '\u{a0}'])
-            .next()
-            .unwrap_or_default();
+        let number =
+            before.chars().next_back().is_some_and(|c| c.is_ascii_digit() || matches!(c, '⁰'..='⁹' | '²' | '³'));
+        let word = after.split([' ', ',', ';', '.', ')', ':', '\u{a0}']).next().unwrap_or_default();
         let unit = !word.is_empty() && UNITS.iter().any(|u| u.symbol == word);
         out.push(if number && unit { '\u{a0}' } else { ' ' });
         rest = after;

@@ -79,13 +79,7 @@ fn sources(folder: &Path, found: &mut Vec<String>) {
 fn every_message_of_the_sources_has_a_text() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut all = Vec::new();
-    for folder in [
-        "crates/engines/src",
-        "crates/report/src",
-        "crates/results/src",
-        "src",
-        "codes/src",
-    ] {
+    for folder in ["crates/engines/src", "crates/report/src", "crates/results/src", "src", "codes/src"] {
         sources(&root.join(folder), &mut all);
     }
     let named: BTreeSet<&str> = all
@@ -110,10 +104,7 @@ fn numbers_are_set_once_in_units_and_language_of_the_page() {
         (Language::English, System::Us, "w, from 12.00\u{a0}in to 25\u{a0}%."),
         (Language::German, System::Si, "w, von 304,8\u{a0}mm bis 25\u{a0}%."),
     ] {
-        let _wish = style::wish(Wish {
-            language: Some(language),
-            units: Some(units),
-        });
+        let _wish = style::wish(Wish { language: Some(language), units: Some(units) });
         let _scope = style::of(None);
         language::made::begin();
         assert_eq!(text(&message), expected);
@@ -127,9 +118,7 @@ fn numbers_are_set_once_in_units_and_language_of_the_page() {
 fn choices_follow_words_and_a_missing_text_is_remembered() {
     let isolators = |kind: &str, dampers: &str| {
         let mass = Amount::new(2e6, Dimension::Mass);
-        let message = Message::new("isolation-isolators")
-            .with("kind", kind)
-            .with("dampers", dampers);
+        let message = Message::new("isolation-isolators").with("kind", kind).with("dampers", dampers);
         let step = Amount::new(1e-3, Dimension::Time).form(Form::Given);
         text(&message.with("slab", mass).with("mass", mass).with("step", step))
     };

@@ -105,12 +105,7 @@ fn figures(engine: &str, with_map: bool, around: &Around) -> Result<Vec<Figure>,
         out.extend(map::figure("deviation", &around.map, None));
     }
     let displacements: Vec<(u32, f64)> = around.waves.iter().map(|w| (w.n, w.displacement)).collect();
-    out.push(bars(
-        &format!("waves_{engine}"),
-        words::DISPLACEMENT,
-        Dimension::Length,
-        &displacements,
-    )?);
+    out.push(bars(&format!("waves_{engine}"), words::DISPLACEMENT, Dimension::Length, &displacements)?);
     let stresses: Vec<(u32, f64)> = around.waves.iter().filter_map(|w| Some((w.n, w.stress?))).collect();
     if !stresses.is_empty() {
         let id = format!("waves_stress_{engine}");
@@ -130,12 +125,7 @@ fn sound(base: &BaseAround) -> bool {
 /// Amplitudes by n.
 fn bars(id: &str, title: &str, dimension: Dimension, values: &[(u32, f64)]) -> Result<Figure, Error> {
     let most = values.iter().map(|v| v.0).max().unwrap_or(1);
-    let x = Axis::exact(
-        words::WAVES,
-        Dimension::Dimensionless,
-        (-0.5, f64::from(most) + 0.5),
-        10,
-    );
+    let x = Axis::exact(words::WAVES, Dimension::Dimensionless, (-0.5, f64::from(most) + 0.5), 10);
     let y = Axis::linear(title, dimension, values.iter().map(|v| v.1).chain([0.0]), 5);
     let mut chart = Chart::new((HALF, 0.0), x, y);
     for &(n, value) in values {
@@ -173,26 +163,13 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
         pairs.chain(end).collect()
     };
     let x = Axis::around();
-    let y = Axis::linear(
-        words::STRESS,
-        Dimension::Stress,
-        ring.min.iter().chain(&ring.max).copied(),
-        5,
-    );
+    let y = Axis::linear(words::STRESS, Dimension::Stress, ring.min.iter().chain(&ring.max).copied(), 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
     let mut corners = side(&ring.max);
     corners.extend(side(&ring.min).into_iter().rev());
-    chart.bands.push(Band {
-        points: corners,
-        class: "k-fe".into(),
-        label: words::RANGE.into(),
-    });
+    chart.bands.push(Band { points: corners, class: "k-fe".into(), label: words::RANGE.into() });
     for values in [&ring.max, &ring.min] {
-        chart.lines.push(Line {
-            points: side(values),
-            class: "k-fe thin".into(),
-            label: String::new(),
-        });
+        chart.lines.push(Line { points: side(values), class: "k-fe thin".into(), label: String::new() });
     }
     if let Some(first) = first {
         for (sign, label) in [(1.0, words::FIRST), (-1.0, "")] {
@@ -215,11 +192,7 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
         Column::numbers("Largest", scale.symbol()),
     ]);
     for i in spread_with_extremes(ring.theta.len(), 36, &[&ring.min, &ring.max]) {
-        table.row(vec![
-            fixed(ring.theta[i].to_degrees(), 1),
-            scale.text(ring.min[i]),
-            scale.text(ring.max[i]),
-        ]);
+        table.row(vec![fixed(ring.theta[i].to_degrees(), 1), scale.text(ring.min[i]), scale.text(ring.max[i])]);
     }
     Ok(Figure {
         id: id.into(),

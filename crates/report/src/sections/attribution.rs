@@ -18,12 +18,8 @@ use results::Method;
 use results::compare::Attribution;
 
 /// Quantities with a waterfall.
-const HEADLINES: [Quantity; 4] = [
-    Quantity::SloshingHeight,
-    Quantity::BaseShear,
-    Quantity::OverturningMoment,
-    Quantity::HoopStress,
-];
+const HEADLINES: [Quantity; 4] =
+    [Quantity::SloshingHeight, Quantity::BaseShear, Quantity::OverturningMoment, Quantity::HoopStress];
 
 /// The factors of a quantity under one excitation.
 #[derive(Serialize)]
@@ -55,10 +51,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             if HEADLINES.contains(&quantity) {
                 figures.extend(figure(quantity, excitation, &columns));
             }
-            tables.push(Factors {
-                title,
-                table: table(&columns),
-            });
+            tables.push(Factors { title, table: table(&columns) });
         }
     }
     if tables.is_empty() {
@@ -108,11 +101,7 @@ fn figure(quantity: Quantity, excitation: Excitation, columns: &[Attributed]) ->
         })
         .collect();
     let site = excitation == Excitation::Site;
-    let id = format!(
-        "attribution-{}{}",
-        quantity.id().replace('_', "-"),
-        if site { "-site" } else { "" }
-    );
+    let id = format!("attribution-{}{}", quantity.id().replace('_', "-"), if site { "-site" } else { "" });
     waterfall(&id, &short_title(quantity, site), &falls)
 }
 
@@ -124,11 +113,7 @@ fn short_title(quantity: Quantity, site: bool) -> String {
 /// Factors by method, in the order of exchange, and their product.
 fn table(columns: &[Attributed]) -> Table {
     let mut heads = vec![Column::words(factors::FACTOR)];
-    heads.extend(
-        columns
-            .iter()
-            .map(|(method, _)| Column::numbers(&look(method).full_label(), "")),
-    );
+    heads.extend(columns.iter().map(|(method, _)| Column::numbers(&look(method).full_label(), "")));
     let mut table = Table::new(heads);
     for factor in Factor::ALL {
         let of = |a: &Attribution| a.steps.iter().find(|s| s.factor_id == factor).map(|s| s.factor);

@@ -31,10 +31,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
     section.set("anchors", &run.anchors.as_ref().map(words::anchors));
-    section.set(
-        "joint",
-        &run.joint.as_ref().map(|j| words::joint(j, run.plastic_rotation_limit)),
-    );
+    section.set("joint", &run.joint.as_ref().map(|j| words::joint(j, run.plastic_rotation_limit)));
     section.set("missed", &words::missed(run));
     section.set("energy", &energy(run));
     section.set("balance", &words::balance(run));
@@ -65,10 +62,7 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
     let widest = run.lifted.iter().map(|p| p[1]).fold(0.0, f64::max);
     let (size, markup) = plan.draw();
     let scale = Scale::of(Dimension::Length, [widest]);
-    let mut table = Table::new(vec![
-        Column::numbers("θ", "°"),
-        Column::numbers(words::LIFTED, scale.symbol()),
-    ]);
+    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::LIFTED, scale.symbol())]);
     let ground = plan.ground.map(|ground| (ground, pressed(ground)));
     let pressure = Scale::of(Dimension::Stress, ground.iter().map(|(_, most)| most.value));
     if ground.is_some() {
@@ -147,11 +141,7 @@ fn slips(source: &Source, run: &BaseRun) -> Result<Option<Figure>, Error> {
 fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
     const PARTS: usize = 8;
     let time = &source.series.time;
-    let column = |channel: Channel| {
-        source
-            .column(&channel.id())
-            .filter(|c| c.len() > 2 && c.len() <= time.len())
-    };
+    let column = |channel: Channel| source.column(&channel.id()).filter(|c| c.len() > 2 && c.len() <= time.len());
     let rotation = column(Channel::BaseRotation)?;
     let [front, back] = Side::BOTH.map(|side| column(Channel::Uplift(side)));
     let (front, back) = (front?, back?);
@@ -167,10 +157,7 @@ fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
     };
     let found: Vec<Position> = (0..PARTS)
         .map(|k| from as f64 + (to - from) as f64 * (k as f64 + 0.5) / PARTS as f64)
-        .map(|place| Position {
-            time: at(time, place),
-            rim: [at(front, place), at(back, place)],
-        })
+        .map(|place| Position { time: at(time, place), rim: [at(front, place), at(back, place)] })
         .collect();
     let tank = &source.results.tank;
     let elevation = Elevation {
@@ -182,9 +169,7 @@ fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
     let mut widths: Vec<(f64, f64)> = run.around.iter().zip(&run.lifted).map(|(w, l)| (w[1], l[1])).collect();
     widths.sort_by(|a, b| a.0.total_cmp(&b.0));
     let width = |uplift: f64| {
-        let above = widths
-            .partition_point(|p| p.0 < uplift)
-            .min(widths.len().saturating_sub(1));
+        let above = widths.partition_point(|p| p.0 < uplift).min(widths.len().saturating_sub(1));
         widths.get(above).map_or(0.0, |p| p.1)
     };
     let (size, markup) = rocking::positions(&elevation, &found, &width);
@@ -288,16 +273,7 @@ fn band(run: &BaseRun) -> Table {
 
 fn energy(run: &BaseRun) -> Table {
     let e = &run.energy;
-    let all = [
-        e.input,
-        e.viscous,
-        e.base_elastic,
-        e.base_hysteretic,
-        e.anchors,
-        e.base_radiated,
-        e.friction,
-        e.body,
-    ];
+    let all = [e.input, e.viscous, e.base_elastic, e.base_hysteretic, e.anchors, e.base_radiated, e.friction, e.body];
     let scale = Scale::of(Dimension::Energy, all);
     let mut table = Table::new(vec![
         Column::words(crate::words::labels::ENERGY_AT_END),
@@ -308,11 +284,7 @@ fn energy(run: &BaseRun) -> Table {
         if i == ANCHORS && run.anchors.is_none() {
             continue;
         }
-        let share = if e.input == 0.0 {
-            words::NONE.into()
-        } else {
-            share(value / e.input)
-        };
+        let share = if e.input == 0.0 { words::NONE.into() } else { share(value / e.input) };
         table.row(vec![label.into(), scale.text(value), share]);
     }
     table.caption = words::TABLES[2].into();
@@ -342,16 +314,9 @@ fn figure(
 
 /// Curves over time; `None` without columns.
 fn over_time(source: &Source, number: usize, channels: &[Channel]) -> Result<Option<Figure>, Error> {
-    let id = channels
-        .first()
-        .map_or(String::new(), |channel| format!("base_{}", channel.id()));
-    let motion = Motion {
-        id: &id,
-        title: words::FIGURES[number],
-        axis: words::AXES[number],
-        channels,
-        labels: words::SIDES,
-    };
+    let id = channels.first().map_or(String::new(), |channel| format!("base_{}", channel.id()));
+    let motion =
+        Motion { id: &id, title: words::FIGURES[number], axis: words::AXES[number], channels, labels: words::SIDES };
     motion_of_base::over_time(source, &motion)
 }
 
@@ -364,70 +329,35 @@ fn turning(run: &BaseRun) -> Result<Figure, Error> {
     let x = Axis::linear(words::AXES[1], Dimension::Angle, both().map(|p| p.0), 5);
     let y = Axis::linear(words::AXES[2], Dimension::Moment, both().map(|p| p.1), 5);
     let mut chart = Chart::new((HALF, 0.0), x, y);
-    let curves = [
-        (cycles.clone(), "k-fe thin", words::LOOP[0]),
-        (backbone.clone(), "k-other", words::LOOP[1]),
-    ];
+    let curves = [(cycles.clone(), "k-fe thin", words::LOOP[0]), (backbone.clone(), "k-other", words::LOOP[1])];
     for (points, class, label) in curves {
-        chart.lines.push(Line {
-            points,
-            class: class.into(),
-            label: label.into(),
-        });
+        chart.lines.push(Line { points, class: class.into(), label: label.into() });
     }
     let scale = Scale::of(Dimension::Moment, run.backbone.iter().map(|p| p[1]));
-    let mut table = Table::new(vec![
-        Column::numbers(words::AXES[1], "rad"),
-        Column::numbers(words::LOOP[1], scale.symbol()),
-    ]);
+    let mut table =
+        Table::new(vec![Column::numbers(words::AXES[1], "rad"), Column::numbers(words::LOOP[1], scale.symbol())]);
     for i in spread(run.backbone.len(), 16) {
         table.row(vec![fixed(run.backbone[i][0], 6), scale.text(run.backbone[i][1])]);
     }
     let description = words::description(words::FIGURES[2], Dimension::Moment, cycles.iter().map(|p| p.1));
-    figure(
-        "base_moment_rotation",
-        2,
-        chart.with_plot_height(PLOT),
-        table,
-        Room::Half,
-        description,
-    )
+    figure("base_moment_rotation", 2, chart.with_plot_height(PLOT), table, Room::Half, description)
 }
 
 /// Uplift around the circumference.
 fn around(run: &BaseRun) -> Result<Figure, Error> {
     let points: Vec<(f64, f64)> = run.around.iter().map(|p| (p[0].to_radians(), p[1])).collect();
     let x = Axis::around();
-    let y = Axis::linear(
-        words::AXES[0],
-        Dimension::Length,
-        points.iter().map(|p| p.1).chain([0.0]),
-        5,
-    );
+    let y = Axis::linear(words::AXES[0], Dimension::Length, points.iter().map(|p| p.1).chain([0.0]), 5);
     let mut chart = Chart::new((HALF, 0.0), x, y);
-    chart.lines.push(Line {
-        points: points.clone(),
-        class: "k-fe".into(),
-        label: String::new(),
-    });
+    chart.lines.push(Line { points: points.clone(), class: "k-fe".into(), label: String::new() });
     let scale = Scale::of(Dimension::Length, points.iter().map(|p| p.1));
-    let mut table = Table::new(vec![
-        Column::numbers("θ", "°"),
-        Column::numbers(words::AXES[0], scale.symbol()),
-    ]);
+    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::AXES[0], scale.symbol())]);
     let uplifts: Vec<f64> = points.iter().map(|p| p.1).collect();
     for i in spread_with_extremes(run.around.len(), 25, &[&uplifts]) {
         table.row(vec![fixed(run.around[i][0], 0), scale.text(run.around[i][1])]);
     }
     let description = words::description(words::FIGURES[3], Dimension::Length, points.iter().map(|p| p.1));
-    figure(
-        "base_around",
-        3,
-        chart.with_plot_height(PLOT),
-        table,
-        Room::Half,
-        description,
-    )
+    figure("base_around", 3, chart.with_plot_height(PLOT), table, Room::Half, description)
 }
 
 /// Largest force of the anchors around the circumference, beside the force at which one yields; `None` without anchors.
@@ -445,17 +375,10 @@ fn bolts(run: &BaseRun) -> Result<Option<Figure>, Error> {
     let mut chart = Chart::new((HALF, 0.0), Axis::around(), y);
     let lines = [(points.clone(), "k-fe"), (yields.to_vec(), "k-other")];
     for ((points, class), label) in lines.into_iter().zip(words::BOLTS) {
-        chart.lines.push(Line {
-            points,
-            class: class.into(),
-            label: label.into(),
-        });
+        chart.lines.push(Line { points, class: class.into(), label: label.into() });
     }
     let scale = Scale::of(Dimension::Force, anchors.forces.iter().map(|p| p[1]));
-    let mut table = Table::new(vec![
-        Column::numbers("θ", "°"),
-        Column::numbers(words::AXES[4], scale.symbol()),
-    ]);
+    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::AXES[4], scale.symbol())]);
     let values: Vec<f64> = anchors.forces.iter().map(|p| p[1]).collect();
     for i in spread_with_extremes(anchors.forces.len(), 25, &[&values]) {
         let [angle, force] = anchors.forces[i];

@@ -37,10 +37,7 @@ fn other(method: &Method) -> Other {
         title: method.title.clone(),
         excitation: excitation(method),
         counts: words::verdict::counted(&worst.counts),
-        governing: worst
-            .governing
-            .as_ref()
-            .map_or(String::new(), |g| capital(&g.check.name)),
+        governing: worst.governing.as_ref().map_or(String::new(), |g| capital(&g.check.name)),
         utilisation: (worst.governing.as_ref().and_then(|g| g.check.ratio())).map_or(String::new(), utilisation),
     }
 }
@@ -76,13 +73,7 @@ fn row(check: &Check, created: &str) -> Row {
     let place = words::verdict::place(check);
     let error = words::verdict::error(check);
     let approval = capital(&words::verdict::approval(check, created));
-    let remarks = [
-        approval,
-        capital(&check.reason),
-        capital(&check.note),
-        place,
-        capital(&error),
-    ];
+    let remarks = [approval, capital(&check.reason), capital(&check.note), place, capital(&error)];
     let remarks: Vec<String> = remarks.into_iter().filter(|r| !r.is_empty()).collect();
     Row {
         name: capital(&check.name),
@@ -127,18 +118,14 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),
-            rows: (m.checks.iter().filter(applies))
-                .map(|check| row(check, created))
-                .collect(),
+            rows: (m.checks.iter().filter(applies)).map(|check| row(check, created)).collect(),
             absent: words::verdict::without(m.checks.iter().filter(|c| !applies(c))),
         })
         .collect();
     if groups.is_empty() {
         return Ok(None);
     }
-    let others: Vec<Other> = (methods.iter().filter(|m| !all && !decides(m)))
-        .map(|m| other(m))
-        .collect();
+    let others: Vec<Other> = (methods.iter().filter(|m| !all && !decides(m))).map(|m| other(m)).collect();
     let mut section = Section::new("checks");
     section.set("groups", &groups);
     section.set("others", &others);

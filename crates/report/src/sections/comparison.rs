@@ -55,10 +55,7 @@ struct Absent {
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let given = |m: &Method| !m.quantities.is_empty();
-    let columns: Vec<usize> = figure_order(results)
-        .into_iter()
-        .filter(|&i| given(&results.methods[i]))
-        .collect();
+    let columns: Vec<usize> = figure_order(results).into_iter().filter(|&i| given(&results.methods[i])).collect();
     let absent = absent(results);
     if (columns.is_empty() || results.comparison.rows.is_empty()) && absent.is_empty() {
         return Ok(None);
@@ -97,10 +94,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
                     unusable: cell.is_some_and(|c| c.unusable),
                     divided: cell.is_some() && divides(row.dimension) && !by.is_empty(),
                     outside: cell.filter(|c| c.outside).map(|_| OUTSIDE),
-                    ratio: cell
-                        .and_then(|c| c.ratio)
-                        .filter(|_| !head.fe)
-                        .map_or(String::new(), ratio),
+                    ratio: cell.and_then(|c| c.ratio).filter(|_| !head.fe).map_or(String::new(), ratio),
                     fe: head.fe,
                     break_before: head.break_before,
                 })

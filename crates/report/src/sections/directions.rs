@@ -21,10 +21,7 @@ struct Of {
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let runs: Vec<Of> = (source.results.runs.iter().enumerate())
         .filter(|(_, run)| !run.directions.is_empty())
-        .map(|(number, run)| Of {
-            name: name(number, run),
-            table: table(&run.directions),
-        })
+        .map(|(number, run)| Of { name: name(number, run), table: table(&run.directions) })
         .collect();
     if runs.is_empty() {
         return Ok(None);
@@ -57,10 +54,7 @@ fn table(all: &[Directional]) -> Table {
         let scale = Scale::of(one.dimension, [one.resultant]);
         let place = one.z.filter(|_| !one.id.contains("_z_"));
         table.row(vec![
-            place.map_or_else(
-                || one.title.clone(),
-                |z| format!("{}, z = {} m", one.title, fixed(z, 2)),
-            ),
+            place.map_or_else(|| one.title.clone(), |z| format!("{}, z = {} m", one.title, fixed(z, 2))),
             scale.symbol().into(),
             scale.text(one.x),
             scale.text(one.y),

@@ -30,12 +30,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 /// Sets the values of a run that the template `sections/engine.html` shows.
 pub(super) fn fill(section: &mut Section, fe: &Run) {
     let pairs = |list: &[results::Labelled]| -> Vec<Pair> {
-        list.iter()
-            .map(|l| Pair {
-                label: capital(&l.label),
-                text: l.text.clone(),
-            })
-            .collect()
+        list.iter().map(|l| Pair { label: capital(&l.label), text: l.text.clone() }).collect()
     };
     section.set("engine_words", &sections::sentences("engine"));
     section.set("engine", fe.engine.id());
@@ -49,12 +44,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
         Column::words("Remark"),
     ]);
     for row in &fe.damping_table {
-        damping.row(vec![
-            significant(row.omega, 4),
-            row.kind.clone(),
-            percent(row.ratio),
-            row.note.clone(),
-        ]);
+        damping.row(vec![significant(row.omega, 4), row.kind.clone(), percent(row.ratio), row.note.clone()]);
     }
     let [damped, refined, balanced, conserved] = labels::engine_tables(fe.engine.name());
     damping.caption = damped;
@@ -79,10 +69,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
     let mut energy = Table::default();
     if let Some(e) = &fe.energy {
         let scale = Scale::of(Dimension::Energy, [e.input, e.kinetic, e.elastic, e.damping]);
-        energy = Table::new(vec![
-            Column::words(labels::ENERGY_AT_END),
-            Column::numbers("Value", scale.symbol()),
-        ]);
+        energy = Table::new(vec![Column::words(labels::ENERGY_AT_END), Column::numbers("Value", scale.symbol())]);
         let values = [e.input, e.kinetic, e.elastic, e.damping];
         for (label, value) in labels::ENERGIES.into_iter().zip(values) {
             energy.row(vec![label.into(), scale.text(value)]);

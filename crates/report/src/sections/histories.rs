@@ -75,10 +75,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut drawn = Vec::new();
-    let ground = Channel::Ground {
-        motion: Ground::Acceleration,
-        vertical: false,
-    };
+    let ground = Channel::Ground { motion: Ground::Acceleration, vertical: false };
     if let Some(values) = source.column(&ground.id()) {
         let figure = history(
             source,
@@ -96,15 +93,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             continue;
         };
         let id = format!("history_{}", info.id);
-        drawn.extend(history(
-            source,
-            &id,
-            &info.title,
-            info.dimension,
-            values,
-            Some(info),
-            "k-fe",
-        )?);
+        drawn.extend(history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?);
     }
     let mut table = Table::new(vec![
         Column::words("History"),
@@ -124,11 +113,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             scale.symbol().into(),
             scale.text(info.peak),
             fixed(info.time, 3),
-            if info.static_value == 0.0 {
-                "–".into()
-            } else {
-                scale.text(info.static_value)
-            },
+            if info.static_value == 0.0 { "–".into() } else { scale.text(info.static_value) },
         ]);
     }
     let mut section = Section::new("histories");
@@ -143,10 +128,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 /// A vertical line where the record ends, if a history goes on until `end` [s].
 pub(super) fn record_end(source: &Source, end: f64) -> Option<Rule> {
     let found = source.results.runs.iter().find_map(|run| run.record_end)?;
-    (found < end).then(|| Rule {
-        x: found,
-        label: labels::RECORD_END.into(),
-    })
+    (found < end).then(|| Rule { x: found, label: labels::RECORD_END.into() })
 }
 
 /// Places of the smallest and the largest value; of equal ones the first.
@@ -193,11 +175,7 @@ pub(super) fn history(
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
     let y = Axis::linear(title, dimension, extent, 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
-    chart.lines.push(Line {
-        points,
-        class: format!("{class} hist"),
-        label: String::new(),
-    });
+    chart.lines.push(Line { points, class: format!("{class} hist"), label: String::new() });
     chart.rules = record_end(source, time[n - 1]).into_iter().collect();
     if chart.x.holds(time_of_peak) {
         chart.marks.push(Mark {

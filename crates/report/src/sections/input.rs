@@ -19,12 +19,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .results
         .input
         .iter()
-        .map(|v| Row {
-            path: v.path.clone(),
-            text: v.text.clone(),
-            default: v.default,
-            source: v.source.clone(),
-        })
+        .map(|v| Row { path: v.path.clone(), text: v.text.clone(), default: v.default, source: v.source.clone() })
         .collect();
     if rows.is_empty() {
         return Ok(None);

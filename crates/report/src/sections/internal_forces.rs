@@ -62,10 +62,7 @@ fn stations(run: &Run) -> Vec<Station<'_>> {
         let place = (z, degrees);
         match all.iter_mut().find(|station| station.place == place) {
             Some(station) => station.forces.push((what, info)),
-            None => all.push(Station {
-                place,
-                forces: vec![(what, info)],
-            }),
+            None => all.push(Station { place, forces: vec![(what, info)] }),
         }
     }
     all
@@ -82,12 +79,8 @@ fn peaks(all: &[(&Run, Vec<Station>)]) -> Table {
         .iter()
         .map(|&what| Scale::of(what.dimension(), infos(what).flat_map(|i| [i.peak, i.static_value])))
         .collect();
-    let mut columns = vec![
-        Column::words("Engine"),
-        Column::numbers("z", "m"),
-        Column::numbers("θ", "°"),
-        Column::words(words::PART),
-    ];
+    let mut columns =
+        vec![Column::words("Engine"), Column::numbers("z", "m"), Column::numbers("θ", "°"), Column::words(words::PART)];
     for (&what, scale) in OnWall::FORCES.iter().zip(&scales) {
         columns.push(Column::numbers(words::symbol(what), scale.symbol()));
     }

@@ -83,21 +83,9 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
             significant(m.period, 4),
             significant(1.0 / m.period, 4),
             percent(m.damping),
-            if moves {
-                mass.text(m.effective_mass)
-            } else {
-                "–".into()
-            },
-            if moves {
-                percent(m.effective_mass / source.results.tank.liquid_mass)
-            } else {
-                "–".into()
-            },
-            if moves {
-                height.text(m.effective_height)
-            } else {
-                "–".into()
-            },
+            if moves { mass.text(m.effective_mass) } else { "–".into() },
+            if moves { percent(m.effective_mass / source.results.tank.liquid_mass) } else { "–".into() },
+            if moves { height.text(m.effective_height) } else { "–".into() },
         ];
         if grouped {
             row.push(group.map_or("–".into(), |g| g.to_string()));
@@ -110,9 +98,7 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
 /// The first three sloshing and the first two structural modes of the harmonic that is shaken.
 fn drawn(fe: &Run) -> Vec<&Mode> {
     let pick = |kind: &'static str, most: usize| {
-        fe.modes
-            .iter()
-            .filter(move |m| m.harmonic == 1 && m.kind == kind && m.number <= most && !m.shape.z.is_empty())
+        fe.modes.iter().filter(move |m| m.harmonic == 1 && m.kind == kind && m.number <= most && !m.shape.z.is_empty())
     };
     pick("sloshing", 3).chain(pick("structural", 2)).collect()
 }
@@ -139,20 +125,12 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
             fixed(mode.shape.wall.get(i).copied().unwrap_or(0.0), 4),
         ]);
     }
-    let (size, markup) = shapes::draw(
-        mode,
-        summary.tank.shape.half_length(),
-        summary.tank.wall_height(),
-        summary.liquid.fill_height,
-    );
+    let (size, markup) =
+        shapes::draw(mode, summary.tank.shape.half_length(), summary.tank.wall_height(), summary.liquid.fill_height);
     Figure {
         id: format!("mode_{}_{}_{}", mode.harmonic, mode.kind, mode.number),
         title,
-        caption: format!(
-            "T = {}\u{a0}s, {}\u{a0}Hz",
-            significant(mode.period, 4),
-            significant(1.0 / mode.period, 4)
-        ),
+        caption: format!("T = {}\u{a0}s, {}\u{a0}Hz", significant(mode.period, 4), significant(1.0 / mode.period, 4)),
         description: words::figures::mode(mode),
         size,
         markup,
@@ -179,12 +157,7 @@ mod tests {
             participation: 0.0,
             effective_mass: 0.0,
             effective_height: 0.0,
-            shape: ModeShape {
-                z: Vec::new(),
-                wall: Vec::new(),
-                surface: Vec::new(),
-                r: Vec::new(),
-            },
+            shape: ModeShape { z: Vec::new(), wall: Vec::new(), surface: Vec::new(), r: Vec::new() },
         }
     }
 

@@ -36,11 +36,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut section = Section::new("motion");
     let views: Vec<Record> = records
         .iter()
-        .map(|r| Record {
-            direction: r.direction.clone(),
-            name: r.name.clone(),
-            processing: r.processing.clone(),
-        })
+        .map(|r| Record { direction: r.direction.clone(), name: r.name.clone(), processing: r.processing.clone() })
         .collect();
     let set = source.results.record_set.as_ref();
     section.set("one_of", &set.map_or_else(String::new, words::record_set::one_of));
@@ -53,18 +49,11 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
     let mut figures = Vec::new();
     // The first is the acceleration.
-    let drawn = if source.level == Level::Full {
-        Ground::ALL.len()
-    } else {
-        1
-    };
+    let drawn = if source.level == Level::Full { Ground::ALL.len() } else { 1 };
     for motion in Ground::ALL.into_iter().take(drawn) {
         let channel = match record.direction.as_str() {
             ACROSS => Channel::GroundY(motion),
-            direction => Channel::Ground {
-                motion,
-                vertical: direction == "vertical",
-            },
+            direction => Channel::Ground { motion, vertical: direction == "vertical" },
         };
         let id = channel.id();
         let Some(values) = source.column(&id) else {
@@ -89,21 +78,15 @@ fn measures(source: &Source) -> Table {
     };
     add("Peak acceleration", "m/s²", &|r| significant(r.pga, 4));
     add("Peak acceleration", "g", &|r| significant(r.pga / gravity, 4));
-    add(labels::PEAK_AS_RECORDED, "g", &|r| {
-        significant(r.pga_as_recorded / gravity, 4)
-    });
+    add(labels::PEAK_AS_RECORDED, "g", &|r| significant(r.pga_as_recorded / gravity, 4));
     add("Peak velocity", "m/s", &|r| significant(r.pgv, 4));
     add("Peak displacement", "m", &|r| significant(r.pgd, 4));
     add("Arias intensity", "m/s", &|r| significant(r.arias, 4));
     add(labels::CUMULATIVE_VELOCITY, "m/s", &|r| significant(r.cav, 4));
-    add("Significant duration D5–95", "s", &|r| {
-        significant(r.significant_duration, 4)
-    });
+    add("Significant duration D5–95", "s", &|r| significant(r.significant_duration, 4));
     add("Time step", "s", &|r| significant(r.dt, 4));
     add("Samples", "", &|r| count(r.samples));
-    add("Duration", "s", &|r| {
-        fixed(r.dt * r.samples.saturating_sub(1) as f64, 2)
-    });
+    add("Duration", "s", &|r| fixed(r.dt * r.samples.saturating_sub(1) as f64, 2));
     if records.iter().any(|r| r.usable_period.is_some()) {
         add(words::record_set::heads::USABLE, "s", &|r| {
             let mark = if r.sloshing_beyond_usable { " ✗" } else { "" };

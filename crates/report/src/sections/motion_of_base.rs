@@ -30,10 +30,7 @@ pub(super) struct Motion<'a> {
 /// Curves over time; `None` without columns.
 pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<Figure>, Error> {
     let time = &source.series.time;
-    let found = motion
-        .channels
-        .iter()
-        .filter_map(|channel| source.column(&channel.id()));
+    let found = motion.channels.iter().filter_map(|channel| source.column(&channel.id()));
     let columns: Vec<&[f64]> = found.filter(|c| c.len() > 1 && c.len() <= time.len()).collect();
     let (Some(first), Some(channel)) = (columns.first(), motion.channels.first()) else {
         return Ok(None);
@@ -57,9 +54,7 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
     }
     chart.rules = record_end(source, end).into_iter().collect();
     for k in spread_with_extremes(first.len(), 24, &columns) {
-        let values = columns
-            .iter()
-            .map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v)));
+        let values = columns.iter().map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v)));
         table.row(std::iter::once(fixed(time[k], 3)).chain(values).collect());
     }
     let chart = chart.with_plot_height(110.0);

@@ -21,9 +21,8 @@ use results::nonlinear::{BaseMoment, Count, End, Event, Nonlinear};
 use results::{EngineId, FE, Run, SeriesInfo};
 
 /// Histories of both engines drawn over each other.
-const OVERLAID: [overlay::Kind; 4] = [overlay::WAVE, overlay::BASE_SHEAR, overlay::BASE_MOMENT, |channel| {
-    channel.on_wall() == Some(OnWall::Moment)
-}];
+const OVERLAID: [overlay::Kind; 4] =
+    [overlay::WAVE, overlay::BASE_SHEAR, overlay::BASE_MOMENT, |channel| channel.on_wall() == Some(OnWall::Moment)];
 /// Histories that the linear engine does not have, drawn at most.
 const MOST: usize = 8;
 
@@ -51,10 +50,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         check(run)?;
     }
     let marks = marks(&fe.events);
-    section.set(
-        "outcome",
-        &run.map(|run| outcome(run, fe)).into_iter().collect::<Vec<_>>(),
-    );
+    section.set("outcome", &run.map(|run| outcome(run, fe)).into_iter().collect::<Vec<_>>());
     section.set("events", &run.map_or_else(Table::default, |_| events(&fe.events)));
     section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
     let both = run.map(|run| (None, run.extremes.as_slice()));
@@ -88,22 +84,14 @@ fn check(run: &Nonlinear) -> Result<(), Error> {
     }
     let mut cracks = run.cracks.iter().flat_map(|p| &p.cracks);
     if let Some(crack) = cracks.find(|c| c.cell >= cells) {
-        return Err(Error::Report(format!(
-            "nonlinear: a crack in cell {}, the wall has {cells} cells",
-            crack.cell
-        )));
+        return Err(Error::Report(format!("nonlinear: a crack in cell {}, the wall has {cells} cells", crack.cell)));
     }
     Ok(())
 }
 
 /// The box above everything else.
 fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
-    let fail = |headline: String, text: Vec<String>| Outcome {
-        class: "fail",
-        sign: "✗",
-        headline,
-        text,
-    };
+    let fail = |headline: String, text: Vec<String>| Outcome { class: "fail", sign: "✗", headline, text };
     let bounds = || outcome::BOUNDS.to_owned();
     let departures = || run.departures.iter().map(outcome::departure);
     let parted = || fe.parted().then(|| LIQUID_PARTED.to_owned());
@@ -119,12 +107,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
             None => {
                 let mut text = vec![outcome::CONVERGED.to_owned()];
                 text.extend(parted());
-                Outcome {
-                    class: "none",
-                    sign: "✓",
-                    headline: outcome::COMPLETED.into(),
-                    text,
-                }
+                Outcome { class: "none", sign: "✓", headline: outcome::COMPLETED.into(), text }
             }
         },
         End::Left { time, departure } => {
@@ -136,12 +119,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
             fail(outcome::left_model(*time, true), text)
         }
         End::Interrupted { time } => fail(outcome::interrupted(*time), vec![bounds()]),
-        End::Collapsed {
-            time,
-            load_factor,
-            reason,
-            place,
-        } => {
+        End::Collapsed { time, load_factor, reason, place } => {
             let mut text = Vec::new();
             text.extend(load_factor.map(outcome::carried));
             text.extend((!place.is_empty()).then(|| outcome::worst_place(place)));
@@ -156,9 +134,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
 
 /// Parts of the largest moments at the base.
 fn moments(found: &[BaseMoment]) -> Table {
-    let all = found
-        .iter()
-        .flat_map(|m| [m.reaction, m.section, m.damping, m.inertia, m.load, m.largest_section]);
+    let all = found.iter().flat_map(|m| [m.reaction, m.section, m.damping, m.inertia, m.load, m.largest_section]);
     let scale = Scale::of(Dimension::LineMoment, all);
     let unit = scale.symbol();
     let mut table = Table::new(vec![
@@ -189,10 +165,7 @@ fn moments(found: &[BaseMoment]) -> Table {
 /// Times of the events with their numbers, those of the static state left out.
 fn marks(events: &[Event]) -> Vec<(f64, String)> {
     let numbered = events.iter().enumerate();
-    numbered
-        .filter(|(_, e)| e.time > 0.0)
-        .map(|(i, e)| (e.time, (i + 1).to_string()))
-        .collect()
+    numbered.filter(|(_, e)| e.time > 0.0).map(|(i, e)| (e.time, (i + 1).to_string())).collect()
 }
 
 fn events(events: &[Event]) -> Table {
@@ -336,11 +309,7 @@ fn maps(run: &Nonlinear) -> Drawn {
 }
 
 fn cost(counts: &[Count]) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Count"),
-        Column::numbers("Number", ""),
-        Column::words("Unit"),
-    ]);
+    let mut table = Table::new(vec![Column::words("Count"), Column::numbers("Number", ""), Column::words("Unit")]);
     for count in counts {
         let scale = Scale::of(count.dimension, [count.value]);
         let number = scale.convert(count.value);

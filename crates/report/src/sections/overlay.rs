@@ -59,10 +59,7 @@ pub(super) fn overlays(
 
 /// One history of both runs; `None` if a column is missing or empty.
 fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option<Figure>, Error> {
-    let columns = (
-        source.column(&info.id),
-        source.column(&format!("{}{}", second.prefix, info.id)),
-    );
+    let columns = (source.column(&info.id), source.column(&format!("{}{}", second.prefix, info.id)));
     let (Some(first), Some(other)) = columns else {
         return Ok(None);
     };
@@ -80,10 +77,7 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
     let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
     let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let mut both = [
-        (first, end, "k-fe hist", second.names[0]),
-        (other, run, second.class, second.names[1]),
-    ];
+    let mut both = [(first, end, "k-fe hist", second.names[0]), (other, run, second.class, second.names[1])];
     // The larger one behind: a dense history hides the one under it.
     both.sort_by(|a, b| peak(&b.0[..b.1]).total_cmp(&peak(&a.0[..a.1])));
     for (values, n, class, label) in both {
@@ -94,17 +88,12 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
         });
     }
     chart.rules = Rule::all(second.rules);
-    chart
-        .rules
-        .extend(histories::record_end(source, time[end.max(run) - 1]));
+    chart.rules.extend(histories::record_end(source, time[end.max(run) - 1]));
     let chart = chart.with_plot_height(96.0);
     let apart = (0..common).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
     let largest = peak(&first[..end]);
     let scale = Scale::of(info.dimension, [largest]);
-    let mut table = Table::new(vec![
-        Column::words("Value"),
-        Column::numbers(&info.title, scale.symbol()),
-    ]);
+    let mut table = Table::new(vec![Column::words("Value"), Column::numbers(&info.title, scale.symbol())]);
     let [a, b] = second.names;
     table.row(vec![format!("largest sample, {a}"), scale.text(largest)]);
     table.row(vec![format!("largest sample, {b}"), scale.text(peak(&other[..run]))]);

@@ -95,11 +95,7 @@ fn show(source: &Source, part: &str, same: &[(&Engine, &Block)], section: &mut S
             Block::Text(own) | Block::Note(own) if one => Some(text(own)),
             Block::Text(own) | Block::Note(own) => {
                 let engine = engine.0.as_str();
-                Some(text(
-                    &Message::new("by-engine")
-                        .with("engine", engine)
-                        .with("text", own.clone()),
-                ))
+                Some(text(&Message::new("by-engine").with("engine", engine).with("text", own.clone())))
             }
             _ => None,
         };
@@ -141,8 +137,7 @@ fn joined(tables: Vec<(&Engine, table::Table)>) -> table::Table {
     let mut out: Option<table::Table> = None;
     for (engine, mut own) in tables {
         if several {
-            own.columns
-                .insert(0, table::Column::words(&title("engine", "", "engine")));
+            own.columns.insert(0, table::Column::words(&title("engine", "", "engine")));
             own.rows.iter_mut().for_each(|row| row.insert(0, engine.0.clone()));
         }
         match &mut out {
@@ -214,10 +209,10 @@ impl Print<'_> {
 }
 
 fn tabled(part: &str, own: &Table) -> table::Table {
-    let columns = own.columns.iter().map(|column| Print {
-        column,
-        scale: number::Scale::of(column.unit, own.column(&column.id)),
-    });
+    let columns = own
+        .columns
+        .iter()
+        .map(|column| Print { column, scale: number::Scale::of(column.unit, own.column(&column.id)) });
     let prints: Vec<Print> = columns.collect();
     let head = |print: &Print| print.head(&title(part, &own.id, &print.column.id));
     let mut table = table::Table::new(prints.iter().map(head).collect());
@@ -255,11 +250,7 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
     for ((engine, class), chart) in same.iter().take(if several { same.len() } else { 1 }) {
         lines.extend(chart.lines.iter().map(|line| chart::Line {
             points: drawn(line, &own.y),
-            class: if several {
-                format!("{class} thin")
-            } else {
-                class_of(&line.look)
-            },
+            class: if several { format!("{class} thin") } else { class_of(&line.look) },
             label: match &line.label {
                 _ if several => engine.clone(),
                 Fact::None => String::new(),
@@ -275,12 +266,7 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
     let bands: Vec<Band> = areas.collect();
     let all = |of: fn(&(f64, f64)) -> f64| {
         let areas = bands.iter().flat_map(|band| &band.points);
-        lines
-            .iter()
-            .flat_map(|line| &line.points)
-            .chain(areas)
-            .map(of)
-            .collect::<Vec<f64>>()
+        lines.iter().flat_map(|line| &line.points).chain(areas).map(of).collect::<Vec<f64>>()
     };
     let (x, y) = (all(|p| p.0), all(|p| p.1));
     let (room, width, height) = match own.room {
@@ -344,9 +330,7 @@ fn floor(values: impl Iterator<Item = f64>, decades: u8) -> f64 {
 }
 
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
-        [low.min(v), high.max(v)]
-    })
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
 fn axis(title: &str, own: &Axis, values: &[f64]) -> chart::Axis {
@@ -368,15 +352,8 @@ fn axis(title: &str, own: &Axis, values: &[f64]) -> chart::Axis {
 
 /// The numbers of a chart: lines over the same x or y side by side, others below each other.
 fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
-    let all = |k: usize| {
-        own.lines
-            .iter()
-            .flat_map(move |line| line.points.iter().map(move |p| p[k]))
-    };
-    let scales = [
-        number::Scale::of(own.x.unit, all(0)),
-        number::Scale::of(own.y.unit, all(1)),
-    ];
+    let all = |k: usize| own.lines.iter().flat_map(move |line| line.points.iter().map(move |p| p[k]));
+    let scales = [number::Scale::of(own.x.unit, all(0)), number::Scale::of(own.y.unit, all(1))];
     let numbers = |title: &str, k: usize| table::Column::numbers(title, scales[k].symbol());
     let number = |k: usize, value: f64| match [&own.x, &own.y][k].scale {
         // Values of many decades.
@@ -421,12 +398,7 @@ fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
 /// The range of a curve for those who do not see it.
 fn description(title: &str, unit: Dimension, values: impl Iterator<Item = f64>) -> String {
     let [low, high] = range(values).map(|value| Amount::new(value, unit));
-    text(
-        &Message::new("curve")
-            .with("title", title)
-            .with("low", low)
-            .with("high", high),
-    )
+    text(&Message::new("curve").with("title", title).with("low", low).with("high", high))
 }
 
 fn over_time(source: &Source, part: &str, own: &History) -> Result<Option<Figure>, Error> {

@@ -27,16 +27,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         };
         let quantity = first.quantity.title();
         if groups.last().is_none_or(|g| g.quantity != quantity) {
-            groups.push(Group {
-                quantity,
-                items: Vec::new(),
-            });
+            groups.push(Group { quantity, items: Vec::new() });
         }
         if let Some(group) = groups.last_mut() {
-            group.items.push(Item {
-                what: what(source.results, difference),
-                why: why(source.results, difference),
-            });
+            group.items.push(Item { what: what(source.results, difference), why: why(source.results, difference) });
         }
     }
     if groups.is_empty() {

@@ -62,11 +62,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             };
             let group = groups.entry((rank(id), id)).or_default();
             let look = look(method);
-            let list = if look.site {
-                &mut group.site
-            } else {
-                &mut group.profiles
-            };
+            let list = if look.site { &mut group.site } else { &mut group.profiles };
             list.push((look, profile));
         }
     }
@@ -106,18 +102,10 @@ fn pairs(values: &[f64], z: &[f64]) -> Vec<(f64, f64)> {
 
 fn band(envelope: &Envelope, offset: bool) -> Vec<(f64, f64)> {
     let shift = |i: usize| {
-        if offset {
-            envelope.static_.get(i).copied().unwrap_or(0.0)
-        } else {
-            0.0
-        }
+        if offset { envelope.static_.get(i).copied().unwrap_or(0.0) } else { 0.0 }
     };
     let side = |values: &[f64]| -> Vec<(f64, f64)> {
-        values
-            .iter()
-            .enumerate()
-            .map(|(i, v)| (v + shift(i), envelope.z.get(i).copied().unwrap_or(0.0)))
-            .collect()
+        values.iter().enumerate().map(|(i, v)| (v + shift(i), envelope.z.get(i).copied().unwrap_or(0.0))).collect()
     };
     let mut points = side(&envelope.max);
     points.extend(side(&envelope.min).into_iter().rev());
@@ -140,25 +128,13 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
     }
     let mut chart = chart(&title, dimension, values, height);
     if let Some(e) = envelope {
-        chart.bands.push(Band {
-            points: band(e, false),
-            class: "k-fe".into(),
-            label: labels::ENGINE_RANGE.into(),
-        });
+        chart.bands.push(Band { points: band(e, false), class: "k-fe".into(), label: labels::ENGINE_RANGE.into() });
         for side in [&e.max, &e.min] {
-            chart.lines.push(Line {
-                points: pairs(side, &e.z),
-                class: "k-fe thin".into(),
-                label: String::new(),
-            });
+            chart.lines.push(Line { points: pairs(side, &e.z), class: "k-fe thin".into(), label: String::new() });
         }
     }
     for (look, p) in profiles {
-        chart.lines.push(Line {
-            points: pairs(&p.values, &p.z),
-            class: look.line_class(),
-            label: look.label.clone(),
-        });
+        chart.lines.push(Line { points: pairs(&p.values, &p.z), class: look.line_class(), label: look.label.clone() });
     }
     let chart = chart.with_plot_height(PLOT);
     Ok(Figure {
@@ -182,35 +158,13 @@ fn chart(title: &str, dimension: Dimension, values: Vec<f64>, height: f64) -> Ch
 /// Static state and static plus seismic range of the finite elements.
 fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
     let corners = band(e, true);
-    let values: Vec<f64> = corners
-        .iter()
-        .map(|c| c.0)
-        .chain(e.static_.iter().copied())
-        .chain([0.0])
-        .collect();
+    let values: Vec<f64> = corners.iter().map(|c| c.0).chain(e.static_.iter().copied()).chain([0.0]).collect();
     let mut chart = chart(&e.title, e.dimension, values, height);
-    chart.bands.push(Band {
-        points: corners,
-        class: "k-fe".into(),
-        label: labels::COMBINED_RANGE.into(),
-    });
-    chart.lines.push(Line {
-        points: pairs(&e.static_, &e.z),
-        class: "k-static".into(),
-        label: "static".into(),
-    });
+    chart.bands.push(Band { points: corners, class: "k-fe".into(), label: labels::COMBINED_RANGE.into() });
+    chart.lines.push(Line { points: pairs(&e.static_, &e.z), class: "k-static".into(), label: "static".into() });
     for side in [&e.max, &e.min] {
-        let points = e
-            .static_
-            .iter()
-            .zip(side.iter())
-            .map(|(s, v)| s + v)
-            .collect::<Vec<_>>();
-        chart.lines.push(Line {
-            points: pairs(&points, &e.z),
-            class: "k-fe thin".into(),
-            label: String::new(),
-        });
+        let points = e.static_.iter().zip(side.iter()).map(|(s, v)| s + v).collect::<Vec<_>>();
+        chart.lines.push(Line { points: pairs(&points, &e.z), class: "k-fe thin".into(), label: String::new() });
     }
     let chart = chart.with_plot_height(PLOT);
     let scale = Scale::of(e.dimension, e.static_.iter().chain(&e.min).chain(&e.max).copied());
@@ -249,11 +203,7 @@ fn table(envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], dimension: 
         columns.push(Column::numbers(labels::ENGINE_EXTREMES[0], scale.symbol()));
         columns.push(Column::numbers(labels::ENGINE_EXTREMES[1], scale.symbol()));
     }
-    columns.extend(
-        profiles
-            .iter()
-            .map(|(l, _)| Column::numbers(&l.full_label(), scale.symbol())),
-    );
+    columns.extend(profiles.iter().map(|(l, _)| Column::numbers(&l.full_label(), scale.symbol())));
     let mut table = Table::new(columns);
     let stations = profiles.first().map_or(&[][..], |(_, p)| &p.z);
     for i in spread(stations.len(), 21) {

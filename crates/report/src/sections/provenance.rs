@@ -31,14 +31,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 
 /// The section of results in a format.
 pub(crate) fn of(files: &[SourceFile], written: &str, v: &results::Volatile) -> Section {
-    let files: Vec<File> = files
-        .iter()
-        .map(|f| File {
-            role: f.role.clone(),
-            name: f.name.clone(),
-            sha256: f.sha256.clone(),
-        })
-        .collect();
+    let files: Vec<File> =
+        files.iter().map(|f| File { role: f.role.clone(), name: f.name.clone(), sha256: f.sha256.clone() }).collect();
     let mut section = Section::new("provenance");
     section.set("files", &files);
     section.set("format", &format(written));
@@ -49,11 +43,7 @@ pub(crate) fn of(files: &[SourceFile], written: &str, v: &results::Volatile) -> 
             created: v.created.clone(),
             command: v.command.clone(),
             // None where the time of the run is fixed.
-            seconds: if v.seconds > 0.0 {
-                fixed(v.seconds, 2)
-            } else {
-                String::new()
-            },
+            seconds: if v.seconds > 0.0 { fixed(v.seconds, 2) } else { String::new() },
         },
     );
     section

@@ -77,12 +77,7 @@ fn quantity(set: &RecordSet, row: &SetQuantity) -> Result<Figure, Error> {
     let n = values.len();
     let scatter = &row.scatter;
     let x = Axis::whole(heads::NUMBER, n);
-    let y = Axis::linear(
-        "",
-        row.dimension,
-        values.iter().copied().chain([0.0, scatter.design]),
-        5,
-    );
+    let y = Axis::linear("", row.dimension, values.iter().copied().chain([0.0, scatter.design]), 5);
     let mut chart = Chart::new((HALF, 0.0), x, y);
     let across = |value: f64| vec![(0.5, value), (n as f64 + 0.5, value)];
     if scatter.design > scatter.mean {
@@ -92,20 +87,12 @@ fn quantity(set: &RecordSet, row: &SetQuantity) -> Result<Figure, Error> {
             label: legend::OF_RECORDS.into(),
         });
     }
-    chart.lines.push(Line {
-        points: across(scatter.design),
-        class: "k-fe".into(),
-        label: legend::DESIGN.into(),
-    });
+    chart.lines.push(Line { points: across(scatter.design), class: "k-fe".into(), label: legend::DESIGN.into() });
     chart.marks = values
         .iter()
         .enumerate()
         .filter(|(_, v)| v.is_finite())
-        .map(|(i, v)| Mark {
-            at: (i as f64 + 1.0, *v),
-            label: String::new(),
-            class: "own k-s3".into(),
-        })
+        .map(|(i, v)| Mark { at: (i as f64 + 1.0, *v), label: String::new(), class: "own k-s3".into() })
         .collect();
     let chart = chart.with_plot_height(150.0);
     let scale = Scale::of(row.dimension, values.iter().copied());
@@ -143,10 +130,7 @@ fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity:
     let mut y = Axis::log("", Dimension::Dimensionless, (0.8 * least, 1.25 * largest));
     y.title = heads::PSA.into();
     let mut chart = Chart::new((WIDE, 0.0), x, y);
-    chart.rules.push(Rule {
-        x: period.period,
-        label: format!("T = {} s", significant(period.period, 3)),
-    });
+    chart.rules.push(Rule { x: period.period, label: format!("T = {} s", significant(period.period, 3)) });
     for (i, record) in period.records.iter().enumerate() {
         chart.lines.push(Line {
             points: points(record, 1.0),
@@ -156,35 +140,19 @@ fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity:
     }
     for (values, factor, class, label) in [
         (&period.target, 1.0, "k-s3", legend::TARGET.to_owned()),
-        (
-            &period.target,
-            found.share,
-            "k-s3 thin dotted",
-            words::share(found.share),
-        ),
+        (&period.target, found.share, "k-s3 thin dotted", words::share(found.share)),
         (&period.mean, 1.0, "k-fe", legend::MEAN.to_owned()),
     ] {
-        chart.lines.push(Line {
-            points: points(values, factor),
-            class: class.into(),
-            label,
-        });
+        chart.lines.push(Line { points: points(values, factor), class: class.into(), label });
     }
     let chart = chart.with_plot_height(190.0);
-    let mut columns = vec![
-        Column::numbers("Period", "s"),
-        Column::numbers("Target", "g"),
-        Column::numbers("Mean", "g"),
-    ];
+    let mut columns =
+        vec![Column::numbers("Period", "s"), Column::numbers("Target", "g"), Column::numbers("Mean", "g")];
     columns.extend(set.records.iter().map(|r| Column::numbers(&r.id, "g")));
     let mut table = Table::new(columns);
     for i in spread(period.periods.len(), 30) {
         let cell = |values: &Vec<f64>| values.get(i).map_or("–".into(), |a| significant(a / gravity, 3));
-        let mut row = vec![
-            significant(period.periods[i], 3),
-            cell(&period.target),
-            cell(&period.mean),
-        ];
+        let mut row = vec![significant(period.periods[i], 3), cell(&period.target), cell(&period.mean)];
         row.extend(period.records.iter().map(cell));
         table.row(row);
     }
@@ -301,10 +269,7 @@ fn checks(set: &RecordSet) -> Table {
 fn records(source: &Source, set: &RecordSet) -> Table {
     let gravity = source.results.tank.gravity;
     let shown = governing(set);
-    let scales: Vec<Scale> = shown
-        .iter()
-        .map(|row| Scale::of(row.dimension, values(set, row)))
-        .collect();
+    let scales: Vec<Scale> = shown.iter().map(|row| Scale::of(row.dimension, values(set, row))).collect();
     let usable = set.records.iter().any(|r| r.usable_period.is_some());
     let limits = set.records.iter().any(|r| !r.limits_exceeded.is_empty());
     let utilised = set.records.iter().any(|r| !r.utilisations.is_empty());
@@ -317,12 +282,7 @@ fn records(source: &Source, set: &RecordSet) -> Table {
     if usable {
         columns.push(Column::numbers(heads::USABLE, "s"));
     }
-    columns.extend(
-        shown
-            .iter()
-            .zip(&scales)
-            .map(|(row, scale)| Column::numbers(&row.title, scale.symbol())),
-    );
+    columns.extend(shown.iter().zip(&scales).map(|(row, scale)| Column::numbers(&row.title, scale.symbol())));
     if utilised {
         columns.push(Column::numbers(heads::UTILISATION, ""));
         columns.push(Column::words("Check"));
@@ -357,11 +317,7 @@ fn records(source: &Source, set: &RecordSet) -> Table {
             row.push(crate::words::limit_state(check));
         }
         if limits {
-            let exceeded: Vec<String> = run
-                .limits_exceeded
-                .iter()
-                .map(|id| crate::words::limit_state(id))
-                .collect();
+            let exceeded: Vec<String> = run.limits_exceeded.iter().map(|id| crate::words::limit_state(id)).collect();
             row.push(exceeded.join(", "));
         }
         table.row(row);

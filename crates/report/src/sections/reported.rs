@@ -61,9 +61,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             unit: scale.symbol(),
             value: scale.text(reported.value),
             computed: fe.map_or("–".into(), |v| scale.text(v)),
-            ratio: fe
-                .filter(|v| belongs && *v != 0.0)
-                .map_or("–".into(), |v| ratio(reported.value / v)),
+            ratio: fe.filter(|v| belongs && *v != 0.0).map_or("–".into(), |v| ratio(reported.value / v)),
             source: reported.source.clone(),
             note: reported.note.clone().unwrap_or_default(),
         });

@@ -42,12 +42,7 @@ impl Section {
 
     /// A section with this heading, without content yet.
     pub(super) fn titled(id: &'static str, title: String) -> Section {
-        Section {
-            id,
-            title,
-            context: Context::new(),
-            figures: Vec::new(),
-        }
+        Section { id, title, context: Context::new(), figures: Vec::new() }
     }
 
     /// Keeps a figure for `figures/`; returns its view.
@@ -108,10 +103,7 @@ impl<'a> Source<'a> {
         let of = |m: &Method| m.quantities.get(quantity).map(|v| v.value);
         let methods = || self.results.methods.iter().filter(|m| m.id != MEASURED);
         let deciding = || methods().filter(|m| self.results.verdict.decides(m)).find_map(of);
-        self.fe()
-            .and_then(of)
-            .or_else(deciding)
-            .or_else(|| methods().find_map(of))
+        self.fe().and_then(of).or_else(deciding).or_else(|| methods().find_map(of))
     }
 
     /// A column of the series, to the end of its run.

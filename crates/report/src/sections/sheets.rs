@@ -87,10 +87,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let lines = |m: &Method| all || verdict.decides(m);
     let mut sheets: Vec<Sheet> = methods.iter().map(|m| sheet(m, base(m), full, lines(m))).collect();
     let column = EngineId::Nonlinear.beside();
-    if let (Some(run), Some(sheet)) = (
-        source.results.beside(EngineId::Nonlinear),
-        sheets.iter_mut().find(|s| s.method == column),
-    ) {
+    if let (Some(run), Some(sheet)) =
+        (source.results.beside(EngineId::Nonlinear), sheets.iter_mut().find(|s| s.method == column))
+    {
         sheet.notes.splice(0..0, remarks(run));
     }
     group(&mut sheets);
@@ -102,11 +101,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("full", &full);
     section.set("clauses", &words::CLAUSES);
     // The constants of the codes' formulas hold in SI.
-    let substituted = if System::current() == System::Si {
-        ""
-    } else {
-        words::SUBSTITUTED
-    };
+    let substituted = if System::current() == System::Si { "" } else { words::SUBSTITUTED };
     section.set("substituted", &substituted);
     Ok(Some(section))
 }
@@ -117,13 +112,7 @@ fn group(sheets: &mut [Sheet]) {
     for i in 1..sheets.len() {
         let (above, rest) = sheets.split_at_mut(i);
         let Some(sheet) = rest.first_mut() else { continue };
-        let common = |other: &Sheet| {
-            sheet
-                .assumptions
-                .iter()
-                .filter(|a| other.assumptions.contains(a))
-                .count()
-        };
+        let common = |other: &Sheet| sheet.assumptions.iter().filter(|a| other.assumptions.contains(a)).count();
         let Some(best) = above.iter().max_by_key(|other| common(other)) else {
             continue;
         };
@@ -203,10 +192,7 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
             continue;
         }
         if found.last().is_none_or(|s| s.title != step.section) {
-            found.push(Part {
-                title: step.section.clone(),
-                lines: Vec::new(),
-            });
+            found.push(Part { title: step.section.clone(), lines: Vec::new() });
         }
         if let Some(part) = found.last_mut() {
             part.lines.push(line(number, step, numbers, document));
@@ -292,9 +278,7 @@ fn varied(texts: &[&str]) -> Option<String> {
     if split.iter().any(|words| words.len() != first.len()) {
         return None;
     }
-    let differ: Vec<usize> = (0..first.len())
-        .filter(|&i| split.iter().any(|words| words[i] != first[i]))
-        .collect();
+    let differ: Vec<usize> = (0..first.len()).filter(|&i| split.iter().any(|words| words[i] != first[i])).collect();
     let mut words: Vec<String> = first.iter().map(|word| (*word).to_owned()).collect();
     match differ.as_slice() {
         [] => {}
@@ -354,18 +338,8 @@ mod tests {
         let grounds = ["33", "100", "300"];
         let mut lines = Vec::new();
         for (i, ground) in grounds.iter().enumerate() {
-            lines.push(line(
-                2 * i + 1,
-                "w",
-                &format!("uplift on {ground} MN/m³"),
-                &format!("{i}.5"),
-            ));
-            lines.push(line(
-                2 * i + 2,
-                "L",
-                &format!("length on {ground} MN/m³"),
-                &format!("{i}.7"),
-            ));
+            lines.push(line(2 * i + 1, "w", &format!("uplift on {ground} MN/m³"), &format!("{i}.5")));
+            lines.push(line(2 * i + 2, "L", &format!("length on {ground} MN/m³"), &format!("{i}.7")));
         }
         lines.push(line(7, "w", "another uplift", "9"));
         let found = merged(lines);

@@ -29,9 +29,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     if fields.is_some_and(|fields| !sound(fields)) {
-        return Err(Error::Report(
-            "fields: a face or a displacement without its node".into(),
-        ));
+        return Err(Error::Report("fields: a face or a displacement without its node".into()));
     }
     let mut section = Section::new("spatial");
     section.set("difference", &difference(source));
@@ -45,22 +43,12 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let modes = |f: &Fields| numbered(&f.modes, |i, m| Some(mode(f, i, (m, round))));
     section.set_figures("mesh_figures", drawn(|f| vec![mesh(f)]));
     section.set_figures("mode_figures", fields.map_or(Vec::new(), modes));
-    section.set_figures(
-        "moment_figures",
-        drawn(|f| numbered(&f.moments, |i, m| Some(moment(f, i, m)))),
-    );
+    section.set_figures("moment_figures", drawn(|f| numbered(&f.moments, |i, m| Some(moment(f, i, m)))));
     let walls = match results.tank.tank.shape {
         Shape::Cylinder { .. } => None,
-        Shape::Rectangle { length, breadth, .. } => Some(Perimeter {
-            length: 0.5 * length,
-            breadth: 0.5 * breadth,
-        }),
+        Shape::Rectangle { length, breadth, .. } => Some(Perimeter { length: 0.5 * length, breadth: 0.5 * breadth }),
     };
-    let maps = |f: &Fields| {
-        numbered(&f.maps, |i, m| {
-            map::figure(&format!("map_{}_{}", i + 1, m.id), m, walls)
-        })
-    };
+    let maps = |f: &Fields| numbered(&f.maps, |i, m| map::figure(&format!("map_{}_{}", i + 1, m.id), m, walls));
     section.set_figures("map_figures", fields.map_or(Vec::new(), maps));
     Ok(Some(section))
 }
@@ -141,10 +129,7 @@ fn faces(fields: &Fields, displacement: Option<&[[f64; 3]]>, wall: f64, surface:
         [0, 1, 2].map(|k| p[k] + factor * u[k])
     };
     let part = |list: &[[usize; 4]], part: Part, factor: f64| -> Vec<Face> {
-        let face = |f: &[usize; 4]| Face {
-            corners: f.map(|i| moved(i, factor)),
-            part,
-        };
+        let face = |f: &[usize; 4]| Face { corners: f.map(|i| moved(i, factor)), part };
         list.iter().map(face).collect()
     };
     let mut all = part(&fields.wall, Part::Wall, wall);
@@ -199,11 +184,8 @@ fn mesh(fields: &Fields) -> Figure {
 fn mode(fields: &Fields, index: usize, (mode, round): (&Picture, bool)) -> Figure {
     let unit = largest(&fields.wall, &mode.displacement).max(largest(&fields.surface, &mode.displacement));
     let factor = SWING * dimension(fields) / unit.max(f64::MIN_POSITIVE);
-    let (size, markup) = scene::draw(
-        &faces(fields, Some(&mode.displacement), factor, factor),
-        &ghost(fields),
-        &fields.nodes,
-    );
+    let (size, markup) =
+        scene::draw(&faces(fields, Some(&mode.displacement), factor, factor), &ghost(fields), &fields.nodes);
     let frequency = mode.omega / std::f64::consts::TAU;
     Figure {
         id: format!("mode_spatial_{}", index + 1),
@@ -229,11 +211,8 @@ fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
         scene::round_down(SWING * dimension(fields) / most.max(f64::MIN_POSITIVE))
     };
     let (wall, surface) = (factor(&fields.wall), factor(&fields.surface));
-    let (size, markup) = scene::draw(
-        &faces(fields, Some(&moment.displacement), wall, surface),
-        &ghost(fields),
-        &fields.nodes,
-    );
+    let (size, markup) =
+        scene::draw(&faces(fields, Some(&moment.displacement), wall, surface), &ghost(fields), &fields.nodes);
     let factors = words::factors(&factor_text(wall), &factor_text(surface));
     Figure {
         id: format!("moment_{}", index + 1),
@@ -262,10 +241,7 @@ fn factor_text(factor: f64) -> String {
 
 /// Displacements of some nodes; without a dimension they are relative.
 fn displacements(fields: &Fields, displacement: &[[f64; 3]], dimension: Option<Dimension>) -> Table {
-    let scale = Scale::of(
-        dimension.unwrap_or(Dimension::Dimensionless),
-        displacement.iter().flatten().copied(),
-    );
+    let scale = Scale::of(dimension.unwrap_or(Dimension::Dimensionless), displacement.iter().flatten().copied());
     let mut table = Table::new(vec![
         Column::numbers("x", "m"),
         Column::numbers("y", "m"),

@@ -14,12 +14,8 @@ use results::{Mode, SpectrumCurve};
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let curves: Vec<&SpectrumCurve> = source
-        .results
-        .spectra
-        .iter()
-        .filter(|c| c.period.len() > 1 && c.psa.len() == c.period.len())
-        .collect();
+    let curves: Vec<&SpectrumCurve> =
+        source.results.spectra.iter().filter(|c| c.period.len() > 1 && c.psa.len() == c.period.len()).collect();
     if curves.is_empty() {
         return Ok(None);
     }
@@ -64,11 +60,7 @@ fn periods(source: &Source) -> Vec<Period> {
     }
     if periods.is_empty() {
         for (id, letter) in [("sloshing_period", 'c'), ("impulsive_period", 'i')] {
-            periods.extend(source.best(id).map(|value| Period {
-                letter,
-                number: 1,
-                value,
-            }));
+            periods.extend(source.best(id).map(|value| Period { letter, number: 1, value }));
         }
     }
     periods
@@ -77,62 +69,37 @@ fn periods(source: &Source) -> Vec<Period> {
 fn rules(source: &Source) -> Vec<Rule> {
     periods(source)
         .into_iter()
-        .map(|p| Rule {
-            x: p.value,
-            label: format!("T_{}{} = {} s", p.letter, p.number, significant(p.value, 3)),
-        })
+        .map(|p| Rule { x: p.value, label: format!("T_{}{} = {} s", p.letter, p.number, significant(p.value, 3)) })
         .collect()
 }
 
 fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
     let longest = periods(source).iter().map(|p| p.value).fold(0.0, f64::max);
-    let data_end = curves
-        .iter()
-        .filter_map(|c| c.period.last())
-        .fold(0.0_f64, |m, t| m.max(*t));
+    let data_end = curves.iter().filter_map(|c| c.period.last()).fold(0.0_f64, |m, t| m.max(*t));
     let end = (1.25 * longest).clamp(2.0_f64.min(data_end), data_end);
     let gravity = source.results.tank.gravity;
     let shown = |c: &SpectrumCurve| -> Vec<(f64, f64)> {
         let points = c.period.iter().zip(&c.psa);
-        points
-            .filter(|(t, _)| **t <= end)
-            .map(|(t, a)| (*t, a / gravity))
-            .collect()
+        points.filter(|(t, _)| **t <= end).map(|(t, a)| (*t, a / gravity)).collect()
     };
     let values: Vec<f64> = curves.iter().flat_map(|c| shown(c)).map(|p| p.1).collect();
     let x = Axis::exact("Period T", Dimension::Time, (0.0, end), 8);
-    let mut y = Axis::linear(
-        "Pseudo-acceleration",
-        Dimension::Dimensionless,
-        values.into_iter().chain([0.0]),
-        5,
-    );
+    let mut y = Axis::linear("Pseudo-acceleration", Dimension::Dimensionless, values.into_iter().chain([0.0]), 5);
     y.title = "Pseudo-acceleration PSA [g]".into();
     let mut chart = Chart::new((WIDE, 0.0), x, y);
     chart.rules = rules(source);
     for (i, c) in curves.iter().enumerate() {
-        chart.lines.push(Line {
-            points: shown(c),
-            class: class(i),
-            label: c.title.clone(),
-        });
+        chart.lines.push(Line { points: shown(c), class: class(i), label: c.title.clone() });
     }
     let chart = chart.with_plot_height(190.0);
     let mut columns = vec![Column::numbers("Period", "s")];
     columns.extend(curves.iter().map(|c| Column::numbers(&c.title, "g")));
     let mut table = Table::new(columns);
-    let longest_curve = curves
-        .iter()
-        .max_by_key(|c| c.period.len())
-        .map_or(&[][..], |c| &c.period);
+    let longest_curve = curves.iter().max_by_key(|c| c.period.len()).map_or(&[][..], |c| &c.period);
     for i in spread(longest_curve.len(), 40) {
         let t = longest_curve[i];
         let mut row = vec![significant(t, 3)];
-        row.extend(
-            curves
-                .iter()
-                .map(|c| cell(at(&c.period, &c.psa, t).map(|a| a / gravity))),
-        );
+        row.extend(curves.iter().map(|c| cell(at(&c.period, &c.psa, t).map(|a| a / gravity))));
         table.row(row);
     }
     Ok(Figure {
@@ -168,10 +135,7 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
         columns.push(Column::numbers(&format!("Sd, {}", c.title), "mm"));
     }
     let mut table = Table::new(columns);
-    let longest = curves
-        .iter()
-        .max_by_key(|c| c.period.len())
-        .map_or(&[][..], |c| &c.period);
+    let longest = curves.iter().max_by_key(|c| c.period.len()).map_or(&[][..], |c| &c.period);
     for i in spread(longest.len(), 30) {
         let t = longest[i];
         let mut row = vec![significant(t, 3)];

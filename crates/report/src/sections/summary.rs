@@ -18,12 +18,8 @@ use results::compare::unusable;
 use results::{Aside, Deciding, FE, Limit, Overruled, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
-const HEADLINES: [Quantity; 4] = [
-    Quantity::SloshingHeight,
-    Quantity::BaseMoment,
-    Quantity::HoopStress,
-    Quantity::AxialMembraneStress,
-];
+const HEADLINES: [Quantity; 4] =
+    [Quantity::SloshingHeight, Quantity::BaseMoment, Quantity::HoopStress, Quantity::AxialMembraneStress];
 
 #[derive(Serialize)]
 struct Verdict {
@@ -88,11 +84,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("input", &input);
     section.set("unusual", &unusual);
     section.set("has_fe", &source.fe().is_some());
-    let mut cells = results
-        .comparison
-        .rows
-        .iter()
-        .flat_map(|row| row.cells.iter().flatten());
+    let mut cells = results.comparison.rows.iter().flat_map(|row| row.cells.iter().flatten());
     section.set("outside", &cells.any(|cell| cell.outside));
     section.set("project", &frame::document(results.project.as_ref()));
     section.set("signatures", &frame::signatures(results.project.as_ref()));
@@ -195,10 +187,7 @@ fn governing(results: &Results) -> Option<Governing> {
     let (demand, capacity) = check.demand.zip(check.capacity)?;
     let ratio = check.ratio()?;
     let scale = Scale::of(check.dimension, [demand, capacity]);
-    let method = results
-        .methods
-        .iter()
-        .find(|m| m.id == governing.method && m.excitation == governing.excitation);
+    let method = results.methods.iter().find(|m| m.id == governing.method && m.excitation == governing.excitation);
     Some(Governing {
         name: capital(&check.name),
         method: method.map_or(governing.method.clone(), |m| format!("{}, {}", m.title, excitation(m))),
@@ -209,25 +198,17 @@ fn governing(results: &Results) -> Option<Governing> {
         utilisation: utilisation(ratio),
         width: bar_width(ratio),
         holds: check.holds(),
-        note: [
-            check.note.clone(),
-            words::verdict::place(check),
-            words::verdict::within_error(check),
-        ]
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join("; "),
+        note: [check.note.clone(), words::verdict::place(check), words::verdict::within_error(check)]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join("; "),
     })
 }
 
 /// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
 pub(super) fn bar_width(utilisation: f64) -> f64 {
-    if utilisation.is_finite() {
-        (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round()
-    } else {
-        100.0
-    }
+    if utilisation.is_finite() { (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round() } else { 100.0 }
 }
 
 fn facts(source: &Source) -> Vec<Pair> {
@@ -237,10 +218,7 @@ fn facts(source: &Source) -> Vec<Pair> {
     if let Some(set) = &source.results.record_set {
         add(words::summary::RECORDS, words::summary::records(set));
     } else if let Some(record) = source.results.records.first() {
-        add(
-            words::summary::PEAK_GROUND_ACCELERATION,
-            format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
-        );
+        add(words::summary::PEAK_GROUND_ACCELERATION, format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)));
     }
     if let Some(t) = source.best("sloshing_period") {
         add(words::summary::FIRST_SLOSHING, with_unit(t, Dimension::Time));
@@ -273,24 +251,16 @@ fn warnings(results: &Results) -> Vec<Warning> {
     first
         .iter()
         .chain(&others)
-        .map(|l| Warning {
-            name: capital(&l.name),
-            found: words::summary::exceeded(l),
-            note: capital(&l.note),
-        })
+        .map(|l| Warning { name: capital(&l.name), found: words::summary::exceeded(l), note: capital(&l.note) })
         .collect()
 }
 
 /// Warnings about the input and about values that are not to be used.
 fn unusual(results: &Results) -> Vec<Warned> {
     let unusable = unusable(results);
-    let unusable = unusable
-        .iter()
-        .map(|found| Warned::new(Code::Unusable, words::verdict::unusable(found)));
+    let unusable = unusable.iter().map(|found| Warned::new(Code::Unusable, words::verdict::unusable(found)));
     let beyond = words::record_set::beyond(results);
-    let beyond = beyond
-        .iter()
-        .map(|line| Warned::new(Code::UnusualRecord, capital(line) + "."));
+    let beyond = beyond.iter().map(|line| Warned::new(Code::UnusualRecord, capital(line) + "."));
     results.warnings.iter().cloned().chain(beyond).chain(unusable).collect()
 }
 
@@ -332,11 +302,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
                 })
             })
             .collect();
-        let by = if values.iter().any(|bar| bar.divided) {
-            dividing.as_str()
-        } else {
-            ""
-        };
+        let by = if values.iter().any(|bar| bar.divided) { dividing.as_str() } else { "" };
         figures.extend(bars(
             &format!("bars_{}{}", row.quantity, if site { "_site" } else { "" }),
             (&row.title, by),

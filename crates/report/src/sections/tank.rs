@@ -64,11 +64,7 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     let tank = &summary.tank;
     let mut section = Section::new("tank");
     let (plan, support) = (plan(tank.shape), support(tank.support));
-    let mut facts = Table::new(vec![
-        Column::words("Property"),
-        Column::numbers("Value", ""),
-        Column::words("Unit"),
-    ]);
+    let mut facts = Table::new(vec![Column::words("Property"), Column::numbers("Value", ""), Column::words("Unit")]);
     let mut fact = |label: &str, value: f64, dimension| {
         let scale = Scale::of(dimension, [value]);
         facts.row(vec![label.into(), scale.given(value), scale.symbol().into()]);
@@ -83,11 +79,7 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     if tank.roof.afloat > 0.0 {
         fact(words::FLOATING_ROOF, tank.roof.afloat, Dimension::Mass);
     }
-    fact(
-        "Freeboard",
-        tank.wall_height() - summary.liquid.fill_height - tank.roof.rim,
-        Dimension::Length,
-    );
+    fact("Freeboard", tank.wall_height() - summary.liquid.fill_height - tank.roof.rim, Dimension::Length);
     fact(words::GRAVITY, summary.gravity, Dimension::Acceleration);
     if let Some(bottom) = &tank.bottom {
         fact(words::BOTTOM_PLATE, bottom.thickness, Dimension::Length);

@@ -26,12 +26,7 @@ fn class(state: usize) -> &'static str {
 }
 
 fn intensity(study: &Study, ims: impl IntoIterator<Item = f64>) -> Axis {
-    Axis::linear(
-        &words::axis(&study.im),
-        study.dimension,
-        ims.into_iter().chain([0.0]),
-        6,
-    )
+    Axis::linear(&words::axis(&study.im), study.dimension, ims.into_iter().chain([0.0]), 6)
 }
 
 fn share(title: &str) -> Axis {
@@ -58,11 +53,8 @@ pub(super) fn tanks(study: &Study, most: usize) -> Result<Vec<Figure>, Error> {
     first.truncate(most);
     let chosen = |id: &str| first.iter().any(|(_, tank)| *tank == id);
     let of = |(number, tank): (usize, &results::StudyTank)| {
-        let curves: Vec<&StudyCurve> = study
-            .curves
-            .iter()
-            .filter(|c| c.tank.as_deref() == Some(tank.id.as_str()))
-            .collect();
+        let curves: Vec<&StudyCurve> =
+            study.curves.iter().filter(|c| c.tank.as_deref() == Some(tank.id.as_str())).collect();
         figure(study, number, &tank.id, &curves)
     };
     let shown = study.tanks.iter().enumerate().filter(|(_, tank)| chosen(&tank.id));
@@ -72,21 +64,13 @@ pub(super) fn tanks(study: &Study, most: usize) -> Result<Vec<Figure>, Error> {
 fn figure(study: &Study, number: usize, tank: &str, curves: &[&StudyCurve]) -> Result<Figure, Error> {
     let ims = curves.iter().flat_map(|c| c.points.iter().map(|p| p.0));
     let lines = curves.iter().flat_map(|c| c.line.last().map(|p| p.0));
-    let mut chart = Chart::new(
-        (HALF, 0.0),
-        intensity(study, ims.chain(lines)),
-        share(words::PROBABILITY),
-    );
+    let mut chart = Chart::new((HALF, 0.0), intensity(study, ims.chain(lines)), share(words::PROBABILITY));
     for (state, curve) in curves.iter().enumerate() {
         let class = class(state);
         if !curve.band.is_empty() {
             let low = curve.band.iter().map(|(im, low, _)| (*im, *low));
             let high = curve.band.iter().rev().map(|(im, _, high)| (*im, *high));
-            chart.bands.push(Band {
-                points: low.chain(high).collect(),
-                class: class.into(),
-                label: String::new(),
-            });
+            chart.bands.push(Band { points: low.chain(high).collect(), class: class.into(), label: String::new() });
         }
         let mut points = curve.line.clone();
         points.insert(0, (0.0, 0.0));
@@ -125,10 +109,8 @@ fn counted(curve: &StudyCurve) -> impl Iterator<Item = (f64, f64)> {
 
 /// Counts at intensities, one column a state.
 fn data(study: &Study, curves: &[&StudyCurve]) -> Table {
-    let ims: Vec<f64> = curves
-        .iter()
-        .max_by_key(|c| c.points.len())
-        .map_or_else(Vec::new, |c| c.points.iter().map(|p| p.0).collect());
+    let ims: Vec<f64> =
+        curves.iter().max_by_key(|c| c.points.len()).map_or_else(Vec::new, |c| c.points.iter().map(|p| p.0).collect());
     let scale = Scale::of(study.dimension, ims.iter().copied());
     let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
     columns.extend(curves.iter().map(|c| Column::numbers(&c.state, "")));
@@ -161,11 +143,7 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     let losses = &study.losses;
     let most = study.tanks.len();
     let shown: Vec<usize> = AT_LEAST.into_iter().filter(|k| *k <= most).collect();
-    let mut chart = Chart::new(
-        (HALF, 0.0),
-        intensity(study, losses.iter().map(|l| l.im)),
-        share(words::PROBABILITY),
-    );
+    let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), share(words::PROBABILITY));
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
     let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
     for (i, &k) in shown.iter().enumerate() {
@@ -173,13 +151,9 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
             let at = |l: &results::StudyLoss| (l.im, values(l).get(k - 1).copied().flatten());
             losses.iter().map(at).collect()
         };
-        chart
-            .lines
-            .extend(broken(&of(|l| &l.at_least), class(i), &words::at_least(k)));
+        chart.lines.extend(broken(&of(|l| &l.at_least), class(i), &words::at_least(k)));
         let independent = if i == 0 { words::INDEPENDENT } else { "" };
-        chart
-            .lines
-            .extend(broken(&of(|l| &l.independent), "k-ground thin dotted", independent));
+        chart.lines.extend(broken(&of(|l| &l.independent), "k-ground thin dotted", independent));
         columns.push(Column::numbers(&words::at_least(k), ""));
         columns.push(Column::numbers(words::INDEPENDENT, ""));
     }
@@ -209,9 +183,7 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
 
 /// A line with a gap at each missing value; only its first piece is labelled.
 fn broken(points: &[(f64, Option<f64>)], class: &str, label: &str) -> Vec<Line> {
-    let pieces = points
-        .split(|(_, value)| value.is_none())
-        .filter(|piece| !piece.is_empty());
+    let pieces = points.split(|(_, value)| value.is_none()).filter(|piece| !piece.is_empty());
     let line = |(i, piece): (usize, &[(f64, Option<f64>)])| Line {
         points: piece.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect(),
         class: class.into(),
@@ -273,34 +245,17 @@ fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure,
     let logarithmic = highest > FLAT && lowest > 0.0;
     let y = match logarithmic {
         true => Axis::log(words::RATIO, Dimension::Dimensionless, (0.8 * lowest, 1.25 * highest)),
-        false => Axis::linear(
-            words::RATIO,
-            Dimension::Dimensionless,
-            points().map(|p| p.1).chain([0.0, 1.0]),
-            5,
-        ),
+        false => Axis::linear(words::RATIO, Dimension::Dimensionless, points().map(|p| p.1).chain([0.0, 1.0]), 5),
     };
     let mut chart = Chart::new((HALF, 0.0), intensity(study, points().map(|p| p.0)), y);
-    chart.lines.push(Line {
-        points: vec![(0.0, 1.0), (end, 1.0)],
-        class: "k-s3".into(),
-        label: words::LIMIT.into(),
-    });
+    chart.lines.push(Line { points: vec![(0.0, 1.0), (end, 1.0)], class: "k-s3".into(), label: words::LIMIT.into() });
     for (i, (_, points)) in trace.records.iter().enumerate() {
         chart.lines.push(Line {
             points: points.clone(),
             class: "k-ground thin".into(),
-            label: if i == 0 {
-                words::ONE_RECORD.into()
-            } else {
-                String::new()
-            },
+            label: if i == 0 { words::ONE_RECORD.into() } else { String::new() },
         });
-        chart.marks.extend(points.iter().map(|&at| Mark {
-            at,
-            label: String::new(),
-            class: "own k-s2".into(),
-        }));
+        chart.marks.extend(points.iter().map(|&at| Mark { at, label: String::new(), class: "own k-s2".into() }));
     }
     let scale = Scale::of(study.dimension, points().map(|p| p.0));
     let mut table = Table::new(vec![
@@ -308,11 +263,8 @@ fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure,
         Column::numbers(&words::head(&study.im), scale.symbol()),
         Column::numbers(words::RATIO, ""),
     ]);
-    let all: Vec<(&str, (f64, f64))> = trace
-        .records
-        .iter()
-        .flat_map(|(id, points)| points.iter().map(|p| (id.as_str(), *p)))
-        .collect();
+    let all: Vec<(&str, (f64, f64))> =
+        trace.records.iter().flat_map(|(id, points)| points.iter().map(|p| (id.as_str(), *p))).collect();
     for i in spread(all.len(), 8 * ROWS) {
         let (id, (im, ratio)) = all[i];
         table.row(vec![id.into(), scale.text(im), significant(ratio, 3)]);

@@ -22,10 +22,7 @@ pub(super) fn tanks(study: &Study) -> Table {
     let volume = |v: Option<f64>| v.map_or_else(|| NONE.into(), |v| fixed(v, 0));
     let period = |p: Option<f64>| p.map_or_else(|| NONE.into(), |p| significant(p, 3));
     let sampled = study.samples > 1;
-    let length = Scale::of(
-        Dimension::Length,
-        study.tanks.iter().flat_map(|tank| tank.size).flatten(),
-    );
+    let length = Scale::of(Dimension::Length, study.tanks.iter().flat_map(|tank| tank.size).flatten());
     let size = |size: Option<f64>| size.map_or_else(|| NONE.into(), |v| length.given(v));
     let mut columns = vec![Column::words(heads::TANK), Column::words(heads::VERDICT)];
     if sampled {
@@ -119,14 +116,7 @@ pub(super) fn states(study: &Study) -> Table {
         }
         if state.by_worse > 0 {
             let demand = words::BY_WORSE.to_owned();
-            table.row(vec![
-                state.name.clone(),
-                demand,
-                NONE.into(),
-                NONE.into(),
-                count(state.by_worse),
-                String::new(),
-            ]);
+            table.row(vec![state.name.clone(), demand, NONE.into(), NONE.into(), count(state.by_worse), String::new()]);
         }
     }
     table
@@ -206,10 +196,8 @@ pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
 pub(super) fn losses(study: &Study) -> Table {
     let scale = Scale::of(study.dimension, study.losses.iter().map(|l| l.im));
     let bounded = study.losses.iter().any(|loss| loss.bounds.is_some());
-    let mut columns = vec![
-        Column::numbers(&words::head(&study.im), scale.symbol()),
-        Column::numbers(heads::EARTHQUAKES, ""),
-    ];
+    let mut columns =
+        vec![Column::numbers(&words::head(&study.im), scale.symbol()), Column::numbers(heads::EARTHQUAKES, "")];
     if bounded {
         columns.push(Column::numbers(heads::NOT_JUDGED, ""));
     }
@@ -217,10 +205,7 @@ pub(super) fn losses(study: &Study) -> Table {
     if bounded {
         columns.push(Column::numbers(heads::BOUNDS, ""));
     }
-    columns.extend([
-        Column::numbers(heads::INDEPENDENT, ""),
-        Column::numbers(heads::MEAN_VOLUME, "m³"),
-    ]);
+    columns.extend([Column::numbers(heads::INDEPENDENT, ""), Column::numbers(heads::MEAN_VOLUME, "m³")]);
     if bounded {
         columns.push(Column::numbers(heads::BOUNDS, "m³"));
     }
@@ -330,12 +315,7 @@ pub(super) fn faults(study: &Study) -> Table {
     let mut faults: Vec<_> = study.faults.iter().collect();
     faults.sort_by_key(|fault| std::cmp::Reverse(fault.rows));
     for fault in faults.iter().take(FAULTS) {
-        table.row(vec![
-            fault.status.clone(),
-            count(fault.rows),
-            fault.first.join(", "),
-            fault.message.clone(),
-        ]);
+        table.row(vec![fault.status.clone(), count(fault.rows), fault.first.join(", "), fault.message.clone()]);
     }
     table
 }
@@ -349,12 +329,7 @@ pub(super) fn gaps(study: &Study) -> Table {
         Column::words(heads::WHY),
     ]);
     for gap in study.gaps.iter().take(FAULTS) {
-        table.row(vec![
-            words::basis::tanks(study, gap),
-            words::id(&gap.demand),
-            count(gap.rows),
-            gap.reason.clone(),
-        ]);
+        table.row(vec![words::basis::tanks(study, gap), words::id(&gap.demand), count(gap.rows), gap.reason.clone()]);
     }
     table
 }

@@ -71,20 +71,11 @@ fn study() -> Study {
         tanks: vec![
             tank("A & B", Some(VerdictStatus::Fails)),
             tank("C", Some(VerdictStatus::Holds)),
-            StudyTank {
-                samples: [0, 0],
-                governing: None,
-                ..tank("D", None)
-            },
+            StudyTank { samples: [0, 0], governing: None, ..tank("D", None) },
         ],
         states: vec![StudyState {
             name: "DS1".into(),
-            limits: vec![StudyLimit {
-                demand: "sliding".into(),
-                limit: 1.0,
-                source: "a source".into(),
-                runs: 8,
-            }],
+            limits: vec![StudyLimit { demand: "sliding".into(), limit: 1.0, source: "a source".into(), runs: 8 }],
             by_worse: 3,
         }],
         gaps: Vec::new(),
@@ -173,10 +164,7 @@ fn codes_alone() {
 /// In German nothing of the page is English but the names and reasons of the study.
 #[test]
 fn in_german() {
-    let _wish = crate::style::wish(crate::style::Wish {
-        language: Some(tank::Language::German),
-        units: None,
-    });
+    let _wish = crate::style::wish(crate::style::Wish { language: Some(tank::Language::German), units: None });
     let page = super::report(&study()).expect("renders").html;
     assert!(page.contains("Erdbebenstudie") && page.contains("lang=\"de\""));
     let names = ["C, set/one", "a NaN & more", "a source", "code", "error", "set/one"];
@@ -200,10 +188,7 @@ fn a_table_of_tanks_and_capacities() {
             method: "capacities".into(),
             tanks: vec![StudyTank {
                 open: vec![("ec8-2006".into(), "damage_limitation".into())],
-                given: vec![
-                    ("tank.radius".into(), "7.5 m".into()),
-                    ("liquid.density".into(), "850 kg/m3".into()),
-                ],
+                given: vec![("tank.radius".into(), "7.5 m".into()), ("liquid.density".into(), "850 kg/m3".into())],
                 ..tank("A & B", Some(VerdictStatus::Incomplete))
             }],
             curves: vec![twin("DS1"), twin("DS2")],
@@ -232,21 +217,9 @@ fn a_table_of_tanks_and_capacities() {
     assert!(!page.contains("tank.radius"));
     // The unit is that of this page alone.
     assert_eq!(tank::units::display(9.80665, Dimension::Acceleration), "9.81 m/s²");
-    let _wish = crate::style::wish(crate::style::Wish {
-        language: Some(tank::Language::German),
-        units: None,
-    });
+    let _wish = crate::style::wish(crate::style::Wish { language: Some(tank::Language::German), units: None });
     report(&of_table()).unwrap();
-    let names = [
-        "C, set/one",
-        "a NaN & more",
-        "a source",
-        "code",
-        "error",
-        "set/one",
-        "850 kg/m3",
-        "liquid.density",
-    ];
+    let names = ["C, set/one", "a NaN & more", "a source", "code", "error", "set/one", "850 kg/m3", "liquid.density"];
     let mut left = crate::language::untranslated();
     left.retain(|text| !names.contains(&text.as_str()));
     assert_eq!(left, Vec::<String>::new());

@@ -14,11 +14,8 @@ pub fn sentence(run: &Run, end: Option<f64>) -> String {
     if end <= record {
         return String::new();
     }
-    let mut text = format!(
-        "The record ends at {} s; the tank then vibrates freely, up to {} s.",
-        fixed(record, 2),
-        fixed(end, 2)
-    );
+    let mut text =
+        format!("The record ends at {} s; the tank then vibrates freely, up to {} s.", fixed(record, 2), fixed(end, 2));
     let late = run.histories.iter().filter(|h| h.time > record && h.peak > 0.0);
     let late: Vec<&str> = late.map(|h| h.title.as_str()).collect();
     if !late.is_empty() {

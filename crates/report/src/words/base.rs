@@ -14,12 +14,7 @@ pub const STRIP_HEAD: [&str; 7] = [
 ];
 
 /// Heads of the table of the whole base; three numbers a cell.
-pub const TURN_HEAD: [&str; 4] = [
-    "ψ [1e-3]",
-    "moment [MNm]: k/3 / k / 3k",
-    "lift [mm]",
-    "toe stress [MPa]",
-];
+pub const TURN_HEAD: [&str; 4] = ["ψ [1e-3]", "moment [MNm]: k/3 / k / 3k", "lift [mm]", "toe stress [MPa]"];
 
 /// What the heads of the table of the strip mean.
 pub const STRIP_HEADS: &str = "uplift of the rim from the unloaded ground; hold-down: pull of the plate on the wall; θ rim, M rim and N: rotation, bending \
@@ -62,18 +57,14 @@ pub const ELASTIC: &str =
 /// Why there is nothing to lift, and what to do.
 pub fn absent(cylinder: bool, plate: bool) -> (&'static str, &'static str) {
     match (cylinder, plate) {
-        (true, _) => (
-            "the base of a rectangle is not computed",
-            "uplift of a bottom plate is for cylinders",
-        ),
+        (true, _) => ("the base of a rectangle is not computed", "uplift of a bottom plate is for cylinders"),
         (_, true) => (
             "`tank.bottom` is missing: without a bottom plate there is nothing to lift",
             "give its thickness and material",
         ),
-        _ => (
-            "the bottom is a slab, not a metal plate that lifts: it turns as a whole",
-            "give a bottom plate of metal",
-        ),
+        _ => {
+            ("the bottom is a slab, not a metal plate that lifts: it turns as a whole", "give a bottom plate of metal")
+        }
     }
 }
 
@@ -95,8 +86,5 @@ pub fn ground(modulus: f64, assumed: bool, waves: bool) -> String {
         (_, true) => "from the velocity of shear waves, after Vesic",
         _ => "given",
     };
-    format!(
-        "ground under the rim {} ({origin})",
-        display(modulus, Dimension::Subgrade)
-    )
+    format!("ground under the rim {} ({origin})", display(modulus, Dimension::Subgrade))
 }

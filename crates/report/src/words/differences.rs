@@ -48,10 +48,8 @@ fn reason(reason: &Reason, events: &[Event]) -> String {
 fn model(reason: &Reason) -> String {
     let text = match reason {
         Reason::Discretisation { estimated } => {
-            let list: Vec<String> = estimated
-                .iter()
-                .map(|e| format!("{} {:.1} %", super::quantity(e.quantity), 100.0 * e.error))
-                .collect();
+            let list: Vec<String> =
+                estimated.iter().map(|e| format!("{} {:.1} %", super::quantity(e.quantity), 100.0 * e.error)).collect();
             let estimated = match list.is_empty() {
                 true => String::new(),
                 false => format!(" Its estimated discretisation error: {}.", list.join(", ")),
@@ -77,15 +75,9 @@ fn model(reason: &Reason) -> String {
 
 /// "Largest factors: lever arms 1.31, impulsive period 0.80."
 fn largest(steps: &[FactorStep]) -> String {
-    let list: Vec<String> = steps
-        .iter()
-        .map(|step| format!("{} {:.2}", super::factors::name(step.factor_id), step.factor))
-        .collect();
-    let what = if steps.len() == 1 {
-        "Largest factor"
-    } else {
-        "Largest factors"
-    };
+    let list: Vec<String> =
+        steps.iter().map(|step| format!("{} {:.2}", super::factors::name(step.factor_id), step.factor)).collect();
+    let what = if steps.len() == 1 { "Largest factor" } else { "Largest factors" };
     format!("{what}: {}.", list.join(", "))
 }
 
@@ -129,11 +121,7 @@ fn nonlinear(reason: &Reason, events: &[Event]) -> String {
 
 /// "first crack at 2.31 s (base, θ = 0°)".
 fn told(event: &Event) -> String {
-    let when = if event.time > 0.0 {
-        format!("at {:.2} s", event.time)
-    } else {
-        "in the static state".into()
-    };
+    let when = if event.time > 0.0 { format!("at {:.2} s", event.time) } else { "in the static state".into() };
     format!("{} {when} ({})", event.title, event.place)
 }
 
@@ -189,14 +177,8 @@ mod tests {
             place: "base".into(),
             note: String::new(),
         };
-        let modal = Damping::Modal {
-            sloshing: 0.005,
-            structural: 0.02,
-        };
-        let estimated = vec![Estimated {
-            quantity: Quantity::BaseMoment,
-            error: 0.021,
-        }];
+        let modal = Damping::Modal { sloshing: 0.005, structural: 0.02 };
+        let estimated = vec![Estimated { quantity: Quantity::BaseMoment, error: 0.021 }];
         for (cause, part) in [
             (Reason::LeavesLinearTheory { events: 1 }, "first crack at 2.31 s (base)"),
             (Reason::NoEquilibrium { time: 7.5 }, "not find equilibrium after 7.50 s"),
@@ -204,19 +186,12 @@ mod tests {
             (Reason::Discretisation { estimated }, "error: base moment 2.1 %."),
             (
                 Reason::Factors {
-                    steps: vec![FactorStep {
-                        factor_id: tank::factor::Factor::LeverArm,
-                        factor: 1.314,
-                        value: 2.0,
-                    }],
+                    steps: vec![FactorStep { factor_id: tank::factor::Factor::LeverArm, factor: 1.314, value: 2.0 }],
                 },
                 "Largest factor: lever arms 1.31.",
             ),
             (
-                Reason::Damping {
-                    linear: modal,
-                    nonlinear: Damping::MassProportional { ratio: 0.001 },
-                },
+                Reason::Damping { linear: modal, nonlinear: Damping::MassProportional { ratio: 0.001 } },
                 "nonlinear proportional to the mass, 0.100 %",
             ),
         ] {
@@ -229,10 +204,7 @@ mod tests {
     #[test]
     fn quantities_have_their_names() {
         for q in Quantity::ALL {
-            assert!(
-                crate::words::quantity(q).starts_with(&q.id().replace('_', " ")),
-                "{q:?}"
-            );
+            assert!(crate::words::quantity(q).starts_with(&q.id().replace('_', " ")), "{q:?}");
         }
     }
 }

@@ -50,10 +50,7 @@ pub fn peak(value: f64, dimension: Dimension, time: f64) -> String {
 pub fn history(static_value: f64, dimension: Dimension, between: bool) -> String {
     let mut caption = String::from("Over time, the largest value marked.");
     if static_value != 0.0 {
-        caption.push_str(&format!(
-            " Seismic part, without the static value {}.",
-            with_unit(static_value, dimension)
-        ));
+        caption.push_str(&format!(" Seismic part, without the static value {}.", with_unit(static_value, dimension)));
     }
     if between {
         caption.push_str(" The largest value lies between the samples drawn.");
@@ -121,10 +118,7 @@ pub mod spectra {
 
     /// Description of the linear plot of `count` spectra up to the period `end` [s].
     pub fn linear(end: f64, count: usize) -> String {
-        format!(
-            "Pseudo-acceleration over period up to {} s for {count} spectra.",
-            plain(end, 2)
-        )
+        format!("Pseudo-acceleration over period up to {} s for {count} spectra.", plain(end, 2))
     }
 
     /// Description of the logarithmic plot.
@@ -135,11 +129,7 @@ pub mod spectra {
 
 /// Description of profiles over the height; `engine` is whether the envelope of the finite elements is drawn.
 pub fn profiles(title: &str, engine: bool, procedures: usize) -> String {
-    let envelope = if engine {
-        "envelope of the finite elements and "
-    } else {
-        ""
-    };
+    let envelope = if engine { "envelope of the finite elements and " } else { "" };
     format!("{title} over the height: {envelope}{procedures} procedures.")
 }
 
@@ -152,20 +142,14 @@ pub fn seismic_part(title: &str) -> String {
 pub fn combined(envelope: &Envelope) -> [String; 2] {
     [
         format!("{}, finite elements with static state", envelope.title),
-        format!(
-            "{} over the height: static state and the range with the earthquake.",
-            envelope.title
-        ),
+        format!("{} over the height: static state and the range with the earthquake.", envelope.title),
     ]
 }
 
 /// Caption of the sketch; `exaggeration` is the factor on the thickness of the wall.
 pub fn sketch(exaggeration: f64) -> String {
     if exaggeration > 1.0 {
-        format!(
-            "Section and plan to one scale; wall thickness exaggerated {}×.",
-            plain(exaggeration, 0)
-        )
+        format!("Section and plan to one scale; wall thickness exaggerated {}×.", plain(exaggeration, 0))
     } else {
         "Section and plan to one scale.".into()
     }
@@ -214,10 +198,7 @@ pub mod around {
             with_unit(around.z, Dimension::Length)
         );
         if let Some((displacement, n)) = around.largest_beyond() {
-            out += &format!(
-                " Largest wave beyond n = 1: {} in n = {n}.",
-                with_unit(displacement, Dimension::Length)
-            );
+            out += &format!(" Largest wave beyond n = 1: {} in n = {n}.", with_unit(displacement, Dimension::Length));
         }
         if let Some(ring) = &around.base {
             let (stress, theta) = ring.largest();
@@ -296,11 +277,7 @@ pub mod spatial {
 
     /// From where a picture is seen [°].
     pub fn eye(beside: f64, above: f64) -> String {
-        format!(
-            "seen from {}° from the x axis and {}° above the horizon",
-            plain(beside, 0),
-            plain(above, 0)
-        )
+        format!("seen from {}° from the x axis and {}° above the horizon", plain(beside, 0), plain(above, 0))
     }
 }
 
@@ -326,10 +303,7 @@ pub mod wall {
     /// Description of a map, at a time [s], with its extremes and their places.
     pub fn map_description((title, walls): (&str, bool), time: Option<f64>, largest: &str, smallest: &str) -> String {
         let around = if walls { "position" } else { "angle" };
-        format!(
-            "{title} over {around} and height of the wall{}: largest {largest}; smallest {smallest}.",
-            at(time)
-        )
+        format!("{title} over {around} and height of the wall{}: largest {largest}; smallest {smallest}.", at(time))
     }
 
     /// How far the cells of a map pass its mark: `beyond` of `all`.
@@ -337,10 +311,9 @@ pub mod wall {
         match beyond {
             0 => format!("{mark} is reached nowhere."),
             some if some == all => format!("{mark} is reached everywhere."),
-            some => format!(
-                "Double line: {mark}; {} of the cells are at or above it.",
-                percent(some as f64 / all as f64)
-            ),
+            some => {
+                format!("Double line: {mark}; {} of the cells are at or above it.", percent(some as f64 / all as f64))
+            }
         }
     }
 
@@ -362,16 +335,8 @@ pub mod wall {
 
     /// Caption of a crack picture; `widest` is a width with its unit.
     pub fn cracks(open: usize, closed: usize, widest: &str, mirrored: bool) -> String {
-        let mirrored = if mirrored {
-            " Computed from 0° to 180°; the other half is its mirror image."
-        } else {
-            ""
-        };
-        format!(
-            "{} open, {} closed; widest {widest}.{mirrored}",
-            count(open),
-            count(closed)
-        )
+        let mirrored = if mirrored { " Computed from 0° to 180°; the other half is its mirror image." } else { "" };
+        format!("{} open, {} closed; widest {widest}.{mirrored}", count(open), count(closed))
     }
 
     /// Description of a crack picture: `open` cracks, `cells` of the wall, lowest and highest edge [m].

@@ -14,10 +14,8 @@ pub const PGA_HEAD: &str = "Peak ground acceleration";
 /// Titles of the demands; where there are two: of a strip, of a cylinder.
 pub const WAVE: &str = "Largest wave at the wall";
 /// Displacement.
-pub const DISPLACEMENT: [&str; 2] = [
-    "Largest displacement of the top of the wall",
-    "Largest radial displacement of the wall",
-];
+pub const DISPLACEMENT: [&str; 2] =
+    ["Largest displacement of the top of the wall", "Largest radial displacement of the wall"];
 /// Moment at the base.
 pub const BASE_MOMENT: [&str; 2] = ["Largest moment at the base of a wall", "Largest moment at the base"];
 /// Stress of a bar.
@@ -27,10 +25,7 @@ pub const CRACK_HEIGHT: &str = "Height of the highest crack";
 /// Plastic strain.
 pub const PLASTIC_STRAIN: &str = "Largest plastic strain of plates or concrete";
 /// Energy.
-pub const HYSTERETIC: [&str; 2] = [
-    "Energy dissipated in a wall, per metre",
-    "Energy dissipated in the wall",
-];
+pub const HYSTERETIC: [&str; 2] = ["Energy dissipated in a wall, per metre", "Energy dissipated in the wall"];
 
 /// Heads of the table of runs.
 pub mod heads {
@@ -39,11 +34,7 @@ pub mod heads {
     /// First crack: time, moment at the base.
     pub const FIRST_CRACK: [&str; 2] = ["First crack at", "with base moment"];
     /// Separation: time where the liquid is kept at the wall, where it leaves it, height.
-    pub const SEPARATION: [&str; 3] = [
-        "Liquid separates (linear estimate) at",
-        "Liquid separates at",
-        "at the height",
-    ];
+    pub const SEPARATION: [&str; 3] = ["Liquid separates (linear estimate) at", "Liquid separates at", "at the height"];
     /// Largest open share of the wetted wall.
     pub const OPEN: &str = "Open share";
     /// Limits of validity that are exceeded.
@@ -65,11 +56,7 @@ pub fn mark(run: &IdaRun) -> &'static str {
 /// A value of a run in the table of a curve.
 pub fn value(run: &IdaRun, value: &str) -> String {
     let bound = if run.collapse.is_some() { "≥ " } else { "" };
-    let mark = if run.departures.is_empty() {
-        ""
-    } else {
-        ", left the model"
-    };
+    let mark = if run.departures.is_empty() { "" } else { ", left the model" };
     format!("{bound}{value}{mark}")
 }
 
@@ -85,11 +72,7 @@ pub fn caption(ida: &Ida) -> String {
     if ida.runs.iter().any(|r| r.exceeded().next().is_some()) {
         sentences.push("Runs marked as limit exceed a limit of validity; the table of runs names it.");
     }
-    if ida
-        .runs
-        .windows(3)
-        .any(|w| w.iter().all(|r| !mark(r).is_empty() && mark(r) == mark(&w[0])))
-    {
+    if ida.runs.windows(3).any(|w| w.iter().all(|r| !mark(r).is_empty() && mark(r) == mark(&w[0]))) {
         sentences.push("Of neighbouring runs with the same mark the first and the last are labelled.");
     }
     sentences.join(" ")
@@ -123,9 +106,7 @@ pub fn departures(ida: &Ida) -> Vec<String> {
 
 fn departure(ida: &Ida, run: &IdaRun) -> String {
     let how = run.departures.iter();
-    let how: Vec<String> = how
-        .map(|d| format!("after {} s, {}: {}", fixed(d.time, 3), place(d), passed(d)))
-        .collect();
+    let how: Vec<String> = how.map(|d| format!("after {} s, {}: {}", fixed(d.time, 3), place(d), passed(d))).collect();
     let moment = |value: f64| with_unit(value, ida.moment);
     let parts = run.moment_parts.as_ref().map_or(String::new(), |m| {
         format!(
@@ -175,8 +156,7 @@ pub fn outside(ida: &Ida) -> Vec<String> {
         )
     };
     let runs = ida.runs.iter();
-    runs.flat_map(|run| run.exceeded().map(move |limit| of(run, limit)))
-        .collect()
+    runs.flat_map(|run| run.exceeded().map(move |limit| of(run, limit))).collect()
 }
 
 /// Remarks on runs in which the liquid separates from a wall, or does by the linear estimate, one sentence each.

@@ -27,24 +27,13 @@ pub fn symbol(what: OnWall) -> &'static str {
 
 /// Title of the figure of forces (or moments) at z [m] and θ [°], and of its axis.
 pub fn figure(forces: bool, (z, degrees): (f64, f64)) -> [String; 2] {
-    let what = if forces {
-        "Membrane forces"
-    } else {
-        "Bending and twisting moments"
-    };
-    [
-        format!("{what} at z = {} m, θ = {}°", fixed(z, 3), significant(degrees, 5)),
-        what.to_owned(),
-    ]
+    let what = if forces { "Membrane forces" } else { "Bending and twisting moments" };
+    [format!("{what} at z = {} m, θ = {}°", fixed(z, 3), significant(degrees, 5)), what.to_owned()]
 }
 
 /// Description of a figure: title, the largest value, the end [s].
 pub fn description(title: &str, dimension: Dimension, largest: f64, end: f64) -> String {
-    format!(
-        "{title} over {} s, seismic part; the largest is {}.",
-        fixed(end, 1),
-        with_unit(largest, dimension)
-    )
+    format!("{title} over {} s, seismic part; the largest is {}.", fixed(end, 1), with_unit(largest, dimension))
 }
 
 /// Stations that are listed and not drawn; empty without any.

@@ -23,12 +23,8 @@ pub const SPATIAL_MESH_ERROR: &str = "Estimated error of the spatial mesh";
 /// Energies at the end of a linear run.
 pub const ENERGY_AT_END: &str = "Energy at the end";
 /// Parts of the energy balance: work, kinetic, potential, dissipated.
-pub const ENERGIES: [&str; 4] = [
-    "Work of the base motion",
-    "Kinetic",
-    "Elastic and gravity potential",
-    "Dissipated by damping",
-];
+pub const ENERGIES: [&str; 4] =
+    ["Work of the base motion", "Kinetic", "Elastic and gravity potential", "Dissipated by damping"];
 /// Largest absolute value of a history, as the head of a column and in a row.
 pub const LARGEST: [&str; 2] = ["Largest absolute value", "largest absolute value"];
 /// Peak acceleration of the file.
@@ -36,14 +32,8 @@ pub const PEAK_AS_RECORDED: &str = "Peak acceleration of the file, unprocessed";
 /// CAV.
 pub const CUMULATIVE_VELOCITY: &str = "Cumulative absolute velocity";
 /// Energies of a nonlinear run: work of the loads, internal, materials, damping, kinetic, time integration.
-pub const NONLINEAR_ENERGIES: [&str; 6] = [
-    "work of the loads",
-    "internal",
-    "materials (part of internal)",
-    "damping",
-    "kinetic",
-    "time integration",
-];
+pub const NONLINEAR_ENERGIES: [&str; 6] =
+    ["work of the loads", "internal", "materials (part of internal)", "damping", "kinetic", "time integration"];
 /// Energies of a nonlinear run at its end, and as parts of the work.
 pub const AT_END: [&str; 2] = ["At the end", "At the end, part of the work"];
 /// Static pressure on the base itself.
@@ -57,11 +47,7 @@ pub const COMBINED_RANGE: &str = "static + seismic range";
 /// Smallest and largest value of the finite elements.
 pub const ENGINE_EXTREMES: [&str; 2] = ["Finite elements min", "Finite elements max"];
 /// Drawn parts of a three-dimensional mesh: nodes, elements of the wall, elements of the surface.
-pub const MESH: [&str; 3] = [
-    "nodes of wall and free surface",
-    "elements of the wall",
-    "elements of the free surface",
-];
+pub const MESH: [&str; 3] = ["nodes of wall and free surface", "elements of the wall", "elements of the free surface"];
 /// Largest difference of two histories.
 pub const SAMPLE_DIFFERENCE: &str = "largest difference of two samples";
 /// Direction of a crack.

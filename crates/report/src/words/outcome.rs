@@ -47,10 +47,7 @@ pub fn collapse(time: f64) -> String {
 
 /// Carried part of weight and static pressure.
 pub fn carried(factor: f64) -> String {
-    format!(
-        "The wall carries {} of weight and static pressure; the ground motion was not applied.",
-        percent(factor)
-    )
+    format!("The wall carries {} of weight and static pressure; the ground motion was not applied.", percent(factor))
 }
 
 /// Where forces are furthest from equilibrium.
@@ -65,12 +62,7 @@ pub fn reason(reason: &str) -> String {
 
 /// A departure from the model.
 pub fn departure(departure: &Departure) -> String {
-    format!(
-        "After {} s, {}: {}.",
-        fixed(departure.time, 3),
-        place(departure),
-        passed(departure)
-    )
+    format!("After {} s, {}: {}.", fixed(departure.time, 3), place(departure), passed(departure))
 }
 
 /// A departure at which a run was stopped, as a remark on the calculation.
@@ -115,11 +107,9 @@ pub fn passed(departure: &Departure) -> String {
     };
     let percent = |share: f64| significant(100.0 * share, 3);
     match departure.kind {
-        DepartureKind::BarStrain => format!(
-            "a bar is strained by {} %, its strain at rupture is {} %",
-            percent(value),
-            percent(limit)
-        ),
+        DepartureKind::BarStrain => {
+            format!("a bar is strained by {} %, its strain at rupture is {} %", percent(value), percent(limit))
+        }
         DepartureKind::MomentBalance => format!(
             "damping and inertia exert {} % of the moment of the section on the base, at most {} % are accepted",
             percent(value),

@@ -65,11 +65,7 @@ pub fn shell_name(shell: &PushShell) -> String {
             return format!("{} t, buckling mode", fixed(i.over_thickness, 2));
         }
         let side = if i.amplitude > 0.0 { "outwards" } else { "inwards" };
-        format!(
-            "{} t {side} at {}",
-            fixed(i.over_thickness.abs(), 2),
-            with_unit(i.height, Dimension::Length)
-        )
+        format!("{} t {side} at {}", fixed(i.over_thickness.abs(), 2), with_unit(i.height, Dimension::Length))
     })
 }
 
@@ -99,11 +95,7 @@ pub fn end(shell: &PushShell) -> String {
         false => " No maximum was passed: the capacity is a lower bound.",
     };
     let imperfection = shell.imperfection.as_ref().map_or(String::new(), |i| {
-        format!(
-            " Imperfection of {} ({}).",
-            with_unit(i.amplitude.abs(), Dimension::Length),
-            i.source
-        )
+        format!(" Imperfection of {} ({}).", with_unit(i.amplitude.abs(), Dimension::Length), i.source)
     });
     format!("{}: {}.{bound}{imperfection}", shell_name(shell), shell.end)
 }
@@ -122,10 +114,7 @@ pub fn capacity(push: &Push, shell: &PushShell) -> String {
 /// `≥ 0.312 g`: its strongest state, or a lower bound of it.
 fn strength(push: &Push, shell: &PushShell) -> String {
     let bound = if shell.capacity.limit { "" } else { "≥ " };
-    format!(
-        "{bound}{} g",
-        significant(shell.capacity.state.acceleration / push.gravity, 3)
-    )
+    format!("{bound}{} g", significant(shell.capacity.state.acceleration / push.gravity, 3))
 }
 
 /// The least capacity.
@@ -146,11 +135,7 @@ pub fn lines(push: &Push) -> Vec<String> {
     for shell in push.shells.iter().filter(|shell| least != Some(shell)) {
         lines.push(format!("{}.", capital(&capacity(push, shell))));
     }
-    lines.extend(
-        push.joint
-            .as_ref()
-            .map(|j| format!("{}.", capital(&joint(j, push.gravity)))),
-    );
+    lines.extend(push.joint.as_ref().map(|j| format!("{}.", capital(&joint(j, push.gravity)))));
     lines.push(
         "Horizontal acceleration of ground and impulsive liquid. A pushover finds the strength of the wall; `tankcheck compare` checks \
          the limit states of the codes."

@@ -62,14 +62,8 @@ pub mod legend {
 pub fn design(set: &RecordSet) -> String {
     let n = count(set.records.len());
     match set.combine.as_str() {
-        "mean" => format!(
-            "Set of {n} records: the design value is the mean of the maxima ({}).",
-            set.clause
-        ),
-        _ => format!(
-            "Set of {n} records: the design value is the largest of the maxima ({}).",
-            set.clause
-        ),
+        "mean" => format!("Set of {n} records: the design value is the mean of the maxima ({}).", set.clause),
+        _ => format!("Set of {n} records: the design value is the largest of the maxima ({}).", set.clause),
     }
 }
 
@@ -89,19 +83,12 @@ pub fn factor(set: &RecordSet) -> Option<String> {
 
 /// The record of a section that shows one of several.
 pub fn one_of(set: &RecordSet) -> String {
-    format!(
-        "Of the {} records of the set, this is {}.",
-        count(set.records.len()),
-        set.shown
-    )
+    format!("Of the {} records of the set, this is {}.", count(set.records.len()), set.shown)
 }
 
 /// Why the set is not compared with a spectrum.
 pub fn no_target(set: &RecordSet) -> String {
-    format!(
-        "The spectrum of the set is not compared with a target: {}.",
-        set.no_target
-    )
+    format!("The spectrum of the set is not compared with a target: {}.", set.no_target)
 }
 
 /// Which period, in words.
@@ -141,10 +128,7 @@ pub fn compatibility(set: &RecordSet, found: &Compatibility) -> Vec<String> {
             fixed(zero, 3)
         ));
     }
-    lines.push(format!(
-        "One factor for the set with which the rule just holds: {}.",
-        fixed(found.factor, 4)
-    ));
+    lines.push(format!("One factor for the set with which the rule just holds: {}.", fixed(found.factor, 4)));
     lines
 }
 
@@ -173,10 +157,7 @@ pub fn spectrum_caption(period: &SetPeriod, share: f64) -> String {
 
 /// Description of the figure of a period.
 pub fn spectrum_description(period: &SetPeriod) -> String {
-    format!(
-        "Response spectra of the records, their mean and the target spectrum around the {}",
-        which(period)
-    )
+    format!("Response spectra of the records, their mean and the target spectrum around the {}", which(period))
 }
 
 /// The target times its share, in a legend.
@@ -239,28 +220,18 @@ pub fn beyond(results: &Results) -> Vec<String> {
     match &results.record_set {
         Some(set) => {
             let short = set.records.iter().filter(|r| r.sloshing_beyond_usable);
-            short
-                .filter_map(|r| Some(unreliable(&r.id, r.usable_period?, period)))
-                .collect()
+            short.filter_map(|r| Some(unreliable(&r.id, r.usable_period?, period))).collect()
         }
         None => {
             let short = results.records.iter().filter(|r| r.sloshing_beyond_usable);
-            short
-                .filter_map(|r| Some(unreliable(&r.name, r.usable_period?, period)))
-                .collect()
+            short.filter_map(|r| Some(unreliable(&r.name, r.usable_period?, period))).collect()
         }
     }
 }
 
 /// The same of an incremental dynamic analysis.
 pub fn beyond_of_ida(ida: &Ida) -> Vec<String> {
-    let record = ida
-        .files
-        .iter()
-        .find(|f| f.role == "record")
-        .map_or("", |f| f.name.as_str());
-    let lines = ida
-        .sloshing_beyond_usable
-        .map(|[usable, sloshing]| unreliable(record, usable, sloshing));
+    let record = ida.files.iter().find(|f| f.role == "record").map_or("", |f| f.name.as_str());
+    let lines = ida.sloshing_beyond_usable.map(|[usable, sloshing]| unreliable(record, usable, sloshing));
     lines.into_iter().collect()
 }

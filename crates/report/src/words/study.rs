@@ -91,14 +91,8 @@ pub fn open(study: &Study) -> Vec<String> {
                 None => methods.push((method, vec![id(state)])),
             }
         }
-        let lists = methods
-            .iter()
-            .map(|(method, states)| format!("{} ({method})", states.join(", ")));
-        format!(
-            "Not checked of {}: {}.",
-            first_of(tanks),
-            lists.collect::<Vec<_>>().join("; ")
-        )
+        let lists = methods.iter().map(|(method, states)| format!("{} ({method})", states.join(", ")));
+        format!("Not checked of {}: {}.", first_of(tanks), lists.collect::<Vec<_>>().join("; "))
     };
     groups.iter().map(of).collect()
 }
@@ -242,18 +236,8 @@ pub fn governing(study: &Study) -> Vec<String> {
         .max_by(|a, b| a.1.2.total_cmp(&b.1.2));
     if let Some((tank, (method, check, value))) = worst {
         lines.push(match value.is_finite() {
-            true => format!(
-                "Governing: {}, {} ({method}), {} utilised.",
-                tank.id,
-                id(check),
-                utilised(*value)
-            ),
-            false => format!(
-                "Governing: {}, {} ({method}), {}.",
-                tank.id,
-                id(check),
-                utilised(*value)
-            ),
+            true => format!("Governing: {}, {} ({method}), {} utilised.", tank.id, id(check), utilised(*value)),
+            false => format!("Governing: {}, {} ({method}), {}.", tank.id, id(check), utilised(*value)),
         });
     }
     let worst = study.states.last().map(|s| s.name.as_str());
@@ -273,10 +257,7 @@ pub fn governing(study: &Study) -> Vec<String> {
             fixed(dispersion, 2)
         ));
     }
-    lines.extend(unfitted(
-        study,
-        first.and_then(|(curve, _)| curve.fit).map(|[median, _]| median),
-    ));
+    lines.extend(unfitted(study, first.and_then(|(curve, _)| curve.fit).map(|[median, _]| median)));
     lines
 }
 
@@ -301,12 +282,8 @@ fn unfitted(study: &Study, fitted: Option<f64>) -> Option<String> {
         fitted.is_none_or(|median| least.is_none_or(|least| least < median))
     };
     let first = |tank: &StudyTank| of(&tank.id).and_then(|c| c.fit).map(|fit| fit[0]) == fitted && fitted.is_some();
-    let tanks: Vec<&str> = study
-        .tanks
-        .iter()
-        .filter(|tank| !first(tank) && earlier(tank))
-        .map(|tank| tank.id.as_str())
-        .collect();
+    let tanks: Vec<&str> =
+        study.tanks.iter().filter(|tank| !first(tank) && earlier(tank)).map(|tank| tank.id.as_str()).collect();
     let names = first_of(&tanks);
     (!tanks.is_empty()).then(|| match fitted {
         Some(_) => format!("Perhaps lost earlier, without a curve of {worst} or with runs that are missing: {names}."),
@@ -332,12 +309,7 @@ pub fn never_judged(study: &Study) -> Vec<String> {
         curves
             .any(|c| c.state == worst.name && c.tank.as_deref() == Some(&tank.id) && c.points.iter().any(|p| p.1 > 0.0))
     };
-    let never: Vec<&str> = study
-        .tanks
-        .iter()
-        .filter(|tank| !judged(tank))
-        .map(|tank| tank.id.as_str())
-        .collect();
+    let never: Vec<&str> = study.tanks.iter().filter(|tank| !judged(tank)).map(|tank| tank.id.as_str()).collect();
     match never.is_empty() || study.losses.is_empty() {
         true => Vec::new(),
         false => vec![format!(
@@ -358,10 +330,7 @@ pub fn warnings(study: &Study) -> Vec<Warning> {
         )));
     }
     if let Some(rule) = study.rule.as_ref().filter(|rule| !rule.holds) {
-        all.push(Warning::new(
-            Code::StudyRemark,
-            format!("The records do not keep {} as they are.", rule.clause),
-        ));
+        all.push(Warning::new(Code::StudyRemark, format!("The records do not keep {} as they are.", rule.clause)));
     }
     let mut weaker: Vec<&str> = Vec::new();
     for curve in study.curves.iter().filter(|c| !c.never_checked.is_empty()) {

@@ -41,12 +41,7 @@ pub const IMPULSIVE: &str = "Impulsive period";
 /// Value and limit.
 pub fn exceeded(limit: &Limit) -> String {
     let scale = Scale::of(limit.dimension, [limit.value, limit.limit]);
-    format!(
-        "{} against {} {}",
-        scale.text(limit.value),
-        scale.text(limit.limit),
-        scale.symbol()
-    )
+    format!("{} against {} {}", scale.text(limit.value), scale.text(limit.limit), scale.symbol())
 }
 
 /// Entries of the cover.

@@ -31,10 +31,7 @@ pub fn corner(excitation: Excitation, engine: bool, own: bool) -> &'static str {
 
 /// Legend of [`UNUSABLE`].
 pub fn unusable() -> String {
-    format!(
-        "{UNUSABLE} unusable: the estimated mesh error is above {:.0} %",
-        100.0 * MESH_ERROR_LIMIT
-    )
+    format!("{UNUSABLE} unusable: the estimated mesh error is above {:.0} %", 100.0 * MESH_ERROR_LIMIT)
 }
 
 /// Legend of [`OUTSIDE`].
@@ -47,13 +44,7 @@ pub fn outside(why: Outside) -> String {
 }
 
 /// Quantities that are said of both components together.
-const TOGETHER: [&str; 5] = [
-    "wave_height",
-    "base_shear",
-    "base_moment",
-    "overturning_moment",
-    "hoop_stress",
-];
+const TOGETHER: [&str; 5] = ["wave_height", "base_shear", "base_moment", "overturning_moment", "hoop_stress"];
 
 /// What two horizontal components do together, beside the comparison along x; none with one component.
 pub fn components(found: &[Directional]) -> Option<String> {
@@ -62,12 +53,7 @@ pub fn components(found: &[Directional]) -> Option<String> {
         .iter()
         .filter_map(of)
         .map(|d| {
-            format!(
-                "{} {} at {:.0}°",
-                d.title.to_lowercase(),
-                display(d.resultant, d.dimension),
-                d.theta.to_degrees()
-            )
+            format!("{} {} at {:.0}°", d.title.to_lowercase(), display(d.resultant, d.dimension), d.theta.to_degrees())
         })
         .collect();
     (!said.is_empty()).then(|| {
@@ -89,11 +75,7 @@ pub fn apart(values: &[Apart]) -> Vec<String> {
         }
     }
     let line = |(reason, titles): (&Why, Vec<&str>)| {
-        format!(
-            "measured, not compared: {}: {}",
-            titles.join(", ").to_lowercase(),
-            super::apart::why(reason)
-        )
+        format!("measured, not compared: {}: {}", titles.join(", ").to_lowercase(), super::apart::why(reason))
     };
     reasons.into_iter().map(line).collect()
 }
@@ -182,9 +164,7 @@ pub fn path(shell: &PushShell) -> Vec<String> {
     let name = super::push::shell_name(shell);
     let mut lines = vec![format!("{name}: {}", shell.end)];
     if !shell.capacity.limit {
-        lines.push(format!(
-            "{name}: the maximum was not reached; the capacity is a lower bound"
-        ));
+        lines.push(format!("{name}: the maximum was not reached; the capacity is a lower bound"));
     }
     lines
 }

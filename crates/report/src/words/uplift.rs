@@ -29,21 +29,10 @@ pub fn quantity(id: &str) -> &str {
 }
 
 /// Titles of the tables: values, band of the ground, energies.
-pub const TABLES: [&str; 3] = [
-    "Largest values of the base",
-    "Values on softer and on stiffer ground",
-    "Energies of the lifting base",
-];
+pub const TABLES: [&str; 3] =
+    ["Largest values of the base", "Values on softer and on stiffer ground", "Energies of the lifting base"];
 /// Heads of the table of values.
-pub const VALUES: [&str; 7] = [
-    "Quantity",
-    "With uplift",
-    "Time",
-    "θ [°]",
-    "z [m]",
-    "Wall held down",
-    "Ratio",
-];
+pub const VALUES: [&str; 7] = ["Quantity", "With uplift", "Time", "θ [°]", "z [m]", "Wall held down", "Ratio"];
 /// Heads of the table of the band.
 pub const BAND: [&str; 8] = [
     "Ground under the rim",
@@ -270,12 +259,6 @@ pub fn balance(run: &BaseRun) -> String {
 
 /// Description of a figure with the extremes of its curve.
 pub fn description(title: &str, dimension: Dimension, values: impl Iterator<Item = f64>) -> String {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
-    format!(
-        "{title}, from {} to {}.",
-        with_unit(low, dimension),
-        with_unit(high, dimension)
-    )
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    format!("{title}, from {} to {}.", with_unit(low, dimension), with_unit(high, dimension))
 }

@@ -85,11 +85,7 @@ pub const ACCEPT: &str = "A gap can be accepted with its reason in `accepted` of
 
 /// Parts of the tank of which nothing is said; empty if there are none.
 pub fn unstated(verdict: &Verdict) -> String {
-    let parts: Vec<String> = verdict
-        .unstated
-        .iter()
-        .map(|part| format!("no {}", part.key()))
-        .collect();
+    let parts: Vec<String> = verdict.unstated.iter().map(|part| format!("no {}", part.key())).collect();
     match parts.as_slice() {
         [] => String::new(),
         parts => format!(
@@ -130,10 +126,7 @@ pub fn dated_ahead(results: &Results) -> Vec<String> {
         .filter(|(_, date)| ahead(date, created))
         .map(|(check, date)| {
             let day = created.get(..10).unwrap_or_default();
-            format!(
-                "accepted: `{}` is dated {date}, after the day of these results, {day}",
-                check.limit_state
-            )
+            format!("accepted: `{}` is dated {date}, after the day of these results, {day}", check.limit_state)
         })
         .collect();
     lines.dedup();
@@ -159,19 +152,12 @@ const FLOOR: &str = "The floor is not part of this verification: it takes the cl
 
 /// Whether a warning is about values that are unusual or contradict each other.
 pub fn of_input(warning: &Warning) -> bool {
-    matches!(
-        warning.code(),
-        Some(Code::UnusualInput | Code::UnusualTank | Code::Inconsistent)
-    )
+    matches!(warning.code(), Some(Code::UnusualInput | Code::UnusualTank | Code::Inconsistent))
 }
 
 /// A code of the site that fails and does not decide.
 pub fn overruled(code: &Overruled) -> String {
-    format!(
-        "Not deciding by `procedures.decide`: {} (site), {}",
-        code.method,
-        counted(&code.checks.counts)
-    )
+    format!("Not deciding by `procedures.decide`: {} (site), {}", code.method, counted(&code.checks.counts))
 }
 
 /// What the assessments under the record amount to.
@@ -180,11 +166,7 @@ pub fn record(aside: &Aside, set: bool) -> String {
     let of = counts.compared();
     let state = match counts.fails {
         0 => format!("{of} {}", plural(of, "check holds", "checks hold")),
-        fails => format!(
-            "{fails} of {of} {} {}",
-            plural(of, "check", "checks"),
-            plural(fails, "fails", "fail")
-        ),
+        fails => format!("{fails} of {of} {} {}", plural(of, "check", "checks"), plural(fails, "fails", "fail")),
     };
     let open = match counts.not_checked {
         0 => String::new(),

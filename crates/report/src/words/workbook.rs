@@ -15,22 +15,10 @@ pub mod sheets {
 }
 
 /// Heads of the sheet of a method.
-pub const STEPS: [&str; 9] = [
-    "No.", "Section", "Quantity", "Symbol", "Formula", "Source", "Value", "Unit", "Clause",
-];
+pub const STEPS: [&str; 9] = ["No.", "Section", "Quantity", "Symbol", "Formula", "Source", "Value", "Unit", "Clause"];
 /// Heads of the checks.
-pub const CHECKS: [&str; 10] = [
-    "Method",
-    "Excitation",
-    "Decides",
-    "Check",
-    "Clause",
-    "Demand",
-    "Capacity",
-    "Unit",
-    "Utilisation",
-    "Result",
-];
+pub const CHECKS: [&str; 10] =
+    ["Method", "Excitation", "Decides", "Check", "Clause", "Demand", "Capacity", "Unit", "Utilisation", "Result"];
 /// Heads of the profiles.
 pub const PROFILES: [&str; 7] = ["Method", "Excitation", "Profile", "Height", "Unit", "Value", "Unit"];
 /// Heads of the quantities, before the methods.

@@ -57,14 +57,8 @@ impl OnWall {
     ];
 
     /// Internal forces of a cylinder at a station: membrane forces, then moments.
-    pub const FORCES: [OnWall; 6] = [
-        OnWall::AxialForce,
-        OnWall::HoopForce,
-        OnWall::Shear,
-        OnWall::Moment,
-        OnWall::HoopMoment,
-        OnWall::Twist,
-    ];
+    pub const FORCES: [OnWall; 6] =
+        [OnWall::AxialForce, OnWall::HoopForce, OnWall::Shear, OnWall::Moment, OnWall::HoopMoment, OnWall::Twist];
 
     /// Id of the envelope.
     pub fn id(self) -> &'static str {
@@ -86,35 +80,19 @@ impl OnWall {
             OnWall::Pressure => ("pressure", "Hydrodynamic pressure on the wall", Dimension::Stress),
             OnWall::Hoop => ("hoop_stress", "Hoop membrane stress", Dimension::Stress),
             OnWall::Axial => (AXIAL_MEMBRANE_STRESS, "Axial membrane stress", Dimension::Stress),
-            OnWall::Bending => (
-                "bending_stress",
-                "Meridional bending stress, outer face",
-                Dimension::Stress,
-            ),
+            OnWall::Bending => ("bending_stress", "Meridional bending stress, outer face", Dimension::Stress),
             OnWall::Displacement => ("radial_displacement", "Radial displacement", Dimension::Length),
-            OnWall::Moment => (
-                WALL_MOMENT,
-                "Meridional bending moment of the wall",
-                Dimension::LineMoment,
-            ),
+            OnWall::Moment => (WALL_MOMENT, "Meridional bending moment of the wall", Dimension::LineMoment),
             OnWall::Shear => ("wall_shear", "Shear force of the wall", Dimension::LineForce),
-            OnWall::HorizontalMoment => (
-                "horizontal_moment",
-                "Horizontal bending moment in the middle of the wall",
-                Dimension::LineMoment,
-            ),
-            OnWall::CornerMoment => (
-                "corner_moment",
-                "Horizontal bending moment of the wall at its corner",
-                Dimension::LineMoment,
-            ),
+            OnWall::HorizontalMoment => {
+                ("horizontal_moment", "Horizontal bending moment in the middle of the wall", Dimension::LineMoment)
+            }
+            OnWall::CornerMoment => {
+                ("corner_moment", "Horizontal bending moment of the wall at its corner", Dimension::LineMoment)
+            }
             OnWall::AxialForce => ("axial_force", "Meridional membrane force", Dimension::LineForce),
             OnWall::HoopForce => ("hoop_force", "Hoop membrane force", Dimension::LineForce),
-            OnWall::HoopMoment => (
-                "hoop_moment",
-                "Bending moment along the circumference",
-                Dimension::LineMoment,
-            ),
+            OnWall::HoopMoment => ("hoop_moment", "Bending moment along the circumference", Dimension::LineMoment),
             OnWall::Twist => ("twisting_moment", "Twisting moment of the wall", Dimension::LineMoment),
         }
     }

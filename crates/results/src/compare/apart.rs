@@ -99,11 +99,7 @@ fn differences(named: &NamedMotion, shaken: &Shaken) -> Vec<Differs> {
         let named = named?;
         // Nothing equals a named 0, which the reader rejects.
         let same = (found - named).abs() <= PRINTED * named.abs();
-        (!same).then(|| Differs {
-            key: key.into(),
-            named,
-            found,
-        })
+        (!same).then(|| Differs { key: key.into(), named, found })
     };
     measures.into_iter().filter_map(differs).collect()
 }
@@ -124,13 +120,7 @@ mod tests {
     }
 
     fn value(quantity: Quantity, motion: Option<NamedMotion>) -> Reported {
-        Reported {
-            quantity,
-            value: 0.134,
-            source: "a test".into(),
-            note: None,
-            motion,
-        }
+        Reported { quantity, value: 0.134, source: "a test".into(), note: None, motion }
     }
 
     /// The table of the dissertation: 0.348 g at 0.02 s, as applied 0.5 g at 0.0115 s. The record of the textbooks has 0.319 g.
@@ -152,17 +142,10 @@ mod tests {
             }
             other => panic!("{other:?}"),
         }
-        let own = Shaken {
-            peak: 0.3484 * g,
-            duration: 53.74,
-            ..shaken()
-        };
+        let own = Shaken { peak: 0.3484 * g, duration: 53.74, ..shaken() };
         assert_eq!(apart(&wave, Some(&own)), None);
         // The same record at another scale is another motion.
-        let doubled = Shaken {
-            applied_peak: 2.0 * own.applied_peak,
-            ..own
-        };
+        let doubled = Shaken { applied_peak: 2.0 * own.applied_peak, ..own };
         assert!(matches!(apart(&wave, Some(&doubled)), Some(Why::OtherMotion { .. })));
         assert_eq!(apart(&wave, None), Some(Why::NoRecord));
     }
@@ -170,13 +153,7 @@ mod tests {
     #[test]
     fn a_hash_names_a_file() {
         let named = |sha256: String| {
-            value(
-                Quantity::BaseShear,
-                Some(NamedMotion {
-                    sha256: Some(sha256),
-                    ..NamedMotion::default()
-                }),
-            )
+            value(Quantity::BaseShear, Some(NamedMotion { sha256: Some(sha256), ..NamedMotion::default() }))
         };
         assert_eq!(apart(&named("ab".repeat(32)), Some(&shaken())), None);
         assert_eq!(apart(&named("cd".repeat(32)), Some(&shaken())), Some(Why::OtherFile));
@@ -187,9 +164,6 @@ mod tests {
     fn a_property_needs_no_motion() {
         assert_eq!(apart(&value(Quantity::SloshingPeriod, None), None), None);
         assert_eq!(apart(&value(Quantity::ConvectiveMass, None), Some(&shaken())), None);
-        assert_eq!(
-            apart(&value(Quantity::HoopStress, None), Some(&shaken())),
-            Some(Why::NotNamed)
-        );
+        assert_eq!(apart(&value(Quantity::HoopStress, None), Some(&shaken())), Some(Why::NotNamed));
     }
 }

@@ -57,11 +57,7 @@ pub(super) fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Co
                     true => vec![Reason::TestScatter],
                     false => factors(&context.attribution, method, quantity).into_iter().collect(),
                 };
-                found.push(Difference {
-                    method: method.id.clone(),
-                    ratios,
-                    reasons,
-                });
+                found.push(Difference { method: method.id.clone(), ratios, reasons });
             }
         }
     }
@@ -82,17 +78,11 @@ fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Opt
     let column = methods.iter().position(|m| m.id == EngineId::Solid.beside())?;
     let ratios = ratios(rows, column, ENGINES, &Quantity::ALL);
     ratios.first()?;
-    let error = |r: &Ratio| {
-        Some(Estimated {
-            quantity: r.quantity,
-            error: *context.solid_mesh_error.get(r.quantity.id())?,
-        })
-    };
+    let error =
+        |r: &Ratio| Some(Estimated { quantity: r.quantity, error: *context.solid_mesh_error.get(r.quantity.id())? });
     Some(Difference {
         method: EngineId::Solid.beside().into(),
-        reasons: vec![Reason::Discretisation {
-            estimated: ratios.iter().filter_map(error).collect(),
-        }],
+        reasons: vec![Reason::Discretisation { estimated: ratios.iter().filter_map(error).collect() }],
         ratios,
     })
 }

@@ -119,22 +119,13 @@ impl Engine<'_> {
         }
         let mut state = self.two_modes(quantity, target)?;
         let mut rungs = vec![
-            Rung {
-                factor: Factor::TimeHistory,
-                value: f64::sqrt(squares),
-            },
-            Rung {
-                factor: Factor::Modes,
-                value: state.value(),
-            },
+            Rung { factor: Factor::TimeHistory, value: f64::sqrt(squares) },
+            Rung { factor: Factor::Modes, value: state.value() },
         ];
         let split = self.structural().is_some_and(|mode| mode.structure.is_some());
         for factor in Factor::ALL {
             self.exchange(factor, &mut state, target, split);
-            rungs.push(Rung {
-                factor,
-                value: state.value(),
-            });
+            rungs.push(Rung { factor, value: state.value() });
         }
         Some(rungs)
     }
@@ -149,19 +140,13 @@ impl Engine<'_> {
         let mut convective = Part::liquid(self.ordinate(sloshing.period, sloshing.damping), rise);
         convective.scale = scale(quantity, sloshing)?;
         let impulsive = match (&target.impulsive, self.structural()) {
-            (Some(part), Some(mode)) => Some(Part {
-                scale: scale(quantity, mode)?,
-                ..self.impulsive(quantity, mode, part)
-            }),
+            (Some(part), Some(mode)) => {
+                Some(Part { scale: scale(quantity, mode)?, ..self.impulsive(quantity, mode, part) })
+            }
             (None, _) => None,
             (Some(_), None) => return None,
         };
-        Some(Response {
-            impulsive,
-            convective: Some(convective),
-            combination: Combination::Srss,
-            vertical: None,
-        })
+        Some(Response { impulsive, convective: Some(convective), combination: Combination::Srss, vertical: None })
     }
 
     /// The impulsive part by one mode; a share that the engine does not have stands on the target's arm.
@@ -177,12 +162,7 @@ impl Engine<'_> {
             _ => {
                 let whole = share(quantity, &mode.total, target.liquid.arm);
                 let none = Share::new(0.0, whole.arm);
-                Part {
-                    wall: none,
-                    roof: none,
-                    floor: none,
-                    ..Part::liquid(ordinate, whole)
-                }
+                Part { wall: none, roof: none, floor: none, ..Part::liquid(ordinate, whole) }
             }
         }
     }
@@ -252,10 +232,7 @@ impl Engine<'_> {
     fn ladder(&self, quantity: Quantity, rungs: &[Rung]) -> Vec<Rung> {
         let sloshing = self.modal.iter().filter(|p| p.kind == "sloshing");
         let sloshing: f64 = sloshing.map(|p| p.total.shear).sum();
-        let all_modes = Rung {
-            factor: Factor::Modes,
-            value: self.liquid_mass - sloshing,
-        };
+        let all_modes = Rung { factor: Factor::Modes, value: self.liquid_mass - sloshing };
         let first = (quantity == Quantity::ImpulsiveMass && sloshing > 0.0).then_some(all_modes);
         first.into_iter().chain(rungs.iter().copied()).collect()
     }
@@ -333,11 +310,7 @@ fn steps(start: f64, rungs: &[Rung]) -> Option<Vec<FactorStep>> {
         }
         let factor = rung.value / before;
         if (factor - 1.0).abs() > UNCHANGED {
-            steps.push(FactorStep {
-                factor_id: rung.factor,
-                factor,
-                value: rung.value,
-            });
+            steps.push(FactorStep { factor_id: rung.factor, factor, value: rung.value });
             before = rung.value;
         }
     }

@@ -18,10 +18,7 @@ impl Comparison {
         (method, excitation): (&str, Excitation),
         errors: &BTreeMap<String, f64>,
     ) {
-        let Some(column) = methods
-            .iter()
-            .position(|m| m.id == method && m.excitation == excitation)
-        else {
+        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else {
             return;
         };
         for row in &mut self.rows {
@@ -80,10 +77,7 @@ mod tests {
         let old = json!({ "value": 30.0, "ratio": 0.75 });
         let cell: Cell = serde_json::from_value(old.clone()).unwrap();
         let row = json!({ "quantity": "base_shear", "title": "", "dimension": "force", "cells": [old, old] });
-        let mut comparison = Comparison {
-            rows: vec![serde_json::from_value(row).unwrap()],
-            ..Comparison::default()
-        };
+        let mut comparison = Comparison { rows: vec![serde_json::from_value(row).unwrap()], ..Comparison::default() };
         for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
             let errors = BTreeMap::from([("base_shear".to_owned(), error)]);
             comparison.mark_unusable(&methods, ("fe", Excitation::Record), &errors);

@@ -48,10 +48,7 @@ fn reasons(run: &Happened) -> Vec<Reason> {
         reasons.push(Reason::Yielding);
     }
     if run.hysteretic > 0.0 && run.input > 0.0 {
-        reasons.push(Reason::Dissipation {
-            energy: run.hysteretic,
-            work: run.input,
-        });
+        reasons.push(Reason::Dissipation { energy: run.hysteretic, work: run.input });
     }
     reasons
 }
@@ -72,19 +69,13 @@ mod tests {
         Method {
             quantities: BTreeMap::from([(
                 Quantity::BaseMoment.id().to_owned(),
-                Value {
-                    value: moment,
-                    dimension: Dimension::Moment,
-                },
+                Value { value: moment, dimension: Dimension::Moment },
             )]),
             ..Method::new(id, id, Excitation::Record)
         }
     }
 
-    const MODAL: Damping = Damping::Modal {
-        sloshing: 0.005,
-        structural: 0.02,
-    };
+    const MODAL: Damping = Damping::Modal { sloshing: 0.005, structural: 0.02 };
 
     fn run() -> Happened {
         Happened {
@@ -105,16 +96,8 @@ mod tests {
     #[test]
     fn what_happened_is_the_cause() {
         let of = |moment, nonlinear| {
-            let context = Context {
-                nonlinear: Some(nonlinear),
-                ..Context::default()
-            };
-            compare(
-                &[method(FE, 10.0), method(EngineId::Nonlinear.beside(), moment)],
-                &context,
-                vec![],
-            )
-            .differences
+            let context = Context { nonlinear: Some(nonlinear), ..Context::default() };
+            compare(&[method(FE, 10.0), method(EngineId::Nonlinear.beside(), moment)], &context, vec![]).differences
         };
         assert!(of(10.4, run()).is_empty());
         let difference = of(8.0, run()).remove(0);
@@ -130,21 +113,10 @@ mod tests {
         );
         let mut collapsed = run();
         collapsed.events.clear();
-        let group = Damping::ByGroup {
-            wall: 0.02,
-            sloshing: 0.005,
-        };
+        let group = Damping::ByGroup { wall: 0.02, sloshing: 0.005 };
         collapsed.damping = Some([MODAL, group]);
-        collapsed.end = End::Collapsed {
-            time: 7.5,
-            load_factor: None,
-            reason: String::new(),
-            place: String::new(),
-        };
-        let damping = Reason::Damping {
-            linear: MODAL,
-            nonlinear: group,
-        };
+        collapsed.end = End::Collapsed { time: 7.5, load_factor: None, reason: String::new(), place: String::new() };
+        let damping = Reason::Damping { linear: MODAL, nonlinear: group };
         assert_eq!(
             of(8.0, collapsed).remove(0).reasons[..3],
             [Reason::NoEquilibrium { time: 7.5 }, Reason::StaysLinear, damping]

@@ -33,16 +33,10 @@ impl Comparison {
     ///
     /// * `method`: id of the method, and its excitation
     pub fn mark_outside(&mut self, methods: &[Method], (method, excitation): (&str, Excitation), why: Outside) {
-        let Some(column) = methods
-            .iter()
-            .position(|m| m.id == method && m.excitation == excitation)
-        else {
+        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else {
             return;
         };
-        for row in self
-            .rows
-            .iter_mut()
-            .filter(|row| Quantity::from_id(&row.quantity).is_some_and(|q| depends(q, why)))
+        for row in self.rows.iter_mut().filter(|row| Quantity::from_id(&row.quantity).is_some_and(|q| depends(q, why)))
         {
             if let Some(Some(cell)) = row.cells.get_mut(column) {
                 cell.outside = true;
@@ -71,11 +65,7 @@ mod tests {
         };
         comparison.mark_outside(&methods, ("fe", Excitation::Record), Outside::Uplift);
         let marked = |comparison: &Comparison, i: usize| {
-            comparison.rows[i]
-                .cells
-                .iter()
-                .map(|c| c.unwrap().outside)
-                .collect::<Vec<_>>()
+            comparison.rows[i].cells.iter().map(|c| c.unwrap().outside).collect::<Vec<_>>()
         };
         assert_eq!(marked(&comparison, 0), [false, true]);
         assert_eq!(marked(&comparison, 1), [false, false]);

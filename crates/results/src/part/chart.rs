@@ -149,32 +149,20 @@ impl Chart {
 impl Axis {
     /// An axis.
     pub fn new(id: &str, unit: Dimension, scale: Scale) -> Axis {
-        Axis {
-            id: id.into(),
-            unit,
-            scale,
-        }
+        Axis { id: id.into(), unit, scale }
     }
 }
 
 impl Line {
     /// A line.
     pub fn new(label: impl Into<Fact>, look: Look, points: Vec<[f64; 2]>) -> Line {
-        Line {
-            label: label.into(),
-            look,
-            points,
-        }
+        Line { label: label.into(), look, points }
     }
 }
 
 impl History {
     /// Channels of one dimension.
     pub fn new(id: &str, axis: &str, channels: &[Channel]) -> History {
-        History {
-            id: id.into(),
-            axis: axis.into(),
-            channels: channels.iter().map(|channel| channel.id()).collect(),
-        }
+        History { id: id.into(), axis: axis.into(), channels: channels.iter().map(|channel| channel.id()).collect() }
     }
 }

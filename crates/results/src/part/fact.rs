@@ -76,10 +76,7 @@ pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 impl Message {
     /// A sentence without facts.
     pub fn new(id: &str) -> Message {
-        Message {
-            id: id.into(),
-            args: BTreeMap::new(),
-        }
+        Message { id: id.into(), args: BTreeMap::new() }
     }
 
     /// A text as it was written.
@@ -98,11 +95,7 @@ impl Message {
 impl Amount {
     /// A number in the usual form.
     pub fn new(value: f64, unit: Dimension) -> Amount {
-        Amount {
-            value,
-            unit,
-            form: Form::Usual,
-        }
+        Amount { value, unit, form: Form::Usual }
     }
 
     /// The same in another form.

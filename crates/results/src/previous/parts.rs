@@ -18,9 +18,7 @@ pub(super) fn collect(run: &mut Map<String, Value>, height: Option<f64>) {
     });
     let mut parts: Vec<Part> = run.remove("isolation").iter().map(|old| isolation(old, two)).collect();
     parts.extend(run.remove("soil").iter().map(soil));
-    let transfer = run
-        .remove("transfer")
-        .and_then(|old| serde_json::from_value::<Transfer>(old).ok());
+    let transfer = run.remove("transfer").and_then(|old| serde_json::from_value::<Transfer>(old).ok());
     parts.extend(transfer.map(|found| found.part()));
     parts.extend(run.remove("tilt").iter().map(|old| tilt(old, height)));
     if !parts.is_empty() {
@@ -32,9 +30,7 @@ pub(super) fn collect(run: &mut Map<String, Value>, height: Option<f64>) {
 pub(super) fn standing(map: &mut Map<String, Value>) {
     let methods = map.get("methods").cloned().unwrap_or_default();
     let methods: Vec<Method> = serde_json::from_value(methods).unwrap_or_default();
-    let old = map
-        .remove("standing")
-        .and_then(|old| serde_json::from_value::<Standing>(old).ok());
+    let old = map.remove("standing").and_then(|old| serde_json::from_value::<Standing>(old).ok());
     if let Some(part) = old.map(|found| found.part(&methods)) {
         map.insert("parts".into(), serde_json::to_value([part]).unwrap_or_default());
     }
@@ -55,9 +51,7 @@ fn sentences(old: &Value, key: &str, subject: &str, known: &[(&str, &str)]) -> B
         Some((_, id)) => Message::new(&format!("{subject}-{id}")),
         None => Message::verbatim(&text),
     };
-    Block::List {
-        items: list(old, key).into_iter().map(sentence).collect(),
-    }
+    Block::List { items: list(old, key).into_iter().map(sentence).collect() }
 }
 
 /// Values with those on a base that does not move, and those that are not printed in the usual form.
@@ -111,10 +105,7 @@ fn isolation(old: &Value, two: bool) -> Part {
     let bands = list(old, "band").into_iter().map(row).collect();
     let energy = &old["energy"];
     let balance = Message::new("isolation-balance")
-        .with(
-            "error",
-            Amount::ratio(number(energy, "error").max(1e-16)).form(Form::Significant(1)),
-        )
+        .with("error", Amount::ratio(number(energy, "error").max(1e-16)).form(Form::Significant(1)))
         .with("superposition", Amount::percent(number(old, "superposition")));
     let x = Axis::new("displacement", Dimension::Length, Scale::Free);
     let y = Axis::new("force", Dimension::Force, Scale::Free);
@@ -129,9 +120,7 @@ fn isolation(old: &Value, two: bool) -> Part {
             Block::Chart(Chart::new("loop", x, y, vec![cycles])),
             Block::Table(Table::new("band", &columns, bands)),
             Block::Note(Message::new("isolation-bounds")),
-            Block::Table(Table::energies(
-                ["input", "viscous", "isolators", "body"].map(|id| (id, number(energy, id))),
-            )),
+            Block::Table(Table::energies(["input", "viscous", "isolators", "body"].map(|id| (id, number(energy, id))))),
             Block::Note(balance),
             sentences(old, "assumptions", "isolation", &ISOLATION),
         ],
@@ -162,10 +151,7 @@ fn soil(old: &Value) -> Part {
         .with("slab", plate.with("radius", given("radius", Dimension::Length)))
         .with("velocity", given("shear_wave_velocity", Dimension::Velocity))
         .with("density", given("density", Dimension::Density))
-        .with(
-            "poisson",
-            amount("poisson_ratio", Dimension::Dimensionless).form(Form::Fixed(3)),
-        )
+        .with("poisson", amount("poisson_ratio", Dimension::Dimensionless).form(Form::Fixed(3)))
         .with("horizontal", amount("horizontal", Dimension::LineForce))
         .with("rocking", amount("rocking", Dimension::RotationalStiffness))
         .with("mass", amount("impulsive_mass", Dimension::Mass))
@@ -181,12 +167,7 @@ fn soil(old: &Value) -> Part {
             some("horizontal_dashpot", Dimension::Dashpot),
             Fact::None,
         ],
-        [
-            "rocking".into(),
-            some("rocking", Dimension::RotationalStiffness),
-            Fact::None,
-            inertia("trapped_inertia"),
-        ],
+        ["rocking".into(), some("rocking", Dimension::RotationalStiffness), Fact::None, inertia("trapped_inertia")],
         [
             "internal".into(),
             Fact::None,
@@ -199,13 +180,9 @@ fn soil(old: &Value) -> Part {
         vec![id.into(), period.into(), (period / fixed).into(), damping.into()]
     };
     let modes: Vec<Value> = list(old, "effective");
-    let modes = modes.iter().map(|mode| {
-        row(
-            mode["id"].as_str().unwrap_or_default(),
-            number(mode, "period"),
-            mode["damping"].as_f64(),
-        )
-    });
+    let modes = modes
+        .iter()
+        .map(|mode| row(mode["id"].as_str().unwrap_or_default(), number(mode, "period"), mode["damping"].as_f64()));
     let effective = std::iter::once(row("fixed", fixed, Some(number(old, "fixed_damping")))).chain(modes);
     let columns = [
         words("mode"),
@@ -249,36 +226,22 @@ fn tilt(old: &Value, height: Option<f64>) -> Part {
     let (r, surface): (Vec<f64>, Vec<f64>) = (list(old, "r"), list(old, "surface"));
     let rise = surface.iter().fold(0.0, |most: f64, rise| most.max(rise.abs()));
     let resultants = vec![
-        Finding {
-            form: Form::Degrees(2),
-            ..value("angle", Dimension::Angle)
-        },
+        Finding { form: Form::Degrees(2), ..value("angle", Dimension::Angle) },
         value("base_shear", Dimension::Force),
         value("base_moment", Dimension::Moment),
         value("overturning_moment", Dimension::Moment),
         Finding::new("rise", rise, Dimension::Length),
     ];
-    let mut blocks = vec![
-        Block::Note(Message::new("tilt-rest")),
-        Block::values("resultants", resultants),
-    ];
+    let mut blocks = vec![Block::Note(Message::new("tilt-rest")), Block::values("resultants", resultants)];
     if let Block::List { items } = sentences(old, "notes", "tilt", &[]) {
         blocks.extend(items.into_iter().map(Block::Text));
     }
     blocks.push(Block::Note(Message::new("tilt-over-height")));
-    blocks.extend(
-        list::<Value>(old, "lines")
-            .iter()
-            .filter_map(|line| both_sides(line, height))
-            .map(Block::Chart),
-    );
+    blocks.extend(list::<Value>(old, "lines").iter().filter_map(|line| both_sides(line, height)).map(Block::Chart));
     let columns = ["r", "rise"].map(|id| (id, Dimension::Length, Form::Usual));
     let rows = r.into_iter().zip(surface).map(|(r, rise)| vec![r.into(), rise.into()]);
     blocks.push(Block::Series(Table::new("surface", &columns, rows.collect())));
-    Part {
-        id: "tilt".into(),
-        blocks,
-    }
+    Part { id: "tilt".into(), blocks }
 }
 
 /// A line of the tilted tank over the height.

@@ -36,11 +36,7 @@ fn step_responses() {
     let step = std::f64::consts::TAU / omega / 200.0;
     let elastomer = |stiffness, damping| Isolator::Elastomer { stiffness, damping };
     let found = pushed(&[], &[elastomer(MASS * omega * omega, xi)], a, step, 150);
-    let mode = Mode {
-        mass: 1e5,
-        omega,
-        damping: xi,
-    };
+    let mode = Mode { mass: 1e5, omega, damping: xi };
     let fixed = pushed(&[mode], &[elastomer(1e14, 0.0)], a, step, 150);
     let of_mode: Vec<[f64; 2]> = fixed.modes[0].iter().map(|m| m.displacement).collect();
     for c in 0..2 {
@@ -53,11 +49,7 @@ fn step_responses() {
 /// A block slides under a − μ g along the push, √5 a for both components; rubber beyond yielding has the force K₂ d + Q.
 #[test]
 fn sliding_blocks() {
-    let flat = Isolator::FrictionPendulum {
-        radius: 1e9,
-        friction: Friction::constant(0.06),
-        slip: 1e-9,
-    };
+    let flat = Isolator::FrictionPendulum { radius: 1e9, friction: Friction::constant(0.06), slip: 1e-9 };
     let a = 1.0;
     let found = pushed(&[], &[flat], a, 0.001, 1001);
     let size = |v: &[f64; 2]| v[0].hypot(v[1]);
@@ -69,11 +61,7 @@ fn sliding_blocks() {
     // Rate 0.06 − 0.03 e^{−50 v}: at a metre a second the friction is the fast one, and half of what falls is left at ln 2/50 m/s.
     let falls = Isolator::FrictionPendulum {
         radius: 1e9,
-        friction: Friction {
-            fast: 0.06,
-            slow: 0.03,
-            rate: 50.0,
-        },
+        friction: Friction { fast: 0.06, slow: 0.03, rate: 50.0 },
         slip: 1e-9,
     };
     let found = pushed(&[], &[falls], a, 1e-3, 40);
@@ -98,10 +86,7 @@ fn sliding_blocks() {
 #[test]
 fn terminal_speeds() {
     for exponent in [0.5, 1.0, 2.0] {
-        let damper = Isolator::Damper {
-            coefficient: 4e5,
-            exponent,
-        };
+        let damper = Isolator::Damper { coefficient: 4e5, exponent };
         let found = pushed(&[], &[damper], 1.0, 0.02, 2000);
         let [.., before, last] = found.displacement[..] else {
             return;

@@ -8,35 +8,17 @@ use crate::disc::{Disc, Impedance, Soil};
 use crate::structure::{OnSoil, Structure};
 
 /// k = 4·10⁷ N/m.
-const STRUCTURE: Structure = Structure {
-    mass: 1e5,
-    height: 3.0,
-    period: TAU / 20.0,
-    damping: 0.02,
-};
+const STRUCTURE: Structure = Structure { mass: 1e5, height: 3.0, period: TAU / 20.0, damping: 0.02 };
 
 /// G = 2·10⁷ Pa: K_x = 3.2·10⁸/1.75 N/m, K_θ = 1.28·10⁹/2.25 N m, so that k/K_x + k h²/K_θ = 0.21875 + 0.6328125.
-const SOIL: Soil = Soil {
-    density: 2000.0,
-    shear_wave_velocity: 100.0,
-    poisson_ratio: 0.25,
-    damping: 0.0,
-    depth: None,
-};
+const SOIL: Soil = Soil { density: 2000.0, shear_wave_velocity: 100.0, poisson_ratio: 0.25, damping: 0.0, depth: None };
 
 const FLEXIBILITY: f64 = 0.851_562_5;
 
 /// The same springs without inertia and radiation, which is √(G ρ) to an area.
-const MASSLESS: Soil = Soil {
-    density: 2e-9,
-    shear_wave_velocity: 1e8,
-    ..SOIL
-};
+const MASSLESS: Soil = Soil { density: 2e-9, shear_wave_velocity: 1e8, ..SOIL };
 
-const STIFF: Soil = Soil {
-    shear_wave_velocity: 1e6,
-    ..SOIL
-};
+const STIFF: Soil = Soil { shear_wave_velocity: 1e6, ..SOIL };
 
 fn on(soil: Soil, structure: Structure) -> OnSoil {
     OnSoil::new(structure, Disc::new(2.0, soil).unwrap()).unwrap()
@@ -77,21 +59,9 @@ fn marches(on: &OnSoil, slab: [f64; 2], ground: &[f64], h: f64, parts: usize) ->
 fn springs_in_series() {
     close(on(SOIL, STRUCTURE).flexibility(), FLEXIBILITY, 1e-14);
     let ratio = (1.0 + FLEXIBILITY).sqrt();
-    for (wall, ground, wanted) in [
-        (1e-4, 0.0, 1e-4 / ratio.powi(3)),
-        (0.0, 1e-4, 1e-4 * (1.0 - ratio.powi(-2))),
-    ] {
-        let structure = Structure {
-            damping: wall,
-            ..STRUCTURE
-        };
-        let on = on(
-            Soil {
-                damping: ground,
-                ..SOIL
-            },
-            structure,
-        );
+    for (wall, ground, wanted) in [(1e-4, 0.0, 1e-4 / ratio.powi(3)), (0.0, 1e-4, 1e-4 * (1.0 - ratio.powi(-2)))] {
+        let structure = Structure { damping: wall, ..STRUCTURE };
+        let on = on(Soil { damping: ground, ..SOIL }, structure);
         let found = on.effective(Impedance::Static).unwrap();
         close(found.period, STRUCTURE.period * ratio, 1e-7);
         close(found.damping, wanted, 1e-6);
@@ -104,11 +74,7 @@ fn springs_in_series() {
 fn rigid_ground_leaves_the_structure() {
     let on = on(STIFF, STRUCTURE);
     let mode = Chain::new(&on, [0.0; 2]).unwrap().complex_mode().unwrap();
-    for found in [
-        on.effective(Impedance::Cone).unwrap(),
-        on.peak(Impedance::Cone).unwrap(),
-        mode,
-    ] {
+    for found in [on.effective(Impedance::Cone).unwrap(), on.peak(Impedance::Cone).unwrap(), mode] {
         close(found.period, STRUCTURE.period, 1e-6);
         close(found.damping, STRUCTURE.damping, 1e-6);
     }
@@ -123,27 +89,14 @@ fn rigid_ground_leaves_the_structure() {
 /// two masses in a row: m m_b ω⁴ − (k (m + m_b) + K_x m) ω² + k K_x = 0.
 #[test]
 fn modes_on_springs_without_mass() {
-    let thin = Structure {
-        damping: 1e-4,
-        ..STRUCTURE
-    };
-    let found = Chain::new(&on(MASSLESS, thin), [0.0; 2])
-        .unwrap()
-        .complex_mode()
-        .unwrap();
+    let thin = Structure { damping: 1e-4, ..STRUCTURE };
+    let found = Chain::new(&on(MASSLESS, thin), [0.0; 2]).unwrap().complex_mode().unwrap();
     let ratio = (1.0 + FLEXIBILITY).sqrt();
     close(found.period, STRUCTURE.period * ratio, 1e-6);
     close(found.damping, 1e-4 / ratio.powi(3), 1e-3);
 
-    let flat = Structure {
-        height: 1e-6,
-        damping: 0.0,
-        ..STRUCTURE
-    };
-    let found = Chain::new(&on(MASSLESS, flat), [4e4, 0.0])
-        .unwrap()
-        .complex_mode()
-        .unwrap();
+    let flat = Structure { height: 1e-6, damping: 0.0, ..STRUCTURE };
+    let found = Chain::new(&on(MASSLESS, flat), [4e4, 0.0]).unwrap().complex_mode().unwrap();
     let (m, slab, k, ground) = (1e5, 4e4, 4e7, 3.2e8 / 1.75_f64);
     let half = 0.5 * (k * (m + slab) + ground * m) / (m * slab);
     let square = half - (half * half - k * ground / (m * slab)).sqrt();
@@ -154,10 +107,7 @@ fn modes_on_springs_without_mass() {
 /// lengthen it by 8e-5.
 #[test]
 fn step_response_on_springs_without_mass() {
-    let structure = Structure {
-        damping: 0.0,
-        ..STRUCTURE
-    };
+    let structure = Structure { damping: 0.0, ..STRUCTURE };
     let on = on(MASSLESS, structure);
     let period = STRUCTURE.period * (1.0 + FLEXIBILITY).sqrt();
     let samples = 41;
@@ -175,13 +125,7 @@ fn step_response_on_springs_without_mass() {
 #[test]
 fn steady_state_of_the_marches() {
     for omega in [6.0, 14.0, 25.0] {
-        let on = on(
-            SOIL,
-            Structure {
-                damping: 0.1,
-                ..STRUCTURE
-            },
-        );
+        let on = on(SOIL, Structure { damping: 0.1, ..STRUCTURE });
         let wanted = on.deformation(omega, Impedance::Cone) / 400.0;
         let h = TAU / omega / 200.0;
         let ground: Vec<f64> = (0..20_000).map(|i| (omega * h * f64::from(i)).sin()).collect();
@@ -195,19 +139,11 @@ fn steady_state_of_the_marches() {
 /// A slab, trapped soil, and steps between samples: two formulations of one body, one in displacements, one in accelerations.
 #[test]
 fn both_marches_agree() {
-    let soil = Soil {
-        poisson_ratio: 0.45,
-        ..SOIL
-    };
-    let ground: Vec<f64> = (0..300)
-        .map(|i| (0.11 * f64::from(i)).sin() * (0.37 * f64::from(i)).cos())
-        .collect();
+    let soil = Soil { poisson_ratio: 0.45, ..SOIL };
+    let ground: Vec<f64> = (0..300).map(|i| (0.11 * f64::from(i)).sin() * (0.37 * f64::from(i)).cos()).collect();
     let [chain, body] = marches(&on(soil, STRUCTURE), [6e4, 9e4], &ground, 0.02, 3);
     let most = chain.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
-    let apart = chain
-        .iter()
-        .zip(&body)
-        .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let apart = chain.iter().zip(&body).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     assert!(most > 1e-3 && apart < 1e-9 * most, "{apart} {most}");
 }
 
@@ -216,12 +152,7 @@ fn both_marches_agree() {
 #[test]
 fn a_body_is_in_equilibrium() {
     let whole = [(18.0, 200.0, 700.0), (45.0, 90.0, -150.0)];
-    let mode = |(omega, translation, rotation): (f64, f64, f64)| Mode {
-        omega,
-        damping: 0.03,
-        translation,
-        rotation,
-    };
+    let mode = |(omega, translation, rotation): (f64, f64, f64)| Mode { omega, damping: 0.03, translation, rotation };
     let body = Body {
         modes: whole.map(mode).to_vec(),
         mass: 7e4,
@@ -230,24 +161,15 @@ fn a_body_is_in_equilibrium() {
         slab_mass: 3e4,
         slab_inertia: 4e4,
     };
-    let half = |m: &Mode| Mode {
-        translation: m.translation / 2.0_f64.sqrt(),
-        rotation: m.rotation / 2.0_f64.sqrt(),
-        ..*m
-    };
-    let halves = Body {
-        modes: body.modes.iter().flat_map(|m| [half(m), half(m)]).collect(),
-        ..body.clone()
-    };
+    let half =
+        |m: &Mode| Mode { translation: m.translation / 2.0_f64.sqrt(), rotation: m.rotation / 2.0_f64.sqrt(), ..*m };
+    let halves = Body { modes: body.modes.iter().flat_map(|m| [half(m), half(m)]).collect(), ..body.clone() };
     let disc = Disc::new(2.0, MASSLESS).unwrap();
     let springs = disc.stiffness();
     let ground: Vec<f64> = (0..200).map(|i| 2.0 * (0.2 * f64::from(i)).sin()).collect();
     let [found, parted] = [&body, &halves].map(|b| body::march(b, &disc, &ground, 0.01, 2).unwrap());
     let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let (force, moment) = (
-        springs.horizontal * most(&found.translation),
-        springs.rocking * most(&found.rotation),
-    );
+    let (force, moment) = (springs.horizontal * most(&found.translation), springs.rocking * most(&found.rotation));
     assert!(force > 1e4 && moment > 1e4);
     for i in 1..ground.len() {
         let (a, turn) = (found.acceleration[i], found.rotational_acceleration[i]);
@@ -265,18 +187,9 @@ fn a_body_is_in_equilibrium() {
 #[test]
 fn the_internal_rotation_is_the_impedance() {
     for nu in [0.25, 0.45] {
-        let on = on(
-            Soil {
-                poisson_ratio: nu,
-                ..SOIL
-            },
-            STRUCTURE,
-        );
+        let on = on(Soil { poisson_ratio: nu, ..SOIL }, STRUCTURE);
         for omega in [1.0, 30.0, 200.0] {
-            let (a, b) = (
-                Chain::rocking_impedance(&on, omega),
-                on.disc.rocking(omega, Impedance::Cone),
-            );
+            let (a, b) = (Chain::rocking_impedance(&on, omega), on.disc.rocking(omega, Impedance::Cone));
             assert!((a - b).norm() < 1e-12 * b.norm(), "{a} {b}");
         }
     }
@@ -285,18 +198,8 @@ fn the_internal_rotation_is_the_impedance() {
 /// m = Γ², h = |Γ^ψ/Γ|; a body carries its modes where their shares do not exceed its mass and its second moment.
 #[test]
 fn shares_of_a_mode() {
-    let mode = Mode {
-        omega: 10.0,
-        damping: 0.05,
-        translation: 2.0,
-        rotation: -3.0,
-    };
-    let wanted = Structure {
-        mass: 4.0,
-        height: 1.5,
-        period: 0.2 * PI,
-        damping: 0.05,
-    };
+    let mode = Mode { omega: 10.0, damping: 0.05, translation: 2.0, rotation: -3.0 };
+    let wanted = Structure { mass: 4.0, height: 1.5, period: 0.2 * PI, damping: 0.05 };
     assert_eq!(mode.structure(), wanted);
     let run = |mass: f64, second_moment: f64, slab: [f64; 2]| {
         let body = Body {

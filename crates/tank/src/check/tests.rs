@@ -7,12 +7,7 @@ fn check(demand: f64, capacity: f64) -> Check {
 }
 
 fn state(id: &'static str, requirement: Requirement) -> LimitState {
-    LimitState {
-        id,
-        name: id,
-        clause: "EN 1".into(),
-        requirement,
-    }
+    LimitState { id, name: id, clause: "EN 1".into(), requirement }
 }
 
 /// Utilisation 1 − ε, 1 and 1 + ε, down to the neighbouring numbers of 1.
@@ -50,15 +45,9 @@ fn a_capacity_of_zero_or_less_never_holds() {
 #[test]
 fn a_check_keeps_what_it_was_given() {
     let c = check(2.0, 4.0);
-    assert_eq!(
-        (c.id.as_str(), c.name.as_str(), c.limit_state.as_str()),
-        ("id", "name", "id")
-    );
+    assert_eq!((c.id.as_str(), c.name.as_str(), c.limit_state.as_str()), ("id", "name", "id"));
     assert_eq!((c.clause.as_str(), c.note.as_str()), ("clause", "note"));
-    assert_eq!(
-        (c.demand, c.capacity, c.dimension),
-        (Some(2.0), Some(4.0), Dimension::Stress)
-    );
+    assert_eq!((c.demand, c.capacity, c.dimension), (Some(2.0), Some(4.0), Dimension::Stress));
     assert_eq!(c.unit, "Pa");
 }
 
@@ -69,11 +58,7 @@ fn checks_survive_json() {
     let missing = Check::without_comparison(&missing, CheckStatus::NotChecked, "no strength", Some("materials.a.b"));
     for before in [check(2.0, 4.0), check(4.0, 3.0), check(1.0, 0.0), missing] {
         let text = serde_json::to_string(&before).unwrap();
-        assert_eq!(
-            text.contains("\"utilisation\":null"),
-            before.utilisation.is_none(),
-            "{text}"
-        );
+        assert_eq!(text.contains("\"utilisation\":null"), before.utilisation.is_none(), "{text}");
         assert_eq!(serde_json::from_str::<Check>(&text).unwrap(), before);
     }
 }
@@ -135,13 +120,7 @@ fn the_place_of_a_demand_is_kept() {
         assert_eq!(&serde_json::from_str::<Check>(&text).unwrap(), check);
     }
     let text = serde_json::to_string(&placed).unwrap();
-    for part in [
-        "\"time_s\":1.5",
-        "\"z\":0.2",
-        "\"theta\":3.0",
-        "\"error\":0.04",
-        "\"within_error\":true",
-    ] {
+    for part in ["\"time_s\":1.5", "\"z\":0.2", "\"theta\":3.0", "\"error\":0.04", "\"within_error\":true"] {
         assert!(text.contains(part), "{part} is missing in {text}");
     }
     assert!(!serde_json::to_string(&plain).unwrap().contains("theta"));
@@ -150,18 +129,8 @@ fn the_place_of_a_demand_is_kept() {
 /// A check that is left open is the same after it was written and read: nothing of its demand remains.
 #[test]
 fn a_check_left_open_is_read_back() {
-    let holds = Check::new(
-        "buckling",
-        "Buckling",
-        1e6,
-        2e6,
-        Dimension::Stress,
-        "A.10.2",
-        "course 1",
-    );
-    let open = holds
-        .at(Some(1.0), Some(0.0), Some(2.0))
-        .left_open("it overturns".into());
+    let holds = Check::new("buckling", "Buckling", 1e6, 2e6, Dimension::Stress, "A.10.2", "course 1");
+    let open = holds.at(Some(1.0), Some(0.0), Some(2.0)).left_open("it overturns".into());
     let again: Check = serde_json::from_str(&serde_json::to_string(&open).unwrap()).unwrap();
     assert_eq!(again, open);
     assert_eq!((open.status, open.ratio()), (CheckStatus::NotChecked, None));

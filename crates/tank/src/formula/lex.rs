@@ -29,11 +29,7 @@ pub(super) fn tokens(text: &str) -> Vec<(Token, Range<usize>)> {
         let (token, length) = if c.is_ascii_digit() {
             number(rest)
         } else if let Some(value) = fraction(c) {
-            let number = Number {
-                digits: c.to_string(),
-                unit: None,
-                value,
-            };
+            let number = Number { digits: c.to_string(), unit: None, value };
             (Token::Number(number), c.len_utf8())
         } else if is_raised(c) {
             raised(rest)
@@ -82,21 +78,14 @@ fn number(text: &str) -> (Token, usize) {
             (value.unwrap_or(plain * unit.factor()), end + length)
         }
     };
-    let number = Number {
-        digits: written.into(),
-        unit: unit.map(|u| u.0),
-        value,
-    };
+    let number = Number { digits: written.into(), unit: unit.map(|u| u.0), value };
     (Token::Number(number), length)
 }
 
 /// The longest unit behind a blank that ends where a word ends, and its length with the blank. `g` is not a unit
 /// here: it is the symbol of the acceleration of free fall, or the gram.
 fn unit(text: &str) -> Option<(&'static Unit, usize)> {
-    let blank = text
-        .chars()
-        .next()
-        .filter(|c| matches!(c, ' ' | '\u{202f}' | '\u{a0}'))?;
+    let blank = text.chars().next().filter(|c| matches!(c, ' ' | '\u{202f}' | '\u{a0}'))?;
     let rest = &text[blank.len_utf8()..];
     UNITS
         .iter()

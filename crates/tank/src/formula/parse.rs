@@ -9,13 +9,7 @@ use super::tree::{Bracket, Operator, Place, Power, Primary, Product, Sign, Sum};
 /// Parses a text: its tree, and where its symbols stand.
 pub(super) fn formula(text: &str) -> Result<(Sum, Vec<Place>), FormulaError> {
     let tokens = tokens(text);
-    let mut parser = Parser {
-        text,
-        tokens: &tokens,
-        at: 0,
-        depth: 0,
-        symbols: Vec::new(),
-    };
+    let mut parser = Parser { text, tokens: &tokens, at: 0, depth: 0, symbols: Vec::new() };
     let tree = parser.sum()?;
     if parser.at < tokens.len() {
         return Err(parser.unexpected("an operator or the end"));
@@ -64,10 +58,7 @@ impl Parser<'_> {
     /// Runs a part of the grammar that may hold itself.
     fn deeper<T>(&mut self, part: impl FnOnce(&mut Self) -> Result<T, FormulaError>) -> Result<T, FormulaError> {
         if self.depth == DEEPEST {
-            return Err(FormulaError::TooDeep {
-                formula: self.text.into(),
-                limit: DEEPEST,
-            });
+            return Err(FormulaError::TooDeep { formula: self.text.into(), limit: DEEPEST });
         }
         self.depth += 1;
         let out = part(self);
@@ -147,10 +138,7 @@ impl Parser<'_> {
                 if self.eat('(') {
                     return self.deeper(|p| p.arguments(name));
                 }
-                self.symbols.push(Place {
-                    at: at.clone(),
-                    raised: false,
-                });
+                self.symbols.push(Place { at: at.clone(), raised: false });
                 return Ok(Primary::Symbol(name.clone()));
             }
             Token::Sign('(') => Bracket::Round,

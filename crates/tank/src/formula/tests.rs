@@ -46,11 +46,7 @@ fn values_by_hand() {
         ("I₀(1)·exp(-1)", 0.465_759_607_6),
         ("I₁(1)·exp(-1)", 0.207_910_415_3),
     ] {
-        assert!(
-            (value(text) - expected).abs() < 1e-10 * expected.abs().max(1.0),
-            "{text}: {}",
-            value(text)
-        );
+        assert!((value(text) - expected).abs() < 1e-10 * expected.abs().max(1.0), "{text}: {}", value(text));
     }
 }
 
@@ -62,16 +58,10 @@ fn numbers_carry_units() {
         ("0.3048 m", 0.3048),
         ("572 mm", 0.572),
         ("4.903 m/s²·7600.6 kg", 4.903 * 7600.6),
-        (
-            "37.281 kN·571.88 mm + 13.59 kN·883.5 mm",
-            37281.0 * 0.57188 + 13590.0 * 0.8835,
-        ),
+        ("37.281 kN·571.88 mm + 13.59 kN·883.5 mm", 37281.0 * 0.57188 + 13590.0 * 0.8835),
         ("4 s/2 s", 2.0),
         ("3 m/s·2", 6.0),
-        (
-            "33.33 kN·m/(π·(3.66 m)²·2 mm/4)",
-            33330.0 / (std::f64::consts::PI * 3.66 * 3.66 * 0.0005),
-        ),
+        ("33.33 kN·m/(π·(3.66 m)²·2 mm/4)", 33330.0 / (std::f64::consts::PI * 3.66 * 3.66 * 0.0005)),
         ("2 %·50", 1.0),
     ] {
         assert!((value(text) / expected - 1.0).abs() < 1e-15, "{text}: {}", value(text));
@@ -92,12 +82,7 @@ fn symbols() {
         ("σ_θ,max", 16.0, Stress),
         ("π", 32.0, Dimensionless),
     ];
-    assert_eq!(
-        Formula::parse("h_i + h_i′ + λ1 + s_⅓ + σ_θ,max + π")
-            .unwrap()
-            .value(&terms),
-        Ok(63.0)
-    );
+    assert_eq!(Formula::parse("h_i + h_i′ + λ1 + s_⅓ + σ_θ,max + π").unwrap().value(&terms), Ok(63.0));
     // A comma with a blank separates arguments.
     assert_eq!(Formula::parse("max(h_i, λ1)").unwrap().value(&terms), Ok(4.0));
 }
@@ -167,72 +152,29 @@ fn units_are_those_of_engineers() {
 #[test]
 fn faults_say_what_and_where() {
     for (text, message) in [
-        (
-            "",
-            "``: found the end at character 1, expected a number, a symbol, a function or an opening bracket",
-        ),
-        (
-            "a +",
-            "`a +`: found the end at character 4, expected a number, a symbol, a function or an opening bracket",
-        ),
+        ("", "``: found the end at character 1, expected a number, a symbol, a function or an opening bracket"),
+        ("a +", "`a +`: found the end at character 4, expected a number, a symbol, a function or an opening bracket"),
         ("a)", "`a)`: found `)` at character 2, expected an operator or the end"),
-        (
-            "(a",
-            "`(a`: found the end at character 3, expected an operator or the closing bracket",
-        ),
-        (
-            "|a]",
-            "`|a]`: found `]` at character 3, expected an operator or the closing bracket",
-        ),
-        (
-            "f(a b)",
-            "`f(a b)`: found `b` at character 5, expected an operator, a comma or the closing parenthesis",
-        ),
-        (
-            "2 a",
-            "`2 a`: found `a` at character 3, expected an operator or the end",
-        ),
-        (
-            "π = 3",
-            "`π = 3`: found `=` at character 3, expected an operator or the end",
-        ),
+        ("(a", "`(a`: found the end at character 3, expected an operator or the closing bracket"),
+        ("|a]", "`|a]`: found `]` at character 3, expected an operator or the closing bracket"),
+        ("f(a b)", "`f(a b)`: found `b` at character 5, expected an operator, a comma or the closing parenthesis"),
+        ("2 a", "`2 a`: found `a` at character 3, expected an operator or the end"),
+        ("π = 3", "`π = 3`: found `=` at character 3, expected an operator or the end"),
     ] {
         assert_eq!(Formula::parse(text).unwrap_err().to_string(), message);
     }
-    for text in [
-        "3 +",
-        "^",
-        "√",
-        "a//b",
-        "a^",
-        "a² ³",
-        "2 mm²",
-        "2..3",
-        "a--b",
-        "f()",
-        "1 − ⁻",
-        "Σ x",
-    ] {
+    for text in ["3 +", "^", "√", "a//b", "a^", "a² ³", "2 mm²", "2..3", "a--b", "f()", "1 − ⁻", "Σ x"] {
         assert!(Formula::parse(text).is_err(), "{text}");
     }
     let no_value = Formula::parse("a·b").unwrap().value(&[("a", 1.0, Length)]).unwrap_err();
     assert_eq!(no_value.to_string(), "`a·b`: no value given for `b`");
     for text in ["f(1)", "tanh(1, 2)"] {
-        assert!(matches!(
-            Formula::parse(text).unwrap().value(&[]),
-            Err(FormulaError::NoFunction { .. })
-        ));
+        assert!(matches!(Formula::parse(text).unwrap().value(&[]), Err(FormulaError::NoFunction { .. })));
     }
     let deep = |n: usize| "(".repeat(n) + "1" + &")".repeat(n);
     assert!(Formula::parse(&deep(50)).is_ok());
-    assert!(matches!(
-        Formula::parse(&deep(100_000)),
-        Err(FormulaError::TooDeep { .. })
-    ));
-    assert!(matches!(
-        Formula::parse(&("√".repeat(100_000) + "1")),
-        Err(FormulaError::TooDeep { .. })
-    ));
+    assert!(matches!(Formula::parse(&deep(100_000)), Err(FormulaError::TooDeep { .. })));
+    assert!(matches!(Formula::parse(&("√".repeat(100_000) + "1")), Err(FormulaError::TooDeep { .. })));
 }
 
 /// Symbols of the trees.
@@ -267,14 +209,8 @@ mod trees {
         ];
         leaf.prop_recursive(4, 40, 4, |inner| {
             let sum = sums(inner).boxed();
-            let call = (
-                proptest::sample::select(vec!["tanh", "cos", "exp", "ln", "sinh"]),
-                sum.clone(),
-            );
-            let many = (
-                proptest::sample::select(vec!["min", "max"]),
-                proptest::collection::vec(sum.clone(), 1..4),
-            );
+            let call = (proptest::sample::select(vec!["tanh", "cos", "exp", "ln", "sinh"]), sum.clone());
+            let many = (proptest::sample::select(vec!["min", "max"]), proptest::collection::vec(sum.clone(), 1..4));
             let brackets = proptest::sample::select(vec![Bracket::Round, Bracket::Square, Bracket::Bar]);
             prop_oneof![
                 call.prop_map(|(name, sum)| Primary::Call(name.into(), vec![sum])),
@@ -289,10 +225,7 @@ mod trees {
         let base = primary.clone().prop_map(|base| match base {
             // `2 mm²` is not a number with a unit.
             Primary::Number(Number { unit: Some(_), .. }) => {
-                let product = Product {
-                    first: Power::Plain(base),
-                    rest: Vec::new(),
-                };
+                let product = Product { first: Power::Plain(base), rest: Vec::new() };
                 Primary::Group(Bracket::Round, Box::new(Sum(vec![(Sign::Plus, product)])))
             }
             base => base,
@@ -324,10 +257,7 @@ mod trees {
 fn terms() -> impl Strategy<Value = Vec<Term<'static>>> {
     let value = || (-9999..9999_i32, 0..6_u32).prop_map(|(v, s)| f64::from(v) / f64::from(10_u32.pow(s)));
     let dimension = || proptest::sample::select(Dimension::ALL.to_vec());
-    (
-        proptest::array::uniform5(value()),
-        proptest::array::uniform5(dimension()),
-    )
+    (proptest::array::uniform5(value()), proptest::array::uniform5(dimension()))
         .prop_map(move |(values, dimensions)| (0..5).map(|i| (SYMBOLS[i], values[i], dimensions[i])).collect())
 }
 

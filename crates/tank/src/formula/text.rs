@@ -48,9 +48,5 @@ const DIGITS: usize = 5;
 pub fn with_unit(value: f64, dimension: Dimension) -> String {
     let unit = unit_for(value, dimension);
     let number = number(in_unit(value, unit));
-    if unit.symbol.is_empty() {
-        number
-    } else {
-        format!("{number} {}", unit.symbol)
-    }
+    if unit.symbol.is_empty() { number } else { format!("{number} {}", unit.symbol) }
 }

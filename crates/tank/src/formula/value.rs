@@ -72,19 +72,13 @@ impl Reader<'_> {
         match self.terms.iter().find(|(symbol, _, _)| *symbol == name) {
             Some((_, value, _)) => Ok(*value),
             None if name == "π" => Ok(PI),
-            None => Err(FormulaError::NoValue {
-                formula: self.formula.into(),
-                symbol: name.into(),
-            }),
+            None => Err(FormulaError::NoValue { formula: self.formula.into(), symbol: name.into() }),
         }
     }
 
     fn call(&self, name: &str, arguments: &[Sum]) -> Result<f64, FormulaError> {
-        let missing = || FormulaError::NoFunction {
-            formula: self.formula.into(),
-            name: name.into(),
-            arguments: arguments.len(),
-        };
+        let missing =
+            || FormulaError::NoFunction { formula: self.formula.into(), name: name.into(), arguments: arguments.len() };
         let values = || arguments.iter().map(|a| self.sum(a));
         let fold = |choose: fn(f64, f64) -> f64, start: f64| {
             values().try_fold(start, |chosen, value| Ok(choose(chosen, value?)))

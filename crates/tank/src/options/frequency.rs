@@ -29,10 +29,6 @@ keys! {
 
 impl FrequencyOptions {
     /// The defaults.
-    pub const DEFAULT: FrequencyOptions = FrequencyOptions {
-        from: None,
-        to: None,
-        points: 400,
-        damping: FrequencyDamping::AsEngine,
-    };
+    pub const DEFAULT: FrequencyOptions =
+        FrequencyOptions { from: None, to: None, points: 400, damping: FrequencyDamping::AsEngine };
 }

@@ -14,10 +14,7 @@ pub const MOST_ROWS: u32 = 1000;
 pub const MOST_SECTORS: u32 = 4000;
 
 /// Defaults. The damping ratios are placeholders: those of the case replace them.
-const DEFAULT: &NonlinearOptions = &NonlinearOptions::new(case::Damping {
-    sloshing: f64::NAN,
-    impulsive: f64::NAN,
-});
+const DEFAULT: &NonlinearOptions = &NonlinearOptions::new(case::Damping { sloshing: f64::NAN, impulsive: f64::NAN });
 
 keys! {
     /// Options of the nonlinear engine: walls that yield and crack, large rotations, liquid of linear theory.
@@ -81,10 +78,7 @@ impl NonlinearOptions {
             spectral_radius: 0.9,
             time_step: None,
             step: StepLength::Fixed,
-            damping: Damping::ByGroup {
-                wall: damping.impulsive,
-                sloshing: damping.sloshing,
-            },
+            damping: Damping::ByGroup { wall: damping.impulsive, sloshing: damping.sloshing },
             contact: Contact::Bonded,
             wall: StripWall::Fibre,
             self_weight: true,

@@ -111,11 +111,7 @@ impl FromStr for MeshSize {
         let [radial, sectors, vertical] = parts[..] else {
             return Err(fault());
         };
-        Ok(MeshSize {
-            radial: count(radial)?,
-            sectors: count(sectors)?,
-            vertical: count(vertical)?,
-        })
+        Ok(MeshSize { radial: count(radial)?, sectors: count(sectors)?, vertical: count(vertical)? })
     }
 }
 
@@ -127,11 +123,7 @@ mod tests {
 
     #[test]
     fn three_positive_counts_and_nothing_else() {
-        let mesh = MeshSize {
-            radial: 12,
-            sectors: 16,
-            vertical: 20,
-        };
+        let mesh = MeshSize { radial: 12, sectors: 16, vertical: 20 };
         for text in ["12x16x20", "12 x 16 x 20", "12X16×20"] {
             assert_eq!(text.parse(), Ok(mesh), "{text}");
         }

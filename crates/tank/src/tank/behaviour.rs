@@ -247,11 +247,7 @@ mod tests {
         assert!((3.5e6 / e_f / e - 0.98).abs() < 1e-12);
         assert!((concrete.least_softening_strain(e) - e_f).abs() < 1e-12);
         assert_eq!(concrete.band(0.5), 0.5);
-        let spaced = Concrete {
-            crack_spacing: Some(0.15),
-            softening: Softening::Brittle,
-            ..concrete
-        };
+        let spaced = Concrete { crack_spacing: Some(0.15), softening: Softening::Brittle, ..concrete };
         assert_eq!((spaced.band(0.5), spaced.band(0.1)), (0.15, 0.1));
         assert_eq!(spaced.largest_element(e), f64::INFINITY);
     }

@@ -26,10 +26,7 @@ words! {
 impl Family {
     /// Whether it is a metal.
     pub fn is_metal(self) -> bool {
-        matches!(
-            self,
-            Family::CarbonSteel | Family::Stainless | Family::Aluminium | Family::OtherMetal
-        )
+        matches!(self, Family::CarbonSteel | Family::Stainless | Family::Aluminium | Family::OtherMetal)
     }
 
     /// The name as it stands in a sentence.
@@ -73,10 +70,7 @@ impl Family {
             (Family::Concrete, (15.0, 50.0), (2200.0, 2700.0)),
             (Family::Polymer, (0.5, 6.0), (850.0, 1600.0)),
         ];
-        ranges
-            .into_iter()
-            .find(|(_, e, rho)| within(*e, *rho))
-            .map(|(family, ..)| family)
+        ranges.into_iter().find(|(_, e, rho)| within(*e, *rho)).map(|(family, ..)| family)
     }
 }
 

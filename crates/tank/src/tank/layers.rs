@@ -61,13 +61,7 @@ pub const EQUIVALENT: &str = "equivalent of the layers";
 impl Course {
     /// A course of one material.
     pub fn uniform(height: f64, thickness: f64, material: Material) -> Course {
-        Course {
-            height,
-            thickness,
-            corrosion: 0.0,
-            material,
-            layers: Vec::new(),
-        }
+        Course { height, thickness, corrosion: 0.0, material, layers: Vec::new() }
     }
 
     /// A course of layers from inside to outside, at least one of them a shell. Layers of shell that touch are one
@@ -89,10 +83,7 @@ impl Course {
         let membrane: f64 = shells.clone().map(Layer::membrane).sum();
         let poisson: f64 = shells.map(|l| l.material.poisson_ratio * l.membrane()).sum();
         let mass: f64 = layers.iter().map(|l| l.material.density * l.thickness).sum();
-        let bending: f64 = layers
-            .split(|l| l.kind == LayerKind::Interlayer)
-            .map(bending_stiffness)
-            .sum();
+        let bending: f64 = layers.split(|l| l.kind == LayerKind::Interlayer).map(bending_stiffness).sum();
         let thickness = (12.0 * bending / membrane).sqrt();
         Course {
             height,
@@ -164,17 +155,12 @@ impl Layer {
         let of = |direction| {
             let bars: Vec<&Reinforcement> = self.reinforcement.iter().filter(|b| b.direction == direction).collect();
             let most = self.thickness / bars.len() as f64;
-            let effective: f64 = (bars.iter())
-                .map(|b| (2.5 * b.depth.min(self.thickness - b.depth)).min(most))
-                .sum();
+            let effective: f64 = (bars.iter()).map(|b| (2.5 * b.depth.min(self.thickness - b.depth)).min(most)).sum();
             let area: f64 = bars.iter().map(|b| b.area).sum();
             let diameter = self.bar_diameter(direction)?;
             Some(diameter * effective / (5.4 * area))
         };
-        [BarDirection::Hoop, BarDirection::Vertical]
-            .into_iter()
-            .filter_map(of)
-            .reduce(f64::min)
+        [BarDirection::Hoop, BarDirection::Vertical].into_iter().filter_map(of).reduce(f64::min)
     }
 
     /// Diameter of bars of one size with the area and the surface of those of this direction [m]: Σ A_s/Σ (A_s/φ); `None`
@@ -275,10 +261,7 @@ mod tests {
 
     #[test]
     fn a_cut_shell_is_whole() {
-        let halves = vec![
-            layer(LayerKind::Shell, 0.1, 34e9, 2540.0),
-            layer(LayerKind::Shell, 0.2, 34e9, 2540.0),
-        ];
+        let halves = vec![layer(LayerKind::Shell, 0.1, 34e9, 2540.0), layer(LayerKind::Shell, 0.2, 34e9, 2540.0)];
         let course = Course::layered(3.0, halves);
         close(course.thickness, 0.3);
         close(course.material.youngs_modulus, 34e9);

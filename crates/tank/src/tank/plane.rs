@@ -12,9 +12,7 @@ impl Tank {
     /// Breadth of a box over the height of its wall; none for a cylinder or a strip of a long tank.
     pub fn breadth_to_height(&self) -> Option<f64> {
         match self.shape {
-            Shape::Rectangle {
-                breadth, strip: false, ..
-            } => Some(breadth / self.wall_height()),
+            Shape::Rectangle { breadth, strip: false, .. } => Some(breadth / self.wall_height()),
             _ => None,
         }
     }

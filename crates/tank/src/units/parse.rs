@@ -69,11 +69,7 @@ fn other_dimension(unit: &str, found: &[Dimension], expected: Dimension) -> Stri
     match (found, expected) {
         ([Dimension::Dimensionless], expected) => format!("`{unit}` is not a unit of {}", expected.noun()),
         (_, Dimension::Dimensionless) => format!("`{unit}` is a unit of {}, expected none", nouns.join(" or ")),
-        _ => format!(
-            "`{unit}` is a unit of {}, not of {}",
-            nouns.join(" or "),
-            expected.noun()
-        ),
+        _ => format!("`{unit}` is a unit of {}, not of {}", nouns.join(" or "), expected.noun()),
     }
 }
 
@@ -113,40 +109,27 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         if ["nan", "inf", "infinity"].contains(&word) || bare.starts_with('∞') {
             return Err(UnitError::NotFinite { found: trimmed.into() });
         }
-        return Err(UnitError::NotANumber {
-            found: trimmed.into(),
-            instead: None,
-        });
+        return Err(UnitError::NotANumber { found: trimmed.into(), instead: None });
     }
     let spelling = rest.trim();
     // A double prime is a unit that is read.
     if Unit::find(spelling, dimension).is_none()
         && let Some(instead) = fraction(trimmed)
     {
-        return Err(UnitError::Fraction {
-            found: trimmed.into(),
-            instead,
-        });
+        return Err(UnitError::Fraction { found: trimmed.into(), instead });
     }
     if let Some(instead) = misread_number(number, rest) {
-        return Err(UnitError::NotANumber {
-            found: trimmed.into(),
-            instead,
-        });
+        return Err(UnitError::NotANumber { found: trimmed.into(), instead });
     }
     let unit = if spelling.is_empty() {
         if dimension != Dimension::Dimensionless {
-            return Err(UnitError::MissingUnit {
-                number: number.into(),
-                example: preferred(dimension).text,
-            });
+            return Err(UnitError::MissingUnit { number: number.into(), example: preferred(dimension).text });
         }
         dimension.si_unit()
     } else {
         find_or_explain(spelling, dimension)?
     };
-    unit.to_si(number)
-        .ok_or_else(|| UnitError::NotFinite { found: trimmed.into() })
+    unit.to_si(number).ok_or_else(|| UnitError::NotFinite { found: trimmed.into() })
 }
 
 /// The leading decimal number and the rest of the text.
@@ -198,22 +181,13 @@ fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit
         return Ok(unit);
     }
     let wanted = canonical(spelling);
-    let others = SPELLINGS
-        .iter()
-        .filter(|s| s.text == wanted && s.unit.dimension != dimension);
+    let others = SPELLINGS.iter().filter(|s| s.text == wanted && s.unit.dimension != dimension);
     let others: BTreeSet<Dimension> = others.map(|s| s.unit.dimension).collect();
     let found: Vec<Dimension> = others.into_iter().collect();
     if found.is_empty() {
-        Err(UnitError::UnknownUnit {
-            unit: spelling.into(),
-            nearest: nearest(spelling, dimension),
-        })
+        Err(UnitError::UnknownUnit { unit: spelling.into(), nearest: nearest(spelling, dimension) })
     } else {
-        Err(UnitError::WrongDimension {
-            unit: spelling.into(),
-            found,
-            expected: dimension,
-        })
+        Err(UnitError::WrongDimension { unit: spelling.into(), found, expected: dimension })
     }
 }
 
@@ -313,10 +287,7 @@ mod tests {
         ];
         for (text, dimension, expected) in cases {
             let value = parse(text, dimension).unwrap_or_else(|e| panic!("{text}: {e}"));
-            assert!(
-                (value - expected).abs() <= 5e-7 * expected.abs(),
-                "{text}: {value} instead of {expected}"
-            );
+            assert!((value - expected).abs() <= 5e-7 * expected.abs(), "{text}: {value} instead of {expected}");
         }
     }
 
@@ -339,27 +310,14 @@ mod tests {
         let error = parse("5 mm", Dimension::Dimensionless).unwrap_err();
         assert_eq!(error.to_string(), "`mm` is a unit of a length, expected none");
         let error = parse("0.5 g", Dimension::Length).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "`g` is a unit of a mass or an acceleration, not of a length"
-        );
-        assert!(
-            Dimension::Length
-                .allowed()
-                .starts_with("a length such as \"1.83 m\" (units: mm, cm, m, in, ft)")
-        );
+        assert_eq!(error.to_string(), "`g` is a unit of a mass or an acceleration, not of a length");
+        assert!(Dimension::Length.allowed().starts_with("a length such as \"1.83 m\" (units: mm, cm, m, in, ft)"));
     }
 
     #[test]
     fn missing_and_unknown_units() {
         let error = parse("69", Dimension::Stress).unwrap_err();
-        assert_eq!(
-            error,
-            UnitError::MissingUnit {
-                number: "69".into(),
-                example: "GPa"
-            }
-        );
+        assert_eq!(error, UnitError::MissingUnit { number: "69".into(), example: "GPa" });
         assert_eq!(
             error.help().as_deref(),
             Some("write the unit in which 69 is meant, for example \"69 GPa\" if it is GPa")
@@ -382,10 +340,7 @@ mod tests {
     #[test]
     fn numbers_that_are_none() {
         for text in ["NaN m", "inf m", "-Infinity m", "nan", "∞ m", "1e999 m", "-1e400 m"] {
-            assert!(
-                matches!(parse(text, Dimension::Length), Err(UnitError::NotFinite { .. })),
-                "{text}"
-            );
+            assert!(matches!(parse(text, Dimension::Length), Err(UnitError::NotFinite { .. })), "{text}");
         }
         for (text, instead) in [
             ("1,83 m", Some("1.83 m")),
@@ -415,11 +370,7 @@ mod tests {
             ("1/3 ft", "0.333333 ft"),
         ] {
             let error = parse(text, Dimension::Length).unwrap_err();
-            assert_eq!(
-                error.help().as_deref(),
-                Some(format!("write \"{instead}\"").as_str()),
-                "{text}"
-            );
+            assert_eq!(error.help().as_deref(), Some(format!("write \"{instead}\"").as_str()), "{text}");
         }
         // No fraction: a unit with a stroke, a division by zero, a date.
         for text in ["5 N/m", "5/0 in", "1/2/3 in", "1'2'3 m"] {
@@ -443,14 +394,8 @@ mod tests {
             assert!(parse(dimension.example(), dimension).is_ok(), "{dimension:?}");
             assert_eq!(dimension.si_unit().factor(), 1.0);
             let symbol = dimension.si_symbol().trim_matches('1');
-            assert_eq!(
-                Unit::find(symbol, dimension).unwrap_or(dimension.si_unit()),
-                dimension.si_unit()
-            );
-            assert!(
-                symbol.is_empty() || Unit::find(symbol, dimension).is_some(),
-                "{dimension:?}"
-            );
+            assert_eq!(Unit::find(symbol, dimension).unwrap_or(dimension.si_unit()), dimension.si_unit());
+            assert!(symbol.is_empty() || Unit::find(symbol, dimension).is_some(), "{dimension:?}");
         }
     }
 

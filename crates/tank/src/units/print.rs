@@ -35,11 +35,7 @@ pub(super) fn si_unit_for(value: f64, dimension: Dimension) -> &'static Unit {
     }
     let mut chosen = None;
     for unit in dimension.units().filter(|u| u.shown) {
-        let threshold = if unit.text == "t" {
-            10.0 * unit.factor()
-        } else {
-            unit.factor()
-        };
+        let threshold = if unit.text == "t" { 10.0 * unit.factor() } else { unit.factor() };
         if chosen.is_none() || magnitude >= threshold {
             chosen = Some(unit);
         }
@@ -92,10 +88,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     let digits = digits.clamp(1, 17);
     // The exponent after rounding to the given digits (9.996 with 3 digits is 10.0).
     let scientific = format!("{value:.*e}", digits - 1);
-    let exponent: i32 = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0);
+    let exponent: i32 = scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
     if !(-4..7).contains(&exponent) {
         return scientific;
     }

@@ -75,10 +75,7 @@ impl Preferred {
     /// Print in `unit` from here on; none for the usual unit.
     #[must_use]
     pub fn of(unit: Option<&'static Unit>) -> Preferred {
-        Preferred {
-            former: PREFERRED.replace(unit),
-            here: PhantomData,
-        }
+        Preferred { former: PREFERRED.replace(unit), here: PhantomData }
     }
 }
 
@@ -114,10 +111,7 @@ impl Scope {
     /// Print in `system` from here on.
     #[must_use]
     pub fn of(system: System) -> Scope {
-        Scope {
-            former: CURRENT.replace(system),
-            here: PhantomData,
-        }
+        Scope { former: CURRENT.replace(system), here: PhantomData }
     }
 }
 
@@ -171,10 +165,7 @@ impl System {
 
     /// One unit for a whole column of values (SI): that of its largest absolute value.
     pub fn column_unit(self, values: impl IntoIterator<Item = f64>, dimension: D) -> &'static Unit {
-        let peak = values
-            .into_iter()
-            .filter(|v| v.is_finite())
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        let peak = values.into_iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
         self.unit_for(peak, dimension)
     }
 }
@@ -224,19 +215,12 @@ mod tests {
         ] {
             let unit = Unit::find(text, dimension).unwrap();
             // Products of a few factors: a few units in the last place.
-            assert!(
-                (unit.factor() / factor - 1.0).abs() < 1e-15,
-                "{text}: {}",
-                unit.factor()
-            );
+            assert!((unit.factor() / factor - 1.0).abs() < 1e-15, "{text}: {}", unit.factor());
         }
         // All of the table are among them, by its own spelling.
         for (dimension, units) in US {
             for (text, _) in *units {
-                assert!(
-                    UNITS.iter().any(|u| u.text == *text && u.dimension == *dimension),
-                    "{text}"
-                );
+                assert!(UNITS.iter().any(|u| u.text == *text && u.dimension == *dimension), "{text}");
             }
         }
     }

@@ -31,14 +31,7 @@ pub struct Unit {
 }
 
 const fn unit(symbol: &'static str, text: &'static str, dimension: D, scale: Scale, shown: bool) -> Unit {
-    Unit {
-        symbol,
-        text,
-        aliases: &[],
-        dimension,
-        scale,
-        shown,
-    }
+    Unit { symbol, text, aliases: &[], dimension, scale, shown }
 }
 
 /// A power of ten that [`display`](super::display) may choose.
@@ -89,14 +82,8 @@ pub const UNITS: &[Unit] = &[
     // density
     ten("kg/m³", "kg/m3", D::Density, 0),
     read("t/m³", "t/m3", D::Density, 3),
-    also(
-        read("g/cm³", "g/cm3", D::Density, 3),
-        &["g/ml", "kg/l", "kg/L", "kg/dm3"],
-    ),
-    also(
-        by("lb/ft³", "lb/ft3", D::Density, POUND / (FOOT * FOOT * FOOT)),
-        &["lbm/ft3", "pcf"],
-    ),
+    also(read("g/cm³", "g/cm3", D::Density, 3), &["g/ml", "kg/l", "kg/L", "kg/dm3"]),
+    also(by("lb/ft³", "lb/ft3", D::Density, POUND / (FOOT * FOOT * FOOT)), &["lbm/ft3", "pcf"]),
     // velocity
     read("mm/s", "mm/s", D::Velocity, -3),
     read("cm/s", "cm/s", D::Velocity, -2),
@@ -116,10 +103,7 @@ pub const UNITS: &[Unit] = &[
     read("kHz", "kHz", D::Frequency, 3),
     ten("rad/s", "rad/s", D::AngularFrequency, 0),
     ten("rad", "rad", D::Angle, 0),
-    also(
-        by("°", "deg", D::Angle, std::f64::consts::PI / 180.0),
-        &["degree", "degrees"],
-    ),
+    also(by("°", "deg", D::Angle, std::f64::consts::PI / 180.0), &["degree", "degrees"]),
     // force
     ten("N", "N", D::Force, 0),
     ten("kN", "kN", D::Force, 3),
@@ -133,10 +117,7 @@ pub const UNITS: &[Unit] = &[
     ten("MN·m", "MNm", D::Moment, 6),
     read("N·mm", "Nmm", D::Moment, -3),
     also(by("lbf·ft", "lbf*ft", D::Moment, POUND_FORCE * FOOT), &["ft·lbf"]),
-    also(
-        by("kip·ft", "kip*ft", D::Moment, 1000.0 * POUND_FORCE * FOOT),
-        &["ft·kip"],
-    ),
+    also(by("kip·ft", "kip*ft", D::Moment, 1000.0 * POUND_FORCE * FOOT), &["ft·kip"]),
     // stress
     also(ten("Pa", "Pa", D::Stress, 0), &["N/m2"]),
     ten("kPa", "kPa", D::Stress, 3),
@@ -182,22 +163,14 @@ pub const UNITS: &[Unit] = &[
     ten("N/m³", "N/m3", D::Subgrade, 0),
     ten("kN/m³", "kN/m3", D::Subgrade, 3),
     ten("MN/m³", "MN/m3", D::Subgrade, 6),
-    also(
-        by("lb/in³", "lb/in3", D::Subgrade, POUND_FORCE / (INCH * INCH * INCH)),
-        &["pci", "lbf/in3"],
-    ),
+    also(by("lb/in³", "lb/in3", D::Subgrade, POUND_FORCE / (INCH * INCH * INCH)), &["pci", "lbf/in3"]),
     // rotational stiffness
     ten("N·m/rad", "Nm/rad", D::RotationalStiffness, 0),
     ten("kN·m/rad", "kNm/rad", D::RotationalStiffness, 3),
     ten("MN·m/rad", "MNm/rad", D::RotationalStiffness, 6),
     ten("GN·m/rad", "GNm/rad", D::RotationalStiffness, 9),
     by("lbf·ft/rad", "lbf*ft/rad", D::RotationalStiffness, POUND_FORCE * FOOT),
-    by(
-        "kip·ft/rad",
-        "kip*ft/rad",
-        D::RotationalStiffness,
-        1000.0 * POUND_FORCE * FOOT,
-    ),
+    by("kip·ft/rad", "kip*ft/rad", D::RotationalStiffness, 1000.0 * POUND_FORCE * FOOT),
     // dashpots
     ten("N·s/m", "Ns/m", D::Dashpot, 0),
     ten("kN·s/m", "kNs/m", D::Dashpot, 3),
@@ -208,12 +181,7 @@ pub const UNITS: &[Unit] = &[
     ten("kN·m·s/rad", "kNms/rad", D::RotationalDashpot, 3),
     ten("MN·m·s/rad", "MNms/rad", D::RotationalDashpot, 6),
     by("lbf·ft·s/rad", "lbf*ft*s/rad", D::RotationalDashpot, POUND_FORCE * FOOT),
-    by(
-        "kip·ft·s/rad",
-        "kip*ft*s/rad",
-        D::RotationalDashpot,
-        1000.0 * POUND_FORCE * FOOT,
-    ),
+    by("kip·ft·s/rad", "kip*ft*s/rad", D::RotationalDashpot, 1000.0 * POUND_FORCE * FOOT),
     // moment of inertia of a mass
     ten("kg·m²", "kgm2", D::RotationalInertia, 0),
     ten("t·m²", "tm2", D::RotationalInertia, 3),
@@ -233,11 +201,7 @@ pub(super) struct Spelling {
 /// All spellings, in the order of the table.
 pub(super) static SPELLINGS: LazyLock<Vec<Spelling>> = LazyLock::new(|| {
     let of = |unit: &'static Unit| unit.spellings().map(move |text| (unit, canonical(text)));
-    let spelled = UNITS.iter().flat_map(of).map(|(unit, text)| Spelling {
-        unit,
-        folded: text.to_lowercase(),
-        text,
-    });
+    let spelled = UNITS.iter().flat_map(of).map(|(unit, text)| Spelling { unit, folded: text.to_lowercase(), text });
     spelled.collect()
 });
 
@@ -245,9 +209,7 @@ impl Unit {
     /// The unit of this dimension with this spelling.
     pub fn find(spelling: &str, dimension: D) -> Option<&'static Unit> {
         let wanted = canonical(spelling);
-        let found = SPELLINGS
-            .iter()
-            .find(|s| s.unit.dimension == dimension && s.text == wanted);
+        let found = SPELLINGS.iter().find(|s| s.unit.dimension == dimension && s.text == wanted);
         found.map(|s| s.unit)
     }
 
@@ -266,10 +228,7 @@ impl Unit {
 
     /// All spellings that are read, ASCII first.
     pub fn spellings(&self) -> impl Iterator<Item = &'static str> {
-        [self.text, self.symbol]
-            .into_iter()
-            .chain(self.aliases.iter().copied())
-            .filter(|s| !s.is_empty())
+        [self.text, self.symbol].into_iter().chain(self.aliases.iter().copied()).filter(|s| !s.is_empty())
     }
 
     /// The value in SI of `number` of these units; `number` is a decimal literal.

@@ -63,9 +63,7 @@ pub fn converted(text: &str, system: System, digits: usize) -> Cow<'_, str> {
             continue;
         };
         let shown = |n: &Found| print(n.value / factor + zero, n.digits.max(digits));
-        let joined = last
-            .take()
-            .filter(|l| l.start >= done && JOINTS.contains(&&text[l.end..number.start]));
+        let joined = last.take().filter(|l| l.start >= done && JOINTS.contains(&&text[l.end..number.start]));
         let start = joined.as_ref().map_or(number.start, |l| l.start);
         let mut here = String::new();
         if let Some(first) = &joined {
@@ -109,17 +107,12 @@ fn target(symbol: &str, value: f64) -> Option<(f64, f64, &'static str)> {
 
 /// The units that are converted: powers of ten, with their symbol. A gram is a `g` of gravity in sentences.
 fn si_units() -> impl Iterator<Item = &'static Unit> {
-    UNITS
-        .iter()
-        .filter(|u| u.dimension != Dimension::Dimensionless && u.symbol != "g" && u.is_power_of_ten())
+    UNITS.iter().filter(|u| u.dimension != Dimension::Dimensionless && u.symbol != "g" && u.is_power_of_ten())
 }
 
 /// The blank and the symbol of a unit that a text begins with; the longest that fits.
 fn unit_at(text: &str) -> Option<(&str, &'static str)> {
-    let gap = text
-        .chars()
-        .next()
-        .filter(|c| matches!(c, ' ' | '\u{a0}' | '\u{202f}'))?;
+    let gap = text.chars().next().filter(|c| matches!(c, ' ' | '\u{a0}' | '\u{202f}'))?;
     let (gap, rest) = text.split_at(gap.len_utf8());
     let ends = |symbol: &&'static str| {
         let mut after = rest[symbol.len()..].chars();
@@ -130,10 +123,7 @@ fn unit_at(text: &str) -> Option<(&str, &'static str)> {
         }
     };
     let known = si_units().map(|u| u.symbol).chain(OTHERS.iter().map(|o| o.0));
-    let found = known
-        .filter(|s| rest.starts_with(*s))
-        .filter(ends)
-        .max_by_key(|s| s.len())?;
+    let found = known.filter(|s| rest.starts_with(*s)).filter(ends).max_by_key(|s| s.len())?;
     Some((gap, found))
 }
 
@@ -158,12 +148,7 @@ fn next(text: &str, from: usize) -> Option<Found> {
             Ok(value) if !part => {
                 let mantissa = plain.split('e').next().unwrap_or_default();
                 let significant = mantissa.chars().filter(char::is_ascii_digit).collect::<String>();
-                return Some(Found {
-                    start,
-                    end,
-                    value,
-                    digits: significant.trim_start_matches('0').len(),
-                });
+                return Some(Found { start, end, value, digits: significant.trim_start_matches('0').len() });
             }
             _ => start = end,
         }
@@ -205,9 +190,7 @@ fn end_of(text: &str, start: usize) -> usize {
         }
     }
     if let Some(power) = rest[i..].strip_prefix("·10") {
-        let raised = power
-            .chars()
-            .take_while(|c| matches!(c, '⁻' | '⁰' | '¹' | '²' | '³' | '⁴'..='⁹'));
+        let raised = power.chars().take_while(|c| matches!(c, '⁻' | '⁰' | '¹' | '²' | '³' | '⁴'..='⁹'));
         let length: usize = raised.map(char::len_utf8).sum();
         if length > 0 {
             i += "·10".len() + length;
@@ -260,10 +243,7 @@ mod tests {
 
     #[test]
     fn both() {
-        assert_eq!(
-            converted("at 0.5 m or more", System::Both, 3),
-            "at 0.5 m (19.7 in) or more"
-        );
+        assert_eq!(converted("at 0.5 m or more", System::Both, 3), "at 0.5 m (19.7 in) or more");
         assert_eq!(converted("at 0.5 m (19.7 in)", System::Both, 3), "at 0.5 m (19.7 in)");
         assert_eq!(converted("3 to 5 m", System::Both, 3), "3 to 5 m (9.84 to 16.4 ft)");
     }

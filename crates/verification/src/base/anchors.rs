@@ -30,13 +30,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 const RADIUS: f64 = 10.0;
 const WEIGHT: f64 = 15e3;
-const ANCHORS: Anchors = Anchors {
-    count: 24,
-    stiffness: 80e6,
-    yield_force: 60e3,
-    gap: 0.0,
-    rupture: None,
-};
+const ANCHORS: Anchors = Anchors { count: 24, stiffness: 80e6, yield_force: 60e3, gap: 0.0, rupture: None };
 
 /// A rim that the ground carries and nothing holds down.
 fn bare(largest: f64) -> Result<(Rocking, Law), Failure> {
@@ -61,9 +55,7 @@ fn cycle() -> Answer {
     let elastic = anchors.yield_force / anchors.stiffness;
     let closed = |value| (value, "closed form", Reference::ClosedForm);
     let row = |what: &str, expected: f64, (elongation, plastic): (f64, f64)| {
-        let found = anchors
-            .force(anchors.gap + elongation * elastic, plastic * elastic, false)
-            .0;
+        let found = anchors.force(anchors.gap + elongation * elastic, plastic * elastic, false).0;
         Row::new("U21", what, closed(expected), found, (1e-9, "N"))
     };
     let n = anchors.yield_force;
@@ -82,11 +74,7 @@ fn ring() -> Answer {
     let weight = TAU * RADIUS * WEIGHT;
     let mut rows = Vec::new();
     for (count, force) in [(24, 60e3), (24, 150e3), (60, 60e3)] {
-        let anchors = Anchors {
-            count,
-            yield_force: force,
-            ..ANCHORS
-        };
+        let anchors = Anchors { count, yield_force: force, ..ANCHORS };
         let ring = Ring::new(anchors, &rocking, &law).map_err(failure)?;
         for psi in [5e-3, 0.015] {
             let pull = ring.pull(psi, 0.0, &ring.unstretched());
@@ -122,10 +110,8 @@ fn shaken() -> Answer {
     };
     // A bare rim on rock asks for short steps.
     let step = 2.5e-4;
-    let ground: Vec<f64> = (0..24_000)
-        .map(|i| f64::from(i) * step)
-        .map(|t| 2.5 * ((15.0 * t).sin() + (23.0 * t).sin()))
-        .collect();
+    let ground: Vec<f64> =
+        (0..24_000).map(|i| f64::from(i) * step).map(|t| 2.5 * ((15.0 * t).sin() + (23.0 * t).sin())).collect();
     let history = march(&Run {
         body: &body,
         law: Some(&law),
@@ -145,20 +131,8 @@ fn shaken() -> Answer {
     let most = history.anchor_force.iter().copied().fold(0.0, f64::max);
     let closed = |value, what| (value, what, Reference::ClosedForm);
     Ok(vec![
-        Row::new(
-            "U23",
-            "largest force",
-            closed(ANCHORS.yield_force, "N_y"),
-            most,
-            (1e-9, "N"),
-        ),
-        Row::new(
-            "U23",
-            "loss of the anchors",
-            closed(stretched, "Σ N_y e^p"),
-            history.energy.anchors,
-            (1e-9, "J"),
-        ),
+        Row::new("U23", "largest force", closed(ANCHORS.yield_force, "N_y"), most, (1e-9, "N")),
+        Row::new("U23", "loss of the anchors", closed(stretched, "Σ N_y e^p"), history.energy.anchors, (1e-9, "J")),
         Row::new(
             "U23",
             "sum of the energies at the end",

@@ -96,16 +96,9 @@ fn cycle(drag: &Drag, mass: f64, peak: f64) -> Result<[f64; 2], Failure> {
     let omega = 0.5 * (drag.stiffness() / mass).sqrt();
     let step = TAU / omega / STEPS as f64;
     let run = |cycles: usize| {
-        let ground: Vec<f64> = (0..=cycles * STEPS)
-            .map(|i| peak * (omega * step * i as f64).sin())
-            .collect();
+        let ground: Vec<f64> = (0..=cycles * STEPS).map(|i| peak * (omega * step * i as f64).sin()).collect();
         march(&Run {
-            body: &Body {
-                modes: Vec::new(),
-                mass,
-                first_moment: 0.0,
-                second_moment: 0.0,
-            },
+            body: &Body { modes: Vec::new(), mass, first_moment: 0.0, second_moment: 0.0 },
             law: None,
             ring: None,
             heave: None,
@@ -125,9 +118,7 @@ fn cycle(drag: &Drag, mass: f64, peak: f64) -> Result<[f64; 2], Failure> {
         .map_err(failure)
     };
     let (before, after) = (run(100)?, run(101)?);
-    let (low, high) = after.slip[100 * STEPS..]
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
+    let (low, high) = after.slip[100 * STEPS..].iter().fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
     Ok([0.5 * (high - low), after.energy.friction - before.energy.friction])
 }
 
@@ -140,15 +131,9 @@ fn shaken() -> Answer {
         // Of the chain the march is given.
         let force = |x: f64| -> f64 { drag.springs().iter().map(|p| (p.stiffness * x).min(p.limit)).sum() };
         let n = 2000;
-        let work: f64 = (0..n)
-            .map(|i| force(s * (f64::from(i) + 0.5) / f64::from(n)) * s / f64::from(n))
-            .sum();
+        let work: f64 = (0..n).map(|i| force(s * (f64::from(i) + 0.5) / f64::from(n)) * s / f64::from(n)).sum();
         let what = format!("tank C, {peak} m/s²");
-        let source = (
-            8.0 * work - 4.0 * force(s) * s,
-            "8 ∫ V ds − 4 V s",
-            Reference::ClosedForm,
-        );
+        let source = (8.0 * work - 4.0 * force(s) * s, "8 ∫ V ds − 4 V s", Reference::ClosedForm);
         rows.push(Row::new("U26", what, source, found, (1e-2, "J")));
     }
     Ok(rows)

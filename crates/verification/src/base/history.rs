@@ -164,12 +164,7 @@ impl Swing {
             _ => f64::NAN,
         };
         let largest = |values: &[f64]| values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-        Swing {
-            period,
-            rotation: largest(late),
-            shear: largest(&history.shear[FREE..]),
-            balance: history.balance,
-        }
+        Swing { period, rotation: largest(late), shear: largest(&history.shear[FREE..]), balance: history.balance }
     }
 }
 
@@ -183,41 +178,17 @@ fn free_rocking() -> Answer {
     let series = 1.0 + impulsive.stiffness() * impulsive.arm.powi(2) / law.initial();
     let springs = TAU / impulsive.omega * series.sqrt();
     let closed = |value| (value, "T_i √(1 + k h²/K₀)", Reference::ClosedForm);
-    rows.push(Row::new(
-        "U9",
-        "period of a small vibration",
-        closed(springs),
-        small.period,
-        (1e-4, "s"),
-    ));
+    rows.push(Row::new("U9", "period of a small vibration", closed(springs), small.period, (1e-4, "s")));
     let other = |value| (value, "independent program", Reference::SecondFormulation);
-    rows.push(Row::new(
-        "U11",
-        "period before uplift",
-        other(0.276),
-        small.period,
-        (0.01, "s"),
-    ));
+    rows.push(Row::new("U11", "period before uplift", other(0.276), small.period, (0.01, "s")));
     for (share, period) in [(0.37, 0.324), (0.55, 0.413), (0.73, 0.486)] {
         let weight = impulsive.mass * super::GRAVITY;
         let swing = impulsive.swing(&law, impulsive.pulse(&law, share * weight)?)?;
         let place = format!("at a shear of {share} m g");
         let quadrature = impulsive.period(&law, swing.rotation);
         let closed = (quadrature, "T = 4 ∫ du/√(2 (E(A) − E(u))/m)", Reference::ClosedForm);
-        rows.push(Row::new(
-            "U10",
-            format!("period {place}"),
-            closed,
-            swing.period,
-            (1e-4, "s"),
-        ));
-        rows.push(Row::new(
-            "U11",
-            format!("period {place}"),
-            other(period),
-            swing.period,
-            (0.01, "s"),
-        ));
+        rows.push(Row::new("U10", format!("period {place}"), closed, swing.period, (1e-4, "s")));
+        rows.push(Row::new("U11", format!("period {place}"), other(period), swing.period, (0.01, "s")));
         let zero = (0.0, "balance of energy", Reference::ClosedForm);
         let what = format!("deviation over the input, free rocking {place}");
         rows.push(Row::new("U13", what, zero, swing.balance, (1e-3, "1")));
@@ -227,10 +198,7 @@ fn free_rocking() -> Answer {
 
 /// An oil tank with this mass of roof [kg] on this ground [N/m³], under bursts of waves of this size [m/s²].
 fn oil(roof: f64, modulus: f64, peak: f64, friction: Option<f64>) -> Case {
-    let steel = Material {
-        yield_strength: Some(205e6),
-        ..material(205e9, 0.3, 7850.0)
-    };
+    let steel = Material { yield_strength: Some(205e6), ..material(205e9, 0.3, 7850.0) };
     let courses = [(4.8, 0.023), (4.8, 0.016), (7.2, 0.009)];
     let mut case = case(Shape::Cylinder { radius: 20.0 }, &courses, &steel, (870.0, 15.0));
     case.tank.support = Support::Unanchored;
@@ -278,10 +246,7 @@ fn spent(energy: &BaseEnergy) -> f64 {
 }
 
 fn engine() -> Answer {
-    let options = Options {
-        mesh_error: false,
-        ..Options::default()
-    };
+    let options = Options { mesh_error: false, ..Options::default() };
     let mut rows = Vec::new();
     // 2000 t of roof.
     let free = oil(2e6, 1e12, 0.1, None);

@@ -32,15 +32,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     ids: &[
         ("U30", "both elastic: hold-down force of shells against that of `base`"),
         ("U31", "the plate alone yields: shells against the strip"),
-        (
-            "U32",
-            "wall and plate yield: the plastic rotation of the joint and its two parts",
-        ),
+        ("U32", "wall and plate yield: the plastic rotation of the joint and its two parts"),
         ("U33", "the wall alone yields"),
-        (
-            "U34",
-            "points through the thickness and length of the elements, plate that yields",
-        ),
+        ("U34", "points through the thickness and length of the elements, plate that yields"),
     ],
     parts: &[Part::Tested(rows)],
 };
@@ -78,18 +72,8 @@ fn section(yields: bool, thickness: f64, points: usize) -> Answer<Arc<dyn Sectio
         return Ok(Arc::new(ElasticSection::new(young, 0.3, thickness, 0.0)?));
     }
     let law = VonMises::new(young, 0.3, TANK.yield_stress, 0.01 * young, 1.0);
-    let law = law.map_err(|source| {
-        Failure::from(ElementError::Law {
-            kind: "layered section",
-            source,
-        })
-    })?;
-    let ply = Ply {
-        law: Arc::new(law),
-        thickness,
-        density: 0.0,
-        rule: Rule::Gauss(points),
-    };
+    let law = law.map_err(|source| Failure::from(ElementError::Law { kind: "layered section", source }))?;
+    let ply = Ply { law: Arc::new(law), thickness, density: 0.0, rule: Rule::Gauss(points) };
     Ok(Arc::new(LayeredSection::new(&[ply], &[])?))
 }
 
@@ -118,10 +102,7 @@ fn shells([wall, plate]: [bool; 2], mesh: Mesh) -> Answer<Vec<Lift>> {
 
 /// Hold-down force [N/m] and plastic rotation [rad].
 fn strip(yields: bool, plan: Plan) -> Answer<Vec<(f64, f64)>> {
-    let tank = Sample {
-        yield_stress: TANK.yield_stress * 2.0 / 3.0_f64.sqrt(),
-        ..TANK
-    };
+    let tank = Sample { yield_stress: TANK.yield_stress * 2.0 / 3.0_f64.sqrt(), ..TANK };
     let strip = tank.strip(yields, GROUND, plan).map_err(failure)?;
     let mut state = Lifted::at_rest(&strip, tank.weight).map_err(failure)?;
     let at = |uplift: &f64| {
@@ -136,13 +117,7 @@ fn rows() -> Answer {
     let mut rows = Vec::new();
     let mut add =
         |id: &str, what: String, (reference, source): (f64, &'static str), computed: f64, with: (f64, &'static str)| {
-            rows.push(Row::new(
-                id,
-                what,
-                (reference, source, Reference::SecondFormulation),
-                computed,
-                with,
-            ));
+            rows.push(Row::new(id, what, (reference, source, Reference::SecondFormulation), computed, with));
         };
     let [round, own] = [strip(false, Plan::Round)?, strip(true, Plan::Strip)?];
     let kinds = [[false, false], [false, true], [true, true], [true, false]];
@@ -157,69 +132,15 @@ fn rows() -> Answer {
         let turns = |own: f64| (if *uplift >= 50e-3 { own } else { f64::INFINITY }, "rad");
         let shown = f64::INFINITY;
         let (strip, turned) = ((force, STRIP), (rotation, STRIP));
-        add(
-            "U30",
-            named("both elastic: hold-down force"),
-            (round[i].0 / 1e3, ROUND),
-            kilo(&none[i]),
-            (0.02, "kN/m"),
-        );
-        add(
-            "U31",
-            named("plate yields: hold-down force"),
-            strip,
-            kilo(&plate[i]),
-            forces,
-        );
-        add(
-            "U31",
-            named("plate yields: its plastic rotation"),
-            turned,
-            plate[i].plastic[0],
-            turns(0.1),
-        );
-        add(
-            "U32",
-            named("both yield: hold-down force"),
-            strip,
-            kilo(&both[i]),
-            forces,
-        );
-        add(
-            "U32",
-            named("both yield: plastic rotation of the joint"),
-            turned,
-            own_plate + own_wall,
-            turns(0.15),
-        );
-        add(
-            "U32",
-            named("both yield: part of the plate"),
-            turned,
-            own_plate,
-            (shown, "rad"),
-        );
-        add(
-            "U32",
-            named("both yield: part of the wall"),
-            turned,
-            own_wall,
-            (shown, "rad"),
-        );
-        add(
-            "U33",
-            named("wall yields: hold-down force"),
-            strip,
-            kilo(&wall[i]),
-            (shown, "kN/m"),
-        );
-        add(
-            "U33",
-            named("wall yields: its plastic rotation"),
-            turned,
-            wall[i].plastic[1],
-            (shown, "rad"),
-        );
+        add("U30", named("both elastic: hold-down force"), (round[i].0 / 1e3, ROUND), kilo(&none[i]), (0.02, "kN/m"));
+        add("U31", named("plate yields: hold-down force"), strip, kilo(&plate[i]), forces);
+        add("U31", named("plate yields: its plastic rotation"), turned, plate[i].plastic[0], turns(0.1));
+        add("U32", named("both yield: hold-down force"), strip, kilo(&both[i]), forces);
+        add("U32", named("both yield: plastic rotation of the joint"), turned, own_plate + own_wall, turns(0.15));
+        add("U32", named("both yield: part of the plate"), turned, own_plate, (shown, "rad"));
+        add("U32", named("both yield: part of the wall"), turned, own_wall, (shown, "rad"));
+        add("U33", named("wall yields: hold-down force"), strip, kilo(&wall[i]), (shown, "kN/m"));
+        add("U33", named("wall yields: its plastic rotation"), turned, wall[i].plastic[1], (shown, "rad"));
     }
     let last = UPLIFTS.len() - 1;
     let reference = (plate[last].plastic[0], "9 points, first element 1.5 t");

@@ -38,9 +38,7 @@ fn work(state: &mut Lifted<'_>, to: f64, steps: u32) -> Result<f64, Failure> {
     let mut before = state.point().hold_down;
     let mut work = 0.0;
     for i in 1..=steps {
-        state
-            .lift_to(from + (to - from) * f64::from(i) / f64::from(steps))
-            .map_err(failure)?;
+        state.lift_to(from + (to - from) * f64::from(i) / f64::from(steps)).map_err(failure)?;
         let force = state.point().hold_down;
         work += 0.5 * (before + force) * (to - from) / f64::from(steps);
         before = force;
@@ -51,11 +49,7 @@ fn work(state: &mut Lifted<'_>, to: f64, steps: u32) -> Result<f64, Failure> {
 fn strips() -> Answer {
     let other = |value| (value, "independent program", Reference::SecondFormulation);
     let mut rows = Vec::new();
-    for (i, up, losses) in [
-        (1, None, [1096.0, 764.0]),
-        (2, Some(2600.0), [1117.0, 793.0]),
-        (3, None, [611.0, 369.0]),
-    ] {
+    for (i, up, losses) in [(1, None, [1096.0, 764.0]), (2, Some(2600.0), [1117.0, 793.0]), (3, None, [611.0, 369.0])] {
         let tank = &TANKS[i];
         let strip = tank.strip(true, 1e8, Plan::Strip).map_err(failure)?;
         let mut state = Lifted::at_rest(&strip, tank.weight).map_err(failure)?;
@@ -145,11 +139,7 @@ fn turned() -> Answer {
             let traced = traced(&law, share, psi);
             let lifts = law.turn(psi, 0.0).uplift >= 0.02;
             for (what, pressed, tolerance) in [
-                (
-                    "between rest and uplift",
-                    false,
-                    if lifts { 0.1 } else { f64::INFINITY },
-                ),
+                ("between rest and uplift", false, if lifts { 0.1 } else { f64::INFINITY }),
                 ("with the pressed side", true, f64::INFINITY),
             ] {
                 let strips = around(&base, &rocking, psi, pressed)?;
@@ -188,9 +178,7 @@ fn shaken() -> Answer {
     let cycle = 400;
     for (peak, share) in [(1.0, 0.2), (2.0, 0.2)] {
         let run = |cycles: usize| {
-            let ground: Vec<f64> = (0..=cycle * cycles)
-                .map(|i| peak * (TAU * i as f64 / cycle as f64).sin())
-                .collect();
+            let ground: Vec<f64> = (0..=cycle * cycles).map(|i| peak * (TAU * i as f64 / cycle as f64).sin()).collect();
             march(&Run {
                 body: &body,
                 law: Some(&law),
@@ -207,9 +195,7 @@ fn shaken() -> Answer {
         };
         let (before, after) = (run(60)?, run(61)?);
         let last = &after.rotation[60 * cycle..];
-        let (low, high) = last
-            .iter()
-            .fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
+        let (low, high) = last.iter().fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
         let psi = 0.5 * (high - low);
         let moment = law.respond(psi, 0.0, 0.0, &[]).moment;
         let masing = share * (8.0 * law.work(psi) - 4.0 * moment * psi);

@@ -23,14 +23,8 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             of wall and roof.",
     ids: &[
         ("U4", "closed forms of plane feet on simple laws"),
-        (
-            "U5",
-            "moment, lift and toe stress of tanks B, C, D against an independent program",
-        ),
-        (
-            "U6",
-            "moment of tank C against the whole plate of von Karman in harmonics 0 to 6",
-        ),
+        ("U5", "moment, lift and toe stress of tanks B, C, D against an independent program"),
+        ("U6", "moment of tank C against the whole plate of von Karman in harmonics 0 to 6"),
     ],
     parts: &[Part::Fast(closed_forms), Part::Fast(tanks), Part::Fast(whole_plate)],
 };
@@ -64,11 +58,7 @@ fn closed_forms() -> Answer {
         rows.push(Row::new(
             "U4",
             format!("moment of figure E-5, half angle of compression {alpha} rad"),
-            (
-                expected,
-                "linear compression and constant hold-down, integrated",
-                Reference::ClosedForm,
-            ),
+            (expected, "linear compression and constant hold-down, integrated", Reference::ClosedForm),
             turn.moment,
             (1e-6, "N*m"),
         ));
@@ -83,21 +73,13 @@ fn closed_forms() -> Answer {
     // Bolts that yield, on ground so hard that the foot turns about its toe.
     let (count, bolt) = (36.0, 120e3);
     let law = |w: f64, _| {
-        if w > 0.0 {
-            count * bolt / (TAU * radius)
-        } else {
-            1e13 * w
-        }
+        if w > 0.0 { count * bolt / (TAU * radius) } else { 1e13 * w }
     };
     let turn = plane_section(radius, weight, range, psi, &law).map_err(failure)?;
     rows.push(Row::new(
         "U4",
         "moment of a ring of 36 yielding bolts about its toe",
-        (
-            radius * (count * bolt + TAU * radius * weight),
-            "M = R (n N_y + W)",
-            Reference::ClosedForm,
-        ),
+        (radius * (count * bolt + TAU * radius * weight), "M = R (n N_y + W)", Reference::ClosedForm),
         turn.moment,
         (0.01, "N*m"),
     ));
@@ -115,44 +97,11 @@ pub(super) fn rocking(tank: &Sample, yields: bool, modulus: f64) -> Result<Rocki
 /// Tank, whether it yields, modulus, and for each ψ [1e-3] the moment [MNm], lift [mm] and toe stress [MPa].
 type Table = (usize, bool, f64, &'static [(f64, f64, f64, f64)]);
 const TABLES: [Table; 6] = [
-    (
-        2,
-        false,
-        1e8,
-        &[
-            (0.5, 125.0, 8.1, 5.6),
-            (1.0, 163.0, 24.0, 8.3),
-            (2.0, 207.0, 57.0, 12.1),
-        ],
-    ),
-    (
-        2,
-        false,
-        1e10,
-        &[
-            (0.5, 187.0, 18.0, 22.5),
-            (1.0, 215.0, 38.0, 30.9),
-            (2.0, 252.0, 77.0, 43.1),
-        ],
-    ),
-    (
-        2,
-        true,
-        1e8,
-        &[(0.5, 116.0, 8.0, 5.1), (1.0, 141.0, 23.0, 6.7), (2.0, 166.0, 56.0, 8.8)],
-    ),
-    (
-        1,
-        false,
-        1e8,
-        &[(0.5, 44.6, 3.5, 5.5), (1.0, 61.7, 13.5, 8.2), (2.0, 80.7, 36.0, 12.2)],
-    ),
-    (
-        1,
-        true,
-        1e8,
-        &[(0.5, 43.1, 3.5, 5.2), (1.0, 55.0, 13.0, 7.1), (2.0, 66.7, 35.0, 9.4)],
-    ),
+    (2, false, 1e8, &[(0.5, 125.0, 8.1, 5.6), (1.0, 163.0, 24.0, 8.3), (2.0, 207.0, 57.0, 12.1)]),
+    (2, false, 1e10, &[(0.5, 187.0, 18.0, 22.5), (1.0, 215.0, 38.0, 30.9), (2.0, 252.0, 77.0, 43.1)]),
+    (2, true, 1e8, &[(0.5, 116.0, 8.0, 5.1), (1.0, 141.0, 23.0, 6.7), (2.0, 166.0, 56.0, 8.8)]),
+    (1, false, 1e8, &[(0.5, 44.6, 3.5, 5.5), (1.0, 61.7, 13.5, 8.2), (2.0, 80.7, 36.0, 12.2)]),
+    (1, true, 1e8, &[(0.5, 43.1, 3.5, 5.2), (1.0, 55.0, 13.0, 7.1), (2.0, 66.7, 35.0, 9.4)]),
     (3, true, 1e8, &[(1.0, 4.94, 4.5, 6.9), (2.0, 6.51, 14.0, 10.0)]),
 ];
 
@@ -177,13 +126,7 @@ fn tanks() -> Answer {
             row("moment", moment, turn.moment / 1e6, 0.02, "MN*m");
             // Two digits are printed.
             row("lift", lift, 1e3 * turn.uplift, 0.03, "mm");
-            row(
-                "stress at the toe",
-                stress,
-                turn.toe_force / tank.wall / 1e6,
-                0.03,
-                "MPa",
-            );
+            row("stress at the toe", stress, turn.toe_force / tank.wall / 1e6, 0.03, "MPa");
         }
     }
     Ok(rows)
@@ -198,11 +141,7 @@ fn whole_plate() -> Answer {
         rows.push(Row::new(
             "U6",
             format!("moment at ψ = {psi}e-3"),
-            (
-                moment,
-                "whole plate, harmonics 0 to 6, independent program",
-                Reference::SecondFormulation,
-            ),
+            (moment, "whole plate, harmonics 0 to 6, independent program", Reference::SecondFormulation),
             turn.moment / 1e6,
             (0.03, "MN*m"),
         ));

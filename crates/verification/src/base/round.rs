@@ -21,12 +21,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 fn rows() -> Answer {
     let mut rows = Vec::new();
-    let plate = Plate {
-        thickness: 0.01,
-        young_modulus: 205e9,
-        poisson_ratio: 0.3,
-        yield_stress: None,
-    };
+    let plate = Plate { thickness: 0.01, young_modulus: 205e9, poisson_ratio: 0.3, yield_stress: None };
     let (pressure, radius) = (128e3, 3.0);
     // Small enough that the rim's hoop forces do not matter.
     let uplift = 0.25e-3;

@@ -82,10 +82,8 @@ impl Sector<'_> {
         let levels: Vec<[usize; 2]> = self.heights.iter().map(|&z| pair(radius, z)).collect();
         let foot = levels[0];
         let inner = CORE * radius;
-        let mut radii: Vec<f64> = stations(radius - inner, self.first, 80.0 * tank.plate, 1.15)
-            .iter()
-            .map(|x| inner + x)
-            .collect();
+        let mut radii: Vec<f64> =
+            stations(radius - inner, self.first, 80.0 * tank.plate, 1.15).iter().map(|x| inner + x).collect();
         radii.pop();
         let mut rings: Vec<[usize; 2]> = radii.iter().map(|&r| pair(r, 0.0)).collect();
         radii.push(radius);
@@ -119,11 +117,7 @@ impl Sector<'_> {
             true => Vector3::new(places[node][0], places[node][1], 0.0),
             false => Vector3::z(),
         };
-        let cell = |(nodes, section)| ShellCell {
-            nodes,
-            section,
-            group: "shell".to_owned(),
-        };
+        let cell = |(nodes, section)| ShellCell { nodes, section, group: "shell".to_owned() };
         let surface = ShellSurface {
             normals: Normals::Exact(&normal),
             axes: Axes::HOOP_Z,
@@ -148,10 +142,7 @@ impl Sector<'_> {
         }
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
-        let symbolic = Arc::new(Symbolic::new(
-            assembler.pattern().clone(),
-            &order(&model, assembler.pattern()),
-        )?);
+        let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern()))?);
         let (dead, pull) = (dead.vector(&model), pull.vector(&model));
         let none = vec![0.0; dead.len()];
         let mut state = State::new(&model);
@@ -161,11 +152,7 @@ impl Sector<'_> {
                 .map_err(|e| Failure::from(format!("at rest, step {step}: {e}")))?;
         }
         let mut path = Continuation::new(&model, &assembler, &symbolic, &dead, &pull, CRITERIA)?;
-        let lengths = StepLength {
-            first: 1e-4,
-            shortest: 1e-7,
-            longest: 5e-3,
-        };
+        let lengths = StepLength { first: 1e-4, shortest: 1e-7, longest: 5e-3 };
         // From the joint on.
         let sizes = |x: &[f64]| x.windows(2).map(|x| x[1] - x[0]).collect::<Vec<f64>>();
         let wall: Vec<(usize, f64)> = elements.iter().copied().zip(sizes(&self.heights)).collect();
@@ -176,10 +163,7 @@ impl Sector<'_> {
         let followed = path.to_displacements(&mut state, &row, uplifts, lengths, &Silent, |_, point, state| {
             let plastic = [(&plate, soft(tank.plate)), (&wall, soft(tank.wall))];
             let plastic = plastic.map(|(cells, soft)| hinge(&model, state, cells, soft).unwrap_or(f64::NAN));
-            found.push(Lift {
-                force: point.factor - tank.weight,
-                plastic,
-            });
+            found.push(Lift { force: point.factor - tank.weight, plastic });
         })?;
         match followed.failure {
             Some(error) => Err(Failure::from(format!("after {} uplifts: {error}", found.len()))),

@@ -40,14 +40,8 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     model: "One row of shells from the rim to the centre between planes of symmetry, on ground that pushes but does not pull. It is the \
             finite-element counterpart of the strips that the fast engines use.",
     ids: &[
-        (
-            "U6",
-            "closed forms on nearly rigid ground (k = 10¹³ N/m³), without the wall's edge",
-        ),
-        (
-            "U7",
-            "hold-down force against uplift on k = 10⁸ N/m³, with the wall's edge: shells against strips",
-        ),
+        ("U6", "closed forms on nearly rigid ground (k = 10¹³ N/m³), without the wall's edge"),
+        ("U7", "hold-down force against uplift on k = 10⁸ N/m³, with the wall's edge: shells against strips"),
     ],
     parts: &[Part::Fast(closed_forms), Part::Tested(tanks)],
 };
@@ -56,11 +50,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 const WIDTH: f64 = 0.1;
 
 /// Reaches the residual of a set of few points.
-pub(super) const CRITERIA: Criteria = Criteria {
-    energy: 1e-12,
-    force: 1e-6,
-    iterations: 40,
-};
+pub(super) const CRITERIA: Criteria = Criteria { energy: 1e-12, force: 1e-6, iterations: 40 };
 
 /// What holds the rim.
 #[derive(Clone, Copy)]
@@ -87,11 +77,8 @@ impl Shells<'_> {
     fn lift(&self, uplifts: &[f64]) -> Answer<Vec<f64>> {
         let mut builder = Builder::new();
         let mut dead = NodalLoads::new();
-        let rows: Vec<[usize; 2]> = self
-            .stations
-            .iter()
-            .map(|&x| [-0.5, 0.5].map(|y| builder.node([x, y * WIDTH, 0.0])))
-            .collect();
+        let rows: Vec<[usize; 2]> =
+            self.stations.iter().map(|&x| [-0.5, 0.5].map(|y| builder.node([x, y * WIDTH, 0.0]))).collect();
         let mut cells = Vec::new();
         for (x, pair) in self.stations.windows(2).zip(rows.windows(2)) {
             let nodes = [pair[0][0], pair[1][0], pair[1][1], pair[0][1]];
@@ -101,16 +88,9 @@ impl Shells<'_> {
                 let area = 0.25 * (x[1] - x[0]) * WIDTH;
                 builder.element("ground", Ground::new(node, self.modulus, area)?);
             }
-            cells.push(ShellCell {
-                nodes,
-                section: self.section.clone(),
-                group: "plate".into(),
-            });
+            cells.push(ShellCell { nodes, section: self.section.clone(), group: "plate".into() });
         }
-        let surface = ShellSurface {
-            axes: Axes::Along([1.0, 0.0, 0.0]),
-            ..ShellSurface::new(cells)
-        };
+        let surface = ShellSurface { axes: Axes::Along([1.0, 0.0, 0.0]), ..ShellSurface::new(cells) };
         surface.place(&mut builder)?;
         for (i, &row) in rows.iter().enumerate() {
             let centre: &[Dof] = if i == 0 { &[Dof::Ux, Dof::Ry] } else { &[] };
@@ -125,11 +105,8 @@ impl Shells<'_> {
                 let (stiffness, free) = edge(tank);
                 for node in rim {
                     let half = stiffness.map(|row| row.map(|k| 0.5 * WIDTH * k));
-                    let matrix = Matrix {
-                        rows: 2,
-                        cols: 2,
-                        data: vec![half[0][0], half[1][0], half[0][1], half[1][1]],
-                    };
+                    let matrix =
+                        Matrix { rows: 2, cols: 2, data: vec![half[0][0], half[1][0], half[0][1], half[1][1]] };
                     let element = SuperElement::over(&[(node, Dof::Ux), (node, Dof::Ry)])?.with_stiffness(matrix)?;
                     builder.element("edge", element);
                     let force = half.map(|row| row[0] * free[0] + row[1] * free[1]);
@@ -145,10 +122,7 @@ impl Shells<'_> {
         }
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
-        let symbolic = Arc::new(Symbolic::new(
-            assembler.pattern().clone(),
-            &order(&model, assembler.pattern()),
-        )?);
+        let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern()))?);
         let (dead, pull) = (dead.vector(&model), pull.vector(&model));
         let none = vec![0.0; dead.len()];
         let mut state = State::new(&model);
@@ -158,11 +132,7 @@ impl Shells<'_> {
                 .map_err(|e| Failure::from(format!("at rest, step {step}: {e}")))?;
         }
         let mut path = Continuation::new(&model, &assembler, &symbolic, &dead, &pull, CRITERIA)?;
-        let lengths = StepLength {
-            first: 1e-4,
-            shortest: 1e-7,
-            longest: 5e-3,
-        };
+        let lengths = StepLength { first: 1e-4, shortest: 1e-7, longest: 5e-3 };
         let mut forces = Vec::new();
         let row = model.row(rim[0], Dof::Uz);
         let followed = path.to_displacements(&mut state, &row, uplifts, lengths, &Silent, |_, point, _| {
@@ -183,10 +153,7 @@ fn edge(tank: &Sample) -> ([[f64; 2]; 2], [f64; 2]) {
     let d = e * s.powi(3) / (12.0 * plane);
     let membrane = r * r / (e * s);
     (
-        [
-            [4.0 * beta.powi(3) * d, 2.0 * beta * beta * d],
-            [2.0 * beta * beta * d, 2.0 * beta * d],
-        ],
+        [[4.0 * beta.powi(3) * d, 2.0 * beta * beta * d], [2.0 * beta * beta * d, 2.0 * beta * d]],
         [tank.pressure() * membrane, -tank.density * super::GRAVITY * membrane],
     )
 }
@@ -207,21 +174,12 @@ pub(super) fn stations(length: f64, first: f64, fine: f64, growth: f64) -> Vec<f
 }
 
 fn law_failure(source: materials::LawError) -> Failure {
-    ElementError::Law {
-        kind: "layered section",
-        source,
-    }
-    .into()
+    ElementError::Law { kind: "layered section", source }.into()
 }
 
 fn closed_forms() -> Answer {
     let (young, nu, t) = (205e9, 0.3, 0.01);
-    let plate = Plate {
-        thickness: t,
-        young_modulus: young,
-        poisson_ratio: nu,
-        yield_stress: None,
-    };
+    let plate = Plate { thickness: t, young_modulus: young, poisson_ratio: nu, yield_stress: None };
     // Low: rotations of 0.006 rad and a lifted length of 100 t, so that neither rotations nor shear count.
     let (pressure, length) = (1280.0, 1.0);
     let mut rows = Vec::new();
@@ -233,9 +191,7 @@ fn closed_forms() -> Answer {
         let mut finest = f64::NAN;
         for count in [12_u32, 24, 48, 96] {
             let shells = Shells {
-                stations: (0..=count * 2)
-                    .map(|i| 2.0 * f64::from(i) / f64::from(count * 2))
-                    .collect(),
+                stations: (0..=count * 2).map(|i| 2.0 * f64::from(i) / f64::from(count * 2)).collect(),
                 section: Arc::new(ElasticSection::new(young, nu, t, 0.0)?),
                 modulus: 1e13,
                 pressure,
@@ -253,10 +209,7 @@ fn closed_forms() -> Answer {
             finest,
             (1e-3, "N/m"),
         );
-        rows.push(Row {
-            convergence: study,
-            ..row
-        });
+        rows.push(Row { convergence: study, ..row });
     }
     Ok(rows)
 }
@@ -273,12 +226,7 @@ fn tanks() -> Answer {
             let section: Arc<dyn Section> = if yields {
                 // Hardening of a hundredth, kinematic as the fibres'.
                 let law = VonMises::new(young, 0.3, tank.yield_stress, 0.01 * young, 1.0).map_err(law_failure)?;
-                let ply = Ply {
-                    law: Arc::new(law),
-                    thickness: t,
-                    density: 0.0,
-                    rule: Rule::Gauss(9),
-                };
+                let ply = Ply { law: Arc::new(law), thickness: t, density: 0.0, rule: Rule::Gauss(9) };
                 Arc::new(LayeredSection::new(&[ply], &[])?)
             } else {
                 Arc::new(ElasticSection::new(young, 0.3, t, 0.0)?)
@@ -294,10 +242,7 @@ fn tanks() -> Answer {
             };
             let found = shells.lift(&UPLIFTS)?;
             // Plane strain: J2 yields at 2/√3 f_y.
-            let strip = Sample {
-                yield_stress: tank.yield_stress * 2.0 / 3.0_f64.sqrt(),
-                ..*tank
-            };
+            let strip = Sample { yield_stress: tank.yield_stress * 2.0 / 3.0_f64.sqrt(), ..*tank };
             let strip: Strip = strip.strip(yields, 1e8, Plan::Strip).map_err(failure)?;
             let mut state = Lifted::at_rest(&strip, tank.weight).map_err(failure)?;
             let (kind, tolerance) = if yields { ("yielding", 0.04) } else { ("elastic", 0.01) };

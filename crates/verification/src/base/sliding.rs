@@ -31,12 +31,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 const MASS: f64 = 1000.0;
 
 fn slide(ground: &[f64], step: f64, coefficient: f64, vertical: Vec<f64>) -> Result<History, Failure> {
-    let body = Body {
-        modes: Vec::new(),
-        mass: MASS,
-        first_moment: 0.0,
-        second_moment: 0.0,
-    };
+    let body = Body { modes: Vec::new(), mass: MASS, first_moment: 0.0, second_moment: 0.0 };
     march(&Run {
         body: &body,
         law: None,
@@ -44,13 +39,7 @@ fn slide(ground: &[f64], step: f64, coefficient: f64, vertical: Vec<f64>) -> Res
         heave: None,
         hysteretic: 0.0,
         dashpot: 0.0,
-        friction: Some(Friction {
-            coefficient,
-            weight: MASS * GRAVITY,
-            vertical,
-            springs: Vec::new(),
-            delay: 0.0,
-        }),
+        friction: Some(Friction { coefficient, weight: MASS * GRAVITY, vertical, springs: Vec::new(), delay: 0.0 }),
         rigid_pressure: [0.0; 2],
         step,
         ground,
@@ -67,14 +56,8 @@ fn slips(history: &History) -> [f64; 3] {
 
 fn pulse(vertical: f64) -> Result<[f64; 2], Failure> {
     let (a, t0, mu, step) = (0.5 * GRAVITY, 0.3, 0.2, 1e-4);
-    let ground: Vec<f64> = (0..20_000)
-        .map(|i| if f64::from(i) * step < t0 - 0.5 * step { a } else { 0.0 })
-        .collect();
-    let up = if vertical == 0.0 {
-        Vec::new()
-    } else {
-        vec![vertical; ground.len()]
-    };
+    let ground: Vec<f64> = (0..20_000).map(|i| if f64::from(i) * step < t0 - 0.5 * step { a } else { 0.0 }).collect();
+    let up = if vertical == 0.0 { Vec::new() } else { vec![vertical; ground.len()] };
     let [found, ..] = slips(&slide(&ground, step, mu, up)?);
     let held = mu * GRAVITY * (1.0 + vertical);
     Ok([a * a * t0 * t0 / (2.0 * held) - a * t0 * t0 / 2.0, found])
@@ -99,9 +82,7 @@ fn closed_forms() -> Answer {
         let history = slide(&ground, step, eta * a / GRAVITY, Vec::new())?;
         // The last period.
         let last = &history.slip[history.slip.len() - 2_500..];
-        let (low, high) = last
-            .iter()
-            .fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
+        let (low, high) = last.iter().fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(*s), h.max(*s)));
         let expected = 2.0 * a / (omega * omega) * (1.0 - (FRAC_PI_2 * eta).powi(2)).sqrt();
         rows.push(Row::new(
             "U15",
@@ -125,9 +106,8 @@ const EL_CENTRO: [(f64, f64, [f64; 3]); 4] = [
 fn el_centro() -> Answer {
     const PARTS: u32 = 20;
     let text = include_str!("../../../../examples/records/elcentro.csv");
-    let record: Vec<f64> = (text.lines())
-        .filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok())
-        .collect();
+    let record: Vec<f64> =
+        (text.lines()).filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok()).collect();
     let ground: Vec<f64> = (record.windows(2))
         .flat_map(|pair| (0..PARTS).map(move |i| pair[0] + (pair[1] - pair[0]) * f64::from(i) / f64::from(PARTS)))
         .map(|a| a * GRAVITY)
@@ -137,10 +117,7 @@ fn el_centro() -> Answer {
     for (factor, mu, expected) in EL_CENTRO {
         let scaled: Vec<f64> = ground.iter().map(|a| factor * a).collect();
         let found = slips(&slide(&scaled, step, mu, Vec::new())?);
-        for ((what, expected), found) in ["slip at the end", "largest slip", "way"]
-            .into_iter()
-            .zip(expected)
-            .zip(found)
+        for ((what, expected), found) in ["slip at the end", "largest slip", "way"].into_iter().zip(expected).zip(found)
         {
             rows.push(Row::new(
                 "U16",
@@ -153,12 +130,6 @@ fn el_centro() -> Answer {
     }
     let [_, still, _] = slips(&slide(&ground, step, 0.4, Vec::new())?);
     let zero = (0.0, "0.319 g is less than μ g", Reference::ClosedForm);
-    rows.push(Row::new(
-        "U16",
-        "largest slip, El Centro × 1, μ = 0.4",
-        zero,
-        1e3 * still,
-        (1e-12, "mm"),
-    ));
+    rows.push(Row::new("U16", "largest slip, El Centro × 1, μ = 0.4", zero, 1e3 * still, (1e-12, "mm")));
     Ok(rows)
 }

@@ -20,14 +20,8 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             pull, at its rim the edge of a long cylinder. Tank A is the aluminium tank of Manos & Clough, B a tank 27.8 m in diameter \
             of Vathi & Karamanos, C example 05, D a slender one.",
     ids: &[
-        (
-            "U1",
-            "closed forms on nearly rigid ground (k = 10¹² N/m³), without the wall's edge",
-        ),
-        (
-            "U2",
-            "hold-down force against uplift on k = 10⁸ N/m³, with the wall's edge",
-        ),
+        ("U1", "closed forms on nearly rigid ground (k = 10¹² N/m³), without the wall's edge"),
+        ("U2", "hold-down force against uplift on k = 10⁸ N/m³, with the wall's edge"),
     ],
     parts: &[Part::Fast(closed_forms), Part::Fast(tanks)],
 };
@@ -45,12 +39,7 @@ fn lifted(strip: &Strip, weight: f64, uplifts: &[f64]) -> Result<Vec<Point>, Fai
 }
 
 fn closed_forms() -> Answer {
-    let plate = Plate {
-        thickness: 0.01,
-        young_modulus: 205e9,
-        poisson_ratio: 0.3,
-        yield_stress: None,
-    };
+    let plate = Plate { thickness: 0.01, young_modulus: 205e9, poisson_ratio: 0.3, yield_stress: None };
     let (pressure, length) = (128e3, 0.7);
     let mut rows = Vec::new();
     for (name, rim, expected) in [
@@ -68,10 +57,7 @@ fn closed_forms() -> Answer {
             (1e-3, "N/m"),
         ));
     }
-    let steel = Plate {
-        yield_stress: Some(205e6),
-        ..plate
-    };
+    let steel = Plate { yield_stress: Some(205e6), ..plate };
     let two = closed::two_hinges(&steel, pressure).unwrap_or(f64::NAN);
     let strip = Strip::new(Bands::uniform(steel), Rim::Clamped, 3.0, 1e12, pressure, Plan::Strip).map_err(failure)?;
     let point = lifted(&strip, 0.0, &[0.04])?[0];
@@ -114,11 +100,7 @@ fn tanks() -> Answer {
             for (point, force) in points.iter().zip(table) {
                 rows.push(Row::new(
                     "U2",
-                    format!(
-                        "tank {}, {kind}: hold-down force at {} mm",
-                        tank.name,
-                        1e3 * point.uplift
-                    ),
+                    format!("tank {}, {kind}: hold-down force at {} mm", tank.name, 1e3 * point.uplift),
                     (*force, OTHER, Reference::SecondFormulation),
                     point.hold_down / 1e3,
                     (tolerance, "kN/m"),
@@ -128,11 +110,7 @@ fn tanks() -> Answer {
                 for (point, rotation) in points[3..].iter().zip(PLASTIC[i]) {
                     rows.push(Row::new(
                         "U2",
-                        format!(
-                            "tank {}: plastic rotation of the joint at {} mm",
-                            tank.name,
-                            1e3 * point.uplift
-                        ),
+                        format!("tank {}: plastic rotation of the joint at {} mm", tank.name, 1e3 * point.uplift),
                         (rotation, OTHER, Reference::SecondFormulation),
                         point.plastic_rotation,
                         (0.04, "rad"),

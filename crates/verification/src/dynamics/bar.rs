@@ -37,9 +37,7 @@ impl Bar {
     }
 
     pub(super) fn respond_at(&self, values: &[f64], old: &[f64], new: &mut [f64]) -> Result<Stress<1>, ElementError> {
-        self.law
-            .respond(&self.strain(values), old, new)
-            .map_err(|source| ElementError::Law { kind: "bar", source })
+        self.law.respond(&self.strain(values), old, new).map_err(|source| ElementError::Law { kind: "bar", source })
     }
 }
 
@@ -84,8 +82,7 @@ impl Element for Bar {
         for (i, a) in [-1.0, 1.0].into_iter().enumerate() {
             out.force[i] += a * self.area * found.stress[0];
             for (j, b) in [-1.0, 1.0].into_iter().enumerate() {
-                out.tangent
-                    .add(i, j, a * b * self.area / self.length * found.tangent[0][0]);
+                out.tangent.add(i, j, a * b * self.area / self.length * found.tangent[0][0]);
             }
         }
         Ok(())

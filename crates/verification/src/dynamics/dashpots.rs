@@ -33,10 +33,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     model: "Two masses of 2 and 1 kg on springs of 3 and 2 N/m, 0.8 N s/m between the ground and the first; tank 8.1 (ρ = 1 t/m³, wall 2 %, \
             sloshing 0.5 %) with 30 kN s/m radially around the top of its wall.",
     ids: &[
-        (
-            "dashpot-1",
-            "two masses: steady state of the second one and of the force of both",
-        ),
+        ("dashpot-1", "two masses: steady state of the second one and of the force of both"),
         ("dashpot-2", "two masses: history of the second one"),
         ("dashpot-3", "tank: base shear in the steady state"),
     ],
@@ -68,14 +65,8 @@ fn basis() -> Result<ModalBasis, FeError> {
 /// Displacement of the second mass; inertia force of both.
 fn observables() -> Vec<observable::Observable> {
     vec![
-        observable::Observable {
-            displacement: vec![(1, 1.0)],
-            ..observable::Observable::default()
-        },
-        observable::Observable {
-            acceleration: vec![(0, 2.0), (1, 1.0)],
-            ..observable::Observable::default()
-        },
+        observable::Observable { displacement: vec![(1, 1.0)], ..observable::Observable::default() },
+        observable::Observable { acceleration: vec![(0, 2.0), (1, 1.0)], ..observable::Observable::default() },
     ]
 }
 
@@ -90,9 +81,8 @@ fn masses() -> Answer {
         let x = [(-2.0 * d - 2.0) / determinant, (-a - 4.0) / determinant];
         let force = (x[0] * 2.0 + x[1]) * (-omega * omega) + 3.0;
         let found = reduced.transfer(&observables(), 0, &[omega])?;
-        for ((title, unit), (expected, found)) in [("displacement", "m"), ("force", "N")]
-            .into_iter()
-            .zip([x[1], force].into_iter().zip(&found))
+        for ((title, unit), (expected, found)) in
+            [("displacement", "m"), ("force", "N")].into_iter().zip([x[1], force].into_iter().zip(&found))
         {
             // Rounding.
             rows.push(Row::new(
@@ -124,12 +114,7 @@ fn history() -> Answer {
     let rate = |t: f64, z: [f64; 4]| {
         let [x, y, u, v] = z;
         let a = ground(t);
-        [
-            u,
-            v,
-            -a - (5.0 * x - 2.0 * y + COEFFICIENT * u) / 2.0,
-            -a - (2.0 * y - 2.0 * x),
-        ]
+        [u, v, -a - (5.0 * x - 2.0 * y + COEFFICIENT * u) / 2.0, -a - (2.0 * y - 2.0 * x)]
     };
     let (mut z, h) = ([0.0; 4], 0.1 / 40.0);
     let along = |z: [f64; 4], k: [f64; 4], h: f64| -> [f64; 4] { std::array::from_fn(|i| z[i] + h * k[i]) };
@@ -162,11 +147,7 @@ fn history() -> Answer {
 fn tank() -> Answer {
     let case = broad(1000.0);
     let options = Options {
-        dashpots: vec![Dashpots {
-            z: 1.83,
-            direction: WallDirection::Radial,
-            coefficient: 3e4,
-        }],
+        dashpots: vec![Dashpots { z: 1.83, direction: WallDirection::Radial, coefficient: 3e4 }],
         ..Options::default()
     };
     let coupled = harmonic::build(&case, &options, 1)?;
@@ -201,18 +182,14 @@ fn tank() -> Answer {
     for multiple in [0.3, 0.9, 1.0, 1.1, 1.6] {
         let omega = multiple * first;
         let matrix = DMatrix::from_fn(n, n, |i, j| {
-            Complex::new(
-                stiffness[(i, j)] - omega * omega * mass[(i, j)],
-                omega * damping[(i, j)],
-            )
+            Complex::new(stiffness[(i, j)] - omega * omega * mass[(i, j)], omega * damping[(i, j)])
         });
         let right = DVector::from_iterator(n, load.iter().map(|l| Complex::new(-l, 0.0)));
         let Some(x) = matrix.lu().solve(&right) else {
             return Err(FeError::Analysis("a singular matrix".into()).into());
         };
-        let relative: Complex<f64> = (x.iter().zip(&probe.absolute_acceleration))
-            .map(|(x, c)| x * (-omega * omega * c))
-            .sum();
+        let relative: Complex<f64> =
+            (x.iter().zip(&probe.absolute_acceleration)).map(|(x, c)| x * (-omega * omega * c)).sum();
         let expected = relative + dot(&probe.absolute_acceleration, &coupled.influence) + probe.ground_acceleration;
         let found = superpose::transfer(&system, std::slice::from_ref(&observable), false, &[omega])?;
         // All modes that double precision resolves are kept; what is left of the mass follows the ground without the dashpots: 2e-3.

@@ -39,11 +39,7 @@ fn four_methods() -> Answer {
         for (id, method, value) in [
             ("methods", "trapezoidal rule", direct(&trapezoidal)),
             ("methods", "generalised-α, ρ_∞ = 0.9", direct(&alpha)),
-            (
-                "D8",
-                "frequency domain, exponential window",
-                frequency[i].extreme.peak().0,
-            ),
+            ("D8", "frequency domain, exponential window", frequency[i].extreme.peak().0),
             ("D8", "frequency domain, zeros", padded[i].extreme.peak().0),
         ] {
             rows.push(Row::new(

@@ -63,12 +63,7 @@ impl Parts {
     }
 
     fn problem(&self) -> Problem<'_> {
-        Problem {
-            model: &self.model,
-            assembler: &self.assembler,
-            symbolic: &self.symbolic,
-            system: &self.system,
-        }
+        Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system }
     }
 }
 
@@ -181,9 +176,7 @@ fn steel(rows: &mut Vec<Row>) -> Result<(), Failure> {
             let mut stored = 0.0;
             for storey in 1..=STOREYS {
                 let Ok(bar) = bar(storey) else { continue };
-                let values = bar
-                    .nodes
-                    .map(|n| now.problem.model.at_node(&now.state.committed.u, n)[0]);
+                let values = bar.nodes.map(|n| now.problem.model.at_node(&now.state.committed.u, n)[0]);
                 let element = 2 * (storey - 1) + 1;
                 let history = &now.state.old[now.state.history(element)];
                 match bar.stored(&values, history, [YOUNG, hardening]) {
@@ -196,13 +189,7 @@ fn steel(rows: &mut Vec<Row>) -> Result<(), Failure> {
                 energy = now.energies.internal - now.energies.hysteretic;
             }
         };
-        let run = completed(march(
-            problem,
-            &shaking(&settings.grid, 6.0),
-            &settings,
-            &mut [&mut watch],
-            &Silent,
-        )?)?;
+        let run = completed(march(problem, &shaking(&settings.grid, 6.0), &settings, &mut [&mut watch], &Silent)?)?;
         if let Some(error) = trouble {
             return Err(error.into());
         }
@@ -292,15 +279,8 @@ fn condensed_strip(rows: &mut Vec<Row>) -> Result<(), Failure> {
         linear.scheme = scheme;
         let system = strip.system.clone().with_damping(damping.clone());
         let symbolic = Arc::new(Symbolic::new(system.mass.pattern.clone(), &Ordering::MinimumDegree)?);
-        let direct = integrate(
-            &system,
-            &symbolic,
-            std::slice::from_ref(&load),
-            &linear,
-            &strip.observables,
-            &[],
-            &Silent,
-        )?;
+        let direct =
+            integrate(&system, &symbolic, std::slice::from_ref(&load), &linear, &strip.observables, &[], &Silent)?;
         let mut worst = 0.0_f64;
         for (found, expected) in recorder.histories.iter().zip(&direct[0].observed.scalars) {
             let peak = expected.extreme.peak().0;
@@ -328,12 +308,7 @@ fn wall_history(tank: &Assembled, scale: f64) -> Result<Vec<Vec<f64>>, Failure> 
 /// The same with the share of the energy that the wall has dissipated.
 fn shaken_wall(tank: &Assembled, scale: f64) -> Result<(Vec<Vec<f64>>, f64), Failure> {
     let system = System::new(&tank.model, &tank.assembler)?;
-    let problem = Problem {
-        model: &tank.model,
-        assembler: &tank.assembler,
-        symbolic: &tank.symbolic,
-        system: &system,
-    };
+    let problem = Problem { model: &tank.model, assembler: &tank.assembler, symbolic: &tank.symbolic, system: &system };
     let grid = Grid::new(2e-3, 0.2, 0.0, 2e-3);
     let a: Vec<f64> = (0..=100).map(|i| scale * (0.25 * f64::from(i)).sin()).collect();
     let mut settings = Settings::new(grid);
@@ -377,10 +352,8 @@ fn condensation(rows: &mut Vec<Row>) -> Result<(), Failure> {
     let full = wall_history(&with_hexahedra(&data, &division)?, peak)?;
     let condensed = wall_history(&with_condensed(&data, &division, None)?, peak)?;
     let half = wall_history(&with_condensed(&data, &division, None)?, 0.5 * peak)?;
-    let doubled: Vec<Vec<f64>> = half
-        .iter()
-        .map(|u| u.iter().zip(&half[0]).map(|(u, s)| s + 2.0 * (u - s)).collect())
-        .collect();
+    let doubled: Vec<Vec<f64>> =
+        half.iter().map(|u| u.iter().zip(&half[0]).map(|(u, s)| s + 2.0 * (u - s)).collect()).collect();
     rows.push(row(
         "D11",
         format!(
@@ -406,10 +379,7 @@ fn condensation(rows: &mut Vec<Row>) -> Result<(), Failure> {
         ));
     }
     // A wall that yields; the same law in both models, so that the histories part by the condensation alone.
-    let data = Tank {
-        yields: Some([10e6, 5e9]),
-        ..data
-    };
+    let data = Tank { yields: Some([10e6, 5e9]), ..data };
     let (full, _) = shaken_wall(&with_hexahedra(&data, &division)?, peak)?;
     let (condensed, dissipated) = shaken_wall(&with_condensed(&data, &division, None)?, peak)?;
     rows.push(row(

@@ -9,10 +9,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "rayleigh-damping",
     title: "Rayleigh damping",
     model: "Coefficients from two ratios, the ratios that result, and the rule for admissible pairs.",
-    ids: &[
-        ("D4", "Rayleigh coefficients and ratios of tank 8.1"),
-        ("D5", "admissible pairs of ratios"),
-    ],
+    ids: &[("D4", "Rayleigh coefficients and ratios of tank 8.1"), ("D5", "admissible pairs of ratios")],
     parts: &[Part::Fast(rayleigh), Part::Fast(|| Ok(vec![admissible_ratios()]))],
 };
 

@@ -26,10 +26,7 @@ fn correlations() -> Vec<Row> {
     .map(|(xi, xj, r, reference, half_digit)| {
         let what = format!("correlation at r = {r}, ξ = {xi} and {xj}");
         let mut entry = row("D6", what, reference, correlation((1.0, xi), (r, xj)), half_digit);
-        (entry.kind, entry.source) = (
-            Reference::Published,
-            "Wilson, Der Kiureghian & Bayo 1981, evaluated apart",
-        );
+        (entry.kind, entry.source) = (Reference::Published, "Wilson, Der Kiureghian & Bayo 1981, evaluated apart");
         entry
     })
     .collect()

@@ -59,18 +59,13 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
 
     // The bonded joint against the strip whose liquid hangs on the wall itself.
     let strip = Strip::new(MESH[0], MESH[1], MESH[2])?;
-    let grid = Grid {
-        dt: h,
-        sub_steps: 1,
-        samples: (DURATION / h).round() as usize + 1,
-    };
+    let grid = Grid { dt: h, sub_steps: 1, samples: (DURATION / h).round() as usize + 1 };
     let motion = Load::ground(0, Motion::sampled(dt, samples, &grid));
     let linear = strip.rayleigh(damping, TimeScheme::Trapezoidal, &motion, grid)?;
     let second = "the same without joint, trapezoidal rule";
-    for (what, reference, computed, unit) in [
-        ("moment at the base", linear[0], moment, "Nm/m"),
-        ("wave at the wall", linear[2], wave, "m"),
-    ] {
+    for (what, reference, computed, unit) in
+        [("moment at the base", linear[0], moment, "Nm/m"), ("wave at the wall", linear[2], wave, "m")]
+    {
         rows.push(row(
             format!("bonded joint: {what}"),
             (reference, second, Reference::SecondFormulation),
@@ -86,9 +81,8 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
         [m / moment, w / wave]
     };
     let both = "linear liquid: theory of the rigid wall lets it part only near the surface";
-    for (k, (what, tolerance, theirs)) in [("moment", 0.02, 51.0 / 50.4), ("wave", 0.01, 44.0 / 43.9)]
-        .into_iter()
-        .enumerate()
+    for (k, (what, tolerance, theirs)) in
+        [("moment", 0.02, 51.0 / 50.4), ("wave", 0.01, 44.0 / 43.9)].into_iter().enumerate()
     {
         let found = ratio(&particle)[k];
         rows.push(row(
@@ -108,34 +102,13 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
     let weight = liquid().density * liquid().gravity;
     let rest = weight * DEPTH.powi(3) / 6.0;
     let theirs = ("dissertation, table 8.15", Reference::Dissertation);
-    let prototype = (
-        "prototype, 1 % damping, El Centro NS 0.348 g (theory sheet)",
-        Reference::SecondFormulation,
-    );
+    let prototype = ("prototype, 1 % damping, El Centro NS 0.348 g (theory sheet)", Reference::SecondFormulation);
     for (what, reference, (source, kind), computed, unit) in [
-        (
-            "total moment at the base, contact",
-            51.0e3,
-            theirs,
-            rest + worse(&particle).0,
-            "Nm/m",
-        ),
-        (
-            "total moment at the base, linear",
-            50.4e3,
-            theirs,
-            rest + moment,
-            "Nm/m",
-        ),
+        ("total moment at the base, contact", 51.0e3, theirs, rest + worse(&particle).0, "Nm/m"),
+        ("total moment at the base, linear", 50.4e3, theirs, rest + moment, "Nm/m"),
         ("wave, contact", 0.440, theirs, worse(&particle).1, "m"),
         ("wave, linear", 0.439, theirs, wave, "m"),
-        (
-            "total moment at the base, linear, prototype",
-            53.7e3,
-            prototype,
-            rest + moment,
-            "Nm/m",
-        ),
+        ("total moment at the base, linear, prototype", 53.7e3, prototype, rest + moment, "Nm/m"),
         ("wave, linear, prototype", 0.441, prototype, wave, "m"),
     ] {
         rows.push(row(
@@ -148,11 +121,7 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
     }
 
     // Penalty and step, on the wall that is loaded more.
-    let sign = if particle[0].moment >= particle[1].moment {
-        1.0
-    } else {
-        -1.0
-    };
+    let sign = if particle[0].moment >= particle[1].moment { 1.0 } else { -1.0 };
     let reference = &particle[usize::from(sign < 0.0)];
     for (penalty, h, tolerance) in [
         // The joint gives way by half as much as the wall and detunes it.
@@ -162,15 +131,11 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
         (penalty, 1.25e-3, 5e-3),
     ] {
         let found = Jointing::new(penalty, damping, Criterion::Particle).run(samples, dt, sign, h)?;
-        for (what, value, reference) in [
-            ("moment", found.moment, reference.moment),
-            ("wave", found.wave, reference.wave),
-        ] {
+        for (what, value, reference) in
+            [("moment", found.moment, reference.moment), ("wave", found.wave, reference.wave)]
+        {
             rows.push(row(
-                format!(
-                    "{what} with k_n = {penalty:.0e} N/m³, h = {} ms, over that with 1e9 and 2.5 ms",
-                    1e3 * h
-                ),
+                format!("{what} with k_n = {penalty:.0e} N/m³, h = {} ms, over that with 1e9 and 2.5 ms", 1e3 * h),
                 (1.0, "independent of penalty and step", Reference::SecondFormulation),
                 value / reference,
                 (tolerance, ""),
@@ -188,10 +153,7 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
         deepest as f64,
         (0.0, ""),
     ));
-    let pressure = bonded
-        .iter()
-        .map(|p| p.check.lowest_pressure)
-        .fold(f64::INFINITY, f64::min);
+    let pressure = bonded.iter().map(|p| p.check.lowest_pressure).fold(f64::INFINITY, f64::min);
     rows.push(row(
         format!(
             "linear result: depth below the surface to which the particle's pressure gets negative (there first at {:.2} s)",
@@ -224,11 +186,7 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
     let trough = DEPTH - wave;
     for (what, criterion, [m, w]) in [
         ("test at the undeformed height", Criterion::Place, [1.008, 1.32]),
-        (
-            "test at the undeformed height, below the trough only",
-            Criterion::PlaceBelow(trough),
-            [1.0, 1.0],
-        ),
+        ("test at the undeformed height, below the trough only", Criterion::PlaceBelow(trough), [1.0, 1.0]),
     ] {
         let found = ratio(&run(penalty, criterion, h)?);
         for (k, (name, theirs)) in [("moment", m), ("wave", w)].into_iter().enumerate() {

@@ -96,10 +96,7 @@ impl Strip {
         let free: Vec<usize> = (2..all).collect();
         let pattern = Arc::new(Pattern::from_cliques(
             free.len(),
-            std::iter::once((0..free.len()).collect::<Vec<_>>())
-                .collect::<Vec<_>>()
-                .iter()
-                .map(Vec::as_slice),
+            std::iter::once((0..free.len()).collect::<Vec<_>>()).collect::<Vec<_>>().iter().map(Vec::as_slice),
         ));
         let pick = |a: &Matrix| Symmetric {
             values: (0..free.len())
@@ -113,47 +110,27 @@ impl Strip {
         let mut system = System::from_matrices(pick(&m), pick(&k), [cut(&translation), zero.clone(), zero]);
         system.inertia[0] = cut(&inertia);
         let (md, kd) = (system.mass.to_dense(), system.stiffness.to_dense());
-        let modes = generalized_eigen(&kd, &md, None).map_err(|source| AnalysisError::Linalg {
-            what: "modes of the strip",
-            source,
-        })?;
+        let modes = generalized_eigen(&kd, &md, None)
+            .map_err(|source| AnalysisError::Linalg { what: "modes of the strip", source })?;
         let sparse = |v: Vec<f64>| v.into_iter().enumerate().filter(|(_, c)| *c != 0.0).collect();
-        let observable = |name: &str, displacement| Observable {
-            name: name.to_owned(),
-            displacement,
-            ..Observable::default()
-        };
+        let observable =
+            |name: &str, displacement| Observable { name: name.to_owned(), displacement, ..Observable::default() };
         let observables = vec![
             observable("moment at the base of the wall", sparse(cut(&base_moment))),
             observable("deflection of the top of the wall", vec![(wall - 4, 1.0)]),
             observable(
                 "elevation of the surface at the wall",
-                liquid
-                    .elevation
-                    .iter()
-                    .enumerate()
-                    .map(|(n, e)| (wall - 2 + n, *e))
-                    .collect(),
+                liquid.elevation.iter().enumerate().map(|(n, e)| (wall - 2 + n, *e)).collect(),
             ),
         ];
-        let symbolic = Symbolic::new(pattern, &Ordering::MinimumDegree).map_err(|source| AnalysisError::Linalg {
-            what: "the strip",
-            source,
-        })?;
-        Ok(Strip {
-            system,
-            modes,
-            observables,
-            sloshing,
-            symbolic: Arc::new(symbolic),
-        })
+        let symbolic = Symbolic::new(pattern, &Ordering::MinimumDegree)
+            .map_err(|source| AnalysisError::Linalg { what: "the strip", source })?;
+        Ok(Strip { system, modes, observables, sloshing, symbolic: Arc::new(symbolic) })
     }
 
     /// Ratios: sloshing modes 0.5 %, wall modes 2 %.
     pub(crate) fn ratios(&self) -> Vec<f64> {
-        (0..self.modes.omega.len())
-            .map(|j| if self.is_sloshing(j) { 0.005 } else { 0.02 })
-            .collect()
+        (0..self.modes.omega.len()).map(|j| if self.is_sloshing(j) { 0.005 } else { 0.02 }).collect()
     }
 
     /// Whether more than half of a mode's potential energy is in the surface.
@@ -223,15 +200,7 @@ impl Strip {
         let mut settings = Settings::new(grid);
         settings.scheme = scheme;
         let load = std::slice::from_ref(load);
-        let mut found = integrate(
-            &system,
-            &self.symbolic,
-            load,
-            &settings,
-            &self.observables,
-            &[],
-            &Silent,
-        )?;
+        let mut found = integrate(&system, &self.symbolic, load, &settings, &self.observables, &[], &Silent)?;
         Ok(found.remove(0))
     }
 }

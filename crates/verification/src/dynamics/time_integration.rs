@@ -14,10 +14,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     model: "Oscillators without space: amplification, period and numerical damping of Newmark's method and the \
             generalised-α method, the exact recurrence.",
     ids: &[
-        (
-            "D1",
-            "numerical damping, period error and spectral radius of six schemes",
-        ),
+        ("D1", "numerical damping, period error and spectral radius of six schemes"),
         ("D3", "exact piecewise-linear recurrence"),
     ],
     parts: &[Part::Fast(amplification), Part::Fast(|| Ok(vec![recurrence()]))],
@@ -30,13 +27,7 @@ fn amplification() -> Answer {
     // Damping at Δt/T = .05, .1, .2, period error there, ρ_∞. Eigenvalues of the matrix that leads from (u, h u̇, h² ü) to the
     // next step, set up and solved apart with numpy, seven digits: ξ = −ln |λ|/arg λ, ΔT/T = x/arg λ − 1.
     let table = [
-        (
-            "trapezoidal rule",
-            Trapezoidal,
-            [0.0, 0.0, 0.0],
-            [8.171243e-3, 3.207491e-2, 1.200331e-1],
-            1.0,
-        ),
+        ("trapezoidal rule", Trapezoidal, [0.0, 0.0, 0.0], [8.171243e-3, 3.207491e-2, 1.200331e-1], 1.0),
         (
             "HHT −0.05",
             Hht { alpha: -0.05 },
@@ -80,13 +71,7 @@ fn amplification() -> Answer {
             let (damping, period) = scheme.spectral_properties(std::f64::consts::TAU * part);
             // Half the last digit of the reference, or rounding for schemes without dissipation.
             let what = format!("{name}: numerical damping ratio at Δt/T = {part}");
-            rows.push(row(
-                "D1",
-                what,
-                dampings[k],
-                damping,
-                f64::max(1e-6 * dampings[k], 1e-13),
-            ));
+            rows.push(row("D1", what, dampings[k], damping, f64::max(1e-6 * dampings[k], 1e-13)));
             let what = format!("{name}: relative period error at Δt/T = {part}");
             rows.push(row("D1", what, periods[k], period, 1e-6 * periods[k]));
         }
@@ -106,10 +91,7 @@ fn amplification() -> Answer {
         period,
         1e-12,
     );
-    (exact.kind, exact.source) = (
-        Reference::ClosedForm,
-        "x/(2 arctan(x/2)) − 1 (Hughes 1987, section 9.1)",
-    );
+    (exact.kind, exact.source) = (Reference::ClosedForm, "x/(2 arctan(x/2)) − 1 (Hughes 1987, section 9.1)");
     rows.push(exact);
     Ok(rows)
 }
@@ -141,11 +123,7 @@ fn recurrence() -> Row {
                     0.0,
                 ) * x,
             );
-            for (state, load) in [
-                ([1.0, 0.0], [0.0, 0.0]),
-                ([0.0, 1.0], [0.0, 0.0]),
-                ([0.0, 0.0], [1.0, 0.4]),
-            ] {
+            for (state, load) in [([1.0, 0.0], [0.0, 0.0]), ([0.0, 1.0], [0.0, 0.0]), ([0.0, 0.0], [1.0, 0.4])] {
                 let (u, v) = r.step(state[0], state[1], load[0], load[1]);
                 // The exponential is taken of the matrix times x, so the slope counts a step.
                 let end = e * Vector4::new(state[0], state[1], load[0], (load[1] - load[0]) / x);

@@ -60,14 +60,8 @@ impl Beam2 {
         second: [f64; 3],
         section: BeamSection,
     ) -> Result<Beam2, ElementError> {
-        let refuse = |parameter, found: String, allowed| {
-            Err(ElementError::Parameter {
-                kind: KIND,
-                parameter,
-                found,
-                allowed,
-            })
-        };
+        let refuse =
+            |parameter, found: String, allowed| Err(ElementError::Parameter { kind: KIND, parameter, found, allowed });
         let s = &section;
         for (parameter, value) in [
             ("axial", s.axial),
@@ -120,10 +114,7 @@ impl Beam2 {
             let f = ei / (l.powi(3) * (1.0 + phi));
             let (near, far) = ((4.0 + phi) * l * l * f, (2.0 - phi) * l * l * f);
             let (c, d) = (12.0 * f, 6.0 * l * f);
-            plane.add(
-                [[c, d, -c, d], [d, near, -d, far], [-c, -d, c, -d], [d, far, -d, near]],
-                &mut k,
-            );
+            plane.add([[c, d, -c, d], [d, near, -d, far], [-c, -d, c, -d], [d, far, -d, near]], &mut k);
         }
         k
     }
@@ -187,20 +178,8 @@ struct Plane {
 
 /// Deflection along e₂ turns about +e₃, along e₃ about −e₂.
 const PLANES: [Plane; 2] = [
-    Plane {
-        deflection: 1,
-        rotation: 5,
-        sign: 1.0,
-        about: 1,
-        shear: 0,
-    },
-    Plane {
-        deflection: 2,
-        rotation: 4,
-        sign: -1.0,
-        about: 0,
-        shear: 1,
-    },
+    Plane { deflection: 1, rotation: 5, sign: 1.0, about: 1, shear: 0 },
+    Plane { deflection: 2, rotation: 4, sign: -1.0, about: 0, shear: 1 },
 ];
 
 impl Plane {

@@ -59,13 +59,7 @@ impl Fluid4 {
                 allowed: "a positive number",
             });
         }
-        let element = Fluid4 {
-            nodes: face.nodes,
-            corners: face.chart.map(|c| [c[0], c[2]]),
-            chart,
-            breadth,
-            liquid,
-        };
+        let element = Fluid4 { nodes: face.nodes, corners: face.chart.map(|c| [c[0], c[2]]), chart, breadth, liquid };
         for p in element.full().iter().chain([&element.centre()]) {
             if !(p.volume > 0.0 && p.volume.is_finite()) {
                 return Err(ElementError::Jacobian {

@@ -43,11 +43,7 @@ impl FreeSurfaceLine {
         let determinant = 0.5 * (x[1] - x[0]);
         if !(determinant > 0.0 && determinant.is_finite()) {
             let nodes = nodes.to_vec();
-            return Err(ElementError::Jacobian {
-                kind: KIND,
-                determinant,
-                nodes,
-            });
+            return Err(ElementError::Jacobian { kind: KIND, determinant, nodes });
         }
         let mut matrix = [[0.0; 2]; 2];
         for &(r, weight) in gauss::TWO {

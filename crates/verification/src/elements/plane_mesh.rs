@@ -51,9 +51,7 @@ impl Strip {
         let mut plane = Plane {
             nodes: Vec::with_capacity(columns * rows),
             cells: Vec::with_capacity((columns - 1) * (rows - 1)),
-            surface: (0..columns - 1)
-                .map(|i| [number(i, rows - 1), number(i + 1, rows - 1)])
-                .collect(),
+            surface: (0..columns - 1).map(|i| [number(i, rows - 1), number(i + 1, rows - 1)]).collect(),
             left_nodes: (0..rows).map(|j| number(0, j)).collect(),
             right_nodes: (0..rows).map(|j| number(columns - 1, j)).collect(),
             bottom_nodes: (0..columns).map(|i| number(i, 0)).collect(),
@@ -67,10 +65,9 @@ impl Strip {
         for j in 0..rows - 1 {
             for i in 0..columns - 1 {
                 let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-                plane.cells.push(Face {
-                    nodes: corners.map(|(i, j)| number(i, j)),
-                    chart: corners.map(|(i, j)| place(i, j)),
-                });
+                plane
+                    .cells
+                    .push(Face { nodes: corners.map(|(i, j)| number(i, j)), chart: corners.map(|(i, j)| place(i, j)) });
             }
         }
         Ok(plane)
@@ -93,10 +90,7 @@ mod tests {
 
     #[test]
     fn areas_and_sets() {
-        let strip = Strip {
-            x: vec![-1.0, 0.0, 0.5, 2.0],
-            z: vec![0.0, 0.4, 1.0],
-        };
+        let strip = Strip { x: vec![-1.0, 0.0, 0.5, 2.0], z: vec![0.0, 0.4, 1.0] };
         let plane = strip.plane().unwrap();
         assert_eq!((plane.nodes.len(), plane.cells.len(), plane.surface.len()), (12, 6, 3));
         assert!(plane.cells.iter().all(|c| area(c) > 0.0));
@@ -111,11 +105,7 @@ mod tests {
         assert!(plane.bottom_nodes.iter().all(|&n| plane.nodes[n][2] == 0.0));
         assert!(plane.surface_nodes.iter().all(|&n| plane.nodes[n][2] == 1.0));
         assert_eq!((plane.left_nodes.len(), plane.bottom_nodes.len()), (3, 4));
-        let length: f64 = plane
-            .surface
-            .iter()
-            .map(|l| plane.nodes[l[1]][0] - plane.nodes[l[0]][0])
-            .sum();
+        let length: f64 = plane.surface.iter().map(|l| plane.nodes[l[1]][0] - plane.nodes[l[0]][0]).sum();
         assert_eq!(length, 3.0);
     }
 

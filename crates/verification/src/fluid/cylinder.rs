@@ -27,13 +27,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 };
 
 fn tank(radius: f64, fill: f64, counts: [usize; 3], part: Sector) -> Tank {
-    Tank {
-        radius,
-        fill,
-        counts,
-        grading: 1.0,
-        part,
-    }
+    Tank { radius, fill, counts, grading: 1.0, part }
 }
 
 /// The element as used: mean dilatation and split penalty.
@@ -64,10 +58,7 @@ fn frequencies(
     Ok(found)
 }
 
-const PRINTED: Source = Source {
-    source: "dissertation, chapter 8",
-    kind: Reference::Dissertation,
-};
+const PRINTED: Source = Source { source: "dissertation, chapter 8", kind: Reference::Dissertation };
 
 /// F2: axisymmetric motion of tank 8.1 with the plane element in the cylindrical chart.
 fn axisymmetric() -> Answer {
@@ -75,26 +66,15 @@ fn axisymmetric() -> Answer {
     let meshes = [[8, 6], [16, 12], [32, 24]];
     let found: Vec<Vec<f64>> = meshes
         .iter()
-        .map(|&m| {
-            strip(
-                Chart::Cylindrical,
-                [0.0, RADIUS],
-                FILL,
-                m,
-                RotationPart::split(GRAVITY, RADIUS),
-            )
-        })
+        .map(|&m| strip(Chart::Cylindrical, [0.0, RADIUS], FILL, m, RotationPart::split(GRAVITY, RADIUS)))
         .collect::<Result<_, _>>()?;
     for n in 0..2 {
         let reference = exact(zeros::M0[n], RADIUS, FILL, GRAVITY);
         let what = format!("tank 8.1, 32 × 24 in r and z, m = 0, ω{}", n + 1);
         // Linear elements: (k h)²/24 with k h = 7.02/32 is 0.2 % in the second mode.
         let mut row = POTENTIAL.row("F2", what, (reference, found[2][n]), 2e-3, "rad/s");
-        row.convergence = meshes
-            .iter()
-            .zip(&found)
-            .map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0))
-            .collect();
+        row.convergence =
+            meshes.iter().zip(&found).map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0)).collect();
         rows.push(row);
     }
     Ok(rows)
@@ -118,13 +98,7 @@ pub(crate) fn cylinders() -> Answer {
     }
     let finest = tank(RADIUS, FILL, [12, 16, 12], Sector::Odd);
     let modes = frequencies(&finest, 1, default_liquid(RADIUS), &Search::lowest(10), 3)?;
-    let mut k4 = PROTOTYPE.row(
-        "K4",
-        "tank 8.1, 12 × 16 × 12, m = 1, ω₁",
-        (3.020, modes[0]),
-        2e-3,
-        "rad/s",
-    );
+    let mut k4 = PROTOTYPE.row("K4", "tank 8.1, 12 × 16 × 12, m = 1, ω₁", (3.020, modes[0]), 2e-3, "rad/s");
     k4.convergence = convergence.clone();
     rows.push(k4);
     // The errors of the prototype in modes 1 to 3: 0.71, 0.31 and 0.9 %, printed to half a last digit.
@@ -137,13 +111,7 @@ pub(crate) fn cylinders() -> Answer {
     }
     // Against the exact value: the error is that of m_eff = tan(D/2)/(D/2) = 1.013 with D = 2π/16, which raises ω₁ by
     // ½ (1 + x/(sinh x cosh x)) 1.3 % ≈ 0.85 % at most, less the effect of r and z.
-    rows.push(POTENTIAL.row(
-        "K4",
-        "tank 8.1, 12 × 16 × 12, m = 1, ω₁",
-        (exact_81, modes[0]),
-        0.0085,
-        "rad/s",
-    ));
+    rows.push(POTENTIAL.row("K4", "tank 8.1, 12 × 16 × 12, m = 1, ω₁", (exact_81, modes[0]), 0.0085, "rad/s"));
     // Observed order between 9 × 12 × 9 and 12 × 16 × 12, errors of first neglected order h⁴ included: 2 ± 0.15.
     let order = (convergence[1].1 / convergence[2].1).ln() / (4.0_f64 / 3.0).ln();
     rows.push(POTENTIAL.row("K4", "observed order of ω₁", (2.0, order), 0.075, "-"));
@@ -157,10 +125,7 @@ pub(crate) fn cylinders() -> Answer {
     let all = lowest(&whole.model, &whole.assembler, 3)?;
     let below = all.iter().filter(|m| m.omega < 0.999 * modes[0]).count();
     rows.push(POTENTIAL.row("K4", "whole tank: modes below ω₁", (0.0, below as f64), 0.0, "modes"));
-    let pair = (
-        2.0,
-        all.iter().filter(|m| (m.omega / modes[0] - 1.0).abs() < 1e-6).count() as f64,
-    );
+    let pair = (2.0, all.iter().filter(|m| (m.omega / modes[0] - 1.0).abs() < 1e-6).count() as f64);
     rows.push(POTENTIAL.row("K4", "whole tank: modes at ω₁", pair, 0.0, "modes"));
     // K6: the lowest mode with little surface energy.
     let full = liquid(VolumePart::OnePoint, RotationPart::Full(GRAVITY * RADIUS));
@@ -168,13 +133,7 @@ pub(crate) fn cylinders() -> Answer {
     let found = lowest(&built.model, &built.assembler, 4)?;
     let spurious = found.iter().find(|m| m.surface < 0.5).map_or(f64::NAN, |m| m.omega);
     let pair = (2.1, spurious / sloshing(&found, 0)?);
-    rows.push(PROTOTYPE.row(
-        "K6",
-        "full rotation part, α = 1: lowest spurious mode/ω₁",
-        pair,
-        0.05,
-        "-",
-    ));
+    rows.push(PROTOTYPE.row("K6", "full rotation part, α = 1: lowest spurious mode/ω₁", pair, 0.05, "-"));
     Ok(rows)
 }
 
@@ -184,10 +143,9 @@ pub(crate) fn cylinders() -> Answer {
 pub(crate) fn chapter_8() -> Answer {
     let mut rows = Vec::new();
     // K5: printed 3.02 and 4.13.
-    for (part, m, prototype, printed, lambda) in [
-        (Sector::Odd, 1, 3.018, 3.02, zeros::M1[0]),
-        (Sector::Even, 2, 4.132, 4.13, zeros::M2[0]),
-    ] {
+    for (part, m, prototype, printed, lambda) in
+        [(Sector::Odd, 1, 3.018, 3.02, zeros::M1[0]), (Sector::Even, 2, 4.132, 4.13, zeros::M2[0])]
+    {
         let mesh = tank(RADIUS, FILL, [12, 16, 19], part);
         // One-point rotation leaves modes without energy, and others below: the search is around the exact value.
         let near = exact(lambda, RADIUS, FILL, GRAVITY);
@@ -198,13 +156,7 @@ pub(crate) fn chapter_8() -> Answer {
         rows.push(POTENTIAL.row("K5", what, (near, omega), f64::INFINITY, "rad/s"));
     }
     // Example 8.2: R = 9.6 cm, f₁.
-    for (fill, printed) in [
-        (0.03, 1.580),
-        (0.06, 1.978),
-        (0.09, 2.116),
-        (0.12, 2.159),
-        (0.15, 2.171),
-    ] {
+    for (fill, printed) in [(0.03, 1.580), (0.06, 1.978), (0.09, 2.116), (0.12, 2.159), (0.15, 2.171)] {
         let mesh = tank(0.096, fill, [12, 16, 12], Sector::Odd);
         compare(&mut rows, "8.2", &mesh, printed, "Hz", std::f64::consts::TAU)?;
     }
@@ -220,13 +172,8 @@ pub(crate) fn chapter_8() -> Answer {
         (0.096, 0.09, [12, 16, 12], "R = 0.096 m, H = 0.09 m", [0.65, 0.2, 0.6]),
     ];
     for (radius, fill, counts, name, errors) in table {
-        let found = frequencies(
-            &tank(radius, fill, counts, Sector::Odd),
-            1,
-            default_liquid(radius),
-            &Search::lowest(24),
-            3,
-        )?;
+        let found =
+            frequencies(&tank(radius, fill, counts, Sector::Odd), 1, default_liquid(radius), &Search::lowest(24), 3)?;
         for (n, error) in errors.into_iter().enumerate() {
             let reference = exact(zeros::M1[n], radius, fill, GRAVITY) * (1.0 + 0.01 * error);
             let what = format!("{name}, m = 1, ω{} with the prototype's error", n + 1);

@@ -79,22 +79,16 @@ fn exact(k: f64) -> f64 {
 ///
 /// Errors: none to be expected.
 pub(crate) fn degenerate_discs() -> Answer {
-    let against = Source {
-        source: "potential flow in the sector",
-        kind: Reference::ClosedForm,
-    };
-    let printed = Source {
-        source: "dissertation, (5.69); \"about 3 %\" for the spatial models",
-        kind: Reference::Dissertation,
-    };
+    let against = Source { source: "potential flow in the sector", kind: Reference::ClosedForm };
+    let printed =
+        Source { source: "dissertation, (5.69); \"about 3 %\" for the spatial models", kind: Reference::Dissertation };
     // First root of J₁(x) Y₁(2x) = J₁(2x) Y₁(x): x = 3.19658 (Abramowitz & Stegun 1964, table 9.7).
     let ring = exact(3.19658 / 5.0);
     let arc = exact(std::f64::consts::PI / (286.5 * ANGLE));
     let mut rows = Vec::new();
-    for (name, reference, r, counts) in [
-        ("Δθ = const", ring, [5.0, 10.0], [8, 1, 8]),
-        ("Δr = const", arc, [286.45, 286.55], [1, 8, 8]),
-    ] {
+    for (name, reference, r, counts) in
+        [("Δθ = const", ring, [5.0, 10.0], [8, 1, 8]), ("Δr = const", arc, [286.45, 286.55], [1, 8, 8])]
+    {
         let coarse = frequency(r, counts.map(|n: usize| n.div_ceil(2)))?;
         let found = frequency(r, counts)?;
         // 8 elements along half a wave: (π/8)²/24 = 0.64 % is the error of linear elements.

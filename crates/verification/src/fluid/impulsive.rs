@@ -40,25 +40,12 @@ fn exact() -> f64 {
 
 /// m_i/m on a mesh of the quarter.
 fn impulsive(counts: [usize; 3], volume: VolumePart) -> Result<f64, Failure> {
-    let tank = Tank {
-        radius: RADIUS,
-        fill: FILL,
-        counts,
-        grading: 1.0,
-        part: Sector::Odd,
-    };
-    let liquid = LiquidProperties {
-        density: 1.0,
-        bulk_modulus: BULK_MODULUS,
-        volume,
-        rotation: RotationPart::None,
-    };
+    let tank = Tank { radius: RADIUS, fill: FILL, counts, grading: 1.0, part: Sector::Odd };
+    let liquid = LiquidProperties { density: 1.0, bulk_modulus: BULK_MODULUS, volume, rotation: RotationPart::None };
     let built = tank.build(Chart::Cylindrical, liquid, GRAVITY, false)?;
     let model = &built.model;
     let group = model.group("liquid");
-    let mut a = built
-        .assembler
-        .stiffness_of(model, |e| Some(model.group_of(e)) == group)?;
+    let mut a = built.assembler.stiffness_of(model, |e| Some(model.group_of(e)) == group)?;
     let omega_square = 1e-6 * BULK_MODULUS / (RADIUS * RADIUS);
     a.values.iter_mut().for_each(|v| *v /= omega_square);
     a.add(1.0, &built.assembler.mass(model));
@@ -84,14 +71,8 @@ fn impulsive(counts: [usize; 3], volume: VolumePart) -> Result<f64, Failure> {
 ///
 /// Errors: none to be expected.
 pub(crate) fn impulsive_mass() -> Answer {
-    let prototype = Source {
-        source: "independent prototype of the same element",
-        kind: Reference::SecondFormulation,
-    };
-    let series = Source {
-        source: "potential flow, 1 − Σ 2 tanh(a)/(a (λ² − 1))",
-        kind: Reference::ClosedForm,
-    };
+    let prototype = Source { source: "independent prototype of the same element", kind: Reference::SecondFormulation };
+    let series = Source { source: "potential flow, 1 − Σ 2 tanh(a)/(a (λ² − 1))", kind: Reference::ClosedForm };
     let reference = exact();
     let mut convergence = Vec::new();
     for counts in [[6, 8, 6], [9, 12, 9], [12, 16, 12]] {
@@ -100,13 +81,7 @@ pub(crate) fn impulsive_mass() -> Answer {
     }
     let one_point = reference * (1.0 + convergence[2].1);
     let what = "tank 8.1, 12 × 16 × 12, m_i/m";
-    let mut k7 = prototype.row(
-        "K7",
-        format!("{what}, one-point volume part"),
-        (0.4673, one_point),
-        5e-3,
-        "-",
-    );
+    let mut k7 = prototype.row("K7", format!("{what}, one-point volume part"), (0.4673, one_point), 5e-3, "-");
     k7.convergence = convergence.clone();
     let order = (convergence[0].1 / convergence[2].1).log2();
     let mean = impulsive([12, 16, 12], VolumePart::MeanDilatation)?;

@@ -37,10 +37,7 @@ const PENALTY: f64 = 206.0;
 
 const STRESS: f64 = -10.0;
 
-const SOURCE: Source = Source {
-    source: "constant state, exact",
-    kind: Reference::ClosedForm,
-};
+const SOURCE: Source = Source { source: "constant state, exact", kind: Reference::ClosedForm };
 
 /// Inner corners of the seven hexahedra of MacNeal & Harder 1985 (their figure 2), nodes 1 to 8.
 const INNER: [[f64; 3]; 8] = [
@@ -67,16 +64,8 @@ const OUTER: [[f64; 3]; 8] = [
 ];
 
 /// Plane patch of MacNeal & Harder 1985 (their figure 1), 0.24 × 0.12: the first four nodes are outer.
-const PLANE: [[f64; 2]; 8] = [
-    [0.0, 0.0],
-    [0.24, 0.0],
-    [0.24, 0.12],
-    [0.0, 0.12],
-    [0.04, 0.02],
-    [0.18, 0.03],
-    [0.16, 0.08],
-    [0.08, 0.08],
-];
+const PLANE: [[f64; 2]; 8] =
+    [[0.0, 0.0], [0.24, 0.0], [0.24, 0.12], [0.0, 0.12], [0.04, 0.02], [0.18, 0.03], [0.16, 0.08], [0.08, 0.08]];
 
 const PLANE_CELLS: [[usize; 4]; 5] = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]];
 
@@ -91,14 +80,7 @@ struct Patch {
 /// Nodes 0 … 7 outer, 8 … 15 inner, places given by `map` of the cube.
 fn seven(chart: Chart, map: impl Fn([f64; 3]) -> [f64; 3]) -> Patch {
     // Each face of the inner hexahedron, joined to the outer face opposite; the last cell is the inner one.
-    let sides = [
-        [0, 1, 2, 3],
-        [4, 5, 6, 7],
-        [0, 1, 5, 4],
-        [3, 2, 6, 7],
-        [0, 3, 7, 4],
-        [1, 2, 6, 5],
-    ];
+    let sides = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [3, 2, 6, 7], [0, 3, 7, 4], [1, 2, 6, 5]];
     // Orientation: the first four corners must turn left seen from the other four.
     let outer_first = [true, false, false, true, true, false];
     let mut cells: Vec<[usize; 8]> = sides
@@ -110,12 +92,7 @@ fn seven(chart: Chart, map: impl Fn([f64; 3]) -> [f64; 3]) -> Patch {
         })
         .collect();
     cells.push(std::array::from_fn(|k| 8 + k));
-    Patch {
-        places: OUTER.iter().chain(&INNER).map(|&p| map(p)).collect(),
-        cells,
-        outer: 8,
-        chart,
-    }
+    Patch { places: OUTER.iter().chain(&INNER).map(|&p| map(p)).collect(), cells, outer: 8, chart }
 }
 
 impl Patch {
@@ -126,10 +103,7 @@ impl Patch {
         }
         let mut elements = Vec::new();
         for nodes in &self.cells {
-            let cell = Hexahedron {
-                nodes: *nodes,
-                chart: nodes.map(|n| self.places[n]),
-            };
+            let cell = Hexahedron { nodes: *nodes, chart: nodes.map(|n| self.places[n]) };
             elements.push(Fluid8::new(&cell, self.chart, liquid)?);
         }
         elements.iter().for_each(|e| {
@@ -179,20 +153,11 @@ fn product(row: &[f64], u: &[f64]) -> f64 {
 /// The value farthest from `expected`.
 fn worst(values: &[f64], expected: f64) -> f64 {
     let distance = |v: &f64| (v - expected).abs();
-    values
-        .iter()
-        .copied()
-        .max_by(|a, b| distance(a).total_cmp(&distance(b)))
-        .unwrap_or(f64::NAN)
+    values.iter().copied().max_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(f64::NAN)
 }
 
 fn liquid(volume: VolumePart) -> LiquidProperties {
-    LiquidProperties {
-        density: 1.0,
-        bulk_modulus: BULK_MODULUS,
-        volume,
-        rotation: RotationPart::Full(PENALTY),
-    }
+    LiquidProperties { density: 1.0, bulk_modulus: BULK_MODULUS, volume, rotation: RotationPart::Full(PENALTY) }
 }
 
 /// Pressures K e of all elements under a uniform expansion.
@@ -201,10 +166,7 @@ fn pressures(patch: &Patch, volume: VolumePart) -> Result<Vec<f64>, Failure> {
     let rate = STRESS / BULK_MODULUS / 3.0;
     let u = solve(&model, |n| n < patch.outer, |x| x.map(|v| rate * v))?;
     // The dissertation's sign: p = K e.
-    Ok(elements
-        .iter()
-        .map(|e| -product(&e.samples()[0].row, &gather(&model, e, &u)))
-        .collect())
+    Ok(elements.iter().map(|e| -product(&e.samples()[0].row, &gather(&model, e, &u))).collect())
 }
 
 /// K_rot ω_ij of all elements under the rotation that makes it −10, for ij = 12, 13, 23.
@@ -220,11 +182,7 @@ fn rotations(patch: &Patch, volume: VolumePart) -> Result<Vec<f64>, Failure> {
             u
         };
         let u = solve(&model, |n| n < patch.outer, field)?;
-        out.extend(
-            elements
-                .iter()
-                .map(|e| PENALTY * product(&e.rotation_rows()[k], &gather(&model, e, &u))),
-        );
+        out.extend(elements.iter().map(|e| PENALTY * product(&e.rotation_rows()[k], &gather(&model, e, &u))));
     }
     Ok(out)
 }
@@ -237,10 +195,7 @@ fn plane(volume: VolumePart) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     }
     let mut elements = Vec::new();
     for nodes in PLANE_CELLS {
-        let face = Face {
-            nodes,
-            chart: nodes.map(|n| [PLANE[n][0], 0.0, PLANE[n][1]]),
-        };
+        let face = Face { nodes, chart: nodes.map(|n| [PLANE[n][0], 0.0, PLANE[n][1]]) };
         let element = Fluid4::new(&face, Chart::Cartesian, 1.0, liquid(volume))?;
         builder.element("liquid", element.clone());
         elements.push(element);
@@ -251,14 +206,8 @@ fn plane(volume: VolumePart) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     let omega = STRESS / PENALTY;
     let turn = solve(&model, |n| n < 4, |[x, _, z]| [omega * z, 0.0, -omega * x])?;
     Ok((
-        elements
-            .iter()
-            .map(|e| -product(&e.samples()[0].row, &gather(&model, e, &expansion)))
-            .collect(),
-        elements
-            .iter()
-            .map(|e| PENALTY * product(&e.rotation_row(), &gather(&model, e, &turn)))
-            .collect(),
+        elements.iter().map(|e| -product(&e.samples()[0].row, &gather(&model, e, &expansion))).collect(),
+        elements.iter().map(|e| PENALTY * product(&e.rotation_row(), &gather(&model, e, &turn))).collect(),
     ))
 }
 
@@ -273,24 +222,12 @@ fn extruded() -> Patch {
     let mut cells = Vec::new();
     for l in 0..3 {
         for [a, b, c, d] in PLANE_CELLS {
-            let corners = [
-                (a, l),
-                (b, l),
-                (b, l + 1),
-                (a, l + 1),
-                (d, l),
-                (c, l),
-                (c, l + 1),
-                (d, l + 1),
-            ];
+            let corners = [(a, l), (b, l), (b, l + 1), (a, l + 1), (d, l), (c, l), (c, l + 1), (d, l + 1)];
             cells.push(corners.map(|(n, l)| position[n][l]));
         }
     }
     Patch {
-        places: order
-            .iter()
-            .map(|&(n, l)| [1.0 + PLANE[n][0], levels[l], PLANE[n][1]])
-            .collect(),
+        places: order.iter().map(|&(n, l)| [1.0 + PLANE[n][0], levels[l], PLANE[n][1]]).collect(),
         cells,
         outer: order.iter().filter(|&&(n, l)| outer(n, l)).count(),
         chart: Chart::Cylindrical,
@@ -300,12 +237,7 @@ fn extruded() -> Patch {
 /// Regular patch of Bild 5.18, with two layers so that there are inner nodes.
 fn regular() -> Result<Patch, Failure> {
     let thirds = vec![0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-    let block = Rectangle {
-        x: thirds.clone(),
-        y: thirds,
-        z: vec![0.0, 0.5, 1.0],
-    }
-    .block()?;
+    let block = Rectangle { x: thirds.clone(), y: thirds, z: vec![0.0, 0.5, 1.0] }.block()?;
     let inner = |p: &[f64; 3]| p.iter().all(|v| *v > 1e-9 && *v < 1.0 - 1e-9);
     // Outer nodes first.
     let mut order: Vec<usize> = (0..block.nodes.len()).collect();
@@ -332,76 +264,33 @@ pub(crate) fn patch_tests() -> Answer {
     let mut push = |id: &str, what: String, values: &[f64]| {
         rows.push(SOURCE.row(id, what, (STRESS, worst(values, STRESS)), 1e-9, "kPa"));
     };
-    for (name, volume) in [
-        ("one-point volume part", VolumePart::OnePoint),
-        ("mean dilatation", VolumePart::MeanDilatation),
-    ] {
+    for (name, volume) in
+        [("one-point volume part", VolumePart::OnePoint), ("mean dilatation", VolumePart::MeanDilatation)]
+    {
         let (expansion, turn) = plane(volume)?;
         push("figure-5.15", format!("plane, expansion, {name}"), &expansion);
         push("figure-5.15", format!("plane, rotation, {name}"), &turn);
-        push(
-            "figure-5.17",
-            format!("distorted, rotations, {name}"),
-            &rotations(&cube, volume)?,
-        );
-        push(
-            "figure-5.19",
-            format!("regular, expansion, {name}"),
-            &pressures(&regular, volume)?,
-        );
-        push(
-            "figure-5.19",
-            format!("regular, rotations, {name}"),
-            &rotations(&regular, volume)?,
-        );
+        push("figure-5.17", format!("distorted, rotations, {name}"), &rotations(&cube, volume)?);
+        push("figure-5.19", format!("regular, expansion, {name}"), &pressures(&regular, volume)?);
+        push("figure-5.19", format!("regular, rotations, {name}"), &rotations(&regular, volume)?);
     }
     let mean = VolumePart::MeanDilatation;
-    push(
-        "K2",
-        "distorted, expansion, mean dilatation".to_owned(),
-        &pressures(&cube, mean)?,
-    );
+    push("K2", "distorted, expansion, mean dilatation".to_owned(), &pressures(&cube, mean)?);
     let what = "distorted in r and z, plane sectors, expansion, mean dilatation".to_owned();
     push("K2", what, &pressures(&extruded(), mean)?);
-    let skew = Source {
-        source: "constant state; two-point quadrature of 1/r",
-        ..SOURCE
-    };
+    let skew = Source { source: "constant state; two-point quadrature of 1/r", ..SOURCE };
     // The same seven cells drawn in (r, θ, z), 1 < r < 2 and one radian: the covariant u_θ brings ∂N/∂θ/r, which two
     // points do not integrate exactly once the cells are skew in θ. Shown; tank meshes have plane sectors.
     let ring = pressures(&seven(Chart::Cylindrical, |[x, y, z]| [1.0 + x, y, z]), mean)?;
     let pair = (STRESS, worst(&ring, STRESS));
-    rows.push(skew.row(
-        "K2",
-        "skew in θ, expansion, mean dilatation",
-        pair,
-        f64::INFINITY,
-        "kPa",
-    ));
+    rows.push(skew.row("K2", "skew in θ, expansion, mean dilatation", pair, f64::INFINITY, "kPa"));
     // The test that fails in the dissertation: shown, not asserted against numbers of another mesh.
-    let printed = Source {
-        source: "dissertation, 5.3.2.1 (its mesh is not printed)",
-        kind: Reference::Dissertation,
-    };
+    let printed = Source { source: "dissertation, 5.3.2.1 (its mesh is not printed)", kind: Reference::Dissertation };
     let failing = pressures(&cube, VolumePart::OnePoint)?;
-    let (low, high) = failing
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
+    let (low, high) = failing.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
     let what = |end: &str| format!("distorted, expansion, one-point volume part: {end} (exact: −10)");
-    rows.push(printed.row(
-        "figure-5.17",
-        what("least pressure"),
-        (-10.45, low),
-        f64::INFINITY,
-        "kPa",
-    ));
-    rows.push(printed.row(
-        "figure-5.17",
-        what("greatest pressure"),
-        (-9.1, high),
-        f64::INFINITY,
-        "kPa",
-    ));
+    rows.push(printed.row("figure-5.17", what("least pressure"), (-10.45, low), f64::INFINITY, "kPa"));
+    rows.push(printed.row("figure-5.17", what("greatest pressure"), (-9.1, high), f64::INFINITY, "kPa"));
     Ok(rows)
 }
 

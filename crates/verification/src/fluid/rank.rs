@@ -27,10 +27,8 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 const PENALTY: f64 = 100.0;
 
-const SOURCE: Source = Source {
-    source: "dissertation, table 5.3 (variant 4: the bracketed ranks)",
-    kind: Reference::Dissertation,
-};
+const SOURCE: Source =
+    Source { source: "dissertation, table 5.3 (variant 4: the bracketed ranks)", kind: Reference::Dissertation };
 
 /// Numbers of modes of one element.
 struct Counts {
@@ -67,21 +65,11 @@ fn classify(whole: DMatrix<f64>, volume: &DMatrix<f64>) -> Counts {
     let mut values: Vec<f64> = rotation.symmetric_eigen().eigenvalues.iter().copied().collect();
     values.sort_by(|a, b| b.total_cmp(a));
     values.truncate(rotations);
-    Counts {
-        deformation,
-        rigid: size - deformation - rotations,
-        rotation: rotations,
-        rotations: values,
-    }
+    Counts { deformation, rigid: size - deformation - rotations, rotation: rotations, rotations: values }
 }
 
 fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
-    LiquidProperties {
-        density: 1.0,
-        bulk_modulus: BULK_MODULUS,
-        volume,
-        rotation,
-    }
+    LiquidProperties { density: 1.0, bulk_modulus: BULK_MODULUS, volume, rotation }
 }
 
 fn spatial(chart: Chart, volume: VolumePart, rotation: RotationPart) -> Result<Counts, Failure> {
@@ -95,10 +83,7 @@ fn spatial(chart: Chart, volume: VolumePart, rotation: RotationPart) -> Result<C
 }
 
 fn plane(volume: VolumePart, rotation: RotationPart) -> Result<Counts, Failure> {
-    let face = Face {
-        nodes: [0, 1, 2, 3],
-        chart: quad4::CORNERS.map(|c| [0.5 * c[0], 0.0, 0.5 * c[1]]),
-    };
+    let face = Face { nodes: [0, 1, 2, 3], chart: quad4::CORNERS.map(|c| [0.5 * c[0], 0.0, 0.5 * c[1]]) };
     let make = |rotation| Fluid4::new(&face, Chart::Cartesian, 1.0, liquid(volume, rotation));
     Ok(classify(dense(&make(rotation)?)?, &dense(&make(RotationPart::None)?)?))
 }
@@ -109,68 +94,35 @@ fn plane(volume: VolumePart, rotation: RotationPart) -> Result<Counts, Failure> 
 pub(crate) fn rank_table() -> Answer {
     // More than 80 lines: half of it is the table of references.
     use RotationPart::{Full, None, OnePoint};
-    let split = RotationPart::Split {
-        centre: PENALTY,
-        rest: 0.01 * PENALTY,
-    };
+    let split = RotationPart::Split { centre: PENALTY, rest: 0.01 * PENALTY };
     let mean = VolumePart::MeanDilatation;
     // (name, parts, 3-D: deformation, rigid, rotation, 2-D: the same)
     let variants = [
         ("variant 1", VolumePart::Full, None, [7, 17, 0], [3, 5, 0]),
         ("variant 2", VolumePart::OnePoint, None, [1, 23, 0], [1, 7, 0]),
-        (
-            "variant 3",
-            VolumePart::OnePoint,
-            OnePoint(PENALTY),
-            [1, 20, 3],
-            [1, 6, 1],
-        ),
+        ("variant 3", VolumePart::OnePoint, OnePoint(PENALTY), [1, 20, 3], [1, 6, 1]),
         ("variant 4", VolumePart::OnePoint, Full(PENALTY), [1, 9, 14], [1, 4, 3]),
     ];
     let mut rows = Vec::new();
     let mut push = |against: &Source, name: &str, counts: &Counts, expected: [usize; 3]| {
         let found = [counts.deformation, counts.rigid, counts.rotation];
-        for (kind, (expected, found)) in ["deformation", "rigid", "rotation"]
-            .iter()
-            .zip(expected.into_iter().zip(found))
+        for (kind, (expected, found)) in
+            ["deformation", "rigid", "rotation"].iter().zip(expected.into_iter().zip(found))
         {
             let pair = (expected as f64, found as f64);
             rows.push(against.row("table-5.3", format!("{name}: {kind} modes"), pair, 0.0, "modes"));
         }
     };
     for (name, volume, rotation, in_space, in_plane) in variants {
-        push(
-            &SOURCE,
-            &format!("{name}, 3-D"),
-            &spatial(Chart::Cartesian, volume, rotation)?,
-            in_space,
-        );
+        push(&SOURCE, &format!("{name}, 3-D"), &spatial(Chart::Cartesian, volume, rotation)?, in_space);
         push(&SOURCE, &format!("{name}, 2-D"), &plane(volume, rotation)?, in_plane);
     }
     // By hand: mean dilatation has rank one, and the split penalty the rank of the full one.
-    let own = Source {
-        source: "rank of one mean and of the full rotation part",
-        kind: Reference::ClosedForm,
-    };
-    push(
-        &own,
-        "mean dilatation, split penalty, 3-D",
-        &spatial(Chart::Cartesian, mean, split)?,
-        [1, 9, 14],
-    );
-    push(
-        &own,
-        "mean dilatation, split penalty, 2-D",
-        &plane(mean, split)?,
-        [1, 4, 3],
-    );
+    let own = Source { source: "rank of one mean and of the full rotation part", kind: Reference::ClosedForm };
+    push(&own, "mean dilatation, split penalty, 3-D", &spatial(Chart::Cartesian, mean, split)?, [1, 9, 14]);
+    push(&own, "mean dilatation, split penalty, 2-D", &plane(mean, split)?, [1, 4, 3]);
     // In the cylindrical chart u_r/r adds one volume mode to the seven.
-    push(
-        &own,
-        "variant 1, 3-D, cylindrical chart",
-        &spatial(Chart::Cylindrical, VolumePart::Full, None)?,
-        [8, 16, 0],
-    );
+    push(&own, "variant 1, 3-D, cylindrical chart", &spatial(Chart::Cylindrical, VolumePart::Full, None)?, [8, 16, 0]);
 
     // K_rot/2 ∫ |curl u|² of the trilinear functions of the unit cube, by hand: K_rot/18, K_rot/12, K_rot/4, K_rot/2.
     let values = spatial(Chart::Cartesian, VolumePart::OnePoint, Full(PENALTY))?.rotations;

@@ -11,10 +11,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "fluid-rectangle",
     title: "Sloshing of the displacement liquid in rectangles",
     model: "Plane `fluid4` between rigid walls; strip 8.4 and equation (5.69), meshes in each row.",
-    ids: &[
-        ("(5.69)", "5 × 5 m, dissertation equation (5.69)"),
-        ("8.4", "strip 8.4"),
-    ],
+    ids: &[("(5.69)", "5 × 5 m, dissertation equation (5.69)"), ("8.4", "strip 8.4")],
     parts: &[Part::Fast(rectangles)],
 };
 
@@ -28,18 +25,9 @@ fn exact_strip(n: f64, length: f64, fill: f64) -> f64 {
 ///
 /// Errors: none to be expected.
 pub(crate) fn rectangles() -> Answer {
-    let potential = Source {
-        source: "potential flow, ω² = (nπg/L) tanh(nπH/L)",
-        kind: Reference::ClosedForm,
-    };
-    let printed_source = Source {
-        source: "dissertation, (5.69) and 8.4",
-        kind: Reference::Dissertation,
-    };
-    let prototype = Source {
-        source: PROTOTYPE.source,
-        kind: PROTOTYPE.kind,
-    };
+    let potential = Source { source: "potential flow, ω² = (nπg/L) tanh(nπH/L)", kind: Reference::ClosedForm };
+    let printed_source = Source { source: "dissertation, (5.69) and 8.4", kind: Reference::Dissertation };
+    let prototype = Source { source: PROTOTYPE.source, kind: PROTOTYPE.kind };
     let mut rows = Vec::new();
     for (id, fill, layers, printed) in [("(5.69)", 5.0, 8, [2.5, f64::NAN]), ("8.4", 2.57, 4, [2.39, 3.53])] {
         let rotation = RotationPart::split(GRAVITY, 2.5);
@@ -55,11 +43,8 @@ pub(crate) fn rectangles() -> Answer {
             // The 16 × 8 mesh of 8.4 is 0.09 % off (prototype, table of section 5): a quarter of that, doubled for the
             // taller one and for the second mode.
             let mut row = potential.row(id, what, (reference, found[2][n]), 1e-3, "rad/s");
-            row.convergence = meshes
-                .iter()
-                .zip(&found)
-                .map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0))
-                .collect();
+            row.convergence =
+                meshes.iter().zip(&found).map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0)).collect();
             rows.push(row);
             if printed[n].is_finite() {
                 let what = format!("5.0 × {fill} m, 16 × {}, ω{}", 2 * layers, n + 1);
@@ -74,13 +59,7 @@ pub(crate) fn rectangles() -> Answer {
     }
     // The dissertation's full rotation part at K_rot = 100 on 8 × 8: 2.530 in the prototype.
     let locked = strip(Chart::Cartesian, [-2.5, 2.5], 5.0, [8, 8], RotationPart::Full(100.0))?[0];
-    rows.push(prototype.row(
-        "(5.69)",
-        "8 × 8, full rotation part, K_rot = 100",
-        (2.530, locked),
-        5e-4,
-        "rad/s",
-    ));
+    rows.push(prototype.row("(5.69)", "8 × 8, full rotation part, K_rot = 100", (2.530, locked), 5e-4, "rad/s"));
     let locked = strip(Chart::Cartesian, [-2.5, 2.5], 2.57, [16, 8], RotationPart::Full(100.0))?;
     for (n, reference) in [2.402, 3.654].into_iter().enumerate() {
         let what = format!("5.0 × 2.57 m, 16 × 8, full rotation part, K_rot = 100, ω{}", n + 1);

@@ -17,23 +17,14 @@ pub(super) const RADIUS: f64 = 1.83;
 pub(super) const FILL: f64 = 1.525;
 
 pub(super) fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
-    LiquidProperties {
-        density: 1.0,
-        bulk_modulus: BULK_MODULUS,
-        volume,
-        rotation,
-    }
+    LiquidProperties { density: 1.0, bulk_modulus: BULK_MODULUS, volume, rotation }
 }
 
-pub(super) const PROTOTYPE: Source = Source {
-    source: "independent prototype of the same element",
-    kind: Reference::SecondFormulation,
-};
+pub(super) const PROTOTYPE: Source =
+    Source { source: "independent prototype of the same element", kind: Reference::SecondFormulation };
 
-pub(super) const POTENTIAL: Source = Source {
-    source: "potential flow, ω² = (g λ/R) tanh(λ H/R), J_m'(λ) = 0",
-    kind: Reference::ClosedForm,
-};
+pub(super) const POTENTIAL: Source =
+    Source { source: "potential flow, ω² = (g λ/R) tanh(λ H/R), J_m'(λ) = 0", kind: Reference::ClosedForm };
 
 /// The first two sloshing frequencies between vertical walls at two places: plane, or axisymmetric if the chart is
 /// cylindrical and the first place is the axis.
@@ -44,11 +35,7 @@ pub(super) fn strip(
     counts: [usize; 2],
     rotation: RotationPart,
 ) -> Result<Vec<f64>, Failure> {
-    let plane = Strip {
-        x: uniform(walls[0], walls[1], counts[0])?,
-        z: uniform(0.0, fill, counts[1])?,
-    }
-    .plane()?;
+    let plane = Strip { x: uniform(walls[0], walls[1], counts[0])?, z: uniform(0.0, fill, counts[1])? }.plane()?;
     let liquid = liquid(VolumePart::MeanDilatation, rotation);
     let mut builder = Builder::new();
     builder.nodes(&plane.nodes);

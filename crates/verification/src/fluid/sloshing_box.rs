@@ -44,11 +44,7 @@ const SOUND: f64 = 1400.0;
 const GRAVITY: f64 = 9.81;
 
 fn build(counts: [usize; 2], liquid: LiquidProperties) -> Result<Model, Failure> {
-    let plane = Strip {
-        x: uniform(0.0, LENGTH, counts[0])?,
-        z: uniform(0.0, FILL, counts[1])?,
-    }
-    .plane()?;
+    let plane = Strip { x: uniform(0.0, LENGTH, counts[0])?, z: uniform(0.0, FILL, counts[1])? }.plane()?;
     let mut builder = Builder::new();
     builder.nodes(&plane.nodes);
     for cell in &plane.cells {
@@ -73,16 +69,11 @@ fn frequencies(counts: [usize; 2]) -> Result<(Vec<f64>, Vec<f64>, usize, usize),
     let model = build(counts, liquid)?;
     let assembler = Assembler::new(&model);
     let (low, _) = search(&model, &assembler, &Search::lowest(5))?;
-    let slow: Vec<f64> = (0..5)
-        .map(|n| Ok(sloshing(&low, n)? / tau))
-        .collect::<Result<_, Failure>>()?;
+    let slow: Vec<f64> = (0..5).map(|n| Ok(sloshing(&low, n)? / tau)).collect::<Result<_, Failure>>()?;
     let other = low.iter().filter(|m| m.surface < 0.5).count();
     // The middle of the two frequencies squared.
     let (high, shapes) = search(&model, &assembler, &Search::around(tau * 1320.0, 2))?;
-    let none = LiquidProperties {
-        rotation: RotationPart::None,
-        ..liquid
-    };
+    let none = LiquidProperties { rotation: RotationPart::None, ..liquid };
     let twin = build(counts, none)?;
     let (whole, volume) = (assembler.stiffness(&model)?, assembler.stiffness(&twin)?);
     let fast: Vec<f64> = high
@@ -111,10 +102,7 @@ fn frequencies(counts: [usize; 2]) -> Result<(Vec<f64>, Vec<f64>, usize, usize),
 ///
 /// Errors: none to be expected.
 pub(crate) fn sloshing_box() -> Answer {
-    let against = Source {
-        source: "Code_Aster V8.21.101",
-        kind: Reference::Published,
-    };
+    let against = Source { source: "Code_Aster V8.21.101", kind: Reference::Published };
     let meshes = [[10, 4], [20, 8], [40, 15]];
     let found: Vec<_> = meshes.iter().map(|&m| frequencies(m)).collect::<Result<_, _>>()?;
     let published = [0.898250, 1.38452, 1.70952, 1.97551, 2.20885, 1166.67, 1458.33];
@@ -129,34 +117,13 @@ pub(crate) fn sloshing_box() -> Answer {
             _ => format!("40 × 15, acoustic mode {}", n - 4),
         };
         let mut row = against.row("V8.21.101", what, (reference, value(2, n)), 5e-3, "Hz");
-        row.convergence = meshes
-            .iter()
-            .enumerate()
-            .map(|(k, m)| ((m[0] * m[1]) as f64, value(k, n) / reference - 1.0))
-            .collect();
+        row.convergence =
+            meshes.iter().enumerate().map(|(k, m)| ((m[0] * m[1]) as f64, value(k, n) / reference - 1.0)).collect();
         rows.push(row);
     }
-    let own = Source {
-        source: "every mode below the fifth is a sloshing mode",
-        kind: Reference::ClosedForm,
-    };
-    rows.push(own.row(
-        "V8.21.101",
-        "40 × 15, other modes below",
-        (0.0, found[2].2 as f64),
-        0.0,
-        "modes",
-    ));
-    let gap = Source {
-        source: "bound of the rotational modes, √(K₁/2ρ) √24/h",
-        ..own
-    };
-    rows.push(gap.row(
-        "V8.21.101",
-        "40 × 15, modes between 200 and 1100 Hz",
-        (0.0, found[2].3 as f64),
-        0.0,
-        "modes",
-    ));
+    let own = Source { source: "every mode below the fifth is a sloshing mode", kind: Reference::ClosedForm };
+    rows.push(own.row("V8.21.101", "40 × 15, other modes below", (0.0, found[2].2 as f64), 0.0, "modes"));
+    let gap = Source { source: "bound of the rotational modes, √(K₁/2ρ) √24/h", ..own };
+    rows.push(gap.row("V8.21.101", "40 × 15, modes between 200 and 1100 Hz", (0.0, found[2].3 as f64), 0.0, "modes"));
     Ok(rows)
 }

@@ -107,19 +107,14 @@ impl Tank {
         };
         let mut elements = Vec::new();
         for cell in volume.cells.iter().filter(|c| c.chart.iter().all(|x| within(x[1]))) {
-            let cell = Hexahedron {
-                nodes: cell.nodes,
-                chart: std::array::from_fn(|a| own(cell.nodes[a], cell.chart[a])),
-            };
+            let cell =
+                Hexahedron { nodes: cell.nodes, chart: std::array::from_fn(|a| own(cell.nodes[a], cell.chart[a])) };
             let element = Fluid8::new(&cell, chart, liquid)?;
             builder.element("liquid", element.clone());
             elements.push(element);
         }
         for face in volume.surface.iter().filter(|f| f.chart.iter().all(|x| within(x[1]))) {
-            let face = Face {
-                nodes: face.nodes,
-                chart: std::array::from_fn(|a| own(face.nodes[a], face.chart[a])),
-            };
+            let face = Face { nodes: face.nodes, chart: std::array::from_fn(|a| own(face.nodes[a], face.chart[a])) };
             let weight = liquid.density * gravity;
             let surface = match liquid.volume {
                 VolumePart::OnePoint => FreeSurface::at_one_point(&face, chart, weight)?,
@@ -147,13 +142,7 @@ impl Tank {
         let assembler = Assembler::new(&model);
         let top = volume.wall_nodes.last().map_or(&[][..], Vec::as_slice);
         let edge = wall.iter().filter(|w| top.contains(&w.0)).copied().collect();
-        Ok(Built {
-            model,
-            assembler,
-            edge,
-            wall,
-            elements,
-        })
+        Ok(Built { model, assembler, edge, wall, elements })
     }
 
     /// Planes y = 0 (mirror) and x = 0 (mirror for even, antimirror for odd motion).
@@ -212,10 +201,7 @@ pub(super) fn search(model: &Model, assembler: &Assembler, search: &Search) -> R
         .enumerate()
         .map(|(j, lambda)| {
             let x = found.vectors.column(j);
-            Mode {
-                omega: lambda.max(0.0).sqrt(),
-                surface: dot(x, &s.times(x)) / dot(x, &k.times(x)),
-            }
+            Mode { omega: lambda.max(0.0).sqrt(), surface: dot(x, &s.times(x)) / dot(x, &k.times(x)) }
         })
         .collect();
     Ok((list, found.vectors))

@@ -26,13 +26,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 const SIZE: f64 = 5.0;
 
-const TANK: Tank = Tank {
-    radius: SIZE,
-    fill: SIZE,
-    counts: [8, 8, 8],
-    grading: 1.0,
-    part: Sector::Whole,
-};
+const TANK: Tank = Tank { radius: SIZE, fill: SIZE, counts: [8, 8, 8], grading: 1.0, part: Sector::Whole };
 
 /// Results of a solution under self-weight.
 struct Settlement {
@@ -76,11 +70,7 @@ fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlemen
             worst = ratio;
         }
     }
-    Ok(Settlement {
-        pressure: worst,
-        horizontal: horizontal / settlement,
-        vertical: vertical / settlement,
-    })
+    Ok(Settlement { pressure: worst, horizontal: horizontal / settlement, vertical: vertical / settlement })
 }
 
 /// K3, and the quadratures that do not match.
@@ -89,10 +79,7 @@ fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlemen
 ///
 /// Errors: none to be expected.
 pub(crate) fn self_weight() -> Answer {
-    let against = Source {
-        source: "hydrostatics of a compressible column",
-        kind: Reference::ClosedForm,
-    };
+    let against = Source { source: "hydrostatics of a compressible column", kind: Reference::ClosedForm };
     let mut rows = Vec::new();
     let charts = [(Chart::Cartesian, "Cartesian"), (Chart::Cylindrical, "cylindrical")];
     for (chart, coordinates) in charts {

@@ -40,10 +40,7 @@ fn section(bond: bool) -> Result<FibreSection, Failure> {
     let [tau, slip, exponent] = model_code_1990(f_ck, Conditions::Good);
     let tension = Tension {
         strength,
-        softening: Softening::Energy {
-            fracture_energy,
-            size: SPACING,
-        },
+        softening: Softening::Energy { fracture_energy, size: SPACING },
         stiffening: None,
         bond: bond.then_some(Bond {
             ratio,
@@ -106,11 +103,7 @@ fn tie_by_equation(middle: f64) -> [f64; 3] {
     let concrete = cohesion + handed - area / half;
     // ∫ s' dx = s(L) is the difference of the mean strains.
     let strain = concrete / young + y[0] / half;
-    [
-        strain,
-        ratio * bar_modulus * strain + concrete,
-        (cohesion + handed) / f_t,
-    ]
+    [strain, ratio * bar_modulus * strain + concrete, (cohesion + handed) / f_t]
 }
 
 fn tie() -> Answer {
@@ -127,10 +120,7 @@ fn tie() -> Answer {
     }
     let strains: Vec<f64> = slopes.iter().map(|s| s[0]).collect();
     for (found, by_equation) in forces(true, &strains)?.iter().zip(&slopes) {
-        let what = format!(
-            "force over the area of concrete at a mean strain of {:.3} ‰",
-            1e3 * by_equation[0]
-        );
+        let what = format!("force over the area of concrete at a mean strain of {:.3} ‰", 1e3 * by_equation[0]);
         // The bond is a table of 16 lines: its sagitta is below 2 % of a bond stress that is a fifth of the force.
         let source = "s″ = 4 τ(s) (1 + n ρ)/(φ E_s), Runge and Kutta";
         let reference = (by_equation[1] / 1e6, source, Reference::SecondFormulation);
@@ -144,11 +134,7 @@ fn tie() -> Answer {
     rows.push(Row::new(
         "M13",
         "largest force of the tie beyond 1 ‰, over the area of concrete",
-        (
-            ratio * yield_stress / 1e6,
-            "A_s f_y: equilibrium at the crack",
-            Reference::ClosedForm,
-        ),
+        (ratio * yield_stress / 1e6, "A_s f_y: equilibrium at the crack", Reference::ClosedForm),
         largest / 1e6,
         (5e-3, "MPa"),
     ));
@@ -176,11 +162,7 @@ fn tie() -> Answer {
         rows.push(Row::new(
             "M13",
             format!("mean strain of the bars at {:.0} MPa in the cracks", stress / 1e6),
-            (
-                1e3 * reference,
-                "CEB-FIP Model Code 1990, 7.4.3: ε_s2 − 0.4 Δε_sr",
-                Reference::Published,
-            ),
+            (1e3 * reference, "CEB-FIP Model Code 1990, 7.4.3: ε_s2 − 0.4 Δε_sr", Reference::Published),
             1e3 * found,
             (tolerance, "‰"),
         ));

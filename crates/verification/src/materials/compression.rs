@@ -16,13 +16,7 @@ const NU: f64 = 0.2;
 const F_C: f64 = 35e6;
 
 fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) -> Row {
-    Row::new(
-        id,
-        what,
-        (reference, "", Reference::ClosedForm),
-        computed,
-        (tolerance, ""),
-    )
+    Row::new(id, what, (reference, "", Reference::ClosedForm), computed, (tolerance, ""))
 }
 
 /// M3: the biaxial envelope, stresses in the ratio r driven to the plateau of ideal plasticity.
@@ -48,24 +42,12 @@ pub(crate) fn drucker_prager() -> Answer {
         let computed = plateau(&law, r)? / F_C;
         rows.push(Row {
             source: "Drucker & Prager 1952: k/(√((1 − r + r²)/3) − α (1 + r))",
-            ..row(
-                "M3",
-                format!("strength over f_c, stresses 1 : {r}"),
-                cone,
-                computed,
-                1e-3,
-            )
+            ..row("M3", format!("strength over f_c, stresses 1 : {r}"), cone, computed, 1e-3)
         });
         rows.push(Row {
             source: "Kupfer & Gerstle 1973: (1 + 3.65 r)/(1 + r)²",
             kind: Reference::Published,
-            ..row(
-                "M3",
-                format!("strength over f_c, stresses 1 : {r}, against tests"),
-                kupfer,
-                computed,
-                f64::INFINITY,
-            )
+            ..row("M3", format!("strength over f_c, stresses 1 : {r}, against tests"), kupfer, computed, f64::INFINITY)
         });
     }
     Ok(rows)
@@ -78,10 +60,7 @@ pub(crate) fn kupfer() -> Answer {
     const F_T: f64 = 3.5e6;
     let tension = Tension {
         strength: F_T,
-        softening: Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.1,
-        },
+        softening: Softening::Energy { fracture_energy: 100.0, size: 0.1 },
         stiffening: None,
         bond: None,
     };
@@ -135,13 +114,7 @@ pub(crate) fn kupfer() -> Answer {
         }
         rows.push(Row {
             source: "σ_1 = f_t (1 − 0.8 |σ_2|/f_c), after Kupfer & Gerstle 1973",
-            ..row(
-                "M14",
-                format!("compression over f_c at the first crack, stresses −1 : {ratio}"),
-                exact,
-                found,
-                2e-3,
-            )
+            ..row("M14", format!("compression over f_c at the first crack, stresses −1 : {ratio}"), exact, found, 2e-3)
         });
     }
     Ok(rows)
@@ -205,47 +178,23 @@ pub(crate) fn plastic_fracturing() -> Answer {
         rows.push(Row {
             source: "Karsan & Jirsa 1969: 0.145 x² + 0.13 x",
             kind: Reference::Published,
-            ..row(
-                "M4",
-                format!("strain left over ε_0, unloading at x = {x}"),
-                residual,
-                -left / peak,
-                0.03,
-            )
+            ..row("M4", format!("strain left over ε_0, unloading at x = {x}"), residual, -left / peak, 0.03)
         });
         rows.push(Row {
             source: "Sargin 1971; falling line of G_c/h",
             unit: "MPa",
-            ..row(
-                "M4",
-                format!("stress where unloading begins, x = {x}"),
-                envelope / 1e6,
-                -stress / 1e6,
-                1e-6,
-            )
+            ..row("M4", format!("stress where unloading begins, x = {x}"), envelope / 1e6, -stress / 1e6, 1e-6)
         });
         rows.push(Row {
             source: "straight unloading",
             unit: "MPa",
-            ..row(
-                "M4",
-                format!("stress at the strain left, x = {x}"),
-                0.0,
-                end / 1e6,
-                1e-6,
-            )
+            ..row("M4", format!("stress at the strain left, x = {x}"), 0.0, end / 1e6, 1e-6)
         });
     }
     rows.push(Row {
         source: "second law of thermodynamics",
         unit: "J/m³",
-        ..row(
-            "M4",
-            "smallest dissipation of a step: its negative part".to_owned(),
-            0.0,
-            point.least.min(0.0),
-            0.0,
-        )
+        ..row("M4", "smallest dissipation of a step: its negative part".to_owned(), 0.0, point.least.min(0.0), 0.0)
     });
     Ok(rows)
 }

@@ -25,12 +25,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("M9", "a crack that closes and opens again"),
         ("M14", "biaxial envelope of Kupfer and Gerstle"),
     ],
-    parts: &[
-        Part::Fast(drucker_prager),
-        Part::Fast(plastic_fracturing),
-        Part::Fast(kupfer),
-        Part::Fast(concrete),
-    ],
+    parts: &[Part::Fast(drucker_prager), Part::Fast(plastic_fracturing), Part::Fast(kupfer), Part::Fast(concrete)],
 };
 
 /// E [Pa], ν, f_c, f_t [Pa], G_f [N/m] of the rows, unless noted.
@@ -48,15 +43,7 @@ const G_F: f64 = 100.0;
 const PROTOTYPE: &str = "prototype of the crack-strain model, table of the theory sheet";
 
 fn tension(size: f64) -> Tension {
-    Tension {
-        strength: F_T,
-        softening: Softening::Energy {
-            fracture_energy: G_F,
-            size,
-        },
-        stiffening: None,
-        bond: None,
-    }
+    Tension { strength: F_T, softening: Softening::Energy { fracture_energy: G_F, size }, stiffening: None, bond: None }
 }
 
 fn layer() -> Result<CrackedConcrete, Failure> {
@@ -89,10 +76,7 @@ fn residual() -> Answer {
         Compression::Sargin {
             strength: F_C,
             peak_strain,
-            post_peak: PostPeak::Crushing {
-                crushing_energy: 250.0 * G_F,
-                size: 0.1,
-            },
+            post_peak: PostPeak::Crushing { crushing_energy: 250.0 * G_F, size: 0.1 },
         },
         None,
     )?;
@@ -147,19 +131,8 @@ fn walk<const N: usize>(name: &str, law: &dyn Law<N>, steps: &[(f64, f64, f64)])
         let label = format!("{name}, strain {:.1}e-4, step {}", 1e4 * strain, i + 1);
         rows.push(Row {
             // 0.2 %, or half the last digit printed.
-            tolerance: if stress == 0.0 {
-                5e-5
-            } else {
-                f64::max(2e-3, 5e-5 / stress.abs())
-            },
-            ..row(
-                "M5",
-                format!("{label}: stress"),
-                stress,
-                PROTOTYPE,
-                Reference::SecondFormulation,
-                found,
-            )
+            tolerance: if stress == 0.0 { 5e-5 } else { f64::max(2e-3, 5e-5 / stress.abs()) },
+            ..row("M5", format!("{label}: stress"), stress, PROTOTYPE, Reference::SecondFormulation, found)
         });
         rows.push(Row {
             tolerance: if opening == 0.0 { 5e-5 } else { 2e-3 },
@@ -181,19 +154,11 @@ fn walk<const N: usize>(name: &str, law: &dyn Law<N>, steps: &[(f64, f64, f64)])
 ///
 /// With e_f of h = 0.2 m kept for every mesh the energy is G_f h/(0.2 m): the mistake that the first rows exclude.
 fn bar() -> Answer {
-    let right = energies(|size| Softening::Energy {
-        fracture_energy: G_F,
-        size,
-    })?;
-    let wrong = energies(|_| Softening::Strain {
-        softening_strain: G_F / (3e6 * 0.2),
-    })?;
+    let right = energies(|size| Softening::Energy { fracture_energy: G_F, size })?;
+    let wrong = energies(|_| Softening::Strain { softening_strain: G_F / (3e6 * 0.2) })?;
     let study: Vec<(f64, f64)> = right.iter().map(|&(n, work)| (n, work / G_F - 1.0)).collect();
     let mut rows = Vec::new();
-    for (works, name, kept) in [
-        (right, "by fracture energy", false),
-        (wrong, "e_f of h = 0.2 m kept", true),
-    ] {
+    for (works, name, kept) in [(right, "by fracture energy", false), (wrong, "e_f of h = 0.2 m kept", true)] {
         for (elements, work) in works {
             let reference = 1e-3 * if kept { G_F / (0.2 * elements) } else { G_F };
             rows.push(Row {
@@ -229,12 +194,7 @@ fn energies(softening: impl Fn(f64) -> Softening) -> Result<Vec<(f64, f64)>, Fai
             young,
             NU,
             30e6,
-            Tension {
-                strength,
-                softening,
-                stiffening: None,
-                bond: None,
-            },
+            Tension { strength, softening, stiffening: None, bond: None },
         ))?;
         let mut point = Point::new(&law as &dyn Law<3>);
         let (mut work, mut end, mut stress) = (0.0, 0.0, 0.0);
@@ -300,30 +260,19 @@ fn cycles() -> Answer {
             1e-12,
             "second law of thermodynamics",
         ),
-        no(
-            "share of 54 000 steps that were cut in parts",
-            cut / steps,
-            1e-3,
-            "aim: 99.9 % in one part",
-        ),
+        no("share of 54 000 steps that were cut in parts", cut / steps, 1e-3, "aim: 99.9 % in one part"),
     ])
 }
 
 /// M8: tension to 3e-4 without lateral strain, then a shear strain of 5e-4.
 fn shear() -> Answer {
-    let slow = ShearRetention {
-        least: 0.05,
-        strain: 1e-3,
-    };
+    let slow = ShearRetention { least: 0.05, strain: 1e-3 };
     let mut rows = Vec::new();
-    for (name, retention, tau) in [
-        ("b 0.1, e_b 2e-4", ShearRetention::default(), 2.4435),
-        ("b 0.05, e_b 1e-3 (locks)", slow, 5.5414),
-    ] {
-        let law = CrackedConcrete::new(&CrackedParameters {
-            retention,
-            ..CrackedParameters::new(E, NU, F_C, tension(0.1))
-        })?;
+    for (name, retention, tau) in
+        [("b 0.1, e_b 2e-4", ShearRetention::default(), 2.4435), ("b 0.05, e_b 1e-3 (locks)", slow, 5.5414)]
+    {
+        let law =
+            CrackedConcrete::new(&CrackedParameters { retention, ..CrackedParameters::new(E, NU, F_C, tension(0.1)) })?;
         let mut point = Point::new(&law as &dyn Law<3>);
         let opened = point.step([3e-4, 0.0, 0.0])?.stress;
         let sheared = point.step([3e-4, 0.0, 5e-4])?.stress;

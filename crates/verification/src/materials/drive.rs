@@ -20,23 +20,12 @@ impl<'a, const N: usize> Point<'a, N> {
     pub(crate) fn new(law: &'a dyn Law<N>) -> Self {
         let mut committed = vec![0.0; law.history_len()];
         law.init_history(&mut committed);
-        Point {
-            law,
-            strain: [0.0; N],
-            trial: committed.clone(),
-            committed,
-            dissipated: 0.0,
-            least: f64::INFINITY,
-        }
+        Point { law, strain: [0.0; N], trial: committed.clone(), committed, dissipated: 0.0, least: f64::INFINITY }
     }
 
     /// A copy that goes its own way.
     pub(crate) fn fork(&self) -> Self {
-        Point {
-            committed: self.committed.clone(),
-            trial: self.trial.clone(),
-            ..*self
-        }
+        Point { committed: self.committed.clone(), trial: self.trial.clone(), ..*self }
     }
 
     /// Answers at `strain` without committing.
@@ -78,10 +67,7 @@ impl<'a, const N: usize> Point<'a, N> {
                 strain[i] -= correction[i - 1];
             }
         }
-        Err(LawError::NoConvergence {
-            law: self.law.kind(),
-            increment: axial - self.strain[0],
-        })
+        Err(LawError::NoConvergence { law: self.law.kind(), increment: axial - self.strain[0] })
     }
 
     /// Internal state for output.
@@ -96,10 +82,7 @@ pub(super) struct Noise(pub u64);
 impl Noise {
     /// The next number.
     pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as f64 / f64::from(1u32 << 30) - 1.0
     }
 

@@ -64,11 +64,7 @@ fn drive(point: &mut Point<'_, 6>, driven: &[usize], values: &[f64]) -> Result<[
         }
     }
     let increment = values.first().copied().unwrap_or(f64::NAN);
-    Err(LawError::NoConvergence {
-        law: "drive",
-        increment,
-    }
-    .into())
+    Err(LawError::NoConvergence { law: "drive", increment }.into())
 }
 
 /// Stress [Pa] of the first of the `driven` strains when all of them have reached `end` in `steps` steps, other stresses zero.
@@ -91,20 +87,8 @@ fn strengths() -> Answer {
         ("uniaxial compression", &[0], -4e-3, -F_C, "f_c"),
         ("equibiaxial compression", &[0, 1], -4e-3, -1.16 * F_C, "f_bc"),
         ("uniaxial tension", &[0], 1e-3, F_T, "f_t"),
-        (
-            "equibiaxial tension",
-            &[0, 1],
-            1e-3,
-            2.0 * F_C * F_T / (3.0 * F_C - F_T),
-            "2 f_c f_t/(3 f_c − f_t)",
-        ),
-        (
-            "shear",
-            &[3],
-            2e-3,
-            2.0 * F_C * F_T / (3f64.sqrt() * (F_C + F_T)),
-            "k_2 = 2 f_c f_t/(√3 (f_c + f_t))",
-        ),
+        ("equibiaxial tension", &[0, 1], 1e-3, 2.0 * F_C * F_T / (3.0 * F_C - F_T), "2 f_c f_t/(3 f_c − f_t)"),
+        ("shear", &[3], 2e-3, 2.0 * F_C * F_T / (3f64.sqrt() * (F_C + F_T)), "k_2 = 2 f_c f_t/(√3 (f_c + f_t))"),
         (
             "triaxial tension",
             &[0, 1, 2],

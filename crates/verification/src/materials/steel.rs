@@ -12,10 +12,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     title: "Stress laws: steel and Drucker-Prager's cone",
     model: "One point under strain paths: von Mises in a bar, in plane stress and in the solid; the cone in \
             plane stress; concrete damaged in compression.",
-    ids: &[
-        ("M1", "von Mises: cycles of uniaxial strain"),
-        ("M2", "von Mises: dissipation and yield surface"),
-    ],
+    ids: &[("M1", "von Mises: cycles of uniaxial strain"), ("M2", "von Mises: dissipation and yield surface")],
     parts: &[Part::Fast(steel)],
 };
 
@@ -48,11 +45,7 @@ fn cycles() -> Answer {
     let mut rows = Vec::new();
     for (name, kinematic, stresses) in table {
         let law = VonMises::new(E, 0.3, F_Y, E_T, kinematic)?;
-        let answers = [
-            peaks::<1>(&law, &PEAKS)?,
-            peaks::<3>(&law, &PEAKS)?,
-            peaks::<6>(&law, &PEAKS)?,
-        ];
+        let answers = [peaks::<1>(&law, &PEAKS)?, peaks::<3>(&law, &PEAKS)?, peaks::<6>(&law, &PEAKS)?];
         for (i, (peak, reference)) in PEAKS.into_iter().zip(stresses).enumerate() {
             let worst = answers
                 .iter()
@@ -95,9 +88,7 @@ fn dissipation() -> Answer {
     let laws = [
         VonMises::new(E, 0.3, F_Y, 0.0, 1.0)?,
         VonMises::new(E, 0.3, F_Y, E_T, 0.5)?,
-        VonMises::new(E, 0.3, F_Y, E_T, 0.5)?
-            .with_saturation(100e6, 20.0)?
-            .with_back_stress(50e9, 400.0)?,
+        VonMises::new(E, 0.3, F_Y, E_T, 0.5)?.with_saturation(100e6, 20.0)?.with_back_stress(50e9, 400.0)?,
     ];
     let mut noise = Noise(2);
     let (mut least_step, mut least_work) = (f64::INFINITY, f64::INFINITY);

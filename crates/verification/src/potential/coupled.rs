@@ -91,11 +91,7 @@ impl Division {
         breaks.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * top);
         let mut wall = vec![0.0];
         for pair in breaks.windows(2) {
-            let size = if pair[0] == 0.0 {
-                layer / (3 * k).div_ceil(2) as f64
-            } else {
-                top / (5 * k) as f64
-            };
+            let size = if pair[0] == 0.0 { layer / (3 * k).div_ceil(2) as f64 } else { top / (5 * k) as f64 };
             let count = ((pair[1] - pair[0]) / size).round().max(1.0) as usize;
             wall.extend((1..=count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
         }
@@ -168,23 +164,16 @@ impl Assembled {
 
     /// M ι of a field, held dofs included.
     pub fn inertia(&self, field: fn([f64; 3]) -> [f64; KINDS]) -> Vec<f64> {
-        self.assembler
-            .inertia(&self.model, |node| field(self.model.nodes()[node]))
+        self.assembler.inertia(&self.model, |node| field(self.model.nodes()[node]))
     }
 }
 
 /// Nodes and faces of the wall.
 fn place_nodes(builder: &mut Builder, tank: &Tank, division: &Division) -> Result<Wall, Failure> {
-    let mesh = Cylinder {
-        radii: vec![0.0, tank.radius],
-        sectors: division.sectors,
-        heights: division.wall.clone(),
-    };
+    let mesh = Cylinder { radii: vec![0.0, tank.radius], sectors: division.sectors, heights: division.wall.clone() };
     let mut wall = mesh.wall()?;
     let first = builder.nodes(&wall.nodes);
-    wall.cells
-        .iter_mut()
-        .for_each(|c| c.nodes.iter_mut().for_each(|n| *n += first));
+    wall.cells.iter_mut().for_each(|c| c.nodes.iter_mut().for_each(|n| *n += first));
     wall.rows.iter_mut().flatten().for_each(|n| *n += first);
     Ok(wall)
 }
@@ -214,16 +203,8 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
         .iter()
         .map(|cell| {
             let middle = 0.5 * (cell.chart[0][2] + cell.chart[2][2]);
-            let course = tank
-                .courses
-                .iter()
-                .position(|c| middle < c.0)
-                .unwrap_or(tank.courses.len() - 1);
-            ShellCell {
-                nodes: cell.nodes,
-                section: sections[course].clone(),
-                group: "wall".to_owned(),
-            }
+            let course = tank.courses.iter().position(|c| middle < c.0).unwrap_or(tank.courses.len() - 1);
+            ShellCell { nodes: cell.nodes, section: sections[course].clone(), group: "wall".to_owned() }
         })
         .collect();
     let first = wall.rows.iter().flatten().copied().min().unwrap_or(0);
@@ -246,21 +227,11 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
 
 /// Nodes, hexahedra and surface of the liquid.
 fn place_liquid(builder: &mut Builder, tank: &Tank, division: &Division, elements: bool) -> Result<Volume, Failure> {
-    let mesh = Cylinder {
-        radii: division.radii.clone(),
-        sectors: division.sectors,
-        heights: division.liquid.clone(),
-    };
+    let mesh = Cylinder { radii: division.radii.clone(), sectors: division.sectors, heights: division.liquid.clone() };
     let volume = mesh.volume()?;
     builder.nodes(&volume.nodes);
     if elements {
-        fill(
-            builder,
-            &volume.cells,
-            &volume.surface,
-            Chart::Cylindrical,
-            tank.liquid_density,
-        )?;
+        fill(builder, &volume.cells, &volume.surface, Chart::Cylindrical, tank.liquid_density)?;
     }
     Ok(volume)
 }
@@ -320,10 +291,7 @@ pub fn with_condensed(tank: &Tank, division: &Division, sloshing: Option<usize>)
         None => found.element()?,
         Some(count) => {
             let amplitudes: Vec<(usize, Dof)> = (0..count).map(|_| (builder.node([0.0; 3]), Dof::Amplitude)).collect();
-            found
-                .liquid
-                .with_sloshing_modes(count)?
-                .element(&found.wall, &amplitudes, 0.0)?
+            found.liquid.with_sloshing_modes(count)?.element(&found.wall, &amplitudes, 0.0)?
         }
     };
     builder.element("liquid", element);
@@ -343,10 +311,7 @@ pub fn mode_on_hexahedra(
     let start = tank.model.vector(|node| field(tank.model.nodes()[node]));
     let (omega, vector) = iterate(&pencil, omega, pencil.restrict(&start))?;
     let all = pencil.expand(&vector)?;
-    Ok(Participating {
-        omega,
-        mass: dot(&all.data, &tank.inertia(field)).powi(2),
-    })
+    Ok(Participating { omega, mass: dot(&all.data, &tank.inertia(field)).powi(2) })
 }
 
 /// Inverse iteration with the shift `omega`². On a cyclic mesh it stays within the harmonic of its start, so that the many
@@ -354,11 +319,7 @@ pub fn mode_on_hexahedra(
 fn iterate(pencil: &dyn Pencil, omega: f64, start: Vec<f64>) -> Result<(f64, Matrix), Failure> {
     let sigma = omega * omega;
     let shifted = pencil.shifted(-sigma)?;
-    let mut x = Matrix {
-        rows: start.len(),
-        cols: 1,
-        data: start,
-    };
+    let mut x = Matrix { rows: start.len(), cols: 1, data: start };
     let mut last = 0.0;
     for _ in 0..60 {
         let image = pencil.mass(&x)?;
@@ -396,11 +357,7 @@ pub fn with_harmonics(tank: &Tank, division: &Division, refine: f64, sloshing: u
     let mut builder = Builder::new();
     let wall = place_wall(&mut builder, tank, division)?;
     let wall = Assembled::new(builder, wall.rows)?;
-    let wetted = division
-        .wall
-        .iter()
-        .filter(|&&z| z <= tank.depth * (1.0 + 1e-9))
-        .count();
+    let wetted = division.wall.iter().filter(|&&z| z <= tank.depth * (1.0 + 1e-9)).count();
     let mesh = LiquidMesh::graded(tank.radius, tank.depth, refine);
     let liquid = HarmonicLiquid::new(
         tank.radius,
@@ -442,20 +399,10 @@ impl WithHarmonics {
         let mut load = self.wall.inertia(field);
         let mut motion = vec![0.0; self.liquid.wall() + self.liquid.elevations()];
         for (i, &node) in self.wall.rows.iter().flatten().take(self.liquid.wall()).enumerate() {
-            let (at, n) = (
-                field(self.wall.model.nodes()[node]),
-                radial(self.wall.model.nodes()[node]),
-            );
+            let (at, n) = (field(self.wall.model.nodes()[node]), radial(self.wall.model.nodes()[node]));
             motion[i] = at[0] * n[0] + at[1] * n[1];
         }
-        let force = self
-            .liquid
-            .mass(&Matrix {
-                rows: motion.len(),
-                cols: 1,
-                data: motion,
-            })
-            .data;
+        let force = self.liquid.mass(&Matrix { rows: motion.len(), cols: 1, data: motion }).data;
         for (row, f) in self.normals.iter().zip(&force) {
             for &(e, c) in row {
                 load[e] += c * f;
@@ -473,9 +420,6 @@ impl WithHarmonics {
         let mut start = self.wall.model.vector(|node| field(self.wall.model.nodes()[node]));
         start.resize(pencil.size(), 0.0);
         let (omega, vector) = iterate(&pencil, omega, start)?;
-        Ok(Participating {
-            omega,
-            mass: dot(&vector.data, &self.inertia(field)).powi(2),
-        })
+        Ok(Participating { omega, mass: dot(&vector.data, &self.inertia(field)).powi(2) })
     }
 }

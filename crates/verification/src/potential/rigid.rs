@@ -52,21 +52,11 @@ impl RigidTank {
         sectors: usize,
         levels: usize,
     ) -> Result<RigidTank, Failure> {
-        let mesh = Cylinder {
-            radii: uniform(radius, rings),
-            sectors,
-            heights: uniform(depth, levels),
-        };
+        let mesh = Cylinder { radii: uniform(radius, rings), sectors, heights: uniform(depth, levels) };
         let volume = mesh.volume()?;
         let mut builder = Builder::new();
         builder.nodes(&volume.nodes);
-        fill(
-            &mut builder,
-            &volume.cells,
-            &volume.surface,
-            Chart::Cylindrical,
-            DENSITY,
-        )?;
+        fill(&mut builder, &volume.cells, &volume.surface, Chart::Cylindrical, DENSITY)?;
         for face in &volume.wall {
             let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
             hold(&mut builder, face, Chart::Cylindrical, normals)?;
@@ -95,10 +85,7 @@ impl RigidTank {
             }
         }
         builder.nodes(&nodes);
-        let face = |n: [usize; 4]| Face {
-            nodes: n,
-            chart: n.map(|n| nodes[n]),
-        };
+        let face = |n: [usize; 4]| Face { nodes: n, chart: n.map(|n| nodes[n]) };
         let (mut cells, mut surface, mut walls) = (Vec::new(), Vec::new(), Vec::new());
         for k in 0..counts[2] {
             for j in 0..counts[1] {
@@ -114,10 +101,7 @@ impl RigidTank {
                         corner(1, 1, 1),
                         corner(0, 1, 1),
                     ];
-                    cells.push(Hexahedron {
-                        nodes: n,
-                        chart: n.map(|n| nodes[n]),
-                    });
+                    cells.push(Hexahedron { nodes: n, chart: n.map(|n| nodes[n]) });
                     if k + 1 == counts[2] {
                         surface.push(face([n[4], n[5], n[6], n[7]]));
                     }
@@ -168,10 +152,7 @@ impl RigidTank {
             .omega()
             .into_iter()
             .enumerate()
-            .map(|(j, omega)| Sloshing {
-                omega,
-                mass: dot(all.column(j), &self.inertia).powi(2),
-            })
+            .map(|(j, omega)| Sloshing { omega, mass: dot(all.column(j), &self.inertia).powi(2) })
             .collect())
     }
 
@@ -225,11 +206,7 @@ impl RigidTank {
         let load = assembler.inertia(&self.model, |_| unit);
         let mut effective = self.mass.clone();
         effective.add(1e-12, &self.stiffness);
-        let mut x = Matrix {
-            rows: load.len(),
-            cols: 1,
-            data: load.iter().map(|v| -v).collect(),
-        };
+        let mut x = Matrix { rows: load.len(), cols: 1, data: load.iter().map(|v| -v).collect() };
         self.symbolic.factor(&effective, Kind::QuasiDefinite)?.solve(&mut x)?;
         let dofs = self.model.dofs();
         let depth = self.model.nodes().iter().fold(0.0_f64, |m, p| m.max(p[2]));
@@ -255,11 +232,7 @@ impl RigidTank {
         let ordering: Ordering = Ordering::best(&h.pattern, &nodes, self.model.nodes());
         let symbolic = Arc::new(Symbolic::new(h.pattern.clone(), &ordering)?);
         let load: Vec<f64> = phi.iter().map(|&e| self.inertia[e]).collect();
-        let mut x = Matrix {
-            rows: load.len(),
-            cols: 1,
-            data: load.clone(),
-        };
+        let mut x = Matrix { rows: load.len(), cols: 1, data: load.clone() };
         symbolic.factor(&h, Kind::Definite)?.solve(&mut x)?;
         Ok(dot(&load, &x.data))
     }

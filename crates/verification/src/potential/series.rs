@@ -55,11 +55,7 @@ pub(super) fn sector_lambda(harmonic: f64, sectors: f64) -> f64 {
     let (mut low, mut high) = (nu, nu + 2.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if slope(middle) > 0.0 {
-            low = middle
-        } else {
-            high = middle
-        }
+        if slope(middle) > 0.0 { low = middle } else { high = middle }
     }
     0.5 * (low + high)
 }

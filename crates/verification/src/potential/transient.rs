@@ -33,11 +33,7 @@ pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
     };
     let tank = with_hexahedra(&data, &division)?;
     let system = System::new(&tank.model, &tank.assembler)?;
-    let grid = Grid {
-        dt: 1e-4,
-        sub_steps: 1,
-        samples: 5001,
-    };
+    let grid = Grid { dt: 1e-4, sub_steps: 1, samples: 5001 };
     let ground: Vec<f64> = (0..grid.samples)
         .map(|i| {
             let t = grid.time(i);
@@ -53,19 +49,9 @@ pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
         ("radial displacement of the wall", node, Dof::Ux),
         ("elevation of the surface at the wall", surface, Dof::Eta),
     ];
-    let scalars: Vec<Observable> = observed
-        .iter()
-        .map(|&(_, node, dof)| Observable::displacement(&tank.model, node, dof))
-        .collect();
-    let direct = integrate(
-        &system,
-        &tank.symbolic,
-        &[load],
-        &Settings::new(grid),
-        &scalars,
-        &[],
-        &Silent,
-    )?;
+    let scalars: Vec<Observable> =
+        observed.iter().map(|&(_, node, dof)| Observable::displacement(&tank.model, node, dof)).collect();
+    let direct = integrate(&system, &tank.symbolic, &[load], &Settings::new(grid), &scalars, &[], &Silent)?;
 
     let phi = tank.model.dofs().of_kind(Dof::Phi);
     let pencil = ThreeField::new(&tank.stiffness, &tank.mass, tank.symbolic.clone(), phi)?;
@@ -78,9 +64,7 @@ pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
     }));
     let flux = pencil.restrict(&flux);
     let kept_eta = (0..n).filter(|&i| tank.model.dofs().unknown(pencil.kept()[i]).1 == Dof::Eta);
-    let last = kept_eta
-        .max_by(|&a, &b| flux[a].abs().total_cmp(&flux[b].abs()))
-        .ok_or("a tank without a surface")?;
+    let last = kept_eta.max_by(|&a, &b| flux[a].abs().total_cmp(&flux[b].abs())).ok_or("a tank without a surface")?;
     let mut t = Matrix::zeros(n, n - 1);
     for (j, i) in (0..n).filter(|&i| i != last).enumerate() {
         t.add(i, j, 1.0);

@@ -19,10 +19,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "shell-axial-buckling",
     title: "Shell: axial buckling of a cylinder",
     model: "Linear buckling of one sector against 0.605 E t/R.",
-    ids: &[(
-        "S12",
-        "axial buckling of a cylinder, linear and along the nonlinear path",
-    )],
+    ids: &[("S12", "axial buckling of a cylinder, linear and along the nonlinear path")],
     parts: &[
         Part::Fast(|| buckling(&[(64, 8), (64, 12)])),
         Part::Slow(fine),
@@ -38,11 +35,8 @@ fn critical(sectors: usize, per_half_wave: usize, membrane_shear: MembraneShear)
     let n = 5 * per_half_wave;
     let heights: Vec<f64> = (0..=n).map(|k| 5.0 * half_wave * k as f64 / n as f64).collect();
     let section: Arc<dyn Section> = Arc::new(ElasticSection::new(1.0, nu, t, 0.0)?);
-    let TankStrip {
-        mut builder,
-        placed,
-        levels,
-    } = wall_strip(radius, sectors, &heights, membrane_shear, |_| section.clone())?;
+    let TankStrip { mut builder, placed, levels } =
+        wall_strip(radius, sectors, &heights, membrane_shear, |_| section.clone())?;
     hold(&mut builder, &levels[0], &[Dof::Uz]);
     // Free to widen: axial force −1 per length everywhere, no hoop force.
     let mut loads = NodalLoads::new();
@@ -58,10 +52,7 @@ fn critical(sectors: usize, per_half_wave: usize, membrane_shear: MembraneShear)
         })
         .collect();
     let k = assembler.stiffness(model)?.submatrix(&keep).to_dense();
-    let mut g = assembler
-        .geometric_stiffness(model, &before.u)?
-        .submatrix(&keep)
-        .to_dense();
+    let mut g = assembler.geometric_stiffness(model, &before.u)?.submatrix(&keep).to_dense();
     g.data.iter_mut().for_each(|v| *v = -*v);
     let eigen = generalized_eigen(&k, &g, Some(1))?;
     Ok(eigen.omega.first().map_or(f64::NAN, |w| w * w) / (t * t / radius))
@@ -69,11 +60,7 @@ fn critical(sectors: usize, per_half_wave: usize, membrane_shear: MembraneShear)
 
 /// S12: classical buckling force of an axially compressed cylinder.
 pub(super) fn buckling(meshes: &[(usize, usize)]) -> Answer {
-    let case = Case {
-        id: "S12",
-        source: "Timoshenko & Gere 1961: 1/√(3 (1 − ν²))",
-        unit: "E t²/R",
-    };
+    let case = Case { id: "S12", source: "Timoshenko & Gere 1961: 1/√(3 (1 − ν²))", unit: "E t²/R" };
     let classical = 1.0 / (3.0_f64 * (1.0 - 0.09)).sqrt();
     let prototype = [((32, 8), 0.6110), ((64, 8), 0.6081), ((64, 20), 0.6044)];
     let mut rows = Vec::new();
@@ -88,13 +75,7 @@ pub(super) fn buckling(meshes: &[(usize, usize)]) -> Answer {
             rows.push(case.row(what.clone(), Reference::ClosedForm, classical, value, tolerance));
         }
         if let Some(&(_, reference)) = prototype.iter().find(|(mesh, _)| *mesh == (sectors, per_half_wave)) {
-            let mut row = case.row(
-                format!("{what}, prototype"),
-                Reference::SecondFormulation,
-                reference,
-                value,
-                0.002,
-            );
+            let mut row = case.row(format!("{what}, prototype"), Reference::SecondFormulation, reference, value, 0.002);
             row.source = "independent prototype of the same formulation on the same mesh";
             rows.push(row);
         }
@@ -107,11 +88,8 @@ pub(super) fn buckling(meshes: &[(usize, usize)]) -> Answer {
 
 /// Plain MITC4 in S12.
 pub(super) fn plain_buckling() -> Answer {
-    let case = Case {
-        id: "S12",
-        source: "independent prototype of the same formulation on the same mesh",
-        unit: "E t²/R",
-    };
+    let case =
+        Case { id: "S12", source: "independent prototype of the same formulation on the same mesh", unit: "E t²/R" };
     let mut rows = Vec::new();
     for (sectors, reference) in [(32, 0.735), (64, 0.639)] {
         let value = critical(sectors, 8, MembraneShear::Full)?;
@@ -139,9 +117,7 @@ fn fine() -> Answer {
 /// S12: bifurcation of the perfect and the imperfect panel.
 pub(super) fn panels(n: usize, imperfections: &[f64]) -> Answer {
     let case = Case {
-        id: "S12",
-        source: "Koiter 1945: (1 − λ)² = 3/2 √(3 (1 − ν²)) λ δ/t",
-        unit: "classical load",
+        id: "S12", source: "Koiter 1945: (1 − λ)² = 3/2 √(3 (1 − ν²)) λ δ/t", unit: "classical load"
     };
     let panel = Panel::square(n);
     let mut rows = Vec::new();

@@ -17,11 +17,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// S13: end force 4 on a strip of length 10, 20 elements.
 pub(super) fn cantilever() -> Answer {
-    let case = Case {
-        id: "S13",
-        source: "Sze, Liu & Lo 2004",
-        unit: "length",
-    };
+    let case = Case { id: "S13", source: "Sze, Liu & Lo 2004", unit: "length" };
     let (builder, tip) = strip(10.0, 20)?;
     let mut loads = NodalLoads::new();
     tip.iter().for_each(|&n| loads.force(n, [0.0, 0.0, 2.0]));

@@ -16,10 +16,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     title: "Shell: cantilevered square plate (NAFEMS FV16)",
     model: "Modes of a thin square plate clamped along one side.",
     ids: &[("S10", "frequencies of a cantilevered square plate")],
-    parts: &[
-        Part::Fast(|| cantilever_plate(&[8, 12, 16])),
-        Part::Slow(|| cantilever_plate(&[8, 12, 16, 24])),
-    ],
+    parts: &[Part::Fast(|| cantilever_plate(&[8, 12, 16])), Part::Slow(|| cantilever_plate(&[8, 12, 16, 24]))],
 };
 
 /// S10: NAFEMS FV16, square plate clamped on one side; out-of-plane motion only.
@@ -43,21 +40,14 @@ pub(super) fn cantilever_plate(meshes: &[usize]) -> Answer {
     }
     let mut rows = Vec::new();
     for (mode, reference) in reference.into_iter().enumerate() {
-        let case = Case {
-            id: "S10",
-            source: "NAFEMS 1990, FV16",
-            unit: "Hz",
-        };
+        let case = Case { id: "S10", source: "NAFEMS 1990, FV16", unit: "Hz" };
         let hertz = |omega: &Vec<f64>| omega.get(mode).map_or(f64::NAN, |w| w / std::f64::consts::TAU);
         let Some((n, finest)) = study.last() else { break };
         let what = format!("frequency {}, {n} × {n}", mode + 1);
         // 1 % on 16 × 16 (sheet); the error is of second order: 1 % (16/n)².
         let tolerance = 0.01 * (16.0 / *n as f64).powi(2).max(1.0);
         let mut row = case.row(what, Reference::Published, reference, hertz(finest), tolerance);
-        row.convergence = study
-            .iter()
-            .map(|(n, w)| (*n as f64, hertz(w) / reference - 1.0))
-            .collect();
+        row.convergence = study.iter().map(|(n, w)| (*n as f64, hertz(w) / reference - 1.0)).collect();
         rows.push(row);
     }
     Ok(rows)

@@ -43,10 +43,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("M10", "beam B-3 against a fibre analysis"),
         ("M11", "beam B-3 against its test"),
         ("M12", "beam C3 against its test"),
-        (
-            "M16",
-            "beams B-1 to B-3, B1 and B2 as built, with their own weight, against their tests",
-        ),
+        ("M16", "beams B-1 to B-3, B1 and B2 as built, with their own weight, against their tests"),
     ],
     parts: &[Part::Tested(beams)],
 };
@@ -72,10 +69,7 @@ struct Curve {
 impl Curve {
     /// P at the deflection w, NaN if the path did not get there.
     fn at(&self, w: f64) -> f64 {
-        self.points
-            .iter()
-            .find(|p| (p[0] - w).abs() < 1e-6)
-            .map_or(f64::NAN, |p| p[1])
+        self.points.iter().find(|p| (p[0] - w).abs() < 1e-6).map_or(f64::NAN, |p| p[1])
     }
 
     /// P and w where the upper fibre reaches `strain`, between two points; else of the last one.
@@ -84,10 +78,7 @@ impl Curve {
         match (between, self.points.last()) {
             (Some(p), _) => {
                 let part = (p[0][2] - strain) / (p[0][2] - p[1][2]);
-                [
-                    p[0][1] + part * (p[1][1] - p[0][1]),
-                    p[0][0] + part * (p[1][0] - p[0][0]),
-                ]
+                [p[0][1] + part * (p[1][1] - p[0][1]), p[0][0] + part * (p[1][0] - p[0][0])]
             }
             (None, Some(p)) => [p[1], p[0]],
             (None, None) => [f64::NAN; 2],
@@ -96,20 +87,12 @@ impl Curve {
 }
 
 fn law(source: LawError) -> ElementError {
-    ElementError::Law {
-        kind: "layered section",
-        source,
-    }
+    ElementError::Law { kind: "layered section", source }
 }
 
 /// E, f_c, f_t, G_f of a cylinder strength [MPa]: 21.5 (f_cm/10)^⅓ GPa of the Model Code, 0.33 √f_c, 73 f_cm^0.18.
 fn of_strength(strength: f64) -> [f64; 4] {
-    [
-        21.5e9 * (0.1 * strength).cbrt(),
-        1e6 * strength,
-        0.33e6 * strength.sqrt(),
-        73.0 * strength.powf(0.18),
-    ]
+    [21.5e9 * (0.1 * strength).cbrt(), 1e6 * strength, 0.33e6 * strength.sqrt(), 73.0 * strength.powf(0.18)]
 }
 
 impl Beam {
@@ -120,10 +103,7 @@ impl Beam {
             width: 0.2286,
             height: 0.5525,
             concrete: [30e9, 38.8e6, 2.9e6, 140.0],
-            bars: vec![
-                [32.9e-4, 0.5525 - 0.461, 218e9, 555e6],
-                [5.0e-4, 0.5525 - 0.051, 201e9, 345e6],
-            ],
+            bars: vec![[32.9e-4, 0.5525 - 0.461, 218e9, 555e6], [5.0e-4, 0.5525 - 0.051, 201e9, 345e6]],
         }
     }
 
@@ -136,12 +116,7 @@ impl Beam {
 
     /// B1 of Vecchio & Shim: the bars of C3 in a width of 229 mm over 3.66 m.
     fn b1() -> Beam {
-        Beam {
-            span: 3.66,
-            width: 0.229,
-            concrete: of_strength(22.6),
-            ..Beam::c3()
-        }
+        Beam { span: 3.66, width: 0.229, concrete: of_strength(22.6), ..Beam::c3() }
     }
 
     /// B2 of Vecchio & Shim, recalled: B1 over 4.57 m with the concrete and the M25 bars of the second series.
@@ -160,10 +135,7 @@ impl Beam {
             width,
             height,
             concrete: of_strength(strength),
-            bars: vec![
-                [25.8e-4, height - depth, 218e9, 555e6],
-                [2.54e-4, height - 0.051, 201e9, 345e6],
-            ],
+            bars: vec![[25.8e-4, height - depth, 218e9, 555e6], [2.54e-4, height - 0.051, 201e9, 345e6]],
         }
     }
 
@@ -197,20 +169,12 @@ impl Beam {
         let [young, f_c, f_t, fracture_energy] = self.concrete;
         let tension = Tension {
             strength: f_t,
-            softening: Softening::Energy {
-                fracture_energy,
-                size: (element * self.width).sqrt(),
-            },
+            softening: Softening::Energy { fracture_energy, size: (element * self.width).sqrt() },
             stiffening: None,
             bond: None,
         };
         let concrete = CrackedConcrete::new(&CrackedParameters::new(young, 0.2, f_c, tension)).map_err(law)?;
-        let ply = Ply {
-            law: Arc::new(concrete),
-            thickness: self.height,
-            density: 0.0,
-            rule: Rule::MidPoint(layers),
-        };
+        let ply = Ply { law: Arc::new(concrete), thickness: self.height, density: 0.0, rule: Rule::MidPoint(layers) };
         let bars: Vec<Bar> = self
             .bars
             .iter()
@@ -246,19 +210,12 @@ impl Beam {
             loads.force(node, [0.0, 0.0, -250.0]);
         }
         let problem = Problem::new(builder, &loads)?;
-        let criteria = Criteria {
-            iterations: 40,
-            ..Criteria::default()
-        };
+        let criteria = Criteria { iterations: 40, ..Criteria::default() };
         let mut path = problem.continuation(criteria)?;
         let mut state = State::new(&problem.model);
         let row = problem.model.row(grid.node(0, 0), Dof::Uz);
         let down: Vec<f64> = targets.iter().map(|w| -1e-3 * w).collect();
-        let length = StepLength {
-            first: 0.25e-3,
-            shortest: 0.25e-3 / 64.0,
-            longest: 1e-3,
-        };
+        let length = StepLength { first: 0.25e-3, shortest: 0.25e-3 / 64.0, longest: 1e-3 };
         let mut points = vec![[0.0; 3]];
         let mut failed = None;
         let followed = path.to_displacements(&mut state, &row, &down, length, &Silent, |w, point, state| {
@@ -273,10 +230,7 @@ impl Beam {
         })?;
         match failed {
             Some(error) => Err(error),
-            None => Ok(Curve {
-                points,
-                complete: followed.failure.is_none(),
-            }),
+            None => Ok(Curve { points, complete: followed.failure.is_none() }),
         }
     }
 }
@@ -312,30 +266,12 @@ pub(super) fn b3(elements: usize, layers: usize) -> Answer {
     case.unit = "";
     // The dissertation's load factor refers to a load that it does not print; 350 kN lies within 1.4 % of the test.
     case.source = "dissertation 6.4, load factor";
-    rows.push(case.row(
-        "B-3, load factor on 350 kN",
-        Reference::Dissertation,
-        1.21,
-        load / 350.0,
-        f64::INFINITY,
-    ));
+    rows.push(case.row("B-3, load factor on 350 kN", Reference::Dissertation, 1.21, load / 350.0, f64::INFINITY));
     (case.unit, case.id, case.source) = ("kN", "M11", "Bresler & Scordelis 1963, test, recalled");
     // Crushing under the load and shear with bending are not in a layer model, which is therefore stronger than the test.
-    rows.push(case.row(
-        "B-3, ultimate load over the test",
-        Reference::Experiment,
-        354.0,
-        load,
-        f64::INFINITY,
-    ));
+    rows.push(case.row("B-3, ultimate load over the test", Reference::Experiment, 354.0, load, f64::INFINITY));
     case.unit = "mm";
-    rows.push(case.row(
-        "B-3, deflection at the ultimate load",
-        Reference::Experiment,
-        35.3,
-        deflection,
-        f64::INFINITY,
-    ));
+    rows.push(case.row("B-3, deflection at the ultimate load", Reference::Experiment, 35.3, deflection, f64::INFINITY));
     if !curve.complete {
         rows.push(case.row(
             "B-3, deflection reached",
@@ -363,46 +299,22 @@ pub(super) fn b3_refined(elements: &[usize], layers: usize) -> Answer {
     let reference = 422.5;
     // 3 % (sheet): half an element of 10 cm is 1.6 % of the lever to mid-span.
     let (n, load) = found[found.len().saturating_sub(2)];
-    let row = case.row(
-        format!("B-3, ultimate load, {n} elements"),
-        Reference::SecondFormulation,
-        reference,
-        load,
-        0.03,
-    );
-    Ok(vec![Row {
-        convergence: found.iter().map(|&(n, p)| (n as f64, p / reference - 1.0)).collect(),
-        ..row
-    }])
+    let row =
+        case.row(format!("B-3, ultimate load, {n} elements"), Reference::SecondFormulation, reference, load, 0.03);
+    Ok(vec![Row { convergence: found.iter().map(|&(n, p)| (n as f64, p / reference - 1.0)).collect(), ..row }])
 }
 
 /// M12: beam C3.
 pub(super) fn c3(elements: usize, layers: usize) -> Answer {
-    let case = Case {
-        id: "M12",
-        source: "Vecchio & Shim 2004, test",
-        unit: "kN",
-    };
+    let case = Case { id: "M12", source: "Vecchio & Shim 2004, test", unit: "kN" };
     let targets: Vec<f64> = (1..=44).map(f64::from).collect();
     let curve = Beam::c3().curve(elements, layers, &targets)?;
     let mut rows = Vec::new();
-    for (w, test) in [
-        (2.0, 32.0),
-        (6.0, 58.0),
-        (10.0, 82.0),
-        (14.0, 115.0),
-        (20.0, 159.0),
-        (26.0, 197.0),
-        (30.0, 221.0),
-    ] {
+    for (w, test) in
+        [(2.0, 32.0), (6.0, 58.0), (10.0, 82.0), (14.0, 115.0), (20.0, 159.0), (26.0, 197.0), (30.0, 221.0)]
+    {
         // Neither shear deformation nor slip of the bars is modelled: no theory sets a tolerance.
-        rows.push(case.row(
-            format!("C3, load at {w} mm"),
-            Reference::Experiment,
-            test,
-            curve.at(w),
-            f64::INFINITY,
-        ));
+        rows.push(case.row(format!("C3, load at {w} mm"), Reference::Experiment, test, curve.at(w), f64::INFINITY));
     }
     let [load, _] = curve.ultimate(CRUSHING);
     // One test; the scatter of tests like it is not known.
@@ -430,31 +342,13 @@ pub(super) fn as_built(elements: usize, layers: usize) -> Answer {
     let beams: [(&str, &'static str, Built, i32, f64, f64); 5] = [
         ("B-3", old, Beam::b3_as_built, 48, 354.0, shown),
         ("B1", new, Beam::b1, 30, 434.0, 0.10),
-        (
-            "B-1",
-            old,
-            || Beam::short(3.66, [0.2311, 0.5563, 0.461], 24.8),
-            30,
-            445.0,
-            shown,
-        ),
-        (
-            "B-2",
-            old,
-            || Beam::short(4.57, [0.2286, 0.5613, 0.4656], 23.2),
-            40,
-            400.0,
-            shown,
-        ),
+        ("B-1", old, || Beam::short(3.66, [0.2311, 0.5563, 0.461], 24.8), 30, 445.0, shown),
+        ("B-2", old, || Beam::short(4.57, [0.2286, 0.5613, 0.4656], 23.2), 40, 400.0, shown),
         ("B2", recalled_new, Beam::b2, 40, 365.0, shown),
     ];
     for (share, how) in [(1.0, ""), (IN_PLACE, ", concrete at 0.85 f_c")] {
         for &(name, source, built, last, test, tolerance) in &beams {
-            let case = Case {
-                id: "M16",
-                source,
-                unit: "kN",
-            };
+            let case = Case { id: "M16", source, unit: "kN" };
             let beam = built().in_place(share);
             let [load, _] = beam.curve(elements, layers, &millimetres(last))?.ultimate(CRUSHING);
             rows.push(case.row(
@@ -470,11 +364,5 @@ pub(super) fn as_built(elements: usize, layers: usize) -> Answer {
 }
 
 fn beams() -> Answer {
-    Ok([
-        b3(16, 20)?,
-        b3_refined(&[8, 16, 32, 64], 20)?,
-        c3(16, 20)?,
-        as_built(32, 20)?,
-    ]
-    .concat())
+    Ok([b3(16, 20)?, b3_refined(&[8, 16, 32, 64], 20)?, c3(16, 20)?, as_built(32, 20)?].concat())
 }

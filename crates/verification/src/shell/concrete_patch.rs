@@ -60,22 +60,13 @@ fn movement(strain: f64) -> f64 {
 
 /// Second Piola-Kirchhoff stress [Pa] at Green's strain `end` of both directions (`equibiaxial`), or of the first alone.
 fn patch(law: Arc<dyn Law<3>>, equibiaxial: bool, end: f64) -> Answer<f64> {
-    let ply = Ply {
-        law,
-        thickness: THICKNESS,
-        density: 0.0,
-        rule: Rule::MidPoint(4),
-    };
+    let ply = Ply { law, thickness: THICKNESS, density: 0.0, rule: Rule::MidPoint(4) };
     let section: Arc<dyn Section> = Arc::new(LayeredSection::new(&[ply], &[])?);
     let grid = Grid::new(2, 2);
     let mut builder = Builder::new();
     // The inner node off the middle: the strain is uniform all the same.
     let shifted = |a: f64, b: f64| {
-        if (a, b) == (0.5, 0.5) {
-            [0.58, 0.45, 0.0]
-        } else {
-            [a, b, 0.0]
-        }
+        if (a, b) == (0.5, 0.5) { [0.58, 0.45, 0.0] } else { [a, b, 0.0] }
     };
     grid.nodes(&mut builder, shifted);
     let mut surface = grid.surface(&section);
@@ -98,27 +89,17 @@ fn patch(law: Arc<dyn Law<3>>, equibiaxial: bool, end: f64) -> Answer<f64> {
         }
     }
     let problem = Problem::new(builder, &loads)?;
-    let criteria = Criteria {
-        energy: 1e-16,
-        force: 1e-8,
-        iterations: 60,
-    };
+    let criteria = Criteria { energy: 1e-16, force: 1e-8, iterations: 60 };
     let mut path = problem.continuation(criteria)?;
     let mut state = State::new(&problem.model);
     let row = problem.model.row(grid.node(2, 1), Dof::Ux);
-    let targets: Vec<f64> = (1..=STEPS)
-        .map(|i| movement(end * f64::from(i) / f64::from(STEPS)))
-        .collect();
+    let targets: Vec<f64> = (1..=STEPS).map(|i| movement(end * f64::from(i) / f64::from(STEPS))).collect();
     let mut factor = f64::NAN;
     let first = end.abs() / f64::from(STEPS);
-    let followed = path.to_displacements(
-        &mut state,
-        &row,
-        &targets,
-        StepLength::around(first),
-        &Silent,
-        |_, point, _| factor = point.factor,
-    )?;
+    let followed =
+        path.to_displacements(&mut state, &row, &targets, StepLength::around(first), &Silent, |_, point, _| {
+            factor = point.factor
+        })?;
     match followed.failure {
         // The factor is the nominal stress, on the undeformed edge.
         None => Ok(end.signum() * factor / (1.0 + movement(end))),
@@ -134,13 +115,7 @@ fn rows() -> Answer {
         ("uniaxial compression", false, -4e-3, -F_C, "f_c"),
         ("equibiaxial compression", true, -4e-3, -RATIO * F_C, "f_bc"),
         ("uniaxial tension", false, 1e-3, F_T, "f_t"),
-        (
-            "equibiaxial tension",
-            true,
-            1e-3,
-            2.0 * F_C * F_T / (3.0 * F_C - F_T),
-            "2 f_c f_t/(3 f_c − f_t)",
-        ),
+        ("equibiaxial tension", true, 1e-3, 2.0 * F_C * F_T / (3.0 * F_C - F_T), "2 f_c f_t/(3 f_c − f_t)"),
     ] {
         rows.push(Row::new(
             "M17",
@@ -152,10 +127,7 @@ fn rows() -> Answer {
     }
     let solid = Fracturing::of_energy(E, NU, F_C, RATIO, ENERGY)?;
     let layer: Arc<dyn Law<3>> = Arc::new(PlaneStress::new(solid));
-    for (what, both, first) in [
-        ("uniaxial", false, -F_C / E),
-        ("equibiaxial", true, -RATIO * F_C * (1.0 - NU) / E),
-    ] {
+    for (what, both, first) in [("uniaxial", false, -F_C / E), ("equibiaxial", true, -RATIO * F_C * (1.0 - NU) / E)] {
         let driven: &[usize] = if both { &[0, 1] } else { &[0] };
         let exact = if both { -RATIO * F_C } else { -F_C };
         rows.push(Row::new(

@@ -20,11 +20,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// S7: Cook's membrane, n × n elements.
 pub(super) fn cook(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S7",
-        source: "Cook 1974; 23.96 is the limit of fine meshes",
-        unit: "m",
-    };
+    let case = Case { id: "S7", source: "Cook 1974; 23.96 is the limit of fine meshes", unit: "m" };
     let mut values = Vec::new();
     for &n in meshes {
         let section: Arc<dyn Section> = Arc::new(ElasticSection::new(1.0, 1.0 / 3.0, 1.0, 0.0)?);

@@ -32,10 +32,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "shell-cylinder-modes",
     title: "Shell: modes of a cylinder",
     model: "Simply supported cylinder, R = 1 m, L = 2 m, t = 10 mm, steel; the lowest frequency by waves around.",
-    ids: &[(
-        "shell-modes",
-        "lowest frequencies of a simply supported cylinder by waves around",
-    )],
+    ids: &[("shell-modes", "lowest frequencies of a simply supported cylinder by waves around")],
     parts: &[Part::Fast(|| cylinder_modes(&[4, 8, 12, 16]))],
 };
 
@@ -115,11 +112,8 @@ fn lowest(n: usize) -> Answer<f64> {
 
 /// Lowest frequency with 5 k waves round the circumference, symmetric to the middle.
 pub(super) fn cylinder_modes(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "shell-modes",
-        source: "Sanders 1959, Leissa 1973: shear diaphragms, closed form",
-        unit: "Hz",
-    };
+    let case =
+        Case { id: "shell-modes", source: "Sanders 1959, Leissa 1973: shear diaphragms, closed form", unit: "Hz" };
     // The sector holds the waves 0, 5, 10, … and odd half-waves along the axis.
     let waves = [0, 1, 2].map(|k| [1, 3, 5].map(|m| closed_form(m, k * WAVES)));
     let reference = waves.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);

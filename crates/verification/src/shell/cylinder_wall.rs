@@ -90,21 +90,10 @@ impl CylinderWall {
         let (lower, upper) = (from(b * (z - z0)), from(b * (z1 - z)));
         let flexibility = self.radius * self.radius / (self.youngs_modulus * p.thickness);
         let gradient = (p.pressure[1] - p.pressure[0]) / (z1 - z0);
-        let particular = [
-            flexibility * (p.pressure[0] + gradient * (z - z0)),
-            flexibility * gradient,
-            0.0,
-            0.0,
-        ];
+        let particular = [flexibility * (p.pressure[0] + gradient * (z - z0)), flexibility * gradient, 0.0, 0.0];
         std::array::from_fn(|k| {
             let (up, down) = (b.powi(k as i32), (-b).powi(k as i32));
-            [
-                up * lower[k][0],
-                up * lower[k][1],
-                down * upper[k][0],
-                down * upper[k][1],
-                particular[k],
-            ]
+            [up * lower[k][0], up * lower[k][1], down * upper[k][0], down * upper[k][1], particular[k]]
         })
     }
 
@@ -118,10 +107,8 @@ impl CylinderWall {
         let mut rhs = DVector::<f64>::zeros(4 * n);
         let mut row = 0;
         let mut condition = |terms: &[(usize, f64, [f64; 5])], a: &mut DMatrix<f64>, rhs: &mut DVector<f64>| {
-            let scale = terms
-                .iter()
-                .flat_map(|(_, f, v)| v[..4].iter().map(move |x| (f * x).abs()))
-                .fold(0.0, f64::max);
+            let scale =
+                terms.iter().flat_map(|(_, f, v)| v[..4].iter().map(move |x| (f * x).abs())).fold(0.0, f64::max);
             for &(piece, factor, values) in terms {
                 (0..4).for_each(|k| a[(row, 4 * piece + k)] += factor * values[k] / scale);
                 rhs[row] -= factor * values[4] / scale;
@@ -148,10 +135,7 @@ impl CylinderWall {
         }
         let x = a.lu().solve(&rhs)?;
         let coefficients = (0..n).map(|i| std::array::from_fn(|k| x[4 * i + k])).collect();
-        Some(WallSolution {
-            wall: self,
-            coefficients,
-        })
+        Some(WallSolution { wall: self, coefficients })
     }
 }
 
@@ -180,10 +164,7 @@ impl WallSolution {
         (0..=100_000)
             .map(|i| to * f64::from(i) / 1e5)
             .map(|z| (z, quantity(&self.at(z))))
-            .fold(
-                (0.0, f64::NEG_INFINITY),
-                |best, at| if at.1 > best.1 { at } else { best },
-            )
+            .fold((0.0, f64::NEG_INFINITY), |best, at| if at.1 > best.1 { at } else { best })
     }
 }
 
@@ -200,11 +181,7 @@ mod tests {
             radius,
             youngs_modulus: young,
             poisson_ratio: nu,
-            pieces: vec![Piece {
-                top: height,
-                thickness: t,
-                pressure: [gamma * height, 0.0],
-            }],
+            pieces: vec![Piece { top: height, thickness: t, pressure: [gamma * height, 0.0] }],
         };
         let b = wall.decay(t);
         let rigidity = wall.rigidity(t);
@@ -225,11 +202,7 @@ mod tests {
             radius: 1.0,
             youngs_modulus: 1.0,
             poisson_ratio: 0.3,
-            pieces: vec![Piece {
-                top: 0.0,
-                thickness: 0.1,
-                pressure: [0.0; 2],
-            }],
+            pieces: vec![Piece { top: 0.0, thickness: 0.1, pressure: [0.0; 2] }],
         };
         assert_eq!(wall.solve(), None);
     }

@@ -99,18 +99,12 @@ fn tangent_error(drilling: bool) -> Answer<f64> {
     }
     let symmetric = (&difference + difference.transpose()) * 0.5;
     let scale = tangent.data.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    Ok((0..SIZE * SIZE)
-        .map(|k| (tangent.data[k] - symmetric[(k % SIZE, k / SIZE)]).abs() / scale)
-        .fold(0.0, f64::max))
+    Ok((0..SIZE * SIZE).map(|k| (tangent.data[k] - symmetric[(k % SIZE, k / SIZE)]).abs() / scale).fold(0.0, f64::max))
 }
 
 /// S1.
 pub(super) fn element() -> Answer {
-    let case = Case {
-        id: "S1",
-        source: "rigid bodies have six motions; a tangent is a derivative",
-        unit: "-",
-    };
+    let case = Case { id: "S1", source: "rigid bodies have six motions; a tangent is a derivative", unit: "-" };
     let mut rows = Vec::new();
     for (name, x, tilt) in [("flat", FLAT, 0.0), ("warped", WARPED, 1.0)] {
         for drilling in [false, true] {
@@ -126,10 +120,7 @@ pub(super) fn element() -> Answer {
         let (shell, _) = shell(WARPED, 1.0, true)?;
         let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.48, -0.6, 0.64) * angle);
         let (u, r) = rigid_motion(&WARPED, turn, [0.3, 0.2, 0.1]);
-        let worst = respond(&shell, &u, &r)?
-            .force
-            .iter()
-            .fold(0.0_f64, |m, f| m.max(f.abs()));
+        let worst = respond(&shell, &u, &r)?.force.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
         let what = format!("largest force under a rigid rotation of {angle} rad, over E t L");
         // Rounding of some hundred products; the sheet allows 1e-9.
         rows.push(case.row(what, Reference::ClosedForm, 0.0, worst / 100.0, 1e-12));

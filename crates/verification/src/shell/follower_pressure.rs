@@ -143,38 +143,19 @@ fn sphere(n: usize, ratio: f64, nu: f64) -> Answer<f64> {
 
 /// S20: ring and sphere under follower pressure.
 pub(super) fn follower(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S20",
-        source: "membrane of the Saint Venant-Kirchhoff material",
-        unit: "",
-    };
+    let case = Case { id: "S20", source: "membrane of the Saint Venant-Kirchhoff material", unit: "" };
     let (stretch, hoop) = ring(0.2)?;
     // Chords instead of arcs: their pressure pulls with p R cos(half the angle of an element). The rest is bending, t²/R² = 1e-6.
     let apothem = (FRAC_PI_2 / 16.0).cos();
     let exact = (1.0 + 0.4 * apothem).sqrt();
     let mut rows = vec![
-        case.row(
-            "ring of 32 chords, stretch of the radius",
-            Reference::ClosedForm,
-            exact,
-            stretch,
-            1e-5,
-        ),
-        case.row(
-            "ring of 32 chords, n over p R",
-            Reference::ClosedForm,
-            apothem,
-            hoop,
-            1e-5,
-        ),
+        case.row("ring of 32 chords, stretch of the radius", Reference::ClosedForm, exact, stretch, 1e-5),
+        case.row("ring of 32 chords, n over p R", Reference::ClosedForm, apothem, hoop, 1e-5),
     ];
     let (ratio, nu) = (0.2 / 0.7, 0.3);
     let k: f64 = ratio * (1.0 - nu);
     let exact = 0.5 * (k + (k * k + 4.0).sqrt());
-    let study: Vec<(usize, f64)> = meshes
-        .iter()
-        .map(|&n| Ok((n, sphere(n, ratio, nu)?)))
-        .collect::<Answer<_>>()?;
+    let study: Vec<(usize, f64)> = meshes.iter().map(|&n| Ok((n, sphere(n, ratio, nu)?))).collect::<Answer<_>>()?;
     if let Some(&(n, value)) = study.last() {
         // Flat facets: the enclosed volume is second order in the mesh, 1 % at 4 × 4.
         let tolerance = 0.01 * (4.0 / n as f64).powi(2);

@@ -20,10 +20,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     title: "Shell: pinched hemisphere",
     model: "Quarter with a hole of 18°, R = 10, t = 0.04, E = 6.825·10⁷, ν = 0.3; meshes in each row.",
     ids: &[("S5", "pinched hemisphere with a hole")],
-    parts: &[
-        Part::Fast(|| hemisphere(&[4, 8, 16])),
-        Part::Slow(|| hemisphere(&[4, 8, 16, 32])),
-    ],
+    parts: &[Part::Fast(|| hemisphere(&[4, 8, 16])), Part::Slow(|| hemisphere(&[4, 8, 16, 32]))],
 };
 
 /// Quarter of the hemisphere on n × n elements: free hole, symmetry at both meridians, held in height at one node.
@@ -50,11 +47,7 @@ pub(super) fn quarter(n: usize) -> Answer<(Grid, Builder, PlacedShell)> {
 
 /// S5: quarter of a hemisphere with an 18 degree hole under alternating radial loads, n × n elements.
 pub(super) fn hemisphere(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S5",
-        source: "MacNeal & Harder 1985; Simo, Fox & Rifai 1989 (0.0940)",
-        unit: "m",
-    };
+    let case = Case { id: "S5", source: "MacNeal & Harder 1985; Simo, Fox & Rifai 1989 (0.0940)", unit: "m" };
     let mut values = Vec::new();
     for &n in meshes {
         let (grid, builder, placed) = quarter(n)?;

@@ -33,10 +33,7 @@ pub(super) fn hemisphere(fine: bool) -> Answer {
         let (problem, [out, inward]) = large_hemisphere(n)?;
         let mut values = Vec::new();
         let count = problem.load_steps(steps, extrapolated, |_, state| {
-            let (x, y) = (
-                problem.displacement(state, out)[0],
-                problem.displacement(state, inward)[1],
-            );
+            let (x, y) = (problem.displacement(state, out)[0], problem.displacement(state, inward)[1]);
             values.push([x, y]);
         })?;
         let half = values.get(values.len() / 2 - 1).copied().unwrap_or([f64::NAN; 2]);
@@ -55,26 +52,14 @@ pub(super) fn hemisphere(fine: bool) -> Answer {
     ];
     for (k, (what, reference, value, by_prototype)) in references.into_iter().enumerate() {
         // 16 × 16 within 2 % (sheet).
-        let mut row = case.row(
-            format!("{what}, {n} × {n} elements"),
-            Reference::Published,
-            reference,
-            value,
-            0.02,
-        );
+        let mut row = case.row(format!("{what}, {n} × {n} elements"), Reference::Published, reference, value, 0.02);
         if k < 2 {
             row.convergence = vec![(8.0, eight[k] / reference - 1.0), (n as f64, value / reference - 1.0)];
         }
         rows.push(row);
         let expected = by_prototype[usize::from(fine)];
         if expected.is_finite() {
-            rows.push(prototype(
-                &case,
-                format!("{what}, {n} × {n} elements, prototype"),
-                expected,
-                value,
-                0.002,
-            ));
+            rows.push(prototype(&case, format!("{what}, {n} × {n} elements, prototype"), expected, value, 0.002));
         }
     }
     rows.extend(iterations(&case, count, plain, (19, 127)));

@@ -65,21 +65,9 @@ pub(super) fn roof(n: usize) -> Answer {
         ("limit load, t 6.35", 586.0, thin_limit, 590.0),
     ] {
         // 1 % (sheet); the published limit loads are recalled to two or three digits.
-        rows.push(prototype(
-            &case,
-            format!("{what}, {n} × {n} elements, prototype"),
-            reference,
-            value,
-            0.01,
-        ));
+        rows.push(prototype(&case, format!("{what}, {n} × {n} elements, prototype"), reference, value, 0.01));
         if f64::is_finite(printed) {
-            rows.push(case.row(
-                format!("{what}, {n} × {n} elements"),
-                Reference::Published,
-                printed,
-                value,
-                0.01,
-            ));
+            rows.push(case.row(format!("{what}, {n} × {n} elements"), Reference::Published, printed, value, 0.01));
         }
     }
     Ok(rows)
@@ -93,11 +81,7 @@ pub(super) fn snap_back(n: usize) -> Answer {
     let mut state = State::new(&problem.model);
     // (W, λ, negative eigenvalues) until the load is above the first limit again.
     let mut curve: Vec<(f64, f64, usize)> = Vec::new();
-    let length = StepLength {
-        first: 10.0,
-        shortest: 0.1,
-        longest: 10.0,
-    };
+    let length = StepLength { first: 10.0, shortest: 0.1, longest: 10.0 };
     path.along(&mut state, length, &Silent, |point, state| {
         let w = -problem.displacement(state, crown)[2];
         curve.push((w, point.factor, point.negative.unwrap_or(0)));
@@ -118,32 +102,14 @@ pub(super) fn snap_back(n: usize) -> Answer {
     )];
     rows[0].unit = "N";
     // Recalled from the curves of Sze, Liu & Lo: about −380.
-    let mut row = case.row(
-        "smallest load, t 6.35",
-        Reference::Published,
-        -380.0,
-        lowest,
-        f64::INFINITY,
-    );
+    let mut row = case.row("smallest load, t 6.35", Reference::Published, -380.0, lowest, f64::INFINITY);
     row.unit = "N";
     rows.push(row);
     case.source = "an eigenvalue changes its sign at every limit point";
-    let mut stable = case.row(
-        "negative eigenvalues beyond the snap",
-        Reference::ClosedForm,
-        0.0,
-        last.2 as f64,
-        0.0,
-    );
+    let mut stable = case.row("negative eigenvalues beyond the snap", Reference::ClosedForm, 0.0, last.2 as f64, 0.0);
     stable.unit = "";
     rows.push(stable);
     // Shows that the path turns back; zero means that the path jumped over the snap.
-    rows.push(case.row(
-        "largest step of W backwards",
-        Reference::ClosedForm,
-        0.5,
-        back.min(0.5),
-        1e-12,
-    ));
+    rows.push(case.row("largest step of W backwards", Reference::ClosedForm, 0.5, back.min(0.5), 1e-12));
     Ok(rows)
 }

@@ -55,11 +55,7 @@ pub(super) type Place = (Vector3<f64>, Vector3<f64>);
 impl Panel {
     /// The panel of the square waves, without pressure.
     pub(super) fn square(elements: usize) -> Panel {
-        Panel {
-            elements,
-            wave: 0.5,
-            pressure: 0.0,
-        }
+        Panel { elements, wave: 0.5, pressure: 0.0 }
     }
 
     /// m₀.

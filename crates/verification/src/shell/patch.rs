@@ -26,16 +26,8 @@ pub(super) fn patch() -> Answer {
     let (thickness, scale) = (1e-3_f64, 1e-3);
     let section: Arc<dyn Section> = Arc::new(ElasticSection::new(1e6, 0.25, thickness, 0.0)?);
     let mut builder = Builder::new();
-    let plan = [
-        [0.0, 0.0],
-        [0.24, 0.0],
-        [0.24, 0.12],
-        [0.0, 0.12],
-        [0.04, 0.02],
-        [0.18, 0.03],
-        [0.16, 0.08],
-        [0.08, 0.08],
-    ];
+    let plan =
+        [[0.0, 0.0], [0.24, 0.0], [0.24, 0.12], [0.0, 0.12], [0.04, 0.02], [0.18, 0.03], [0.16, 0.08], [0.08, 0.08]];
     plan.iter().for_each(|&[x, y]| {
         builder.node([x, y, 0.0]);
     });
@@ -46,24 +38,10 @@ pub(super) fn patch() -> Answer {
     let model = builder.build()?;
     let assembler = Assembler::new(&model);
     let k = assembler.stiffness(&model)?.to_dense();
-    let case = Case {
-        id: "S2",
-        source: "MacNeal & Harder 1985",
-        unit: "N/m² and N",
-    };
+    let case = Case { id: "S2", source: "MacNeal & Harder 1985", unit: "N/m² and N" };
     let membrane = model.vector(|n| {
         let [x, y] = plan[n];
-        [
-            scale * (x + 0.5 * y),
-            scale * (y + 0.5 * x),
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-        ]
+        [scale * (x + 0.5 * y), scale * (y + 0.5 * x), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     });
     let bending = model.vector(|n| {
         let [x, y] = plan[n];
@@ -79,12 +57,8 @@ pub(super) fn patch() -> Answer {
         (&bending, 3, [-1.25 * plate, -1.25 * plate, -0.375 * plate], 1.0),
     ];
     for (given, first, reference, divisor) in expected {
-        let inner: Vec<usize> = (0..model.dofs().len())
-            .filter(|&e| model.dofs().unknown(e).0 >= 4)
-            .collect();
-        let outer: Vec<usize> = (0..model.dofs().len())
-            .filter(|&e| model.dofs().unknown(e).0 < 4)
-            .collect();
+        let inner: Vec<usize> = (0..model.dofs().len()).filter(|&e| model.dofs().unknown(e).0 >= 4).collect();
+        let outer: Vec<usize> = (0..model.dofs().len()).filter(|&e| model.dofs().unknown(e).0 < 4).collect();
         let boundary: Vec<f64> = outer.iter().map(|&e| given[e]).collect();
         let load: Vec<f64> = k.select(&inner, &outer).times(&boundary).iter().map(|f| -f).collect();
         let found = Cholesky::factor(&k.select(&inner, &inner))?.solve_vector(&load);

@@ -16,11 +16,7 @@ use fem::progress::Silent;
 use fem::state::{Gather, State};
 
 /// Sharp, so that counts of iterations compare.
-pub(super) const SHARP: Criteria = Criteria {
-    energy: 1e-13,
-    force: 1e-4,
-    iterations: 30,
-};
+pub(super) const SHARP: Criteria = Criteria { energy: 1e-13, force: 1e-4, iterations: 30 };
 
 /// A model under λ times a load.
 pub(super) struct Problem {
@@ -34,26 +30,16 @@ impl Problem {
     pub(super) fn new(builder: Builder, loads: &NodalLoads) -> Answer<Problem> {
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
-        let symbolic = Arc::new(Symbolic::new(
-            assembler.pattern().clone(),
-            &order(&model, assembler.pattern()),
-        )?);
+        let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern()))?);
         let load = loads.vector(&model);
-        Ok(Problem {
-            model,
-            assembler,
-            symbolic,
-            load,
-        })
+        Ok(Problem { model, assembler, symbolic, load })
     }
 
     /// The path under growing λ.
     pub(super) fn continuation(&self, criteria: Criteria) -> Answer<Continuation<'_>> {
         let none = vec![0.0; self.load.len()];
         let parts = (&self.model, &self.assembler, &self.symbolic);
-        Ok(Continuation::new(
-            parts.0, parts.1, parts.2, &none, &self.load, criteria,
-        )?)
+        Ok(Continuation::new(parts.0, parts.1, parts.2, &none, &self.load, criteria)?)
     }
 
     /// Displacement of a node in the committed state.
@@ -113,17 +99,11 @@ impl Problem {
         let mut state = State::new(&self.model);
         let row = self.model.row(node, dof);
         let mut factors = Vec::with_capacity(targets.len());
-        let followed = path.to_displacements(
-            &mut state,
-            &row,
-            targets,
-            StepLength::around(first),
-            &Silent,
-            |_, point, state| {
+        let followed =
+            path.to_displacements(&mut state, &row, targets, StepLength::around(first), &Silent, |_, point, state| {
                 factors.push(point.factor);
                 each(point.factor, state);
-            },
-        )?;
+            })?;
         match followed.failure {
             None => Ok((factors, followed.points.iter().map(|p| p.iterations).sum())),
             Some(failure) => Err(ended(factors.len() as f64 / targets.len() as f64, &failure)),
@@ -136,11 +116,7 @@ const SZE: &str = "Sze, Liu & Lo 2004";
 const PROTOTYPE: &str = "independent prototype of the same formulation on the same mesh";
 
 pub(super) fn case(id: &'static str) -> Case {
-    Case {
-        id,
-        source: SZE,
-        unit: "length",
-    }
+    Case { id, source: SZE, unit: "length" }
 }
 
 /// A row against the prototype.

@@ -27,11 +27,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// S4: eighth of a cylinder on end diaphragms under two opposite point loads, n × n elements.
 pub(super) fn pinched_cylinder(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S4",
-        source: "Belytschko et al. 1985 (1.8248e-5), R/t 100",
-        unit: "10⁻⁵ length",
-    };
+    let case = Case { id: "S4", source: "Belytschko et al. 1985 (1.8248e-5), R/t 100", unit: "10⁻⁵ length" };
     let mut values = Vec::new();
     for &n in meshes {
         let section: Arc<dyn Section> = Arc::new(ElasticSection::new(3e6, 0.3, 3.0, 0.0)?);
@@ -50,14 +46,7 @@ pub(super) fn pinched_cylinder(meshes: &[usize]) -> Answer {
         loads.force(loaded, [0.0, 0.0, -0.25]);
         values.push((n, -1e5 * solve(builder, placed, &loads, [0.0; 3])?.at(loaded)[2]));
     }
-    let prototype = [
-        (4, 0.388),
-        (8, 0.755),
-        (16, 0.933),
-        (32, 0.990),
-        (48, 1.002),
-        (64, 1.007),
-    ];
+    let prototype = [(4, 0.388), (8, 0.755), (16, 0.933), (32, 0.990), (48, 1.002), (64, 1.007)];
     // The value under a point load on a shear-flexible shell does not converge; 1.8248 belongs to the Kirchhoff-like range.
     Ok(case.study("displacement under the load", 1.8248, 0.02, &values, &prototype, 0.02))
 }

@@ -42,25 +42,13 @@ pub(super) fn pinched(n: usize) -> Answer {
     let mut loads = NodalLoads::new();
     loads.force(loaded, [0.0, 0.0, -0.25]);
     let problem = Problem::new(builder, &loads)?;
-    let expected = [
-        (10.0, 626.0),
-        (20.0, 1071.0),
-        (40.0, 1835.0),
-        (60.0, 2629.0),
-        (80.0, 8965.0),
-    ];
+    let expected = [(10.0, 626.0), (20.0, 1071.0), (40.0, 1835.0), (60.0, 2629.0), (80.0, 8965.0)];
     let targets = expected.map(|(w, _)| -w);
     let (factors, _) = problem.at_displacements((loaded, Dof::Uz), &targets, 2.5, |_, _| {})?;
     let rows = expected.iter().zip(factors).map(|(&(w, reference), p)| {
         // The same mesh: half the last printed digit, and a tenth of it for the criterion of the iterations.
         let tolerance = 0.6 / reference;
-        prototype(
-            &case,
-            format!("load at W = {w}, {n} × {n} elements"),
-            reference,
-            p,
-            tolerance,
-        )
+        prototype(&case, format!("load at W = {w}, {n} × {n} elements"), reference, p, tolerance)
     });
     Ok(rows.collect())
 }

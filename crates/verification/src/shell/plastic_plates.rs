@@ -38,16 +38,9 @@ const YIELD: f64 = 200e3;
 
 /// Section of thickness t in `layers` stretched layers: an even number has the exact plastic moment to 1/(2 n²).
 fn steel(t: f64, layers: usize) -> Answer<LayeredSection> {
-    let law = VonMises::new(YOUNG, NU, YIELD, 0.0, 0.0).map_err(|source| ElementError::Law {
-        kind: "layered section",
-        source,
-    })?;
-    let ply = Ply {
-        law: Arc::new(law),
-        thickness: t,
-        density: 0.0,
-        rule: Rule::MidPoint(layers),
-    };
+    let law = VonMises::new(YOUNG, NU, YIELD, 0.0, 0.0)
+        .map_err(|source| ElementError::Law { kind: "layered section", source })?;
+    let ply = Ply { law: Arc::new(law), thickness: t, density: 0.0, rule: Rule::MidPoint(layers) };
     Ok(LayeredSection::new(&[ply], &[])?)
 }
 
@@ -135,18 +128,12 @@ fn plate(clamped: bool, m: usize, reference: f64, multiples: &[f64]) -> Answer<V
     let elastic = reference * plastic * factor / (64.0 * stiffness);
     let targets: Vec<f64> = multiples.iter().map(|k| -k * elastic).collect();
     let centre = positions.iter().position(|p| p[0] == 0.0 && p[1] == 0.0).unwrap_or(0);
-    Ok(problem
-        .at_displacements((centre, Dof::Uz), &targets, 0.2 * elastic, |_, _| {})?
-        .0)
+    Ok(problem.at_displacements((centre, Dof::Uz), &targets, 0.2 * elastic, |_, _| {})?.0)
 }
 
 /// S21: limit loads of circular plates and of a strip in plane strain.
 pub(super) fn plates(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S21",
-        source: "Hopkins & Wang 1955",
-        unit: "M_p/R²",
-    };
+    let case = Case { id: "S21", source: "Hopkins & Wang 1955", unit: "M_p/R²" };
     let mut rows = Vec::new();
     for (name, clamped, reference) in [("simply supported", false, 6.52), ("clamped", true, 12.5)] {
         let mut study = Vec::new();

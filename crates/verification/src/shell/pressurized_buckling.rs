@@ -98,9 +98,7 @@ fn bifurcation(delta: f64, pressure: f64) -> (f64, f64) {
     let mut best = (1..=20).map(|k| 0.05 * f64::from(k)).fold((2.0, 0.0), better);
     for width in [0.04, 0.006] {
         let centre = best.1;
-        best = (-10..=10)
-            .map(|k| centre + 0.1 * width * f64::from(k))
-            .fold(best, better);
+        best = (-10..=10).map(|k| centre + 0.1 * width * f64::from(k)).fold(best, better);
     }
     best
 }
@@ -121,11 +119,7 @@ fn wave_of(panel: &Panel, radial: impl Fn(usize) -> f64) -> (f64, f64) {
 /// The perfect panel, its buckling mode, and the panel bent into that mode.
 fn mode_as_imperfection(case: &Case, n: usize, pressure: f64, delta: f64) -> Answer {
     let (load, wave) = bifurcation(delta, pressure);
-    let panel = Panel {
-        elements: n,
-        wave,
-        pressure,
-    };
+    let panel = Panel { elements: n, wave, pressure };
     let perfect = panel.axisymmetric(0.0)?;
     let (critical, mut path, mut state) = instability(&perfect)?;
     let mut rows = vec![case.row(
@@ -153,25 +147,18 @@ fn mode_as_imperfection(case: &Case, n: usize, pressure: f64, delta: f64) -> Ans
     let bent = panel.problem(|node, p| {
         let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| scale * at(node)[i]);
         let normal = Vector3::new(p.x, p.y, 0.0);
-        (
-            p + Vector3::new(x, y, z),
-            normal + Vector3::new(rx, ry, rz).cross(&normal),
-        )
+        (p + Vector3::new(x, y, z), normal + Vector3::new(rx, ry, rz).cross(&normal))
     })?;
     let mut path = bent.continuation(SHARP)?.with_extrapolated_stresses();
     let mut state = State::new(&bent.model);
     let mut amplitudes = Vec::new();
     for part in [0.0, 0.25, 0.5] {
-        path.step(&mut state, &Constraint::Load(part * load))
-            .map_err(|e| ended(part, &e))?;
+        path.step(&mut state, &Constraint::Load(part * load)).map_err(|e| ended(part, &e))?;
         let radial = |node: usize| bent.displacement(&state, node)[0];
         amplitudes.push(wave_of(&panel, radial).0 / (delta * THICKNESS));
     }
     let mut row = case.row(
-        format!(
-            "mode of {delta} t as imperfection: growth at λ = {:.3}, p R/t = {pressure}",
-            0.5 * load
-        ),
+        format!("mode of {delta} t as imperfection: growth at λ = {:.3}, p R/t = {pressure}", 0.5 * load),
         Reference::ClosedForm,
         0.5 * load / (1.0 - 0.5 * load),
         amplitudes[2] - amplitudes[0],
@@ -202,11 +189,7 @@ pub(super) fn pressurized(n: usize, pressures: &[f64], imperfections: &[f64]) ->
     for &pressure in pressures {
         for &delta in imperfections {
             let (load, wave) = bifurcation(delta, pressure);
-            let panel = Panel {
-                elements: n,
-                wave,
-                pressure,
-            };
+            let panel = Panel { elements: n, wave, pressure };
             let found = instability(&panel.axisymmetric(delta)?)?.0;
             // The mesh makes the perfect panel 1.2 % too strong with 12 elements, 0.5 % with 16.
             rows.push(case.row(

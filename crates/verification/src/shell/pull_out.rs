@@ -61,20 +61,8 @@ pub(super) fn pull_out(fine: bool) -> Answer {
     let (half, full) = (at(0.5), at(1.0));
     let mut rows = vec![
         // 1.5 % (sheet).
-        case.row(
-            "W under the load, full load, 24 × 24 elements",
-            Reference::Published,
-            2.768,
-            full[0],
-            0.015,
-        ),
-        case.row(
-            "W under the load, half load, 24 × 24 elements",
-            Reference::Published,
-            2.473,
-            half[0],
-            0.015,
-        ),
+        case.row("W under the load, full load, 24 × 24 elements", Reference::Published, 2.768, full[0], 0.015),
+        case.row("W under the load, half load, 24 × 24 elements", Reference::Published, 2.473, half[0], 0.015),
     ];
     for (what, expected, value) in [
         ("W under the load, full load", 2.752, full[0]),
@@ -82,13 +70,7 @@ pub(super) fn pull_out(fine: bool) -> Answer {
         ("U of the middle, full load", -4.585, full[1]),
         ("U of the free end, full load", -3.254, full[2]),
     ] {
-        rows.push(prototype(
-            &case,
-            format!("{what}, 24 × 24 elements, prototype"),
-            expected,
-            value,
-            0.003,
-        ));
+        rows.push(prototype(&case, format!("{what}, 24 × 24 elements, prototype"), expected, value, 0.003));
     }
     rows.extend(iterations(&case, count, plain, (31, 83)));
     Ok(rows)

@@ -19,11 +19,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// S14: end moment 2π E I/L rolls a strip of length 12 into a ring, `elements` elements.
 pub(super) fn roll_up(meshes: &[usize]) -> Answer {
-    let case = Case {
-        id: "S14",
-        source: "circle of radius E I/M",
-        unit: "length",
-    };
+    let case = Case { id: "S14", source: "circle of radius E I/M", unit: "length" };
     let length = 12.0;
     let (mut study, mut counts) = (Vec::new(), Vec::new());
     for &n in meshes {
@@ -52,13 +48,7 @@ pub(super) fn roll_up(meshes: &[usize]) -> Answer {
     for (what, reference, value) in expected {
         // 1 % of the length (sheet): a polygon of n sides instead of the circle.
         let tolerance = 0.01 * length / f64::abs(reference);
-        rows.push(case.row(
-            format!("{what}, {n} elements"),
-            Reference::ClosedForm,
-            reference,
-            value,
-            tolerance,
-        ));
+        rows.push(case.row(format!("{what}, {n} elements"), Reference::ClosedForm, reference, value, tolerance));
     }
     rows.push(case.row(
         format!("w at the full moment, {n} elements"),

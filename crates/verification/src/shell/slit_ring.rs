@@ -57,13 +57,7 @@ pub(super) fn ring(fine: bool) -> Answer {
     let (coarse, count) = solve(6, 30, 5, true)?;
     let mut rows = Vec::new();
     for (what, reference, value) in [("inner", 13.600, coarse[0]), ("outer", 17.242, coarse[1])] {
-        rows.push(prototype(
-            &case,
-            format!("{what} tip, 6 × 30 elements"),
-            reference,
-            value,
-            0.002,
-        ));
+        rows.push(prototype(&case, format!("{what} tip, 6 × 30 elements"), reference, value, 0.002));
     }
     let plain = if fine { Some(solve(6, 30, 10, false)?.1) } else { None };
     rows.extend(iterations(&case, count, plain, (26, 244)));
@@ -73,13 +67,8 @@ pub(super) fn ring(fine: bool) -> Answer {
             [("inner", 13.891, inner, coarse[0]), ("outer", 17.528, outer, coarse[1])]
         {
             // 10 × 80 within 1.5 % (sheet): thin plate, second order; the coarse mesh is 2 % off.
-            let mut row = case.row(
-                format!("{what} tip, 10 × 80 elements"),
-                Reference::Published,
-                reference,
-                value,
-                0.015,
-            );
+            let mut row =
+                case.row(format!("{what} tip, 10 × 80 elements"), Reference::Published, reference, value, 0.015);
             row.convergence = vec![(30.0, coarse / reference - 1.0), (80.0, value / reference - 1.0)];
             rows.push(row);
         }

@@ -24,11 +24,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 /// S9: closed square frame under inner pressure, a strip one element wide.
 pub(super) fn square_frame() -> Answer {
     // More than 80 lines: one model from nodes to section forces.
-    let case = Case {
-        id: "S9",
-        source: "symmetric frame: p a²/12, p a²/24, p a/2",
-        unit: "kN m/m, kN/m",
-    };
+    let case = Case { id: "S9", source: "symmetric frame: p a²/12, p a²/24, p a/2", unit: "kN m/m, kN/m" };
     let (side, pressure) = (5.0, 10.0);
     let mut study = Vec::new();
     let mut rows = Vec::new();
@@ -72,11 +68,7 @@ pub(super) fn square_frame() -> Answer {
         for node in 0..2 * total {
             // Plane strip: no displacement along y, rotation about y only.
             let corner = (node % total) % n == 0;
-            let dofs: &[Dof] = if corner {
-                &[Dof::Uy, Dof::Rx, Dof::Rz]
-            } else {
-                &[Dof::Uy, Dof::Ry]
-            };
+            let dofs: &[Dof] = if corner { &[Dof::Uy, Dof::Rx, Dof::Rz] } else { &[Dof::Uy, Dof::Ry] };
             hold(&mut builder, &[node], dofs);
         }
         for row in [0, total] {
@@ -86,9 +78,7 @@ pub(super) fn square_frame() -> Answer {
         let solution = solve(builder, placed, &loads, [0.0; 3])?;
         let group = solution.model.group("side 0");
         let model = &solution.model;
-        let forces = solution
-            .assembler
-            .nodal_forces(model, &solution.u, |e| Some(model.group_of(e)) == group)?;
+        let forces = solution.assembler.nodal_forces(model, &solution.u, |e| Some(model.group_of(e)) == group)?;
         // Both rows of nodes together carry the strip. Along the side the corner's force holds half an element's load
         // across, none along.
         let corner = (forces[0][4] + forces[total][4]).abs() / width;

@@ -81,30 +81,19 @@ pub(crate) fn wall_strip(
         ..ShellSurface::new(cells.collect())
     };
     let placed = surface.place(&mut builder)?;
-    Ok(TankStrip {
-        builder,
-        placed,
-        levels,
-    })
+    Ok(TankStrip { builder, placed, levels })
 }
 
 /// Pieces of the wall of tank 8.1 under a liquid of specific weight `gamma` [kN/m³] up to `fill` [m].
 pub(crate) fn tank_pieces(gamma: f64, fill: f64) -> Option<WallSolution> {
     let pressure = |z: f64| gamma * (fill - z).max(0.0);
-    let piece = |from: f64, top: f64, thickness: f64| Piece {
-        top,
-        thickness,
-        pressure: [pressure(from), pressure(top)],
-    };
+    let piece =
+        |from: f64, top: f64, thickness: f64| Piece { top, thickness, pressure: [pressure(from), pressure(top)] };
     CylinderWall {
         radius: RADIUS,
         youngs_modulus: YOUNG,
         poisson_ratio: POISSON,
-        pieces: vec![
-            piece(0.0, STEP, LOWER),
-            piece(STEP, fill, UPPER),
-            piece(fill, HEIGHT, UPPER),
-        ],
+        pieces: vec![piece(0.0, STEP, LOWER), piece(STEP, fill, UPPER), piece(fill, HEIGHT, UPPER)],
     }
     .solve()
 }
@@ -158,11 +147,7 @@ impl TankRun {
         let lower: Arc<dyn Section> = Arc::new(ElasticSection::new(YOUNG, POISSON, LOWER, 0.0)?);
         let upper: Arc<dyn Section> = Arc::new(ElasticSection::new(YOUNG, POISSON, UPPER, 0.0)?);
         let section = |z: f64| if z < STEP { lower.clone() } else { upper.clone() };
-        let TankStrip {
-            mut builder,
-            placed,
-            levels,
-        } = wall_strip(RADIUS, sectors, &heights, membrane_shear, section)?;
+        let TankStrip { mut builder, placed, levels } = wall_strip(RADIUS, sectors, &heights, membrane_shear, section)?;
         for node in levels[0] {
             super::hold(&mut builder, &[node], &[Dof::Ux, Dof::Uz, Dof::Rx]);
         }
@@ -173,11 +158,7 @@ impl TankRun {
             loads.pressure(&nodes, &positions, |x| gamma * (fill - x[2]).max(0.0));
         }
         let solution = solve(builder, placed, &loads, [0.0; 3])?;
-        Ok(TankRun {
-            heights,
-            solution,
-            levels,
-        })
+        Ok(TankRun { heights, solution, levels })
     }
 
     /// Radial displacement of every level.
@@ -187,10 +168,7 @@ impl TankRun {
             let u = self.solution.displacement(n);
             (u.x * x + u.y * y) / RADIUS
         };
-        self.levels
-            .iter()
-            .map(|l| 0.5 * (radial(l[0]) + radial(l[1])))
-            .collect()
+        self.levels.iter().map(|l| 0.5 * (radial(l[0]) + radial(l[1]))).collect()
     }
 
     /// Height and value of a resultant at the centres.
@@ -221,11 +199,7 @@ pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 
 pub(super) fn exact(gamma: f64, fill: f64) -> Answer<WallSolution> {
     tank_pieces(gamma, fill).ok_or_else(|| {
-        ElementError::NoAnswer {
-            kind: "cylinder wall",
-            reason: "the closed form is singular".to_owned(),
-        }
-        .into()
+        ElementError::NoAnswer { kind: "cylinder wall", reason: "the closed form is singular".to_owned() }.into()
     })
 }
 

@@ -18,26 +18,16 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 pub(super) fn gradings() -> Answer {
     let (gamma, fill) = (9.81, 1.52);
     let closed = exact(gamma, fill)?;
-    let case = Case {
-        id: "S11",
-        source: "closed form",
-        unit: "over closed form",
-    };
+    let case = Case { id: "S11", source: "closed form", unit: "over closed form" };
     let mut rows = Vec::new();
     for factor in [1.0, 0.5, 0.25, 0.125] {
         let run = TankRun::new(64, rule(factor, fill), MembraneShear::CentrePoint, gamma, fill)?;
         let elements = run.heights.len() - 1;
         let values = [
             ("w", largest(run.w()) / closed.largest(HEIGHT, |p| p.w).1),
-            (
-                "n_φ",
-                largest(run.centres(0).iter().map(|p| p.1)) / closed.largest(HEIGHT, |p| p.n_phi).1,
-            ),
+            ("n_φ", largest(run.centres(0).iter().map(|p| p.1)) / closed.largest(HEIGHT, |p| p.n_phi).1),
             ("m_v(0), reactions", run.base_moment()? / closed.at(0.0).m_v),
-            (
-                "m_v above the base",
-                largest(run.centres(4).iter().map(|p| p.1)) / closed.largest(0.5, |p| p.m_v).1,
-            ),
+            ("m_v above the base", largest(run.centres(4).iter().map(|p| p.1)) / closed.largest(0.5, |p| p.m_v).1),
         ];
         for (what, value) in values {
             let what = format!("{what}, first element {factor} √(R t), {elements} elements");

@@ -16,19 +16,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// Table of the membrane locking of plain MITC4 and with centre-point shear.
 pub(super) fn locking(counts: &[usize]) -> Answer {
-    let plain = [
-        (16, 0.728, 0.23),
-        (32, 0.856, 0.52),
-        (64, 0.939, 0.81),
-        (128, 0.982, 0.94),
-        (256, 0.996, 0.99),
-    ];
+    let plain = [(16, 0.728, 0.23), (32, 0.856, 0.52), (64, 0.939, 0.81), (128, 0.982, 0.94), (256, 0.996, 0.99)];
     let centre = [(16, 0.982, 0.98), (32, 0.996, 1.0), (64, 1.0, 1.0), (128, 1.001, 1.0)];
-    let case = Case {
-        id: "S11",
-        source: "independent prototype on the same mesh",
-        unit: "over closed form",
-    };
+    let case = Case { id: "S11", source: "independent prototype on the same mesh", unit: "over closed form" };
     let mut rows = Vec::new();
     for &n in counts {
         for (name, shear, table) in [

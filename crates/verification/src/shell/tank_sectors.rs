@@ -16,11 +16,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// S11, gate: the polygon error is all that is left.
 pub(super) fn sectors(counts: &[usize]) -> Answer {
-    let case = Case {
-        id: "S11",
-        source: "independent prototype on the same mesh",
-        unit: "over closed form",
-    };
+    let case = Case { id: "S11", source: "independent prototype on the same mesh", unit: "over closed form" };
     let prototype = [(16, 0.982), (32, 0.996), (64, 1.000), (128, 1.001)];
     let mut rows = Vec::new();
     for &n in counts {

@@ -27,11 +27,7 @@ pub(super) fn static_tank() -> Answer {
     let (gamma, fill) = (9.81, 1.52);
     let closed = exact(gamma, fill)?;
     let run = TankRun::new(64, rule(0.125, fill), MembraneShear::CentrePoint, gamma, fill)?;
-    let case = |unit| Case {
-        id: "S11",
-        source: "closed form of the piecewise wall, γ 9.81, H 1.52",
-        unit,
-    };
+    let case = |unit| Case { id: "S11", source: "closed form of the piecewise wall, γ 9.81, H 1.52", unit };
     let w: Vec<(f64, f64)> = run.heights.iter().copied().zip(run.w()).collect();
     let (n_phi, m_v) = (run.centres(0), run.centres(4));
     let (_, w_max) = closed.largest(HEIGHT, |p| p.w);
@@ -46,44 +42,20 @@ pub(super) fn static_tank() -> Answer {
         m.row("largest w", kind, w_max, largest(w.iter().map(|p| p.1)), 0.01),
         force.row("largest n_φ", kind, n_max, largest(n_phi.iter().map(|p| p.1)), 0.01),
         moment.row("m_v at the base, from reactions", kind, base, run.base_moment()?, 0.01),
-        moment.row(
-            "largest m_v above the base",
-            kind,
-            m_max,
-            largest(m_v.iter().map(|p| p.1)),
-            0.03,
-        ),
+        moment.row("largest m_v above the base", kind, m_max, largest(m_v.iter().map(|p| p.1)), 0.03),
     ];
     for z in [0.97, 0.85] {
         rows.push(m.row(format!("w at z = {z} m"), kind, closed.at(z).w, between(&w, z), 0.01));
-        rows.push(force.row(
-            format!("n_φ at z = {z} m"),
-            kind,
-            closed.at(z).n_phi,
-            between(&n_phi, z),
-            0.01,
-        ));
+        rows.push(force.row(format!("n_φ at z = {z} m"), kind, closed.at(z).n_phi, between(&n_phi, z), 0.01));
     }
     // Printed to two to four digits at places printed to 1 cm: half of the last digit, and 5 mm along the slope.
     let off_place = |z: f64| 5e-3 * (closed.at(z).slope / closed.at(z).w).abs();
     let at = |z: f64| closed.at(z);
     let printed = [
         m.row("largest w, closed form", kind, 3.39e-4, w_max, 0.0015),
-        m.row(
-            "w at z = 0.97 m, closed form",
-            kind,
-            2.02e-4,
-            at(0.97).w,
-            0.0025 + off_place(0.97),
-        ),
+        m.row("w at z = 0.97 m, closed form", kind, 2.02e-4, at(0.97).w, 0.0025 + off_place(0.97)),
         force.row("largest n_φ, closed form", kind, 25.93, n_max, 0.0002),
-        force.row(
-            "n_φ at z = 0.97 m, closed form",
-            kind,
-            9.680,
-            at(0.97).n_phi,
-            0.00005 + off_place(0.97),
-        ),
+        force.row("n_φ at z = 0.97 m, closed form", kind, 9.680, at(0.97).n_phi, 0.00005 + off_place(0.97)),
         moment.row("m_v at the base, closed form", kind, -0.016, base, 0.031),
     ];
     for mut row in printed {
@@ -99,20 +71,8 @@ pub(super) fn static_tank() -> Answer {
     rows.push(odd);
     // Its own elements on 16 × 19 are locked: shown, not asserted.
     let own = [
-        force.row(
-            "largest n_φ, locked elements",
-            kind,
-            22.4,
-            largest(n_phi.iter().map(|p| p.1)),
-            f64::INFINITY,
-        ),
-        m.row(
-            "largest w, locked elements",
-            kind,
-            2.95e-4,
-            largest(w.iter().map(|p| p.1)),
-            f64::INFINITY,
-        ),
+        force.row("largest n_φ, locked elements", kind, 22.4, largest(n_phi.iter().map(|p| p.1)), f64::INFINITY),
+        m.row("largest w, locked elements", kind, 2.95e-4, largest(w.iter().map(|p| p.1)), f64::INFINITY),
     ];
     for mut row in own {
         row.kind = Reference::Dissertation;

@@ -66,11 +66,7 @@ pub(super) fn twisted_beam() -> Answer {
                 let solution = solve(builder, placed, &loads, [0.0; 3])?;
                 values.push((n, along.dot(&solution.displacement(grid.node(n, n / 12)))));
             }
-            let case = Case {
-                id: "S6",
-                source: "MacNeal & Harder 1985; thin: Simo, Fox & Rifai 1989",
-                unit: "in",
-            };
+            let case = Case { id: "S6", source: "MacNeal & Harder 1985; thin: Simo, Fox & Rifai 1989", unit: "in" };
             let prototype = [(12, prototype[0][direction]), (24, prototype[1][direction])];
             let what = format!("{name}, t {thickness}");
             // 24 × 4 within 1 %, 12 × 2 within 3 % (sheet): error of second order, four times larger on the half mesh.

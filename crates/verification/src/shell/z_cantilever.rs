@@ -61,11 +61,7 @@ fn z_cantilever_stress(n: usize, drilling: f64) -> Answer<f64> {
 
 /// S8: NAFEMS LE5, three plates joined at folds.
 pub(super) fn z_cantilever() -> Answer {
-    let case = Case {
-        id: "S8",
-        source: "NAFEMS 1990, LE5",
-        unit: "MPa",
-    };
+    let case = Case { id: "S8", source: "NAFEMS 1990, LE5", unit: "MPa" };
     let mut values = Vec::new();
     for n in [8_usize, 16] {
         values.push((n, z_cantilever_stress(n, DRILLING)?));
@@ -73,36 +69,19 @@ pub(super) fn z_cantilever() -> Answer {
     // The sheet's tolerance, 3 % of the result of the prototype; the series tends to −111.4, not to the printed −108,
     // which is why the published value gets 4 %.
     let prototype = [(8, 113.6 / 108.0), (16, 111.7 / 108.0)];
-    Ok(case.study(
-        "σ_xx at the flange tip, x = 2.5 m",
-        -108.0,
-        0.04,
-        &values,
-        &prototype,
-        0.03,
-    ))
+    Ok(case.study("σ_xx at the flange tip, x = 2.5 m", -108.0, 0.04, &values, &prototype, 0.03))
 }
 
 /// S8: the drilling factor hardly matters.
 pub(super) fn drilling() -> Answer {
-    let case = Case {
-        id: "S8",
-        source: "the same with the default factor 10⁻³",
-        unit: "MPa",
-    };
+    let case = Case { id: "S8", source: "the same with the default factor 10⁻³", unit: "MPa" };
     let default = z_cantilever_stress(16, DRILLING)?;
     let mut rows = Vec::new();
     for factor in [1e-6, 1e-4, 1e-2, 1e-1, 1.0] {
         let value = z_cantilever_stress(16, factor)?;
         // A study; only that small factors do not matter is asserted.
         let tolerance = if factor <= 1e-2 { 2e-3 } else { f64::INFINITY };
-        rows.push(case.row(
-            format!("σ_xx with k_d = {factor:.0e}"),
-            Reference::Regression,
-            default,
-            value,
-            tolerance,
-        ));
+        rows.push(case.row(format!("σ_xx with k_d = {factor:.0e}"), Reference::Regression, default, value, tolerance));
     }
     Ok(rows)
 }

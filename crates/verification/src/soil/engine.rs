@@ -25,10 +25,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     model: "A steel tank 20 m across and 12 m high, wall 12 mm, 11 m of water, on a rigid slab without mass and on one of 0.8 m; \
             ρ_s = 1900 kg/m³, ν = 1/3. Bursts of waves near the periods of the wall and of the liquid, 2 m/s², 6 s.",
     ids: &[
-        (
-            "G12",
-            "translation and rotation of the slab against a march of the body in its modes",
-        ),
+        ("G12", "translation and rotation of the slab against a march of the body in its modes"),
         ("G13", "hard soil against a fixed base"),
         ("G14", "period of the impulsive mode on static springs"),
     ],
@@ -41,12 +38,7 @@ const PARTS: usize = 40;
 
 fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
     let steel = material(205e9, 0.3, 7850.0);
-    let mut case = case(
-        Shape::Cylinder { radius: 10.0 },
-        &[(12.0, 12e-3)],
-        &steel,
-        (1000.0, 11.0),
-    );
+    let mut case = case(Shape::Cylinder { radius: 10.0 }, &[(12.0, 12e-3)], &steel, (1000.0, 11.0));
     case.tank.foundation = Some(Foundation {
         width: None,
         kind: FoundationKind::Slab,
@@ -76,17 +68,12 @@ fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 fn column<'a>(run: &'a Simulation, id: &str) -> Result<&'a [f64], Failure> {
     let place = run.series.ids.iter().position(|known| known == id);
-    place
-        .map(|i| run.series.columns[i].as_slice())
-        .ok_or_else(|| Failure::from(format!("no history {id}")))
+    place.map(|i| run.series.columns[i].as_slice()).ok_or_else(|| Failure::from(format!("no history {id}")))
 }
 
 fn against_the_body() -> Answer {
@@ -96,9 +83,7 @@ fn against_the_body() -> Answer {
         let run = simulate(&case, &options())?;
         let found = slab_body(&case, &options())?;
         let (body, disc) = found.ok_or_else(|| Failure::from("no slab".to_owned()))?;
-        let mut ground = case
-            .ground_motion
-            .map_or_else(Vec::new, |motion| motion.horizontal.acceleration);
+        let mut ground = case.ground_motion.map_or_else(Vec::new, |motion| motion.horizontal.acceleration);
         ground.resize(run.series.time.len().max(ground.len()), 0.0);
         let march = body::march(&body, &disc, &ground, STEP, PARTS).map_err(failure)?;
         for (what, channel, expected) in [
@@ -107,10 +92,7 @@ fn against_the_body() -> Answer {
         ] {
             let found = column(&run, &channel.id())?;
             let peak = expected.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            let worst = found
-                .iter()
-                .zip(expected)
-                .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+            let worst = found.iter().zip(expected).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
             rows.push(Row::new(
                 "G12",
                 format!("largest difference of the {what} over its peak, slab of {slab}"),
@@ -154,13 +136,7 @@ fn hard_soil() -> Answer {
             _ => 1e-3,
         };
         let what = format!("{}, V_s = 1000 km/s", quantity.title());
-        Row::new(
-            "G13",
-            what,
-            reference,
-            computed,
-            (tolerance, quantity.dimension().si_symbol()),
-        )
+        Row::new("G13", what, reference, computed, (tolerance, quantity.dimension().si_symbol()))
     });
     Ok(rows.collect())
 }

@@ -25,22 +25,11 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             (cones) with constant coefficients.",
     ids: &[
         ("G1", "static stiffness, layers"),
-        (
-            "G2",
-            "internal rotation of the rocking cone against the closed impedance",
-        ),
+        ("G2", "internal rotation of the rocking cone against the closed impedance"),
         ("G3", "cones and fitted functions of Veletsos & Verbic"),
-        (
-            "G4",
-            "steady deformation of tank B on cones: matrices against springs in series",
-        ),
+        ("G4", "steady deformation of tank B on cones: matrices against springs in series"),
     ],
-    parts: &[
-        Part::Fast(statics),
-        Part::Fast(internal_rotation),
-        Part::Fast(published),
-        Part::Fast(sweep),
-    ],
+    parts: &[Part::Fast(statics), Part::Fast(internal_rotation), Part::Fast(published), Part::Fast(sweep)],
 };
 
 const RADIUS: f64 = 10.0;
@@ -51,13 +40,7 @@ fn disc(soil: Soil) -> Result<Disc, Failure> {
 
 fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64, unit: &'static str) -> Row {
     let source = "closed form";
-    Row::new(
-        id,
-        what,
-        (reference, source, Reference::ClosedForm),
-        computed,
-        (tolerance, unit),
-    )
+    Row::new(id, what, (reference, source, Reference::ClosedForm), computed, (tolerance, unit))
 }
 
 fn statics() -> Answer {
@@ -71,19 +54,9 @@ fn statics() -> Answer {
         ("torsional", 1.9e12 / 3.0, s.torsional, "N*m"),
     ];
     for (what, reference, computed, unit) in by_hand {
-        rows.push(row(
-            "G1",
-            format!("{what} stiffness, ν = 0.25"),
-            reference,
-            computed,
-            1e-12,
-            unit,
-        ));
+        rows.push(row("G1", format!("{what} stiffness, ν = 0.25"), reference, computed, 1e-12, unit));
     }
-    let layer = |depth| Soil {
-        depth: Some(depth),
-        ..soil(250.0, 0.25)
-    };
+    let layer = |depth| Soil { depth: Some(depth), ..soil(250.0, 0.25) };
     let thin = disc(layer(20.0))?.stiffness();
     let factors = [
         ("horizontal", 1.25, thin.horizontal / s.horizontal),
@@ -146,41 +119,19 @@ fn published() -> Answer {
         let fit = disc.rocking(omega, Impedance::Veletsos) / k;
         let cone = disc.rocking(omega, Impedance::Cone) / k;
         let expected = C64::new(1.0 - 0.5 * share, 0.4 * a0 * share);
-        let parts = [
-            ("real", expected.re, fit.re, cone.re),
-            ("imaginary", expected.im, fit.im, cone.im),
-        ];
+        let parts = [("real", expected.re, fit.re, cone.re), ("imaginary", expected.im, fit.im, cone.im)];
         for (part, reference, fit, cone) in parts {
             let what = format!("{part} part of rocking over K_θ, ν = 1/3, a₀ = {a0}");
-            rows.push(Row::new(
-                "G3",
-                format!("{what}: fitted function"),
-                source(reference),
-                fit,
-                (1e-12, "1"),
-            ));
+            rows.push(Row::new("G3", format!("{what}: fitted function"), source(reference), fit, (1e-12, "1")));
             // The cone has one constant where the fit has two: for comparison.
-            rows.push(Row::new(
-                "G3",
-                format!("{what}: cone"),
-                source(reference),
-                cone,
-                (f64::INFINITY, "1"),
-            ));
+            rows.push(Row::new("G3", format!("{what}: cone"), source(reference), cone, (f64::INFINITY, "1")));
         }
     }
     // Trapped soil, ν = 0.45.
     let cones = Disc::new(RADIUS, soil(250.0, 0.45)).map_err(failure)?.cones();
     let extra = 0.45 - 1.0 / 3.0;
     let inertia = 0.3 * PI * extra * 1900.0 * 1e5;
-    rows.push(row(
-        "G3",
-        "trapped moment of inertia, ν = 0.45".into(),
-        inertia,
-        cones.trapped_inertia,
-        1e-12,
-        "kg*m2",
-    ));
+    rows.push(row("G3", "trapped moment of inertia, ν = 0.45".into(), inertia, cones.trapped_inertia, 1e-12, "kg*m2"));
     Ok(rows)
 }
 
@@ -194,10 +145,7 @@ fn sweep() -> Answer {
         let dynamic = chain.dynamic(C64::new(0.0, omega));
         let matrix = Matrix4::from_fn(|i, j| nalgebra::Complex::new(dynamic[i][j].re, dynamic[i][j].im));
         let load = Vector4::from_fn(|i, _| nalgebra::Complex::new(if i == 0 { -chain.mass[0][0] } else { 0.0 }, 0.0));
-        let x = matrix
-            .lu()
-            .solve(&load)
-            .ok_or_else(|| Failure::from("singular".to_owned()))?;
+        let x = matrix.lu().solve(&load).ok_or_else(|| Failure::from("singular".to_owned()))?;
         let u = x[0] - x[1] - x[2] * on.structure.height;
         let computed = u.norm() * on.structure.stiffness() / on.structure.mass;
         let what = format!("deformation times ω² over the ground acceleration, tank B, period {period} s");

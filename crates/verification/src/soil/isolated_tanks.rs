@@ -33,27 +33,13 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             yielding, K₁ = 10 K₂), friction pendulums (μ = 0.05, R_c = 2.2365 m, elastic slip 1 mm) or elastomers with dampers; \
             impulsive 2 %, sloshing 0.5 %.",
     ids: &[
-        (
-            "I8",
-            "lead-rubber bearings, first sloshing mode alone, against three masses",
-        ),
-        (
-            "I9",
-            "friction pendulums, first sloshing mode alone, against three masses",
-        ),
-        (
-            "I10",
-            "runs of the engine against all its modes by Runge and Kutta's method",
-        ),
+        ("I8", "lead-rubber bearings, first sloshing mode alone, against three masses"),
+        ("I9", "friction pendulums, first sloshing mode alone, against three masses"),
+        ("I10", "runs of the engine against all its modes by Runge and Kutta's method"),
         ("I11", "dampers"),
         ("I12", "vertical motion in the force of friction pendulums"),
     ],
-    parts: &[
-        Part::Tested(three_masses),
-        Part::Tested(own_modes),
-        Part::Tested(dampers),
-        Part::Tested(vertical),
-    ],
+    parts: &[Part::Tested(three_masses), Part::Tested(own_modes), Part::Tested(dampers), Part::Tested(vertical)],
 };
 
 /// Mass of the slab [kg].
@@ -70,11 +56,7 @@ fn mass(i: usize) -> f64 {
 
 fn rubber(i: usize) -> Bearing {
     let yielded = mass(i) * (TAU / 2.5).powi(2);
-    Bearing::LeadRubber {
-        strength: 0.05 * mass(i) * GRAVITY,
-        initial: 10.0 * yielded,
-        yielded,
-    }
+    Bearing::LeadRubber { strength: 0.05 * mass(i) * GRAVITY, initial: 10.0 * yielded, yielded }
 }
 
 fn pendulum(gravity: f64) -> Bearing {
@@ -88,12 +70,7 @@ fn pendulum(gravity: f64) -> Bearing {
 }
 
 fn motion(acceleration: Vec<f64>) -> Record {
-    Record {
-        name: "motion".into(),
-        dt: 0.02,
-        acceleration,
-        processing: Vec::new(),
-    }
+    Record { name: "motion".into(), dt: 0.02, acceleration, processing: Vec::new() }
 }
 
 /// A tank on bearings under El Centro times `scale`.
@@ -117,10 +94,7 @@ fn isolated(i: usize, bearing: Bearing, scale: f64) -> Case {
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 /// A run of the engine.
@@ -144,10 +118,7 @@ impl Ran {
     fn base(&self) -> [f64; 2] {
         let value = |id: &str| self.isolation.value(id).map_or(f64::NAN, |q| q.value.value);
         let mass = self.isolation.said("isolation-isolators", "mass").unwrap_or(f64::NAN);
-        [
-            1e3 * value("isolator_displacement"),
-            value("isolator_force") / (mass * GRAVITY),
-        ]
+        [1e3 * value("isolator_displacement"), value("isolator_force") / (mass * GRAVITY)]
     }
 }
 
@@ -165,23 +136,13 @@ fn samples(case: &Case, count: usize) -> [Vec<f64>; 2] {
     let motion = case.ground_motion.as_ref();
     [
         motion.map_or_else(Vec::new, |motion| padded(&motion.horizontal)),
-        motion
-            .and_then(|motion| motion.vertical.as_ref())
-            .map_or_else(Vec::new, padded),
+        motion.and_then(|motion| motion.vertical.as_ref()).map_or_else(Vec::new, padded),
     ]
 }
 
 /// The modes of the engine by Runge and Kutta's method.
 fn other(body: &IsolatedBody, [ground, vertical]: &[Vec<f64>; 2]) -> Peaks {
-    Other {
-        mass: body.mass,
-        modes: &body.modes,
-        isolators: &body.isolators,
-        step: 0.02,
-        ground,
-        vertical,
-    }
-    .peaks()
+    Other { mass: body.mass, modes: &body.modes, isolators: &body.isolators, step: 0.02, ground, vertical }.peaks()
 }
 
 /// The mode of the wall with the largest mass: the wall is faster than 1 s, sloshing slower.
@@ -235,20 +196,11 @@ fn three_masses() -> Answer {
         let base_tolerance = if id == "I9" { f64::INFINITY } else { 0.03 };
         let rules = [
             ("base", 1e3 * peak(&history.displacement), base_tolerance, "mm"),
-            (
-                "force over weight",
-                peak(&history.force) / (body.mass * GRAVITY),
-                0.03,
-                "1",
-            ),
+            ("force over weight", peak(&history.force) / (body.mass * GRAVITY), 0.03, "1"),
             (
                 "impulsive acceleration over g",
                 state(|s| s.acceleration, impulsive(&body)) / GRAVITY,
-                if id == "I9" || reference_is_off {
-                    f64::INFINITY
-                } else {
-                    0.05
-                },
+                if id == "I9" || reference_is_off { f64::INFINITY } else { 0.05 },
                 "1",
             ),
             ("wave", height * state(|s| s.displacement, sloshing), 0.05, "m"),
@@ -274,10 +226,7 @@ fn against_runge_kutta(id: &str, what: &str, case: &Case, tolerance: f64) -> Ans
     let body = body(case, &options)?;
     let found = other(&body, &samples(case, run.samples));
     let expected = [1e3 * found.displacement, found.force / (body.mass * GRAVITY)];
-    let rows = [("base", "mm"), ("force over weight", "1")]
-        .into_iter()
-        .zip(run.base())
-        .zip(expected);
+    let rows = [("base", "mm"), ("force over weight", "1")].into_iter().zip(run.base()).zip(expected);
     Ok(rows
         .map(|(((name, unit), computed), expected)| {
             let reference = (expected, "Runge-Kutta", Reference::SecondFormulation);
@@ -300,10 +249,7 @@ fn own_modes() -> Answer {
 fn dampers() -> Answer {
     let i = 2;
     let omega = TAU / 2.5;
-    let elastomer = Bearing::Elastomer {
-        stiffness: mass(i) * omega * omega,
-        damping: 0.05,
-    };
+    let elastomer = Bearing::Elastomer { stiffness: mass(i) * omega * omega, damping: 0.05 };
     let mut rows = Vec::new();
     for exponent in [0.5, 1.0] {
         let mut case = isolated(i, elastomer, 1.0);
@@ -328,12 +274,7 @@ fn vertical() -> Answer {
         let waves = (0..count).map(|k| 0.4 * GRAVITY * (TAU * 4.0 * 0.02 * f64::from(k)).sin());
         ground.vertical = Some(motion(waves.collect()));
     }
-    rows.extend(against_runge_kutta(
-        "I12",
-        "tank C, 0.4 g upwards at 4 Hz",
-        &case,
-        0.01,
-    )?);
+    rows.extend(against_runge_kutta("I12", "tank C, 0.4 g upwards at 4 Hz", &case, 0.01)?);
     // A steady 0.1 g is more weight.
     let mut steady = isolated(i, pendulum(1.0), 2.0);
     if let Some(ground) = &mut steady.ground_motion {

@@ -34,13 +34,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("I6", "Runge-Kutta, two components, limits, energy"),
         ("I7", "a rigid body on a bilinear law under a steady acceleration"),
     ],
-    parts: &[
-        Part::Fast(effective),
-        Part::Fast(loops),
-        Part::Fast(el_centro),
-        Part::Fast(checks),
-        Part::Fast(steady),
-    ],
+    parts: &[Part::Fast(effective), Part::Fast(loops), Part::Fast(el_centro), Part::Fast(checks), Part::Fast(steady)],
 };
 
 /// Fill and density of the liquid, weight of wall and roof per metre, of the tanks of `IMPULSIVE`.
@@ -74,11 +68,7 @@ fn tank(i: usize) -> Tank {
 }
 
 fn pendulum() -> Isolator {
-    Isolator::FrictionPendulum {
-        radius: 2.2365,
-        friction: Friction::constant(0.05),
-        slip: 1e-3,
-    }
+    Isolator::FrictionPendulum { radius: 2.2365, friction: Friction::constant(0.05), slip: 1e-3 }
 }
 
 fn rubber(mass: f64) -> Isolator {
@@ -92,18 +82,13 @@ fn rubber(mass: f64) -> Isolator {
 
 /// The base held by springs of 10⁵ times the stiffness of the impulsive mode.
 fn fixed(tank: &Tank) -> Isolator {
-    Isolator::Elastomer {
-        stiffness: 1e5 * tank.mass * tank.modes[1].omega.powi(2),
-        damping: 0.0,
-    }
+    Isolator::Elastomer { stiffness: 1e5 * tank.mass * tank.modes[1].omega.powi(2), damping: 0.0 }
 }
 
 /// Time between samples [s] and acceleration [m/s²], the first 30 s.
 pub(super) fn record() -> (f64, Vec<f64>) {
     let text = include_str!("../../../../examples/records/elcentro.csv");
-    let numbers = text
-        .lines()
-        .filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok());
+    let numbers = text.lines().filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok());
     (0.02, numbers.take(1501).map(|a| a * GRAVITY).collect())
 }
 
@@ -141,23 +126,13 @@ fn effective() -> Answer {
     let mass = 1e6;
     let other = |value| (value, "independent program", Reference::SecondFormulation);
     for (name, isolator, values) in [
-        (
-            "friction pendulum",
-            pendulum(),
-            [(0.1, 2.062, 0.336), (0.2, 2.403, 0.228)],
-        ),
+        ("friction pendulum", pendulum(), [(0.1, 2.062, 0.336), (0.2, 2.403, 0.228)]),
         ("lead rubber", rubber(mass), [(0.1, 1.876, 0.254), (0.2, 2.122, 0.170)]),
     ] {
         for (d, period, damping) in values {
             let found = isolator.effective(d, mass * GRAVITY, 0.0, 0.0);
             let t = TAU * (mass / found.stiffness).sqrt();
-            rows.push(Row::new(
-                "I1",
-                format!("{name}, D = {d} m, period"),
-                other(period),
-                t,
-                (5e-3, "s"),
-            ));
+            rows.push(Row::new("I1", format!("{name}, D = {d} m, period"), other(period), t, (5e-3, "s")));
             rows.push(Row::new(
                 "I1",
                 format!("{name}, D = {d} m, damping"),
@@ -168,10 +143,7 @@ fn effective() -> Answer {
         }
     }
     // A linear damper: ξ = C ω/(2 K).
-    let damper = Isolator::Damper {
-        coefficient: 2e5,
-        exponent: 1.0,
-    };
+    let damper = Isolator::Damper { coefficient: 2e5, exponent: 1.0 };
     rows.push(Row::new(
         "I1",
         "damper with α = 1",
@@ -182,13 +154,7 @@ fn effective() -> Answer {
     // ∫ |cos|^{3/2} over a turn = 2 √π Γ(5/4)/Γ(7/4).
     let gamma = 2.0 * PI.sqrt() * 0.906_402_477_055_477 / 0.919_062_526_848_883_1;
     let closed = (gamma, "2 √π Γ(5/4)/Γ(7/4)", Reference::ClosedForm);
-    rows.push(Row::new(
-        "I1",
-        "work of a cycle, α = 0.5",
-        closed,
-        cycle(0.5),
-        (1e-7, "1"),
-    ));
+    rows.push(Row::new("I1", "work of a cycle, α = 0.5", closed, cycle(0.5), (1e-7, "1")));
     Ok(rows)
 }
 
@@ -196,20 +162,13 @@ fn effective() -> Answer {
 fn loops() -> Answer {
     let mut rows = Vec::new();
     let (q, stick, k2) = (5e5, 9e6, 1e6);
-    let isolator = Isolator::LeadRubber {
-        strength: q,
-        initial_stiffness: stick + k2,
-        yielded_stiffness: k2,
-    };
+    let isolator = Isolator::LeadRubber { strength: q, initial_stiffness: stick + k2, yielded_stiffness: k2 };
     for d in [0.1, 0.3] {
         let mut slip = [0.0; 2];
         let (mut work, mut last) = (0.0, [0.0, 0.0]);
         let yields = q / stick;
         // To D, and one cycle from there through its corners.
-        for (i, x) in [0.0, yields, d, d - 2.0 * yields, -d, -d + 2.0 * yields, d]
-            .into_iter()
-            .enumerate()
-        {
+        for (i, x) in [0.0, yields, d, d - 2.0 * yields, -d, -d + 2.0 * yields, d].into_iter().enumerate() {
             let (force, moved) = yielding_force(stick, q, [x, 0.0], slip);
             slip = moved;
             let total = force[0] + k2 * x;
@@ -286,11 +245,7 @@ fn el_centro() -> Answer {
 /// The march stops within a step of it: (ω h)²/8 with ω of K₂, 1e-7, and the corner within a step, 1e-4.
 fn steady() -> Answer {
     let (mass, q, stick, k2, acceleration) = (1e6, 5e5, 9e6, 1e6, 1.5);
-    let isolator = Isolator::LeadRubber {
-        strength: q,
-        initial_stiffness: stick + k2,
-        yielded_stiffness: k2,
-    };
+    let isolator = Isolator::LeadRubber { strength: q, initial_stiffness: stick + k2, yielded_stiffness: k2 };
     let history = march(&Run {
         mass,
         modes: &[],
@@ -306,13 +261,7 @@ fn steady() -> Answer {
     let closed = (over + (over * over + k2 * q * q / stick).sqrt()) / k2;
     let source = (closed, "m a d = Q d − Q d_y/2 + K₂ d²/2", Reference::ClosedForm);
     let what = "largest displacement under a steady 1.5 m/s²";
-    Ok(vec![Row::new(
-        "I7",
-        what,
-        source,
-        peak(&history.displacement),
-        (1e-4, "m"),
-    )])
+    Ok(vec![Row::new("I7", what, source, peak(&history.displacement), (1e-4, "m"))])
 }
 
 fn checks() -> Answer {
@@ -352,33 +301,18 @@ fn checks() -> Answer {
         }
     }
     // Isolators that give way keep the tank still: A/a_g is of the order (ω_b t)².
-    let soft = Isolator::Elastomer {
-        stiffness: tank.mass * 1e-12,
-        damping: 0.0,
-    };
+    let soft = Isolator::Elastomer { stiffness: tank.mass * 1e-12, damping: 0.0 };
     let still = peaks(&tank, &run(&tank, soft, [1.0, 0.0], 4)?);
     let zero = (0.0, "no force, no motion", Reference::ClosedForm);
-    rows.push(Row::new(
-        "I6",
-        "impulsive acceleration over g on springs of 2π·10⁶ s",
-        zero,
-        still[2],
-        (1e-9, "1"),
-    ));
+    rows.push(Row::new("I6", "impulsive acceleration over g on springs of 2π·10⁶ s", zero, still[2], (1e-9, "1")));
     Ok(rows)
 }
 
 /// Peaks by Runge and Kutta's method.
 fn other(tank: &Tank, isolator: Isolator, step: f64, record: &[f64]) -> [f64; 4] {
-    let found = Other {
-        mass: tank.mass,
-        modes: &tank.modes,
-        isolators: &[isolator],
-        step,
-        ground: record,
-        vertical: &[],
-    }
-    .peaks();
+    let found =
+        Other { mass: tank.mass, modes: &tank.modes, isolators: &[isolator], step, ground: record, vertical: &[] }
+            .peaks();
     let height = 0.837 * tank.radius * tank.modes[0].omega.powi(2) / GRAVITY;
     [
         1e3 * found.displacement,

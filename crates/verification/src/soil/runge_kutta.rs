@@ -41,11 +41,7 @@ fn law(run: &Other<'_>, [d, v]: [f64; 2], gravity: f64) -> [f64; 3] {
     let (mut force, mut stick, mut strength) = (0.0, 0.0, 0.0);
     for isolator in run.isolators {
         match *isolator {
-            Isolator::LeadRubber {
-                strength: q,
-                initial_stiffness,
-                yielded_stiffness,
-            } => {
+            Isolator::LeadRubber { strength: q, initial_stiffness, yielded_stiffness } => {
                 force += yielded_stiffness * d;
                 stick += initial_stiffness - yielded_stiffness;
                 strength += q;
@@ -74,11 +70,7 @@ impl Other<'_> {
         let n = self.modes.len();
         // d, ḋ, h, then y and ẏ of each mode.
         let mut s = vec![0.0; 3 + 2 * n];
-        let mut peaks = Peaks {
-            displacement: 0.0,
-            force: 0.0,
-            modes: vec![[0.0; 2]; n],
-        };
+        let mut peaks = Peaks { displacement: 0.0, force: 0.0, modes: vec![[0.0; 2]; n] };
         let up = |i: usize| self.vertical.get(i).map_or(1.0, |a| 1.0 + a / GRAVITY);
         for i in 1..self.ground.len() {
             for part in 0..parts {
@@ -110,18 +102,13 @@ impl Other<'_> {
 
     fn rate(&self, s: &[f64], [ground, gravity]: [f64; 2]) -> Vec<f64> {
         let [force, stick, strength] = law(self, [s[0], s[1]], gravity);
-        let modal: f64 = (self.modes.iter().zip(s[3..].chunks_exact(2)))
-            .map(|(mode, y)| mode.mass * pull(mode, y))
-            .sum();
+        let modal: f64 =
+            (self.modes.iter().zip(s[3..].chunks_exact(2))).map(|(mode, y)| mode.mass * pull(mode, y)).sum();
         let rigid = self.mass - self.modes.iter().map(|mode| mode.mass).sum::<f64>();
         // Rigid mass: m_r A = Σ m (2 ξ ω ẏ + ω² y) − F.
         let a = (modal - force - s[2]) / rigid;
         let loads = s[2] * s[1] > 0.0;
-        let held = if s[2].abs() >= strength && loads {
-            0.0
-        } else {
-            stick * s[1]
-        };
+        let held = if s[2].abs() >= strength && loads { 0.0 } else { stick * s[1] };
         let mut rate = vec![s[1], a - ground, held];
         for (mode, y) in self.modes.iter().zip(s[3..].chunks_exact(2)) {
             rate.extend([y[1], -pull(mode, y) - a]);

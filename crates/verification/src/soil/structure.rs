@@ -33,72 +33,28 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("G8", "complex stiffness with cones"),
         ("G9", "complex mode of the cones"),
         ("G10", "limits, march in time, formulas of the codes"),
-        (
-            "G11",
-            "body in modes on cones: one mode, two modes, a slab; marches and steady state",
-        ),
+        ("G11", "body in modes on cones: one mode, two modes, a slab; marches and steady state"),
     ],
-    parts: &[
-        Part::Fast(tanks),
-        Part::Fast(limits),
-        Part::Fast(body_in_modes),
-        Part::Fast(codes),
-    ],
+    parts: &[Part::Fast(tanks), Part::Fast(limits), Part::Fast(body_in_modes), Part::Fast(codes)],
 };
 
 /// V_s, T̃ static, then T̃ and ξ̃: Veletsos, peak, cones, complex mode.
 type Line = (f64, f64, [(f64, f64); 4]);
 const TABLE: [[Line; 3]; 3] = [
     [
-        (
-            150.0,
-            0.3881,
-            [(0.3711, 0.241), (0.3714, 0.219), (0.3673, 0.250), (0.3660, 0.289)],
-        ),
-        (
-            250.0,
-            0.2934,
-            [(0.2842, 0.121), (0.2837, 0.118), (0.2832, 0.127), (0.2824, 0.137)],
-        ),
-        (
-            500.0,
-            0.2426,
-            [(0.2411, 0.0416), (0.2411, 0.0414), (0.2411, 0.0427), (0.2411, 0.0432)],
-        ),
+        (150.0, 0.3881, [(0.3711, 0.241), (0.3714, 0.219), (0.3673, 0.250), (0.3660, 0.289)]),
+        (250.0, 0.2934, [(0.2842, 0.121), (0.2837, 0.118), (0.2832, 0.127), (0.2824, 0.137)]),
+        (500.0, 0.2426, [(0.2411, 0.0416), (0.2411, 0.0414), (0.2411, 0.0427), (0.2411, 0.0432)]),
     ],
     [
-        (
-            150.0,
-            0.3570,
-            [(0.2983, 0.278), (0.2796, 0.251), (0.2957, 0.273), (0.2673, 0.332)],
-        ),
-        (
-            250.0,
-            0.2763,
-            [(0.2535, 0.137), (0.2503, 0.133), (0.2523, 0.136), (0.2480, 0.152)],
-        ),
-        (
-            500.0,
-            0.2340,
-            [(0.2306, 0.0480), (0.2305, 0.0478), (0.2305, 0.0488), (0.2303, 0.0500)],
-        ),
+        (150.0, 0.3570, [(0.2983, 0.278), (0.2796, 0.251), (0.2957, 0.273), (0.2673, 0.332)]),
+        (250.0, 0.2763, [(0.2535, 0.137), (0.2503, 0.133), (0.2523, 0.136), (0.2480, 0.152)]),
+        (500.0, 0.2340, [(0.2306, 0.0480), (0.2305, 0.0478), (0.2305, 0.0488), (0.2303, 0.0500)]),
     ],
     [
-        (
-            150.0,
-            0.2743,
-            [(0.2761, 0.133), (0.2765, 0.129), (0.2769, 0.150), (0.2781, 0.149)],
-        ),
-        (
-            250.0,
-            0.1992,
-            [(0.1990, 0.079), (0.1991, 0.078), (0.1995, 0.087), (0.1997, 0.0875)],
-        ),
-        (
-            500.0,
-            0.1571,
-            [(0.1570, 0.0325), (0.1570, 0.0324), (0.1572, 0.0336), (0.1572, 0.0337)],
-        ),
+        (150.0, 0.2743, [(0.2761, 0.133), (0.2765, 0.129), (0.2769, 0.150), (0.2781, 0.149)]),
+        (250.0, 0.1992, [(0.1990, 0.079), (0.1991, 0.078), (0.1995, 0.087), (0.1997, 0.0875)]),
+        (500.0, 0.1571, [(0.1570, 0.0325), (0.1570, 0.0324), (0.1572, 0.0336), (0.1572, 0.0337)]),
     ],
 ];
 
@@ -111,13 +67,7 @@ fn tanks() -> Answer {
             let on = on_soil(radius, tank, velocity)?;
             let place = format!("tank {name}, V_s = {velocity} m/s");
             let what = format!("period, {place}");
-            rows.push(Row::new(
-                "G5",
-                what,
-                other(static_period),
-                on.static_period(),
-                (0.01, "s"),
-            ));
+            rows.push(Row::new("G5", what, other(static_period), on.static_period(), (0.01, "s")));
             let peak = on.peak(Impedance::Veletsos);
             let mode = Chain::new(&on, [0.0, 0.0]).and_then(|c| c.complex_mode());
             let found = [
@@ -129,13 +79,7 @@ fn tanks() -> Answer {
             for (i, (Effective { period, damping }, (t, xi))) in found.into_iter().zip(expected).enumerate() {
                 let id = format!("G{}", i + 6);
                 rows.push(Row::new(&id, format!("period, {place}"), other(t), period, (0.01, "s")));
-                rows.push(Row::new(
-                    &id,
-                    format!("damping, {place}"),
-                    other(xi),
-                    damping,
-                    (0.01, "1"),
-                ));
+                rows.push(Row::new(&id, format!("damping, {place}"), other(xi), damping, (0.01, "1")));
             }
             let what = format!("m s² + S(s) over m |s|² at the complex mode, {place}");
             let zero = (0.0, "springs in series", Reference::ClosedForm);
@@ -167,21 +111,9 @@ fn limits() -> Answer {
         let chain = Chain::new(&on, [0.0, 0.0]).map_err(failure)?;
         let Effective { period, damping } = chain.complex_mode().map_err(failure)?;
         let place = format!("tank {name}, V_s = 3·10⁵ m/s, complex mode");
-        rows.push(Row::new(
-            "G10",
-            format!("period, {place}"),
-            closed(tank[2], "fixed base"),
-            period,
-            (1e-6, "s"),
-        ));
+        rows.push(Row::new("G10", format!("period, {place}"), closed(tank[2], "fixed base"), period, (1e-6, "s")));
         // The soil adds the cube of its flexibility to the damping: 1e-9 of it is left.
-        rows.push(Row::new(
-            "G10",
-            format!("damping, {place}"),
-            closed(0.02, "fixed base"),
-            damping,
-            (1e-5, "1"),
-        ));
+        rows.push(Row::new("G10", format!("damping, {place}"), closed(0.02, "fixed base"), damping, (1e-5, "1")));
     }
     // Steady state of the march at the effective period of tank B.
     let (_, radius, tank) = IMPULSIVE[0];
@@ -215,12 +147,8 @@ fn body_in_modes() -> Answer {
     let most = |u: &[f64]| u.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     for (slab, name) in [([0.0, 0.0], "massless slab"), ([1e6, 5e7], "slab of 1000 t")] {
         let root = on.structure.mass.sqrt();
-        let mode = Mode {
-            omega,
-            damping: on.structure.damping,
-            translation: root,
-            rotation: root * on.structure.height,
-        };
+        let mode =
+            Mode { omega, damping: on.structure.damping, translation: root, rotation: root * on.structure.height };
         let (mass, arm) = (on.structure.mass, on.structure.height);
         let body = Body {
             modes: vec![mode],
@@ -246,10 +174,9 @@ fn body_in_modes() -> Answer {
     let ground: Vec<f64> = (0..400 * 40).map(|i| (w * h * f64::from(i)).sin()).collect();
     let found = body::march(&two, &on.disc, &ground, h, 1).map_err(failure)?;
     let [x, psi] = steady(&two, &on, w);
-    for (what, reference, history, unit) in [
-        ("translation", x, &found.translation, "m"),
-        ("rotation", psi, &found.rotation, "rad"),
-    ] {
+    for (what, reference, history, unit) in
+        [("translation", x, &found.translation, "m"), ("rotation", psi, &found.rotation, "rad")]
+    {
         let source = (reference, "frequency domain", Reference::SecondFormulation);
         let what = format!("steady {what} of the foundation under two modes and a slab");
         rows.push(Row::new("G11", what, source, most(&history[400 * 38..]), (2e-3, unit)));

@@ -83,10 +83,7 @@ impl Cantilever {
     }
 
     pub(super) fn linear(bricks: usize) -> Result<Cantilever, Failure> {
-        let none = Rayleigh {
-            mass: 0.0,
-            stiffness: 0.0,
-        };
+        let none = Rayleigh { mass: 0.0, stiffness: 0.0 };
         Cantilever::new(bricks, Kinematics::Linear, none)
     }
 
@@ -150,11 +147,7 @@ pub(super) fn statics() -> Answer {
     let mut c1 = Row::new(
         "C1",
         "deflection of the tip, 400 bricks",
-        (
-            beam_deflection() + shear,
-            "P L³/(3 E I) + P L/(G A_s)",
-            Reference::ClosedForm,
-        ),
+        (beam_deflection() + shear, "P L³/(3 E I) + P L/(G A_s)", Reference::ClosedForm),
         fine,
         (3e-3, "m"),
     );
@@ -164,11 +157,7 @@ pub(super) fn statics() -> Answer {
     rows.push(Row::new(
         "C1",
         "deflection of the tip, 200 bricks",
-        (
-            0.06207,
-            "independent prototype of the same brick",
-            Reference::SecondFormulation,
-        ),
+        (0.06207, "independent prototype of the same brick", Reference::SecondFormulation),
         at_200,
         (5e-4, "m"),
     ));
@@ -179,11 +168,7 @@ pub(super) fn statics() -> Answer {
         rows.push(Row::new(
             "C2",
             format!("extension, {bricks} bricks"),
-            (
-                AXIAL * LENGTH / (MODULUS * DEPTH * DEPTH),
-                "P L/(E A)",
-                Reference::ClosedForm,
-            ),
+            (AXIAL * LENGTH / (MODULUS * DEPTH * DEPTH), "P L/(E A)", Reference::ClosedForm),
             beam.tip_motion(&u)[0],
             (1e-9, "m"),
         ));
@@ -193,10 +178,7 @@ pub(super) fn statics() -> Answer {
 
 /// Factor L Lᵀ of a matrix in the pattern of a model.
 pub(super) fn symbolic(assembler: &Assembler) -> Result<Arc<Symbolic>, Failure> {
-    Ok(Arc::new(Symbolic::new(
-        assembler.pattern().clone(),
-        &Ordering::MinimumDegree,
-    )?))
+    Ok(Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree)?))
 }
 
 /// The two lowest ω [rad/s] by inverse iteration with two vectors, started from the beam's bending shapes.
@@ -267,11 +249,7 @@ pub(super) fn frequencies() -> Answer {
         rows.push(Row::new(
             "C3",
             format!("ω_{}, 200 bricks", j + 1),
-            (
-                prototype,
-                "independent prototype of the same brick",
-                Reference::SecondFormulation,
-            ),
+            (prototype, "independent prototype of the same brick", Reference::SecondFormulation),
             convergence[2].1[j],
             (5e-4, "rad/s"),
         ));
@@ -280,11 +258,7 @@ pub(super) fn frequencies() -> Answer {
     let mut fine = Row::new(
         "C3",
         "ω_1, 400 bricks",
-        (
-            56.197,
-            "Timoshenko's beam with rotary inertia (theory sheet)",
-            Reference::SecondFormulation,
-        ),
+        (56.197, "Timoshenko's beam with rotary inertia (theory sheet)", Reference::SecondFormulation),
         convergence[3].1[0],
         (2e-3, "rad/s"),
     );

@@ -89,26 +89,13 @@ impl Column {
         let properties = LiquidProperties::new(DENSITY, BULK, GRAVITY, LENGTH);
         for k in 0..nz {
             for i in 0..nx {
-                let level = |k: usize| {
-                    [
-                        liquid(i, 0, k),
-                        liquid(i + 1, 0, k),
-                        liquid(i + 1, 1, k),
-                        liquid(i, 1, k),
-                    ]
-                };
+                let level = |k: usize| [liquid(i, 0, k), liquid(i + 1, 0, k), liquid(i + 1, 1, k), liquid(i, 1, k)];
                 let (low, high) = (level(k), level(k + 1));
                 let nodes: [usize; 8] = std::array::from_fn(|a| if a < 4 { low[a] } else { high[a - 4] });
-                let cell = Hexahedron {
-                    nodes,
-                    chart: nodes.map(|n| builder.position(n)),
-                };
+                let cell = Hexahedron { nodes, chart: nodes.map(|n| builder.position(n)) };
                 builder.element("liquid", Fluid8::new(&cell, Chart::Cartesian, properties)?);
                 if k + 1 == nz {
-                    let face = Face {
-                        nodes: high,
-                        chart: high.map(|n| builder.position(n)),
-                    };
+                    let face = Face { nodes: high, chart: high.map(|n| builder.position(n)) };
                     let surface = FreeSurface::new(&face, Chart::Cartesian, DENSITY * GRAVITY)?;
                     builder.element("surface", surface);
                 }
@@ -117,43 +104,19 @@ impl Column {
         let material = Elastic::isotropic(MODULUS, 0.2, 0.0);
         let mut wall = 0..0;
         for k in 0..nz {
-            let level = |k: usize| {
-                [
-                    wall_node(0, 0, k),
-                    wall_node(1, 0, k),
-                    wall_node(1, 1, k),
-                    wall_node(0, 1, k),
-                ]
-            };
+            let level = |k: usize| [wall_node(0, 0, k), wall_node(1, 0, k), wall_node(1, 1, k), wall_node(0, 1, k)];
             let (low, high) = (level(k), level(k + 1));
             let nodes: [usize; 8] = std::array::from_fn(|a| if a < 4 { low[a] } else { high[a - 4] });
             let corners = nodes.map(|n| builder.position(n));
             let brick = Solid8::new(nodes, corners, material, Kinematics::Linear)?;
             let number = builder.element("wall", brick);
-            wall = if k == 0 {
-                number..number + 1
-            } else {
-                wall.start..number + 1
-            };
+            wall = if k == 0 { number..number + 1 } else { wall.start..number + 1 };
         }
         let law = ContactLaw::bonded(factor * BULK / (LENGTH / nx as f64));
         for k in 0..nz {
-            let bottom = [
-                liquid(nx, 0, k),
-                liquid(nx, 1, k),
-                liquid(nx, 1, k + 1),
-                liquid(nx, 0, k + 1),
-            ];
-            let top = [
-                wall_node(0, 0, k),
-                wall_node(0, 1, k),
-                wall_node(0, 1, k + 1),
-                wall_node(0, 0, k + 1),
-            ];
-            let face = Face {
-                nodes: bottom,
-                chart: bottom.map(|n| builder.position(n)),
-            };
+            let bottom = [liquid(nx, 0, k), liquid(nx, 1, k), liquid(nx, 1, k + 1), liquid(nx, 0, k + 1)];
+            let top = [wall_node(0, 0, k), wall_node(0, 1, k), wall_node(0, 1, k + 1), wall_node(0, 0, k + 1)];
+            let face = Face { nodes: bottom, chart: bottom.map(|n| builder.position(n)) };
             let joint = Contact8::new(&face, Chart::Cartesian, top, bottom, [[1.0, 0.0, 0.0]; 4], law)?;
             builder.element("joint", joint);
         }
@@ -173,9 +136,7 @@ impl Column {
     pub(super) fn lean(&self) -> Result<[f64; 3], Failure> {
         let load = self.assembler.body_force(&self.model, [0.0, 0.0, -GRAVITY]);
         let u = solve(&self.model, &self.assembler, &load)?;
-        let forces = self
-            .assembler
-            .nodal_forces(&self.model, &u, |e| self.wall.contains(&e))?;
+        let forces = self.assembler.nodal_forces(&self.model, &u, |e| self.wall.contains(&e))?;
         let reaction: f64 = self.outer.iter().map(|&n| forces[n][0]).sum();
         let [liquid, wall] = self.foot.map(|n| self.model.at_node(&u, n)[0]);
         let settlement: f64 = self.surface.iter().map(|&n| -self.model.at_node(&u, n)[2]).sum();
@@ -216,20 +177,11 @@ mod tests {
             let values = nalgebra::DMatrix::from_column_slice(k.rows, k.rows, &k.data).symmetric_eigenvalues();
             let condition = values.max() / values.min();
             let [force, gap, settlement] = column.lean().unwrap();
-            println!(
-                "1e{power}: {:.2e} {gap:.3e} {settlement:.6e} {condition:.1e}",
-                force - 1.0
-            );
+            println!("1e{power}: {:.2e} {gap:.3e} {settlement:.6e} {condition:.1e}", force - 1.0);
             // The settlement, 2.5e-4 m at most, changes the pressure at the foot by as much as the thrust.
             assert!((gap * factor / at_one - 1.0).abs() < 1e-3, "{power}: {gap}");
-            assert!(
-                ((1.0 - force) / settlement - 1.0).abs() < 2e-3,
-                "{power}: {force} {settlement}"
-            );
-            assert!(
-                power < 3 || (condition / (2e7 * factor) - 1.0).abs() < 0.1,
-                "{power}: {condition}"
-            );
+            assert!(((1.0 - force) / settlement - 1.0).abs() < 2e-3, "{power}: {force} {settlement}");
+            assert!(power < 3 || (condition / (2e7 * factor) - 1.0).abs() < 0.1, "{power}: {condition}");
         }
     }
 }

@@ -43,9 +43,7 @@ const LAYERS: usize = 20;
 fn tension() -> Tension {
     Tension {
         strength: STRENGTHS[1],
-        softening: Softening::Strain {
-            softening_strain: SOFTENING,
-        },
+        softening: Softening::Strain { softening_strain: SOFTENING },
         stiffening: None,
         bond: None,
     }
@@ -55,12 +53,7 @@ fn tension() -> Tension {
 fn concrete() -> Result<Leaf, Failure> {
     let [young, nu, thickness, _] = CONCRETE;
     let law = CrackedConcrete::new(&CrackedParameters::new(young, nu, STRENGTHS[0], tension()))?;
-    let ply = Ply {
-        law: Arc::new(law),
-        thickness,
-        density: 0.0,
-        rule: Rule::MidPoint(LAYERS),
-    };
+    let ply = Ply { law: Arc::new(law), thickness, density: 0.0, rule: Rule::MidPoint(LAYERS) };
     let mut bars = Vec::new();
     for depth in [-BARS[3], BARS[3]] {
         bars.push(Bar {
@@ -71,10 +64,7 @@ fn concrete() -> Result<Leaf, Failure> {
             density: 0.0,
         });
     }
-    Ok(Leaf {
-        section: Arc::new(LayeredSection::new(&[ply], &bars)?),
-        face: 0.5 * thickness,
-    })
+    Ok(Leaf { section: Arc::new(LayeredSection::new(&[ply], &bars)?), face: 0.5 * thickness })
 }
 
 /// Deflection of the top of the concrete [m] under the pressure times each factor.
@@ -83,25 +73,16 @@ fn macro_wall(factors: &[f64]) -> Result<Vec<f64>, Failure> {
     let footprint = Footprint::strip(0.0, &[0.0, 1.0], &z)?;
     let mut builder = Builder::new();
     let [young, nu, thickness, _] = LINER;
-    let liner = Leaf {
-        section: Arc::new(ElasticSection::new(young, nu, thickness, 0.0)?),
-        face: 0.5 * thickness,
-    };
+    let liner = Leaf { section: Arc::new(ElasticSection::new(young, nu, thickness, 0.0)?), face: 0.5 * thickness };
     let layer = Elastic::pressed_only(3e6, 0.0);
     let placed = layered(&mut builder, &footprint, [liner, concrete()?], LAYER, layer)?;
     plane_strain(&mut builder, &footprint, &placed);
     placed.hold(&mut builder, &footprint.levels[0], Dof::SHELL);
     let model = builder.build()?;
     let assembler = Assembler::new(&model);
-    let symbolic = Arc::new(Symbolic::new(
-        assembler.pattern().clone(),
-        &order(&model, assembler.pattern()),
-    )?);
+    let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern()))?);
     let last = factors.last().copied().unwrap_or(0.0);
-    let load: Vec<f64> = press(&model, &footprint, &placed, pressure)
-        .iter()
-        .map(|f| last * f)
-        .collect();
+    let load: Vec<f64> = press(&model, &footprint, &placed, pressure).iter().map(|f| last * f).collect();
     let mut newton = Newton::new(&model, &assembler, &symbolic, None, Criteria::default())?;
     let mut state = State::new(&model);
     let top = placed.outer[footprint.levels[z.len() - 1][0]];
@@ -116,10 +97,7 @@ fn macro_wall(factors: &[f64]) -> Result<Vec<f64>, Failure> {
     }
     // Committed steps lie closer than the curve bends: linear between them.
     let at = |factor: f64| {
-        let i = found
-            .iter()
-            .position(|p| p[0] >= factor * (1.0 - 1e-12))
-            .unwrap_or(found.len() - 1);
+        let i = found.iter().position(|p| p[0] >= factor * (1.0 - 1e-12)).unwrap_or(found.len() - 1);
         let (a, b) = (if i == 0 { [0.0; 2] } else { found[i - 1] }, found[i]);
         a[1] + (factor - a[0]) / (b[0] - a[0]) * (b[1] - a[1])
     };
@@ -133,10 +111,7 @@ fn by_fibres(factor: f64) -> Result<f64, Failure> {
     let law = UniaxialConcrete::new(young / (1.0 - nu * nu), compression, Some(tension()))?;
     let section = FibreSection::new(0.0)?
         .rectangle(Arc::new(law), [1.0, thickness], 0.0, LAYERS)?
-        .bars(
-            Arc::new(BarLaw::new(BARS[0], BARS[1], 0.0)?),
-            &[[-BARS[3], BARS[2]], [BARS[3], BARS[2]]],
-        )?;
+        .bars(Arc::new(BarLaw::new(BARS[0], BARS[1], 0.0)?), &[[-BARS[3], BARS[2]], [BARS[3], BARS[2]]])?;
     let curvatures: Vec<f64> = (1..=500).map(|i| 2.5e-6 * f64::from(i)).collect();
     let mut line = vec![[0.0; 2]];
     for point in section.moment_curvature(0.0, &curvatures)? {

@@ -140,10 +140,7 @@ fn follow(
 
 /// Tip displacements (u, w) of `bricks` bricks.
 fn of_bricks(bricks: usize, sign: f64, factors: &[f64]) -> Result<Vec<[f64; 2]>, Failure> {
-    let none = Rayleigh {
-        mass: 0.0,
-        stiffness: 0.0,
-    };
+    let none = Rayleigh { mass: 0.0, stiffness: 0.0 };
     let beam = Cantilever::new(bricks, Kinematics::GreenLagrange, none)?;
     let load = beam.tip_load([sign * AXIAL, 0.0, TRANSVERSE]);
     let symbolic = symbolic(&beam.assembler)?;
@@ -178,8 +175,7 @@ fn of_shells(elements: usize, sign: f64, factors: &[f64]) -> Result<Vec<[f64; 2]
     let assembler = Assembler::new(&model);
     let tip = [0, 1].map(|k| placed.inner[footprint.levels[elements][k]]);
     let mut loads = NodalLoads::new();
-    tip.iter()
-        .for_each(|&n| loads.force(n, [0.5 * TRANSVERSE, 0.0, 0.5 * sign * AXIAL]));
+    tip.iter().for_each(|&n| loads.force(n, [0.5 * TRANSVERSE, 0.0, 0.5 * sign * AXIAL]));
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree)?);
     let found = follow(&model, &assembler, &symbolic, &loads.vector(&model), factors, 0.25)?;
     let at_tip = |u: Vec<f64>| {
@@ -263,19 +259,12 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
         let at = elastica(sign, &asked)?;
         for (i, factor) in asked.into_iter().enumerate() {
             for (bricks, values) in &found {
-                let sheet = PROTOTYPE
-                    .iter()
-                    .find(|p| p.0 == *bricks && p.1 == sign)
-                    .map(|p| p.2[i].1);
+                let sheet = PROTOTYPE.iter().find(|p| p.0 == *bricks && p.1 == sign).map(|p| p.2[i].1);
                 if let Some(sheet) = sheet {
                     rows.push(Row::new(
                         "C5",
                         format!("{bricks} bricks, {name}, λ = {factor}: w"),
-                        (
-                            sheet,
-                            "independent prototype of the same brick",
-                            Reference::SecondFormulation,
-                        ),
+                        (sheet, "independent prototype of the same brick", Reference::SecondFormulation),
                         values[i][1],
                         (5e-4, "m"),
                     ));
@@ -285,20 +274,13 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
                 let mut row = Row::new(
                     "C5",
                     format!("{bricks} bricks, {name}, λ = {factor}: w against the elastica"),
-                    (
-                        at[i][1],
-                        "extensible elastica, Reissner 1972, by shooting",
-                        Reference::ClosedForm,
-                    ),
+                    (at[i][1], "extensible elastica, Reissner 1972, by shooting", Reference::ClosedForm),
                     values[i][1],
                     // 200 bricks lock by 0.7 %, which compression beyond P_cr/3 triples; 400 lock by 0.2 %, and the prototype
                     // of the sheet is then 0.35 % off at λ = 2.
                     (if *bricks >= 400 { 4e-3 } else { 2.5e-2 }, "m"),
                 );
-                row.convergence = found
-                    .iter()
-                    .map(|(n, v)| (*n as f64, v[i][1] / at[i][1] - 1.0))
-                    .collect();
+                row.convergence = found.iter().map(|(n, v)| (*n as f64, v[i][1] / at[i][1] - 1.0)).collect();
                 rows.push(row);
             }
         }

@@ -94,37 +94,19 @@ fn force(grid: &Grid) -> Motion {
 
 /// History of the tip of a linear cantilever; damping of the elements, or of the system.
 fn linear_history(bricks: usize, grid: Grid, damping: Rayleigh, of_elements: bool) -> Result<Vec<f64>, Failure> {
-    let beam = if of_elements {
-        Cantilever::new(bricks, Kinematics::Linear, damping)?
-    } else {
-        Cantilever::linear(bricks)?
-    };
+    let beam =
+        if of_elements { Cantilever::new(bricks, Kinematics::Linear, damping)? } else { Cantilever::linear(bricks)? };
     let mut system = System::new(&beam.model, &beam.assembler)?;
     if of_elements {
         system.damping.add_sparse(beam.assembler.damping(&beam.model));
     } else {
         system.damping = Damping::rayleigh(damping);
     }
-    let load = Load {
-        forces: vec![(beam.tip_load([0.0, 0.0, TRANSVERSE]), force(&grid))],
-        ..Load::default()
-    };
+    let load = Load { forces: vec![(beam.tip_load([0.0, 0.0, TRANSVERSE]), force(&grid))], ..Load::default() };
     let mut tip = Observable::displacement(&beam.model, beam.tip[0], Dof::Uz);
-    tip.displacement = beam
-        .tip
-        .iter()
-        .flat_map(|&node| beam.model.row(node, Dof::Uz))
-        .map(|(e, c)| (e, 0.25 * c))
-        .collect();
-    let found = integrate(
-        &system,
-        &symbolic(&beam.assembler)?,
-        &[load],
-        &Settings::new(grid),
-        &[tip],
-        &[],
-        &Silent,
-    )?;
+    tip.displacement =
+        beam.tip.iter().flat_map(|&node| beam.model.row(node, Dof::Uz)).map(|(e, c)| (e, 0.25 * c)).collect();
+    let found = integrate(&system, &symbolic(&beam.assembler)?, &[load], &Settings::new(grid), &[tip], &[], &Silent)?;
     Ok(found[0].observed.scalars[0].values.clone())
 }
 
@@ -160,9 +142,7 @@ fn nonlinear_history(bricks: usize, grid: Grid, damping: Rayleigh, of: DampingSt
             let internal = assembler
                 .respond(model, &mut state, Want::ALL, &mut tangent)
                 .map_err(|(e, error)| format!("element {e}: {error}"))?;
-            let mut rest: Vec<f64> = (shape.iter().zip(&internal))
-                .map(|(p, f)| p * time.at(step) - f)
-                .collect();
+            let mut rest: Vec<f64> = (shape.iter().zip(&internal)).map(|(p, f)| p * time.at(step) - f).collect();
             mass.add_product(-1.0, &state.trial.a, &mut rest);
             viscous.add_product(-1.0, &state.trial.v, &mut rest);
             let mut effective = tangent.clone();
@@ -204,16 +184,8 @@ fn norm(x: &[f64]) -> f64 {
 /// axis with a_K E A, which here outweighs the damping of bending. Amplitudes of the stationary state hardly show it, far
 /// below resonance; the phase doubles and the first peaks are 7 % lower. With the tangent in its place all agree.
 pub(super) fn harmonic() -> Answer {
-    let damping = Rayleigh::fit(
-        (beam_frequency(ROOTS[0]), 0.02),
-        (beam_frequency(ROOTS[1]), 0.05),
-        false,
-    )?;
-    let grid = |dt: f64, end: f64| Grid {
-        dt,
-        sub_steps: 1,
-        samples: (end / dt).round() as usize + 1,
-    };
+    let damping = Rayleigh::fit((beam_frequency(ROOTS[0]), 0.02), (beam_frequency(ROOTS[1]), 0.05), false)?;
+    let grid = |dt: f64, end: f64| Grid { dt, sub_steps: 1, samples: (end / dt).round() as usize + 1 };
     // Steps of 1/56 of the first period lengthen it by 0.1 %; after 8 s the start has decayed to exp(−9).
     let fine = grid(2e-3, 8.0);
     let history = linear_history(400, fine, damping, false)?;
@@ -222,25 +194,11 @@ pub(super) fn harmonic() -> Answer {
     let exact = series.stationary();
     let closed = "series of Bernoulli's beam";
     let largest = |h: &[f64]| h.iter().fold(0.0_f64, |m, w| m.max(w.abs()));
-    let exact_peak = (0..fine.samples)
-        .map(|i| series.at(fine.time(i)).abs())
-        .fold(0.0, f64::max);
+    let exact_peak = (0..fine.samples).map(|i| series.at(fine.time(i)).abs()).fold(0.0, f64::max);
     let mut rows = vec![
-        Row::new(
-            "C6",
-            "stationary amplitude",
-            (exact.norm(), closed, Reference::ClosedForm),
-            amplitude,
-            (5e-3, "m"),
-        ),
+        Row::new("C6", "stationary amplitude", (exact.norm(), closed, Reference::ClosedForm), amplitude, (5e-3, "m")),
         // 0.5 % of the amplitude is 0.005 rad.
-        Row::new(
-            "C6",
-            "phase lag",
-            (-exact.arg(), closed, Reference::ClosedForm),
-            phase,
-            (2e-2, "rad"),
-        ),
+        Row::new("C6", "phase lag", (-exact.arg(), closed, Reference::ClosedForm), phase, (2e-2, "rad")),
         Row::new(
             "C6",
             "largest displacement from rest",
@@ -259,11 +217,7 @@ pub(super) fn harmonic() -> Answer {
         ("element damping, linear", &elements, 1e-9),
         ("damping by the tangent, Green-Lagrange strain", &tangent, 2e-2),
         // Shown, not asserted: a constant damping matrix resists rigid rotation, see the theory document.
-        (
-            "constant element damping, Green-Lagrange strain",
-            &initial,
-            f64::INFINITY,
-        ),
+        ("constant element damping, Green-Lagrange strain", &initial, f64::INFINITY),
     ] {
         let second = "system Rayleigh damping, linear, the same mesh";
         for (quantity, value, reference) in [

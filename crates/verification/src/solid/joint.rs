@@ -42,23 +42,14 @@ const UP: [[f64; 3]; 4] = [[0.0, 0.0, 1.0]; 4];
 
 /// Forces on the top nodes, per k_n, of a joint on the square that transmits no tension.
 fn half_closed(gaps: [f64; 4]) -> Result<[f64; 4], Failure> {
-    let face = Face {
-        nodes: [4, 5, 6, 7],
-        chart: quad4::CORNERS.map(|[x, y]| [x, y, 0.0]),
-    };
-    let law = ContactLaw {
-        opening: Opening::Unilateral { residual: 0.0 },
-        ..ContactLaw::bonded(1.0)
-    };
+    let face = Face { nodes: [4, 5, 6, 7], chart: quad4::CORNERS.map(|[x, y]| [x, y, 0.0]) };
+    let law = ContactLaw { opening: Opening::Unilateral { residual: 0.0 }, ..ContactLaw::bonded(1.0) };
     let joint = Contact8::new(&face, Chart::Cartesian, [0, 1, 2, 3], [4, 5, 6, 7], UP, law)?;
     let mut values = [0.0; 24];
     for a in 0..4 {
         values[3 * a + 2] = gaps[a];
     }
-    let motion = Motion {
-        values: &values,
-        rotations: &[UnitQuaternion::identity(); 8],
-    };
+    let motion = Motion { values: &values, rotations: &[UnitQuaternion::identity(); 8] };
     let mut response = Response::sized(24);
     joint.respond(motion, &[], &mut [], Want::FORCE, &mut response)?;
     Ok(std::array::from_fn(|a| response.force[3 * a + 2]))
@@ -119,10 +110,7 @@ impl Blocks {
         let mut forces = vec![0.0; 36];
         for cell in &cells {
             let (bottom, top) = (cell.map(|n| 9 + n), cell.map(|n| 18 + n));
-            let face = Face {
-                nodes: bottom,
-                chart: bottom.map(|n| builder.position(n)),
-            };
+            let face = Face { nodes: bottom, chart: bottom.map(|n| builder.position(n)) };
             let law = ContactLaw::bonded(factor * MODULUS / HEIGHT);
             let joint = Contact8::new(&face, Chart::Cartesian, top, bottom, UP, law)?;
             joints.push(builder.element("joint", joint));
@@ -145,13 +133,7 @@ impl Blocks {
             f[2] = forces[node];
             f
         });
-        Ok(Blocks {
-            model,
-            assembler,
-            load,
-            joints,
-            top: 35,
-        })
+        Ok(Blocks { model, assembler, load, joints, top: 35 })
     }
 
     /// Largest relative deviation of the joint's pressure from the one applied, and displacement of the top over that
@@ -232,10 +214,7 @@ mod tests {
             println!("1e{power}: {worst:.1e} {:.1e} {condition:.1e}", shortening - 1.0);
             let rounding = condition * f64::EPSILON;
             assert!(worst < rounding, "{power}: {worst} {condition}");
-            assert!(
-                (shortening - 1.0 - 0.5 / factor).abs() < 1e-8 + rounding,
-                "{power}: {shortening}"
-            );
+            assert!((shortening - 1.0 - 0.5 / factor).abs() < 1e-8 + rounding, "{power}: {shortening}");
         }
     }
 }

@@ -33,10 +33,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             rotations.",
     ids: &[
         ("C9", "wall of two shells and a layer"),
-        (
-            "C13",
-            "the same with concrete that cracks, beside the fibre section of the strips",
-        ),
+        ("C13", "the same with concrete that cracks, beside the fibre section of the strips"),
     ],
     parts: &[Part::Fast(rows), Part::Fast(super::cracked_wall::rows)],
 };
@@ -99,11 +96,7 @@ pub(super) fn layered(
     material: Elastic,
 ) -> Result<PlacedWall, Failure> {
     let outer = leaves[0].face + thickness + leaves[1].face;
-    let layer = Layer {
-        material,
-        kinematics: Kinematics::GreenLagrange,
-        mass: LayerMass::Halves,
-    };
+    let layer = Layer { material, kinematics: Kinematics::GreenLagrange, mass: LayerMass::Halves };
     let build = Build::Layered(leaves, layer);
     let mesh = WallMesh {
         footprint,
@@ -147,13 +140,8 @@ fn example(e_normal: f64, count: usize, shear: Shear) -> Result<[f64; 3], Failur
     let footprint = Footprint::strip(0.0, &[0.0, 1.0], &z)?;
     let mut builder = Builder::new();
     let of = |[e, nu, t, _]: [f64; 4]| leaf([e, nu, t], shear);
-    let placed = layered(
-        &mut builder,
-        &footprint,
-        [of(LINER)?, of(CONCRETE)?],
-        LAYER,
-        Elastic::normal_only(e_normal, 0.0),
-    )?;
+    let placed =
+        layered(&mut builder, &footprint, [of(LINER)?, of(CONCRETE)?], LAYER, Elastic::normal_only(e_normal, 0.0))?;
     plane_strain(&mut builder, &footprint, &placed);
     placed.hold(&mut builder, &footprint.levels[0], Dof::SHELL);
     let model = builder.build()?;
@@ -167,11 +155,7 @@ fn example(e_normal: f64, count: usize, shear: Shear) -> Result<[f64; 3], Failur
     Ok([moment(&placed.outer), moment(&placed.inner), pressed])
 }
 
-const NAMES: [&str; 3] = [
-    "base moment of the concrete",
-    "base moment of the liner",
-    "compression of the layer",
-];
+const NAMES: [&str; 3] = ["base moment of the concrete", "base moment of the liner", "compression of the layer"];
 
 const UNITS: [&str; 3] = ["kNm/m", "kNm/m", "m"];
 
@@ -187,13 +171,7 @@ fn layered_wall() -> Answer {
         let stiff = [concrete, liner, compression];
         let flexible = beams(e_normal, 160, Shear::Flexible)?;
         for (shear, what, reference, source, kind) in [
-            (
-                Shear::Stiff,
-                "shells stiff in shear",
-                stiff,
-                "two Bernoulli beams on a layer",
-                Reference::ClosedForm,
-            ),
+            (Shear::Stiff, "shells stiff in shear", stiff, "two Bernoulli beams on a layer", Reference::ClosedForm),
             (
                 Shear::Flexible,
                 "shells",
@@ -249,9 +227,7 @@ fn sandwich(material: Elastic, elements: usize) -> Result<f64, Failure> {
     placed.hold(&mut builder, &footprint.levels[elements / 2], &[Dof::Uz, Dof::Rx]);
     let model = builder.build()?;
     let assembler = Assembler::new(&model);
-    let load = press(&model, &footprint, &placed, |z| {
-        PEAK * (std::f64::consts::PI * z / SPAN).sin()
-    });
+    let load = press(&model, &footprint, &placed, |z| PEAK * (std::f64::consts::PI * z / SPAN).sin());
     let u = solve(&model, &assembler, &load)?;
     Ok(model.at_node(&u, placed.outer[footprint.levels[elements / 2][0]])[0])
 }
@@ -262,21 +238,13 @@ fn composite() -> Answer {
     let (k, d) = (std::f64::consts::PI / SPAN, CORE + t);
     let (own, together) = (e * t.powi(3) / 6.0, 0.5 * e * t * d * d);
     let stiffness = |g: f64| {
-        let share = if g == 0.0 {
-            0.0
-        } else {
-            together / (1.0 + together * k * k / (g * d * d / CORE))
-        };
+        let share = if g == 0.0 { 0.0 } else { together / (1.0 + together * k * k / (g * d * d / CORE)) };
         k.powi(4) * (own + share)
     };
     let mut rows = Vec::new();
     // Normal stiffness as of the faces: the core's own shortening is 1e-6 of the deflection.
     for g in [0.0, 2e5, 2e6, 2e7, 2e8] {
-        let material = if g == 0.0 {
-            Elastic::normal_only(e, 0.0)
-        } else {
-            Elastic::core(e, g, 0.0)
-        };
+        let material = if g == 0.0 { Elastic::normal_only(e, 0.0) } else { Elastic::core(e, g, 0.0) };
         let exact = PEAK / stiffness(g);
         let counts = [20, 40, 80];
         let mut errors = Vec::new();

@@ -77,15 +77,9 @@ impl Block {
             let material = Elastic::isotropic(modulus, 0.0, 0.0);
             builder.element("block", Solid8::new(nodes, corners, material, Kinematics::Linear)?);
             let under = quad(&ground, i);
-            let face = Face {
-                nodes: under,
-                chart: under.map(|n| builder.position(n)),
-            };
+            let face = Face { nodes: under, chart: under.map(|n| builder.position(n)) };
             let normals = [[0.0, 0.0, 1.0]; 4];
-            builder.element(
-                "joint",
-                Contact8::new(&face, Chart::Cartesian, low, under, normals, law)?,
-            );
+            builder.element("joint", Contact8::new(&face, Chart::Cartesian, low, under, normals, law)?);
         }
         if spring > 0.0 {
             for (&node, share) in top.iter().zip(shares()) {
@@ -97,14 +91,7 @@ impl Block {
         let assembler = Assembler::new(&model);
         let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree)?);
         let state = State::new(&model);
-        Ok(Block {
-            model,
-            assembler,
-            symbolic,
-            state,
-            bottom: bottom.into_iter().step_by(2).collect(),
-            top,
-        })
+        Ok(Block { model, assembler, symbolic, state, bottom: bottom.into_iter().step_by(2).collect(), top })
     }
 
     /// Force `force` upwards on the top, as a pressure linear in x with its resultant at `eccentricity`.
@@ -112,9 +99,7 @@ impl Block {
         let mut at = vec![0.0; self.model.nodes().len()];
         // Shares of the nodes, and their first moment Σ share x² on the block.
         let place = |node: usize| self.model.nodes()[node][0];
-        let second: f64 = (self.top.iter().zip(shares()))
-            .map(|(&n, s)| s * place(n).powi(2))
-            .sum();
+        let second: f64 = (self.top.iter().zip(shares())).map(|(&n, s)| s * place(n).powi(2)).sum();
         for (&node, share) in self.top.iter().zip(shares()) {
             at[node] = force * share * (1.0 + eccentricity * place(node) / second);
         }
@@ -123,18 +108,8 @@ impl Block {
             f[2] = at[node];
             f
         });
-        let settings = ContactSettings {
-            passes,
-            ..ContactSettings::default()
-        };
-        Ok(settle(
-            &self.model,
-            &self.assembler,
-            &self.symbolic,
-            &mut self.state,
-            &load,
-            &settings,
-        )?)
+        let settings = ContactSettings { passes, ..ContactSettings::default() };
+        Ok(settle(&self.model, &self.assembler, &self.symbolic, &mut self.state, &load, &settings)?)
     }
 
     /// Displacement of the bottom along z at its nodes.
@@ -247,11 +222,7 @@ fn augmented() -> Answer {
         rows.push(Row::new(
             "C7",
             format!("block between joint and springs: penetration after {pass} updates of the multiplier"),
-            (
-                (force - multiplier) / bed,
-                "three springs in a row, by hand",
-                Reference::ClosedForm,
-            ),
+            ((force - multiplier) / bed, "three springs in a row, by hand", Reference::ClosedForm),
             found,
             (1e-8, "m"),
         ));

@@ -144,13 +144,7 @@ impl Strip {
         let model = builder.build()?;
         interlayer::check(&model)?;
         let assembler = Assembler::new(&model);
-        Ok(Strip {
-            model,
-            assembler,
-            z,
-            columns,
-            beams,
-        })
+        Ok(Strip { model, assembler, z, columns, beams })
     }
 
     /// Consistent forces of the liquid's pressure on the first wall, half on each edge.
@@ -237,18 +231,14 @@ impl TwoBeams {
         };
         for k in 0..2 {
             // d = d' = 0 at the foot.
-            a.fixed_view_mut::<1, 4>(k, 0)
-                .copy_from(&(found.basis(0, 0.0, k) * scale(k)).transpose());
+            a.fixed_view_mut::<1, 4>(k, 0).copy_from(&(found.basis(0, 0.0, k) * scale(k)).transpose());
             b[k] = -p(0.0, k) * scale(k);
             // d'' = d''' = 0 at the top.
-            a.fixed_view_mut::<1, 4>(2 + k, 4)
-                .copy_from(&(found.basis(1, HEIGHT, 2 + k) * scale(2 + k)).transpose());
+            a.fixed_view_mut::<1, 4>(2 + k, 4).copy_from(&(found.basis(1, HEIGHT, 2 + k) * scale(2 + k)).transpose());
         }
         for k in 0..4 {
-            a.fixed_view_mut::<1, 4>(4 + k, 0)
-                .copy_from(&(found.basis(0, DEPTH, k) * scale(k)).transpose());
-            a.fixed_view_mut::<1, 4>(4 + k, 4)
-                .copy_from(&(-found.basis(1, DEPTH, k) * scale(k)).transpose());
+            a.fixed_view_mut::<1, 4>(4 + k, 0).copy_from(&(found.basis(0, DEPTH, k) * scale(k)).transpose());
+            a.fixed_view_mut::<1, 4>(4 + k, 4).copy_from(&(-found.basis(1, DEPTH, k) * scale(k)).transpose());
             b[4 + k] = -p(DEPTH, k) * scale(k);
         }
         found.coefficients = a.lu().solve(&b).ok_or("the two beams have no solution")?;
@@ -270,9 +260,7 @@ impl TwoBeams {
 
     /// k-th derivative of d at z ≤ the liquid's surface.
     pub(super) fn difference(&self, z: f64, k: usize) -> f64 {
-        let homogeneous = self
-            .basis(0, z, k)
-            .dot(&self.coefficients.fixed_rows::<4>(0).into_owned());
+        let homogeneous = self.basis(0, z, k).dot(&self.coefficients.fixed_rows::<4>(0).into_owned());
         let particular = match k {
             0 => self.particular * pressure(z),
             1 => -self.particular * GAMMA,
@@ -321,11 +309,7 @@ pub(super) fn layered() -> Answer {
             found.push((beams(e_normal, count, Shear::Stiff)?, [concrete, liner, exact_pressed]));
         }
         let unit = ["kNm/m", "kNm/m", "m"];
-        let names = [
-            "base moment of the concrete",
-            "base moment of the liner",
-            "compression of the layer",
-        ];
+        let names = ["base moment of the concrete", "base moment of the liner", "compression of the layer"];
         for (k, tolerance) in [1e-4, 5e-3, 1e-3].into_iter().enumerate() {
             let (values, reference) = found[counts.len() - 1];
             let mut row = Row::new(
@@ -335,11 +319,7 @@ pub(super) fn layered() -> Answer {
                 values[k],
                 (tolerance, unit[k]),
             );
-            row.convergence = counts
-                .iter()
-                .zip(&found)
-                .map(|(n, (v, r))| (*n as f64, v[k] / r[k] - 1.0))
-                .collect();
+            row.convergence = counts.iter().zip(&found).map(|(n, (v, r))| (*n as f64, v[k] / r[k] - 1.0)).collect();
             rows.push(row);
         }
     }
@@ -363,38 +343,10 @@ pub(super) fn alone() -> Answer {
     let exact_top = GAMMA * h2 * h3 / (30.0 * ei) + (HEIGHT - DEPTH) * GAMMA * h2 * h2 / (24.0 * ei);
     let cantilever = |formula| (formula, Reference::ClosedForm);
     let rows = [
-        (
-            "base moment",
-            GAMMA * h3 / 6.0,
-            cantilever("γ H³/6"),
-            -reactions[0][2],
-            2e-3,
-            "kNm/m",
-        ),
-        (
-            "base shear",
-            GAMMA * h2 / 2.0,
-            cantilever("γ H²/2"),
-            -reactions[0][0],
-            2e-3,
-            "kN/m",
-        ),
-        (
-            "normal force at the base",
-            22.5,
-            cantilever("γ_c t H_T"),
-            reactions[0][1],
-            2e-3,
-            "kN/m",
-        ),
-        (
-            "displacement of the top",
-            exact_top,
-            cantilever("γ H⁵/(30 E I) + (H_T − H) γ H⁴/(24 E I)"),
-            top,
-            5e-3,
-            "m",
-        ),
+        ("base moment", GAMMA * h3 / 6.0, cantilever("γ H³/6"), -reactions[0][2], 2e-3, "kNm/m"),
+        ("base shear", GAMMA * h2 / 2.0, cantilever("γ H²/2"), -reactions[0][0], 2e-3, "kN/m"),
+        ("normal force at the base", 22.5, cantilever("γ_c t H_T"), reactions[0][1], 2e-3, "kN/m"),
+        ("displacement of the top", exact_top, cantilever("γ H⁵/(30 E I) + (H_T − H) γ H⁴/(24 E I)"), top, 5e-3, "m"),
         (
             "settlement of the surface",
             GAMMA * h3 * h3 / (72.0 * ei * HALF),
@@ -404,10 +356,8 @@ pub(super) fn alone() -> Answer {
             "m",
         ),
     ];
-    let rows = rows
-        .into_iter()
-        .map(|(what, exact, (source, kind), found, tolerance, unit)| {
-            Row::new("C10", what, (exact, source, kind), found, (tolerance, unit))
-        });
+    let rows = rows.into_iter().map(|(what, exact, (source, kind), found, tolerance, unit)| {
+        Row::new("C10", what, (exact, source, kind), found, (tolerance, unit))
+    });
     Ok(rows.collect())
 }

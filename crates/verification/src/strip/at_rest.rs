@@ -24,23 +24,15 @@ const CANTILEVER: &str = "cantilever under hydrostatic pressure";
 
 /// The state at rest under weight and pressure.
 pub(super) fn at_rest(strip: &StripModel) -> Result<State, StripError> {
-    let mut newton = Newton::new(
-        &strip.model,
-        &strip.assembler,
-        &strip.symbolic,
-        None,
-        Criteria::default(),
-    )?;
+    let mut newton = Newton::new(&strip.model, &strip.assembler, &strip.symbolic, None, Criteria::default())?;
     let mut state = State::new(&strip.model);
     let load = strip.at_rest();
     let zero = vec![0.0; load.len()];
-    newton
-        .step(&LoadStep, &mut state, &zero, &load)
-        .map_err(|failure: StepFailure| AnalysisError::Option {
-            option: "strip at rest",
-            found: failure.to_string(),
-            allowed: "equilibrium".into(),
-        })?;
+    newton.step(&LoadStep, &mut state, &zero, &load).map_err(|failure: StepFailure| AnalysisError::Option {
+        option: "strip at rest",
+        found: failure.to_string(),
+        allowed: "equilibrium".into(),
+    })?;
     Ok(state)
 }
 
@@ -69,33 +61,18 @@ pub(crate) fn statics() -> Answer {
         let state = at_rest(&strip)?;
         let [shear, axial, moment] = strip.base_reaction(&state, [0.0; 3])?.total();
         let deflection = state.committed.u[strip.top()];
-        found.push((
-            wet as f64,
-            [
-                moment.abs(),
-                shear.abs(),
-                -axial,
-                deflection,
-                strip.settlement(&state.committed.u),
-            ],
-        ));
+        found.push((wet as f64, [moment.abs(), shear.abs(), -axial, deflection, strip.settlement(&state.committed.u)]));
     }
     let finest = found[found.len() - 1].1;
-    let rows = references
-        .iter()
-        .enumerate()
-        .map(|(i, &(what, reference, tolerance, unit))| Row {
-            convergence: found
-                .iter()
-                .map(|(n, values)| (*n, values[i] / reference - 1.0))
-                .collect(),
-            ..Row::new(
-                "C10",
-                format!("strip 8.4 at rest, fibre wall: {what}"),
-                (reference, CANTILEVER, Reference::ClosedForm),
-                finest[i],
-                (tolerance, unit),
-            )
-        });
+    let rows = references.iter().enumerate().map(|(i, &(what, reference, tolerance, unit))| Row {
+        convergence: found.iter().map(|(n, values)| (*n, values[i] / reference - 1.0)).collect(),
+        ..Row::new(
+            "C10",
+            format!("strip 8.4 at rest, fibre wall: {what}"),
+            (reference, CANTILEVER, Reference::ClosedForm),
+            finest[i],
+            (tolerance, unit),
+        )
+    });
     Ok(rows.collect())
 }

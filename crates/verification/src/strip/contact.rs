@@ -34,10 +34,7 @@ const SOFT: f64 = 1e9;
 
 /// Elastic strip with the Rayleigh damping of table 8.15's linear result.
 fn model(contact: Contact) -> Result<StripModel, StripError> {
-    let options = fibre_beam::Options {
-        second_order: false,
-        ..fibre_beam::Options::default()
-    };
+    let options = fibre_beam::Options { second_order: false, ..fibre_beam::Options::default() };
     let mut tank = tank(elastic_section()?, 14, 1.0, options)?;
     tank.contact = contact;
     let damping = Rayleigh::fit((2.39, 0.01), (3.53, 0.01), false).map_err(fem::analysis::AnalysisError::from)?;
@@ -56,13 +53,7 @@ struct Case<'a> {
 }
 
 fn run(model: &StripModel, case: Case<'_>) -> Result<WallHistory, StripError> {
-    let Case {
-        record,
-        until,
-        scale,
-        radius,
-        step,
-    } = case;
+    let Case { record, until, scale, radius, step } = case;
     let mut scaled = record.clone();
     scaled.acceleration.iter_mut().for_each(|a| *a *= scale);
     let mut quake = StripQuake::new(scaled, step);
@@ -92,9 +83,7 @@ fn opened(history: &WallHistory) -> Option<[f64; 3]> {
 /// Deflections of the top and elevations, relative to rest, by Moreau's scheme on the dense matrices of the same model; and
 /// whether any joint is open, step by step.
 fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripError> {
-    let Case {
-        record, until, scale, ..
-    } = case;
+    let Case { record, until, scale, .. } = case;
     let joints = model.joints.as_ref().map_or(&[][..], |j| &j.elements[..]);
     let system = &model.system;
     let mut stiffness = system.stiffness.to_dense();
@@ -115,12 +104,7 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
             }
             let k = rows.len();
             let rest = list.map_or(0.0, |l| l.at_rest[k] * l.shares[k]);
-            rows.push(Joint {
-                closing,
-                stiffness: point.stiffness,
-                preload: rest,
-                relief: renumbered(&point.relief),
-            });
+            rows.push(Joint { closing, stiffness: point.stiffness, preload: rest, relief: renumbered(&point.relief) });
         }
     }
     // C with the stiffness of the joints left out, as the model has it.
@@ -131,13 +115,8 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
         let column = system.damping.times(&system.mass, &system.stiffness, &unit);
         damping.column_mut(j).copy_from_slice(&column);
     }
-    let jointed = Jointed {
-        mass: system.mass.to_dense(),
-        damping,
-        stiffness,
-        joints: rows,
-        opening: Opening::Unilateral,
-    };
+    let jointed =
+        Jointed { mass: system.mass.to_dense(), damping, stiffness, joints: rows, opening: Opening::Unilateral };
     let ground = |t: f64| {
         let place = t / record.dt;
         let i = place.floor() as usize;
@@ -168,13 +147,7 @@ pub(crate) fn contact(record: &Record, until: f64) -> Answer {
     };
     let joined = |opens, penalty| model(Contact::Joined { opens, penalty });
     let tight = model(Contact::Bonded)?;
-    let case = Case {
-        record,
-        until,
-        scale: 1.0,
-        radius: 1.0,
-        step: STEP,
-    };
+    let case = Case { record, until, scale: 1.0, radius: 1.0, step: STEP };
     let bonded = run(&tight, case)?;
     let closed = run(&joined(false, None)?, case)?;
     let without = "strip without joint";
@@ -221,12 +194,7 @@ pub(crate) fn contact(record: &Record, until: f64) -> Answer {
         ] {
             let largest = reference.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             let apart = |end: f64| {
-                let seen = found
-                    .times
-                    .iter()
-                    .zip(&steps)
-                    .zip(&values)
-                    .filter(|((t, _), _)| **t <= end);
+                let seen = found.times.iter().zip(&steps).zip(&values).filter(|((t, _), _)| **t <= end);
                 seen.map(|((_, &i), v)| (reference[i] - v).abs()).fold(0.0, f64::max) / largest
             };
             let early = first + TOUCHES;
@@ -257,15 +225,10 @@ pub(crate) fn contact(record: &Record, until: f64) -> Answer {
             ));
         }
         let mut shown = |radius: f64, step: f64, history: &WallHistory| {
-            for (what, (value, reference)) in ["moment", "wave"]
-                .into_iter()
-                .zip(peaks(history).into_iter().zip(linear))
+            for (what, (value, reference)) in ["moment", "wave"].into_iter().zip(peaks(history).into_iter().zip(linear))
             {
                 rows.push(own(
-                    format!(
-                        "{at}, spectral radius {radius}, {} ms: {what} over the bonded one",
-                        1e3 * step
-                    ),
+                    format!("{at}, spectral radius {radius}, {} ms: {what} over the bonded one", 1e3 * step),
                     (1.0, "bonded; shown, impacts have no limit"),
                     value / reference,
                     (f64::INFINITY, ""),

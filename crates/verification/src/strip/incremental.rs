@@ -17,10 +17,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     model: "Fibres with softening e_f = 3·10⁻⁴ and bars that yield, both walls, damping proportional to the \
             mass; the Caltech record (0.348 g). Table 8.16 of the dissertation stands beside ours for \
             comparison.",
-    ids: &[
-        ("C12", "incremental dynamic analysis, both dampings"),
-        ("table-8.16", "dissertation table 8.16"),
-    ],
+    ids: &[("C12", "incremental dynamic analysis, both dampings"), ("table-8.16", "dissertation table 8.16")],
     parts: &[Part::Record(incremental)],
 };
 
@@ -78,11 +75,9 @@ fn incremental(record: &Record) -> Answer {
     let found = runs(record, mass, &scales, threads)?;
     let mut rows = Vec::new();
     // At 85 % the computed curve has passed the kink; the theory manual explains its place.
-    for (percent, deflection, tolerance) in [
-        (10.0, 0.729e-3, 0.03),
-        (50.0, 1.478e-3, 0.03),
-        (85.0, 1.946e-3, f64::INFINITY),
-    ] {
+    for (percent, deflection, tolerance) in
+        [(10.0, 0.729e-3, 0.03), (50.0, 1.478e-3, 0.03), (85.0, 1.946e-3, f64::INFINITY)]
+    {
         rows.push(Row::new(
             "C12",
             format!("strip 8.4, mass-proportional 2.2 %, {percent} %: largest deflection of the top"),
@@ -108,10 +103,7 @@ fn incremental(record: &Record) -> Answer {
     ] {
         rows.push(Row::new(
             "C12",
-            format!(
-                "strip 8.4: deflection at 90 % over that at {low} % (an elastic wall: {:.2})",
-                90.0 / low
-            ),
+            format!("strip 8.4: deflection at 90 % over that at {low} % (an elastic wall: {:.2})", 90.0 / low),
             (reference, source, kind),
             deflection(90.0) / deflection(low),
             (f64::INFINITY, ""),
@@ -144,10 +136,9 @@ fn incremental(record: &Record) -> Answer {
             d.highest_crack,
             level.halvings()
         );
-        for (quantity, reference, computed) in [
-            ("wave", wave, d.wave),
-            ("deflection of the top", 1e-2 * deflection, d.deflection),
-        ] {
+        for (quantity, reference, computed) in
+            [("wave", wave, d.wave), ("deflection of the top", 1e-2 * deflection, d.deflection)]
+        {
             rows.push(Row::new(
                 "table-8.16",
                 format!("{what}: {quantity}"),
@@ -157,10 +148,7 @@ fn incremental(record: &Record) -> Answer {
             ));
         }
     }
-    let group = StripDamping::ByGroup {
-        wall: 0.03,
-        sloshing: 0.005,
-    };
+    let group = StripDamping::ByGroup { wall: 0.03, sloshing: 0.005 };
     let scales = [0.5, 0.7, 0.85, 0.9, 1.0, 1.1, 1.3, 1.5];
     let found = runs(record, group, &scales, threads)?;
     let curve: Vec<_> = found.iter().map(|l| l.point(|d| d.deflection)).collect();
@@ -196,17 +184,8 @@ mod tests {
 
     #[test]
     fn jumps_leave_out_collapsed_runs() {
-        let point = |scale, demand, censored| Point {
-            scale,
-            demand,
-            censored,
-        };
-        let curve = [
-            point(0.5, 1.0, false),
-            point(0.8, 1.5, false),
-            point(0.9, 3.0, false),
-            point(1.0, 30.0, true),
-        ];
+        let point = |scale, demand, censored| Point { scale, demand, censored };
+        let curve = [point(0.5, 1.0, false), point(0.8, 1.5, false), point(0.9, 3.0, false), point(1.0, 30.0, true)];
         assert_eq!(largest_jump(&curve), Some((2.0, [0.8, 0.9])));
         assert_eq!(largest_jump(&curve[..1]), None);
     }

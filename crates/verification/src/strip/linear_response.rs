@@ -19,10 +19,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     title: "Strip 8.4, linear, under El Centro",
     model: "As at rest, under the Caltech record (0.348 g), which may not be redistributed, with the dampings \
             that all read 1 to 2 %.",
-    ids: &[
-        ("C11", "linear response under six dampings"),
-        ("table-8.14", "dissertation table 8.14"),
-    ],
+    ids: &[("C11", "linear response under six dampings"), ("table-8.14", "dissertation table 8.14")],
     parts: &[Part::Record(linear)],
 };
 
@@ -38,22 +35,13 @@ fn peaks(strip: &StripModel, record: &Record, longest_step: f64) -> Result<[f64;
     let grid = Grid::new(record.dt, record.duration(), 0.0, longest_step);
     let load = Load::ground(0, Motion::new(record, &grid));
     let settings = Settings::new(grid);
-    let found = integrate(
-        &strip.system,
-        &strip.symbolic,
-        std::slice::from_ref(&load),
-        &settings,
-        &observables,
-        &[],
-        &Silent,
-    )?;
+    let found =
+        integrate(&strip.system, &strip.symbolic, std::slice::from_ref(&load), &settings, &observables, &[], &Silent)?;
     let mut out = [0.0; 3];
     for (i, history) in found[0].observed.scalars.iter().enumerate() {
         let e = history.extreme;
         // The other wall: dynamic part with the opposite sign.
-        out[i] = [e.max, -e.min, e.min, -e.max]
-            .iter()
-            .fold(0.0, |m: f64, d| m.max((offsets[i] + d).abs()));
+        out[i] = [e.max, -e.min, e.min, -e.max].iter().fold(0.0, |m: f64, d| m.max((offsets[i] + d).abs()));
     }
     Ok(out)
 }
@@ -65,12 +53,7 @@ pub(crate) fn linear(record: &Record) -> Answer {
     let fit = |first, second| Rayleigh::fit(first, second, true).map_err(AnalysisError::from);
     let (w1, w2) = (2.39, 3.53);
     let cases = [
-        (
-            "Rayleigh 1 %/1 %",
-            StripDamping::Rayleigh(fit((w1, 0.01), (w2, 0.01))?),
-            [1.268e-3, 53.7e3, 0.441],
-            0.02,
-        ),
+        ("Rayleigh 1 %/1 %", StripDamping::Rayleigh(fit((w1, 0.01), (w2, 0.01))?), [1.268e-3, 53.7e3, 0.441], 0.02),
         (
             "Rayleigh 1 %/2 % (negative a_M)",
             StripDamping::Rayleigh(fit((w1, 0.01), (w2, 0.02))?),
@@ -91,19 +74,13 @@ pub(crate) fn linear(record: &Record) -> Answer {
         ),
         (
             "by group: wall 2 %, sloshing 0.5 %",
-            StripDamping::ByGroup {
-                wall: 0.02,
-                sloshing: 0.005,
-            },
+            StripDamping::ByGroup { wall: 0.02, sloshing: 0.005 },
             [1.76e-3, 70.2e3, 0.494],
             0.02,
         ),
         (
             "by group: wall 5 %, sloshing 0.5 %",
-            StripDamping::ByGroup {
-                wall: 0.05,
-                sloshing: 0.005,
-            },
+            StripDamping::ByGroup { wall: 0.05, sloshing: 0.005 },
             [1.55e-3, 63.1e3, 0.494],
             f64::INFINITY,
         ),
@@ -115,10 +92,7 @@ pub(crate) fn linear(record: &Record) -> Answer {
         for (i, (what, unit)) in OBSERVED.into_iter().enumerate() {
             rows.push(Row::new(
                 "C11",
-                format!(
-                    "strip 8.4, {name} (wall mode {:.3} %): {what}",
-                    100.0 * strip.wall_ratio()
-                ),
+                format!("strip 8.4, {name} (wall mode {:.3} %): {what}", 100.0 * strip.wall_ratio()),
                 (references[i], PROTOTYPE, Reference::SecondFormulation),
                 found[i],
                 (tolerance, unit),
@@ -139,11 +113,8 @@ pub(crate) fn linear(record: &Record) -> Answer {
     Ok(rows)
 }
 
-const OBSERVED: [(&str, &str); 3] = [
-    ("largest deflection of the top", "m"),
-    ("largest moment at the base", "Nm/m"),
-    ("largest wave at the wall", "m"),
-];
+const OBSERVED: [(&str, &str); 3] =
+    [("largest deflection of the top", "m"), ("largest moment at the base", "Nm/m"), ("largest wave at the wall", "m")];
 
 #[cfg(test)]
 mod tests {
@@ -154,27 +125,12 @@ mod tests {
     fn frequencies() {
         let strip = StripModel::new(
             &tank(elastic_section().unwrap(), 10, 1.0, Options::default()).unwrap(),
-            StripDamping::ByGroup {
-                wall: 0.02,
-                sloshing: 0.005,
-            },
+            StripDamping::ByGroup { wall: 0.02, sloshing: 0.005 },
         )
         .unwrap();
-        assert!(
-            (strip.modes.omega[0] / 2.3863 - 1.0).abs() < 1e-3,
-            "{}",
-            strip.modes.omega[0]
-        );
-        assert!(
-            (strip.wall_frequency() / 100.7 - 1.0).abs() < 5e-3,
-            "{}",
-            strip.wall_frequency()
-        );
+        assert!((strip.modes.omega[0] / 2.3863 - 1.0).abs() < 1e-3, "{}", strip.modes.omega[0]);
+        assert!((strip.wall_frequency() / 100.7 - 1.0).abs() < 5e-3, "{}", strip.wall_frequency());
         assert!((strip.wall_ratio() - 0.02).abs() < 2e-4, "{}", strip.wall_ratio());
-        assert!(
-            (strip.ratios[0].ratio - 0.005).abs() < 5e-5,
-            "{}",
-            strip.ratios[0].ratio
-        );
+        assert!((strip.ratios[0].ratio - 0.005).abs() < 5e-5, "{}", strip.ratios[0].ratio);
     }
 }

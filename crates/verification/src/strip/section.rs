@@ -50,12 +50,8 @@ fn cracked_concrete() -> Result<UniaxialConcrete, StripError> {
 }
 
 fn concrete(softening_strain: f64) -> Result<UniaxialConcrete, StripError> {
-    let tension = Tension {
-        strength: TENSION,
-        softening: Softening::Strain { softening_strain },
-        stiffening: None,
-        bond: None,
-    };
+    let tension =
+        Tension { strength: TENSION, softening: Softening::Strain { softening_strain }, stiffening: None, bond: None };
     let compression = Compression::Plastic { strength: COMPRESSION };
     UniaxialConcrete::new(PLANE_MODULUS, compression, Some(tension)).map_err(law_error)
 }
@@ -113,11 +109,7 @@ pub(crate) fn section() -> Answer {
     };
     let no_tension = with_bars_of(plain_section(Arc::new(cracked_concrete()?), 100)?)?;
     let cracked = no_tension.moment_curvature(axial, &curvatures)?;
-    let reference = (
-        cracked_yield(axial),
-        "cracked section without tension",
-        Reference::ClosedForm,
-    );
+    let reference = (cracked_yield(axial), "cracked section without tension", Reference::ClosedForm);
     rows.push(Row::new(
         "section",
         "strip 8.4, base section, concrete without tension: moment when the bars yield",

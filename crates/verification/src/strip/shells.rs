@@ -61,10 +61,7 @@ const LAYER: [f64; 3] = [3e9, 0.05, 1500.0];
 /// E_f of the concrete that cracks, and its layers.
 const SOFTENING: f64 = 3e-4;
 const LAYERS: usize = 20;
-const DAMPING: StripDamping = StripDamping::ByGroup {
-    wall: 0.05,
-    sloshing: 0.005,
-};
+const DAMPING: StripDamping = StripDamping::ByGroup { wall: 0.05, sloshing: 0.005 };
 
 /// The wall of concrete.
 #[derive(Clone, Copy, PartialEq)]
@@ -89,19 +86,12 @@ fn cracking() -> Result<Leaf, Failure> {
     let [young, nu, thickness, density] = WALL;
     let tension = Tension {
         strength: 3.5e6,
-        softening: Softening::Strain {
-            softening_strain: SOFTENING,
-        },
+        softening: Softening::Strain { softening_strain: SOFTENING },
         stiffening: None,
         bond: None,
     };
     let law = CrackedConcrete::new(&CrackedParameters::new(young, nu, 35e6, tension))?;
-    let ply = Ply {
-        law: Arc::new(law),
-        thickness,
-        density,
-        rule: Rule::MidPoint(LAYERS),
-    };
+    let ply = Ply { law: Arc::new(law), thickness, density, rule: Rule::MidPoint(LAYERS) };
     let mut bars = Vec::new();
     for depth in [-0.115, 0.115] {
         bars.push(Bar {
@@ -112,18 +102,12 @@ fn cracking() -> Result<Leaf, Failure> {
             density: 0.0,
         });
     }
-    Ok(Leaf {
-        section: Arc::new(LayeredSection::new(&[ply], &bars)?),
-        face: 0.5 * thickness,
-    })
+    Ok(Leaf { section: Arc::new(LayeredSection::new(&[ply], &bars)?), face: 0.5 * thickness })
 }
 
 /// The tank of fibres, or of shells.
 fn strip(wall: Wall, shells: bool, contact: Contact) -> Result<StripModel, Failure> {
-    let options = Options {
-        second_order: false,
-        ..Options::default()
-    };
+    let options = Options { second_order: false, ..Options::default() };
     let section: FibreSection = match wall {
         Wall::Elastic { .. } => elastic_section()?,
         Wall::Cracking => reinforced(LAYERS, SOFTENING)?,
@@ -146,10 +130,7 @@ fn strip(wall: Wall, shells: bool, contact: Contact) -> Result<StripModel, Failu
             kinematics: Kinematics::Linear,
             mass: LayerMass::Halves,
         };
-        let row = ShellRow {
-            build: Build::Layered(leaves, layer),
-            layers: LAYERS,
-        };
+        let row = ShellRow { build: Build::Layered(leaves, layer), layers: LAYERS };
         tank.shells = Some(ShellWall {
             rows: vec![row; tank.sections.len()],
             main: 1,
@@ -167,12 +148,7 @@ fn swell(peak: f64) -> Record {
         let swell = (std::f64::consts::PI * t / 2.0).sin().powi(2);
         peak * swell * (0.6 * (2.4 * t).sin() + 0.5 * (40.0 * t).sin() + 0.3 * (95.0 * t + 1.0).sin())
     });
-    Record {
-        name: "swell".into(),
-        dt,
-        acceleration: acceleration.collect(),
-        processing: Vec::new(),
-    }
+    Record { name: "swell".into(), dt, acceleration: acceleration.collect(), processing: Vec::new() }
 }
 
 fn run(model: &StripModel, record: &Record, until: Option<f64>) -> Result<WallHistory, Failure> {
@@ -188,12 +164,7 @@ fn run(model: &StripModel, record: &Record, until: Option<f64>) -> Result<WallHi
 /// Wave, deflection, shear and moment at the base: what is compared, with its unit and the factor to it.
 const COMPARED: [(Scalar, &str, &str, f64); 4] = [
     (Scalar::Elevation, "largest wave", "m", 1.0),
-    (
-        Scalar::Deflection,
-        "largest change of the deflection of the top",
-        "mm",
-        1e3,
-    ),
+    (Scalar::Deflection, "largest change of the deflection of the top", "mm", 1e3),
     (Scalar::Shear, "largest change of the base shear", "kN/m", 1e-3),
     (Scalar::Moment, "largest change of the base moment", "kNm/m", 1e-3),
 ];
@@ -231,10 +202,7 @@ fn rows() -> Answer {
     for stiff in [true, false] {
         let wall = Wall::Elastic { stiff };
         let name = if stiff { "elastic, stiff in shear" } else { "elastic" };
-        let models = [
-            strip(wall, false, Contact::Bonded)?,
-            strip(wall, true, Contact::Bonded)?,
-        ];
+        let models = [strip(wall, false, Contact::Bonded)?, strip(wall, true, Contact::Bonded)?];
         let [fibre, shell] = [run(&models[0], &gentle, None)?, run(&models[1], &gentle, None)?];
         if stiff {
             rows.extend(at_rest(&shell));
@@ -243,20 +211,12 @@ fn rows() -> Answer {
         rows.push(Row::new(
             "C14",
             format!("{name}: frequency of the first mode of wall and liquid"),
-            (
-                models[0].wall_frequency(),
-                "strip of fibres",
-                Reference::SecondFormulation,
-            ),
+            (models[0].wall_frequency(), "strip of fibres", Reference::SecondFormulation),
             models[1].wall_frequency(),
             // 5e-3 of a deflection linear between the levels, half of it in the frequency, and the liner; with shear see the head.
             (if stiff { 5e-3 } else { 1e-2 }, "rad/s"),
         ));
-        let tolerance = if stiff {
-            [2e-3, 1e-2, 1e-2, 1e-2]
-        } else {
-            [5e-3, 7e-2, 7e-2, 7e-2]
-        };
+        let tolerance = if stiff { [2e-3, 1e-2, 1e-2, 1e-2] } else { [5e-3, 7e-2, 7e-2, 7e-2] };
         rows.extend(compare(name, [&fibre, &shell], tolerance));
     }
     rows.extend(opening()?);
@@ -309,11 +269,7 @@ fn mass(model: &StripModel) -> Row {
     Row::new(
         "C14",
         "weight of liner, layer and concrete above the lowest half element",
-        (
-            1e-3 * (CONCRETE * THICKNESS + ATTACHED) * G * free,
-            "ρ t g",
-            Reference::ClosedForm,
-        ),
+        (1e-3 * (CONCRETE * THICKNESS + ATTACHED) * G * free, "ρ t g", Reference::ClosedForm),
         1e-3 * weight,
         (1e-9, "kN/m"),
     )
@@ -322,19 +278,13 @@ fn mass(model: &StripModel) -> Row {
 /// Contact that opens: closed like the bonded one, and open beside the fibres.
 fn opening() -> Answer {
     let wall = Wall::Elastic { stiff: true };
-    let contact = Contact::Joined {
-        opens: true,
-        penalty: None,
-    };
+    let contact = Contact::Joined { opens: true, penalty: None };
     let gentle = swell(0.5);
     let joined = [strip(wall, false, contact)?, strip(wall, true, contact)?];
     let closed = [run(&joined[0], &gentle, None)?, run(&joined[1], &gentle, None)?];
     // As the fibres: both faces are linear now, and the penalty is the same.
-    let mut rows = compare(
-        "elastic, joint that may open and stays closed",
-        [&closed[0], &closed[1]],
-        [2e-3, 1e-2, 1e-2, 1e-2],
-    );
+    let mut rows =
+        compare("elastic, joint that may open and stays closed", [&closed[0], &closed[1]], [2e-3, 1e-2, 1e-2, 1e-2]);
     let hard = swell(12.0);
     let open = [run(&joined[0], &hard, None)?, run(&joined[1], &hard, None)?];
     let first = |history: &WallHistory| {
@@ -350,30 +300,19 @@ fn opening() -> Answer {
         (5e-3 / 0.335, "s"),
     ));
     // Shown: a difference grows with each impact.
-    rows.extend(compare(
-        "elastic, sines of 1.2 g, joint that opens",
-        [&open[0], &open[1]],
-        SHOWN,
-    ));
+    rows.extend(compare("elastic, sines of 1.2 g, joint that opens", [&open[0], &open[1]], SHOWN));
     Ok(rows)
 }
 
 /// Walls that crack.
 fn cracks(record: &Record, until: Option<f64>, motion: &str) -> Answer {
-    let models = [
-        strip(Wall::Cracking, false, Contact::Bonded)?,
-        strip(Wall::Cracking, true, Contact::Bonded)?,
-    ];
+    let models = [strip(Wall::Cracking, false, Contact::Bonded)?, strip(Wall::Cracking, true, Contact::Bonded)?];
     let histories = [run(&models[0], record, until)?, run(&models[1], record, until)?];
     let name = format!("cracking, {motion}");
     let mut rows = vec![Row::new(
         "C14",
         format!("{name}: deflection of the top at rest"),
-        (
-            1e3 * histories[0].at_rest(Scalar::Deflection),
-            FIBRES,
-            Reference::SecondFormulation,
-        ),
+        (1e3 * histories[0].at_rest(Scalar::Deflection), FIBRES, Reference::SecondFormulation),
         1e3 * histories[1].at_rest(Scalar::Deflection),
         // Uncracked: shear 1.5 %, mesh 0.2 %.
         (2e-2, "mm"),
@@ -408,10 +347,7 @@ fn cracks(record: &Record, until: Option<f64>, motion: &str) -> Answer {
 fn recorded(record: &Record) -> Answer {
     let until = Some(12.0);
     let wall = Wall::Elastic { stiff: false };
-    let models = [
-        strip(wall, false, Contact::Bonded)?,
-        strip(wall, true, Contact::Bonded)?,
-    ];
+    let models = [strip(wall, false, Contact::Bonded)?, strip(wall, true, Contact::Bonded)?];
     let found = [run(&models[0], record, until)?, run(&models[1], record, until)?];
     let mut rows = compare("elastic, El Centro", [&found[0], &found[1]], [5e-3, 7e-2, 7e-2, 7e-2]);
     for scale in [0.5, 1.0] {

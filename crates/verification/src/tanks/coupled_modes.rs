@@ -52,23 +52,14 @@ fn row(
     computed: f64,
     unit: &'static str,
 ) -> Row {
-    let kind = if source == MALHOTRA {
-        Reference::Published
-    } else {
-        Reference::SecondFormulation
-    };
+    let kind = if source == MALHOTRA { Reference::Published } else { Reference::SecondFormulation };
     Row::new(id, what, (reference, source, kind), computed, (tolerance, unit))
 }
 
 /// A uniform steel tank R = 10 m, s = 10 mm, filled to the top.
 fn full_steel_tank(aspect: f64) -> tank::Case {
     let depth = 10.0 * aspect;
-    case(
-        Shape::Cylinder { radius: 10.0 },
-        &[(depth, 0.01)],
-        &material(210e9, 0.3, 7850.0),
-        (1000.0, depth),
-    )
+    case(Shape::Cylinder { radius: 10.0 }, &[(depth, 0.01)], &material(210e9, 0.3, 7850.0), (1000.0, depth))
 }
 
 /// H/R, first bulging frequency of [`full_steel_tank`] [rad/s], C_i.
@@ -93,14 +84,7 @@ pub(crate) fn rows() -> Answer {
     rows.push(row("F9", what, ASSEMBLIES, (164.67, 0.003), bulging.omega, "rad/s"));
     let deep = modes(&slender(1e4 / 9.81, 5.0))?;
     let what = "tank 8.3, H = 5 m, ρ = 10/9.81, first bulging mode".to_string();
-    rows.push(row(
-        "F9",
-        what,
-        ASSEMBLIES,
-        (86.91, 0.003),
-        first(&deep, Kind::Structural)?.omega,
-        "rad/s",
-    ));
+    rows.push(row("F9", what, ASSEMBLIES, (86.91, 0.003), first(&deep, Kind::Structural)?.omega, "rad/s"));
     for (aspect, reference, _) in SERIES {
         let computed = first(&modes(&full_steel_tank(aspect))?, Kind::Structural)?.omega;
         let what = format!("steel R 10 m, 10 mm, H/R = {aspect}: first bulging mode");
@@ -109,35 +93,11 @@ pub(crate) fn rows() -> Answer {
     let mass = |mode: &CoupledMode| mode.participation.powi(2) / tank.liquid_mass();
     let sloshing = first(&found, Kind::Sloshing)?;
     let what = |kind: &str| format!("tank 8.1, effective mass of {kind} mode 1 / liquid mass");
-    rows.push(row(
-        "F11",
-        what("sloshing"),
-        ASSEMBLIES,
-        (0.4973, 0.005),
-        mass(sloshing),
-        "1",
-    ));
-    rows.push(row(
-        "F11",
-        what("bulging"),
-        ASSEMBLIES,
-        (0.475, 0.005),
-        mass(bulging),
-        "1",
-    ));
-    let misplaced = found
-        .iter()
-        .filter(|m| m.omega < bulging.omega * (1.0 - 1e-9) && m.surface_share <= 0.5)
-        .count();
+    rows.push(row("F11", what("sloshing"), ASSEMBLIES, (0.4973, 0.005), mass(sloshing), "1"));
+    rows.push(row("F11", what("bulging"), ASSEMBLIES, (0.475, 0.005), mass(bulging), "1"));
+    let misplaced = found.iter().filter(|m| m.omega < bulging.omega * (1.0 - 1e-9) && m.surface_share <= 0.5).count();
     let what = "tank 8.1, structural modes below the first bulging mode".to_string();
-    rows.push(row(
-        "F16",
-        what,
-        "no spurious mode exists in this formulation",
-        (0.0, 0.0),
-        misplaced as f64,
-        "1",
-    ));
+    rows.push(row("F16", what, "no spurious mode exists in this formulation", (0.0, 0.0), misplaced as f64, "1"));
     Ok(rows)
 }
 

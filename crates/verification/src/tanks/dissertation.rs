@@ -22,10 +22,7 @@ const RECORDS: [(&str, &str); 3] = [
 ///
 /// Errors: a record that is not among `records`, a failure of an engine.
 pub fn page(records: &Records) -> Result<String, Error> {
-    document(records).map_err(|what| Error::Benchmark {
-        benchmark: "dissertation".into(),
-        what: what.to_string(),
-    })
+    document(records).map_err(|what| Error::Benchmark { benchmark: "dissertation".into(), what: what.to_string() })
 }
 
 fn document(records: &Records) -> Result<String, Failure> {

@@ -67,11 +67,7 @@ fn rows() -> Answer {
         rows.push(Row::new(
             "imperfect-wall",
             format!("radial displacement cos {k}θ at the top, static"),
-            (
-                1e6 * reference.top(),
-                "first-order perturbation, shells of revolution",
-                Reference::SecondFormulation,
-            ),
+            (1e6 * reference.top(), "first-order perturbation, shells of revolution", Reference::SecondFormulation),
             1e6 * tip[k as usize][0],
             (TOLERANCE, "µm"),
         ));
@@ -109,11 +105,7 @@ fn waves(case: &Case, amplitude: f64, phase: f64) -> Result<Vec<[f64; 2]>, FeErr
         initial_stress: Some(false),
         ..SolidOptions::default()
     };
-    let options = Options {
-        refine: 1.5,
-        mesh_error: false,
-        ..Options::default()
-    };
+    let options = Options { refine: 1.5, mesh_error: false, ..Options::default() };
     let tank = TankModel::new(case, &options, &solid)?;
     let failed = |what: &dyn std::fmt::Display| FeError::Analysis(what.to_string());
     let mut pressure = NodalLoads::new();
@@ -150,14 +142,7 @@ fn waves(case: &Case, amplitude: f64, phase: f64) -> Result<Vec<[f64; 2]>, FeErr
 }
 
 fn deviation(amplitude: f64, phase: f64) -> Imperfections {
-    Imperfections {
-        parts: vec![Imperfection::Wave(Wave {
-            n: WAVES,
-            amplitude,
-            profile: Profile::Linear,
-            phase,
-        })],
-    }
+    Imperfections { parts: vec![Imperfection::Wave(Wave { n: WAVES, amplitude, profile: Profile::Linear, phase })] }
 }
 
 type Local = [f64; LOCAL];
@@ -204,12 +189,8 @@ fn field(case: &Case, k: u32, row: &dyn Fn(&Wall, usize, f64) -> Local) -> Resul
             }
         }
     }
-    let solved = Cholesky::factor(&matrix)
-        .map_err(|error| FeError::Analysis(error.to_string()))?
-        .solve_vector(&right);
-    let elements = (0..count)
-        .map(|e| std::array::from_fn(|i| place(e, i).map_or(0.0, |p| solved[p])))
-        .collect();
+    let solved = Cholesky::factor(&matrix).map_err(|error| FeError::Analysis(error.to_string()))?.solve_vector(&right);
+    let elements = (0..count).map(|e| std::array::from_fn(|i| place(e, i).map_or(0.0, |p| solved[p]))).collect();
     Ok(Field { wall, elements })
 }
 
@@ -292,11 +273,7 @@ fn perturbed(case: &Case, wall: &Wall, base: &Field, (e, xi): (usize, f64)) -> L
         let (wt, wz, wr) = (d.along_theta / radius, d.along_z, d.w / radius);
         let changed = |p: &Point| {
             let [turn, slope, beta] = p.turns;
-            [
-                wz * slope,
-                wt * beta - wr * p.strains[1],
-                wt * slope + wz * beta - wr * turn,
-            ]
+            [wz * slope, wt * beta - wr * p.strains[1], wt * slope + wz * beta - wr * turn]
         };
         let value = |row: &Local| row.iter().zip(known).map(|(r, x)| r * x).sum::<f64>();
         let one = point(&base.wall, &first, own.thickness, &value, theta, e);

@@ -36,10 +36,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     ids: &[
         ("force-1", "at rest"),
         ("force-2", "largest values under slow shaking, 0.5 m above the base"),
-        (
-            "force-3",
-            "moment above the base plate from n_s and m_s at the base, in a dynamic history",
-        ),
+        ("force-3", "moment above the base plate from n_s and m_s at the base, in a dynamic history"),
         (
             "force-4",
             "three-dimensional engine, with signs, at the middle of a slow half sine of 60 s, 0.5 m above the base and θ = 60°",
@@ -65,25 +62,13 @@ fn run(
 ) -> Result<Simulation, FeError> {
     let mut case = broad(1000.0);
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "given".into(),
-            dt: record.0,
-            acceleration: record.1,
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "given".into(), dt: record.0, acceleration: record.1, processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
-    let place = |&(z, degrees): &(f64, f64)| WallPlace {
-        z,
-        theta: degrees.to_radians(),
-    };
-    let options = Options {
-        mesh_error: false,
-        refine,
-        force_stations: places.iter().map(place).collect(),
-        ..Options::default()
-    };
+    let place = |&(z, degrees): &(f64, f64)| WallPlace { z, theta: degrees.to_radians() };
+    let options =
+        Options { mesh_error: false, refine, force_stations: places.iter().map(place).collect(), ..Options::default() };
     engine(&case, &options)
 }
 
@@ -104,9 +89,7 @@ fn column(run: &Simulation, channel: Channel) -> Result<&[f64], FeError> {
 /// Errors: a failure of the engine.
 fn slow() -> Answer {
     let (peak, dt) = (0.1, 0.1);
-    let record: Vec<f64> = (0..=4000)
-        .map(|k| peak * (TAU * f64::from(k) * dt / 800.0).sin())
-        .collect();
+    let record: Vec<f64> = (0..=4000).map(|k| peak * (TAU * f64::from(k) * dt / 800.0).sin()).collect();
     let places = [(0.5, 0.0), (0.5, 60.0), (0.5, 90.0), (0.0, 0.0)];
     let run = run((dt, record), &places, FINE, simulate)?;
     let (lower, upper, density) = COURSES;
@@ -119,24 +102,8 @@ fn slow() -> Answer {
     // Disturbances of edge and joint have decayed by e^(−21 · 0.41) = 2e-4 at 0.5 m; 1e-3. The weight of the wall is statically determinate:
     // a quadrature of the mesh. The clamped moment leaves out the wall's weight (1e-3 of it by Poisson's effect) and the joint: 5e-3.
     for (what, title, expected, place, allowed, source, unit) in [
-        (
-            OnWall::HoopForce,
-            "n_θ at 0.5 m",
-            hoop_at_rest,
-            places[0],
-            1e-3,
-            MEMBRANE,
-            "N/m",
-        ),
-        (
-            OnWall::AxialForce,
-            "n_s at 0.5 m",
-            -gravity * above,
-            places[0],
-            1e-3,
-            MEMBRANE,
-            "N/m",
-        ),
+        (OnWall::HoopForce, "n_θ at 0.5 m", hoop_at_rest, places[0], 1e-3, MEMBRANE, "N/m"),
+        (OnWall::AxialForce, "n_s at 0.5 m", -gravity * above, places[0], 1e-3, MEMBRANE, "N/m"),
         (
             OnWall::Moment,
             "m_s at the base",
@@ -146,25 +113,10 @@ fn slow() -> Answer {
             "Timoshenko & Woinowsky-Krieger 1959, section 117",
             "N m/m",
         ),
-        (
-            OnWall::HoopMoment,
-            "m_θ at the base",
-            poisson * clamped,
-            places[3],
-            5e-3,
-            "ν m_s",
-            "N m/m",
-        ),
+        (OnWall::HoopMoment, "m_θ at the base", poisson * clamped, places[3], 5e-3, "ν m_s", "N m/m"),
     ] {
         let (_, at_rest) = found(&run, what, place)?;
-        rows.push(row(
-            "force-1",
-            format!("at rest: {title}"),
-            source,
-            (expected, allowed),
-            at_rest,
-            unit,
-        ));
+        rows.push(row("force-1", format!("at rest: {title}"), source, (expected, allowed), at_rest, unit));
     }
     let [hoop, axial, shear] = membrane(z, peak);
     // The static solution is amplified by (2.1/800)² = 1e-5; five decay lengths to the next joint or edge and radial forces that they hold back
@@ -174,23 +126,11 @@ fn slow() -> Answer {
         (OnWall::HoopForce, "n_θ, θ = 60°", 0.5 * hoop, places[1]),
         (OnWall::AxialForce, "n_s, θ = 0", axial, places[0]),
         (OnWall::AxialForce, "n_s, θ = 60°", 0.5 * axial, places[1]),
-        (
-            OnWall::Shear,
-            "n_sθ, θ = 60°",
-            shear * 60f64.to_radians().sin(),
-            places[1],
-        ),
+        (OnWall::Shear, "n_sθ, θ = 60°", shear * 60f64.to_radians().sin(), places[1]),
         (OnWall::Shear, "n_sθ, θ = 90°", shear, places[2]),
     ] {
         let (largest, _) = found(&run, what, place)?;
-        rows.push(row(
-            "force-2",
-            format!("slow shaking: {title}"),
-            MEMBRANE,
-            (expected, 2e-3),
-            largest,
-            "N/m",
-        ));
+        rows.push(row("force-2", format!("slow shaking: {title}"), MEMBRANE, (expected, 2e-3), largest, "N/m"));
     }
     Ok(rows)
 }
@@ -212,21 +152,10 @@ fn membrane(z: f64, acceleration: f64) -> [f64; 3] {
 /// Errors: a failure of the engine.
 fn solid() -> Answer {
     let (peak, place) = (0.1, (0.5, 60.0));
-    let record: Vec<f64> = (0..=600)
-        .map(|k| peak * (TAU * f64::from(k) * 0.1 / 120.0).sin())
-        .collect();
-    let mesh = MeshSize {
-        radial: 4,
-        sectors: 32,
-        vertical: 24,
-    };
-    let solid = SolidOptions {
-        mesh: Some(mesh),
-        ..SolidOptions::default()
-    };
-    let run = run((0.1, record), &[place], 1.0, |case, options| {
-        respond(case, options, &solid, &Silent)
-    })?;
+    let record: Vec<f64> = (0..=600).map(|k| peak * (TAU * f64::from(k) * 0.1 / 120.0).sin()).collect();
+    let mesh = MeshSize { radial: 4, sectors: 32, vertical: 24 };
+    let solid = SolidOptions { mesh: Some(mesh), ..SolidOptions::default() };
+    let run = run((0.1, record), &[place], 1.0, |case, options| respond(case, options, &solid, &Silent))?;
     let [hoop, axial, shear] = membrane(place.0, peak);
     let (sine, cosine) = place.1.to_radians().sin_cos();
     let mut rows = Vec::new();
@@ -235,11 +164,7 @@ fn solid() -> Answer {
         (OnWall::AxialForce, "n_s", axial * cosine),
         (OnWall::Shear, "n_sθ", shear * sine),
     ] {
-        let channel = Channel::AtAngle {
-            what,
-            z: place.0,
-            degrees: place.1,
-        };
+        let channel = Channel::AtAngle { what, z: place.0, degrees: place.1 };
         rows.push(row(
             "force-4",
             format!("three dimensions: {title}"),
@@ -266,16 +191,7 @@ fn dynamic() -> Answer {
     let dt = 0.005;
     let record: Vec<f64> = (0..=400).map(|k| 2.0 * (TAU * 3.0 * f64::from(k) * dt).sin()).collect();
     let run = run((dt, record), &[(0.0, 0.0)], FINE, simulate)?;
-    let at = |what| {
-        column(
-            &run,
-            Channel::AtAngle {
-                what,
-                z: 0.0,
-                degrees: 0.0,
-            },
-        )
-    };
+    let at = |what| column(&run, Channel::AtAngle { what, z: 0.0, degrees: 0.0 });
     let (force, bending) = (at(OnWall::AxialForce)?, at(OnWall::Moment)?);
     let moment = column(&run, Channel::BaseMoment)?;
     let largest = moment.iter().fold(0.0, |m: f64, v| m.max(v.abs()));

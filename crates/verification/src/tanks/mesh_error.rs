@@ -39,17 +39,9 @@ const TRUTH: f64 = 4.0;
 /// Errors: a failure of the engine.
 fn errors(tank: Case, omega: f64) -> Result<Vec<(Quantity, f64, f64)>, engines::FeError> {
     let mut shaken = tank;
-    shaken.ground_motion = Some(GroundMotion {
-        horizontal: artificial(omega),
-        transverse: None,
-        vertical: None,
-    });
+    shaken.ground_motion = Some(GroundMotion { horizontal: artificial(omega), transverse: None, vertical: None });
     let run = |refine: f64, mesh_error: bool| {
-        let options = Options {
-            refine,
-            mesh_error,
-            ..Options::default()
-        };
+        let options = Options { refine, mesh_error, ..Options::default() };
         simulate(&shaken, &options)
     };
     let (found, truth) = (run(1.0, true)?, run(TRUTH, false)?);
@@ -75,11 +67,7 @@ pub(crate) fn rows() -> Answer {
         &material(210e9, 0.3, 7850.0),
         (1000.0, 12.0),
     );
-    let strip = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let strip = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     let concrete = case(strip, &[(3.0, 0.3)], &material(34e9, 0.2, 2950.0), (1000.0, 2.57));
     let mut rows = Vec::new();
     for (id, tank, omega) in [

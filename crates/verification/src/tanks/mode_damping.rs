@@ -29,15 +29,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             t/m³) with its matrices; decay of the wave of a rigid cylinder, R = 10 m, 8 m of water, after a pulse of half a second.",
     ids: &[
         ("caughey-1", "ratios between the pairs"),
-        (
-            "caughey-2",
-            "ratios of the modes of a chain by the matrix of the series",
-        ),
+        ("caughey-2", "ratios of the modes of a chain by the matrix of the series"),
         ("caughey-3", "decay of the first sloshing mode over ten periods"),
-        (
-            "group-1",
-            "ratios of modes of the wall by its matrix, and of sloshing modes",
-        ),
+        ("group-1", "ratios of modes of the wall by its matrix, and of sloshing modes"),
         ("group-2", "decay of the first sloshing mode over ten periods"),
     ],
     parts: &[Part::Fast(series), Part::Fast(groups), Part::Fast(decays)],
@@ -59,14 +53,7 @@ fn series() -> Answer {
     .into_iter()
     .map(|(omega, ratio)| {
         // Rounding of products of differences of squares.
-        row(
-            "caughey-1",
-            format!("ratio at {omega} rad/s"),
-            hand,
-            (ratio, 1e-12),
-            caughey.ratio(omega),
-            "–",
-        )
+        row("caughey-1", format!("ratio at {omega} rad/s"), hand, (ratio, 1e-12), caughey.ratio(omega), "–")
     })
     .collect();
     rows.extend(chain()?);
@@ -116,11 +103,7 @@ fn groups() -> Answer {
     let damper = Damper::new(&case, &DampingModel::ByGroup { wall, sloshing })?.tuned(&modes);
     let of = |kind: Kind| modes.iter().filter(move |m| m.kind == kind);
     let Some(first) = of(Kind::Structural).next().map(|m| m.omega) else {
-        return Err(Error::Benchmark {
-            benchmark: BENCHMARK.id.into(),
-            what: "no structural mode".into(),
-        }
-        .into());
+        return Err(Error::Benchmark { benchmark: BENCHMARK.id.into(), what: "no structural mode".into() }.into());
     };
     let mut rows = Vec::new();
     for mode in of(Kind::Structural).take(4) {
@@ -145,35 +128,15 @@ fn groups() -> Answer {
 fn decays() -> Answer {
     let (radius, depth) = (10.0, 8.0);
     let stiff = material(1e16, 0.3, 1.0);
-    let tank = case(
-        Shape::Cylinder { radius },
-        &[(1.05 * depth, 0.05)],
-        &stiff,
-        (1000.0, depth),
-    );
+    let tank = case(Shape::Cylinder { radius }, &[(1.05 * depth, 0.05)], &stiff, (1000.0, depth));
     let zeros = [1.841_184, 5.331_443].map(|zero| exact(radius, depth, zero));
     let caughey = CaugheyPairs::new(&[(zeros[0], 0.01), (zeros[1], 0.5)]);
     let mut rows = Vec::new();
     for (id, title, ratio, model, allowed) in [
         // All others have 50 % of their own and are gone before the first window.
-        (
-            "caughey-3",
-            "1 % at the first mode, 50 % from the second on",
-            0.01,
-            DampingModel::Caughey(caughey),
-            2e-3,
-        ),
+        ("caughey-3", "1 % at the first mode, 50 % from the second on", 0.01, DampingModel::Caughey(caughey), 2e-3),
         // All modes are damped alike: those beyond the first decay by the first window (40 periods) to e^(−1.8 · 2π · 40 · 0.03), 1e-6.
-        (
-            "group-2",
-            "3 % in every sloshing mode",
-            0.03,
-            DampingModel::ByGroup {
-                wall: 0.02,
-                sloshing: 0.03,
-            },
-            2e-3,
-        ),
+        ("group-2", "3 % in every sloshing mode", 0.03, DampingModel::ByGroup { wall: 0.02, sloshing: 0.03 }, 2e-3),
     ] {
         let expected = (-std::f64::consts::TAU * 10.0 * ratio / (1.0 - ratio * ratio).sqrt()).exp();
         let found = decay(&tank, model, zeros[0] * (1.0 - ratio * ratio).sqrt())?;
@@ -207,20 +170,14 @@ fn decay(tank: &Case, damping: DampingModel, omega: f64) -> Result<f64, FeError>
         transverse: None,
         vertical: None,
     });
-    let options = Options {
-        damping,
-        mesh_error: false,
-        ..Options::default()
-    };
+    let options = Options { damping, mesh_error: false, ..Options::default() };
     let run = simulate(&case, &options)?;
     let place = run.series.ids.iter().position(|id| id == "wave_height_theta_0");
     let wave = place.map(|place| &run.series.columns[place]);
     let wave = wave.ok_or_else(|| FeError::Analysis("no wave".into()))?;
     let window = |periods: usize| {
         let from = periods * per_period as usize;
-        wave[from..from + per_period as usize]
-            .iter()
-            .fold(0.0_f64, |m, w| m.max(w.abs()))
+        wave[from..from + per_period as usize].iter().fold(0.0_f64, |m, w| m.max(w.abs()))
     };
     Ok(window(50) / window(40))
 }

@@ -51,27 +51,9 @@ fn row(id: &str, what: &str, (reference, tolerance): (f64, f64), computed: f64, 
 fn spectral(original: &Record, scaled: &Record) -> Vec<Row> {
     let velocity = |record: &Record, omega: f64| spectrum::ordinates(record, std::f64::consts::TAU / omega, 0.01).psv;
     vec![
-        row(
-            "F12",
-            "El Centro, 0.5 g, time/√3: S_v at 3.0 rad/s, 1 %",
-            (0.342, 0.02),
-            velocity(scaled, 3.0),
-            "m/s",
-        ),
-        row(
-            "F13",
-            "El Centro as recorded: S_v at 3.0 rad/s, 1 %",
-            (0.794, 0.02),
-            velocity(original, 3.0),
-            "m/s",
-        ),
-        row(
-            "F13",
-            "El Centro as recorded: S_v at 2.4 rad/s, 1 %",
-            (0.807, 0.02),
-            velocity(original, 2.4),
-            "m/s",
-        ),
+        row("F12", "El Centro, 0.5 g, time/√3: S_v at 3.0 rad/s, 1 %", (0.342, 0.02), velocity(scaled, 3.0), "m/s"),
+        row("F13", "El Centro as recorded: S_v at 3.0 rad/s, 1 %", (0.794, 0.02), velocity(original, 3.0), "m/s"),
+        row("F13", "El Centro as recorded: S_v at 2.4 rad/s, 1 %", (0.807, 0.02), velocity(original, 2.4), "m/s"),
     ]
 }
 
@@ -79,30 +61,14 @@ fn broad_tank(scaled: &Record) -> Answer {
     let mut tank = broad(1e4 / G);
     tank.damping.sloshing = 0.01;
     shake(&mut tank, scaled);
-    let options = Options {
-        mesh_error: false,
-        stations: vec![0.1],
-        ..Options::default()
-    };
+    let options = Options { mesh_error: false, stations: vec![0.1], ..Options::default() };
     let wave = peak(&simulate(&tank, &options)?, "wave_height_theta_0");
     // The printed constants: 1 % at 3.02 and 2 % at 4.13 rad/s, which give the first structural mode 108 %.
-    let printed = Options {
-        damping: DampingModel::Coefficients {
-            mass: -0.0604,
-            stiffness: 0.013205,
-        },
-        ..options
-    };
+    let printed = Options { damping: DampingModel::Coefficients { mass: -0.0604, stiffness: 0.013205 }, ..options };
     let parity = simulate(&tank, &printed)?;
     let mpa = |id: &str| peak(&parity, id) / 1e6;
     Ok(vec![
-        row(
-            "F12",
-            "tank 8.1, 1 %, five sloshing modes: wave height at the wall",
-            (0.137, 0.03),
-            wave,
-            "m",
-        ),
+        row("F12", "tank 8.1, 1 %, five sloshing modes: wave height at the wall", (0.137, 0.03), wave, "m"),
         row(
             "F14",
             "tank 8.1, printed Rayleigh damping: axial stress at the base",
@@ -129,32 +95,19 @@ fn broad_tank(scaled: &Record) -> Answer {
 
 fn strip(original: &Record) -> Answer {
     // Concrete alone is stiff, and carries the mass of concrete, layer and lining (762 + 75 + 48 kg/m²) over its 30 cm.
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     let mut tank = case(shape, &[(3.0, 0.3)], &material(34e9, 0.2, 2950.0), (1e4 / G, 2.57));
     shake(&mut tank, original);
     let options = Options {
         mesh_error: false,
-        damping: DampingModel::Rayleigh {
-            first: (2.39, 0.01),
-            second: (3.53, 0.02),
-            allow_negative: true,
-        },
+        damping: DampingModel::Rayleigh { first: (2.39, 0.01), second: (3.53, 0.02), allow_negative: true },
         ..Options::default()
     };
     let found = simulate(&tank, &options)?;
-    let top = found
-        .result
-        .envelopes
-        .iter()
-        .find(|e| e.id == "radial_displacement")
-        .map_or(f64::NAN, |e| {
-            let last = e.z.len() - 1;
-            e.max[last].max(-e.min[last])
-        });
+    let top = found.result.envelopes.iter().find(|e| e.id == "radial_displacement").map_or(f64::NAN, |e| {
+        let last = e.z.len() - 1;
+        e.max[last].max(-e.min[last])
+    });
     Ok(vec![
         row(
             "F15",
@@ -170,22 +123,12 @@ fn strip(original: &Record) -> Answer {
             peak(&found, "wall_moment_base") / 1e3,
             "kNm/m",
         ),
-        row(
-            "F15",
-            "strip 8.4, Rayleigh 1/2 %: dynamic deflection of the top",
-            (0.65, 0.03),
-            1e3 * top,
-            "mm",
-        ),
+        row("F15", "strip 8.4, Rayleigh 1/2 %: dynamic deflection of the top", (0.65, 0.03), 1e3 * top, "mm"),
     ])
 }
 
 fn shake(case: &mut Case, record: &Record) {
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: record.clone(), transverse: None, vertical: None });
 }
 
 /// Peak of a history.

@@ -57,9 +57,7 @@ impl RigidTank {
         let eigen = generalized_eigen(&k, &m, None).map_err(failure)?;
         let load = self.liquid.mass.times(&self.liquid.rigid_translation());
         let load: Vec<f64> = self.liquid.surface_columns().map(|c| load[c]).collect();
-        Ok((0..eigen.omega.len())
-            .map(|j| dot(eigen.vectors.column(j), &load).powi(2))
-            .collect())
+        Ok((0..eigen.omega.len()).map(|j| dot(eigen.vectors.column(j), &load).powi(2)).collect())
     }
 
     /// Impulsive mass and levers.
@@ -69,9 +67,7 @@ impl RigidTank {
         let translation = liquid.rigid_translation();
         let load = liquid.mass.times(&translation);
         let right: Vec<f64> = surface.iter().map(|&c| -load[c]).collect();
-        let fall = Cholesky::factor(&liquid.mass.select(&surface, &surface))
-            .map_err(failure)?
-            .solve_vector(&right);
+        let fall = Cholesky::factor(&liquid.mass.select(&surface, &surface)).map_err(failure)?.solve_vector(&right);
         let mut motion = translation.clone();
         surface.iter().zip(&fall).for_each(|(&c, a)| motion[c] = *a);
         let force = liquid.mass.times(&motion);
@@ -86,11 +82,7 @@ impl RigidTank {
         let mass = dot(&translation, &force);
         let moment = dot(&arm, &force);
         let below = moment + dot(&liquid.bottom_moment(), &motion);
-        Ok(Impulsive {
-            mass,
-            lever: moment / mass,
-            lever_below: below / mass,
-        })
+        Ok(Impulsive { mass, lever: moment / mass, lever_below: below / mass })
     }
 
     /// Mass that a rigid translation of wall and surface moves, ιᵀ M_f ι [kg].
@@ -110,9 +102,7 @@ impl RigidTank {
             return (k, m);
         }
         let q: Vec<f64> = columns.iter().map(|&c| liquid.flux[c]).collect();
-        let e = (0..q.len())
-            .max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs()))
-            .unwrap_or(0);
+        let e = (0..q.len()).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).unwrap_or(0);
         // Columns of T: x_e = −Σ q_j x_j / q_e, no net volume leaves the tank.
         let free: Vec<usize> = (0..q.len()).filter(|&i| i != e).collect();
         let mut t = Matrix::zeros(q.len(), free.len());

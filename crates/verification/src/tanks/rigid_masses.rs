@@ -34,26 +34,12 @@ fn masses() -> Answer {
     let tank = cylinder(1.83, 1.525, 1, 1.0)?;
     let mass = total(1.83, 1.525);
     let what = "tank 8.1, mass moved by a rigid translation / liquid mass".to_string();
-    rows.push(row(
-        "F6",
-        what,
-        "identity, φ = x lies in the space",
-        (1.0, 1e-9),
-        tank.translated_mass() / mass,
-        "1",
-    ));
+    rows.push(row("F6", what, "identity, φ = x lies in the space", (1.0, 1e-9), tank.translated_mass() / mass, "1"));
     let convective = tank.convective_masses()?;
     for (n, tolerance) in [0.001, 0.005, 0.03].into_iter().enumerate() {
         let reference = mechanical::convective(Plan::Circle, 1.525 / 1.83, n + 1).mass;
         let what = format!("tank 8.1, convective mass {} / liquid mass", n + 1);
-        rows.push(row(
-            "F7",
-            what,
-            MASSES,
-            (reference, tolerance),
-            convective[n] / mass,
-            "1",
-        ));
+        rows.push(row("F7", what, MASSES, (reference, tolerance), convective[n] / mass, "1"));
     }
     for (radius, depth) in [(1.83, 1.525), (1.83, 5.0), (10.0, 3.0)] {
         let found = cylinder(radius, depth, 1, 1.0)?.impulsive()?;

@@ -64,14 +64,7 @@ fn sloshing() -> Answer {
     let large = cylinder(183.0, 152.5, 1, 1.0)?.sloshing()?;
     for n in 0..3 {
         let what = format!("tank 8.1 × 100, sloshing mode {}: 0.1 of F1", n + 1);
-        rows.push(row(
-            "F17",
-            what,
-            "similarity, ω ∝ 1/√length",
-            (0.1 * omega[n], 1e-6),
-            large[n],
-            "rad/s",
-        ));
+        rows.push(row("F17", what, "similarity, ω ∝ 1/√length", (0.1 * omega[n], 1e-6), large[n], "rad/s"));
     }
     Ok(rows)
 }

@@ -28,17 +28,11 @@ fn strips() -> Answer {
     let mut rows = Vec::new();
     for depth in [2.57, 5.0] {
         let modes = |symmetric: bool| {
-            let domain = Domain::Strip {
-                half_length: 2.5,
-                breadth: 1.0,
-                symmetric,
-            };
+            let domain = Domain::Strip { half_length: 2.5, breadth: 1.0, symmetric };
             RigidTank::new(domain, depth, GRAVITY, 1.0)?.sloshing()
         };
         let (odd, even) = (modes(false)?, modes(true)?);
-        for (n, (computed, tolerance)) in [(odd[0], 0.0005), (even[0], 0.001), (odd[1], 0.003)]
-            .into_iter()
-            .enumerate()
+        for (n, (computed, tolerance)) in [(odd[0], 0.0005), (even[0], 0.001), (odd[1], 0.003)].into_iter().enumerate()
         {
             let k = (n + 1) as f64 * PI / 5.0;
             let reference = (GRAVITY * k * (k * depth).tanh()).sqrt();

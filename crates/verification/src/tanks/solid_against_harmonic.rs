@@ -24,10 +24,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             Ritz vectors, mesh rule at the refinement stated. Reference: harmonic engine, default mesh. \
             Convergence over the mesh size, 1 at refinement 1.",
     ids: &[
-        (
-            "solid-01-coarse",
-            "tank of example 01 on a coarse mesh, three dimensions against harmonics",
-        ),
+        ("solid-01-coarse", "tank of example 01 on a coarse mesh, three dimensions against harmonics"),
         ("solid-01", "tank of example 01, three dimensions against harmonics"),
         ("solid-03", "tank of example 03, three dimensions against harmonics"),
     ],
@@ -44,9 +41,7 @@ pub fn artificial(omega: f64) -> Record {
     let dt = 0.01;
     let acceleration = (0..600)
         .map(|k| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             let noise = (state >> 33) as f64 / (1_u64 << 31) as f64 - 0.5;
             filtered = 0.8 * filtered + noise;
             let t = dt * f64::from(k);
@@ -54,20 +49,11 @@ pub fn artificial(omega: f64) -> Record {
             envelope * (3.0 * filtered + (omega * t).sin())
         })
         .collect();
-    Record {
-        name: "artificial".into(),
-        dt,
-        acceleration,
-        processing: Vec::new(),
-    }
+    Record { name: "artificial".into(), dt, acceleration, processing: Vec::new() }
 }
 
 fn shaken(mut case: Case, omega: f64) -> Case {
-    case.ground_motion = Some(GroundMotion {
-        horizontal: artificial(omega),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: artificial(omega), transverse: None, vertical: None });
     case
 }
 
@@ -89,20 +75,13 @@ const COMPARED: [(Quantity, &str, f64, f64); 9] = [
 const REFERENCE: f64 = 4.0;
 
 fn options(refine: f64) -> Options {
-    Options {
-        refine,
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { refine, mesh_error: false, ..Options::default() }
 }
 
 /// Rows of one tank: `meshes` are refinements of the three-dimensional engine, the last of them is held to the tolerance.
 fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: f64) -> Answer {
     let reference = simulate(case, &options(REFERENCE))?;
-    let solid = SolidOptions {
-        liquid,
-        ..SolidOptions::default()
-    };
+    let solid = SolidOptions { liquid, ..SolidOptions::default() };
     let runs = meshes
         .iter()
         .map(|&refine| solid::respond(case, &options(refine), &solid, &Silent))
@@ -111,11 +90,8 @@ fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: 
     for (quantity, unit, scale, tolerance) in COMPARED {
         let value = |s: &Simulation| s.values.get(&quantity).copied().unwrap_or(f64::NAN);
         let expected = value(&reference);
-        let convergence = meshes
-            .iter()
-            .zip(&runs)
-            .map(|(refine, run)| (1.0 / refine, (value(run) / expected - 1.0).abs()))
-            .collect();
+        let convergence =
+            meshes.iter().zip(&runs).map(|(refine, run)| (1.0 / refine, (value(run) / expected - 1.0).abs())).collect();
         rows.push(Row {
             id: format!("solid-{name}"),
             what: format!("{}, refinement {}", quantity.title(), meshes[meshes.len() - 1]),

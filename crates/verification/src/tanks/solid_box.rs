@@ -33,18 +33,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             hexahedra, uniform meshes of as many elements over half the length, half the breadth and the height as stated. Waves and \
             masses with walls of 3·10¹³ Pa, plates with a liquid of a millionth of their mass.",
     ids: &[
-        (
-            "box-waves",
-            "rigid box of 10 × 6 m, 4 m of water: waves in both directions, convective mass",
-        ),
-        (
-            "box-plates",
-            "square box of 5 m without liquid, walls of 5 cm: frequencies of plates",
-        ),
-        (
-            "box-pressure",
-            "full square boxes 4 m high: moment in the middle of the base of a wall",
-        ),
+        ("box-waves", "rigid box of 10 × 6 m, 4 m of water: waves in both directions, convective mass"),
+        ("box-plates", "square box of 5 m without liquid, walls of 5 cm: frequencies of plates"),
+        ("box-pressure", "full square boxes 4 m high: moment in the middle of the base of a wall"),
     ],
     parts: &[Part::Fast(rows)],
 };
@@ -54,19 +45,12 @@ const LEISSA: &str = "Leissa 1973";
 const PCA: &str = "PCA, Rectangular Concrete Tanks";
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 /// A box of length, breadth, height, thickness and depth [m] under a short ground motion.
 fn tank([length, breadth, height, thickness, depth]: [f64; 5], material: &tank::Material, density: f64) -> Case {
-    let shape = Shape::Rectangle {
-        length,
-        breadth,
-        strip: false,
-    };
+    let shape = Shape::Rectangle { length, breadth, strip: false };
     let mut case = case(shape, &[(height, thickness)], material, (density, depth));
     case.ground_motion = Some(GroundMotion {
         horizontal: Record {
@@ -83,11 +67,7 @@ fn tank([length, breadth, height, thickness, depth]: [f64; 5], material: &tank::
 
 fn mesh(length: usize, breadth: usize, height: usize) -> SolidOptions {
     SolidOptions {
-        mesh: Some(MeshSize {
-            radial: length,
-            sectors: 2 * breadth,
-            vertical: height,
-        }),
+        mesh: Some(MeshSize { radial: length, sectors: 2 * breadth, vertical: height }),
         ..SolidOptions::default()
     }
 }
@@ -108,10 +88,7 @@ fn modes(case: &Case, mesh: &SolidOptions, omega: f64, parts: &[u32], most: usiz
 fn nearest(found: &[TankMode], kind: Kind, part: u32, expected: f64) -> f64 {
     let of_part = found.iter().filter(|m| m.kind == kind && m.harmonic == part);
     let ratios = of_part.map(|m| m.omega / expected);
-    ratios.fold(
-        f64::NAN,
-        |best, r| if (best - 1.0).abs() < (r - 1.0).abs() { best } else { r },
-    )
+    ratios.fold(f64::NAN, |best, r| if (best - 1.0).abs() < (r - 1.0).abs() { best } else { r })
 }
 
 fn waves() -> Answer {
@@ -141,10 +118,7 @@ fn waves() -> Answer {
             computed: exact * last,
             tolerance: step * step / 12.0,
             unit: "rad/s",
-            convergence: found
-                .iter()
-                .map(|(n, modes)| (1.0 / *n as f64, (ratio(modes) - 1.0).abs()))
-                .collect(),
+            convergence: found.iter().map(|(n, modes)| (1.0 / *n as f64, (ratio(modes) - 1.0).abs())).collect(),
         });
     }
     let run = solid::respond(&case, &options(), &mesh(8, 4, 12), &Silent)?;
@@ -154,13 +128,7 @@ fn waves() -> Answer {
     // (π/16)²/24 in the frequency, and some times that in the mass.
     let reference = (convective, POTENTIAL, Reference::ClosedForm);
     let what = "first convective mass over that of the liquid".to_owned();
-    rows.push(Row::new(
-        "box-waves",
-        what,
-        reference,
-        value / case.liquid_mass(),
-        (0.01, "–"),
-    ));
+    rows.push(Row::new("box-waves", what, reference, value / case.liquid_mass(), (0.01, "–")));
     Ok(rows)
 }
 
@@ -176,10 +144,7 @@ fn plates() -> Answer {
         let reference = (expected, LEISSA, Reference::Published);
         Row::new("box-plates", what.to_owned(), reference, computed, (0.015, "–"))
     };
-    let phases = [
-        ("ω a² √(ρ t/D), neighbours in opposite phase", 12.687),
-        ("the same, all in phase", 24.020),
-    ];
+    let phases = [("ω a² √(ρ t/D), neighbours in opposite phase", 12.687), ("the same, all in phase", 24.020)];
     Ok(phases.map(row).into())
 }
 

@@ -65,14 +65,7 @@ fn rows() -> Answer {
     // Equilibrium holds for any mesh: rounding of condensed systems with stiffnesses 10⁵ apart. The bottom's moment is an integral of the
     // liquid's elements over r² (cubic with nine nodes), exact too, with less digits.
     let mut rows = vec![
-        row(
-            "tilt-1",
-            "base shear".into(),
-            SOURCE,
-            (shear, 1e-8),
-            value(&found, "base_shear"),
-            "N",
-        ),
+        row("tilt-1", "base shear".into(), SOURCE, (shear, 1e-8), value(&found, "base_shear"), "N"),
         row(
             "tilt-1",
             "moment above the base plate".into(),
@@ -145,19 +138,9 @@ fn polygon() -> Answer {
     let mut rows = Vec::new();
     let mut errors = Vec::new();
     for sectors in [12, 24, 48] {
-        let mesh = MeshSize {
-            radial: 4,
-            sectors,
-            vertical: 12,
-        };
-        let solid = SolidOptions {
-            mesh: Some(mesh),
-            ..SolidOptions::default()
-        };
-        let options = Options {
-            mesh_error: false,
-            ..Options::default()
-        };
+        let mesh = MeshSize { radial: 4, sectors, vertical: 12 };
+        let solid = SolidOptions { mesh: Some(mesh), ..SolidOptions::default() };
+        let options = Options { mesh_error: false, ..Options::default() };
         let found = solid::tilted(&case, ANGLE, &options, &solid, &Silent)?;
         errors.push((sectors as f64, (value(&found, "base_shear") / shear - 1.0).abs()));
         if sectors != 48 {
@@ -166,21 +149,9 @@ fn polygon() -> Answer {
         // 48 sectors: 7e-4 of the polygon; 1e-3 is asked for.
         for (what, expected, value, unit) in [
             ("base shear", shear, value(&found, "base_shear"), "N"),
-            (
-                "moment above the base plate",
-                moment,
-                value(&found, "base_moment"),
-                "N m",
-            ),
+            ("moment above the base plate", moment, value(&found, "base_moment"), "N m"),
         ] {
-            rows.push(row(
-                "tilt-4",
-                format!("{sectors} sectors: {what}"),
-                SOURCE,
-                (expected, 1e-3),
-                value,
-                unit,
-            ));
+            rows.push(row("tilt-4", format!("{sectors} sectors: {what}"), SOURCE, (expected, 1e-3), value, unit));
         }
     }
     let order = (errors[0].1 / errors[2].1).ln() / 4.0_f64.ln();
@@ -199,11 +170,7 @@ fn polygon() -> Answer {
 
 /// ρ H L b and the walls, times g sin α.
 fn strip() -> Result<Row, FeError> {
-    let shape = Shape::Rectangle {
-        length: 8.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 8.0, breadth: 1.0, strip: true };
     let concrete = tank::reference::material(30e9, 0.2, 2500.0);
     let case = tank::reference::case(shape, &[(4.0, 0.3)], &concrete, (1000.0, 3.0));
     let found = tilted(&case)?;
@@ -231,11 +198,7 @@ fn tilted(case: &Case) -> Result<results::Part, FeError> {
         transverse: None,
         vertical: None,
     });
-    let options = Options {
-        tilt: Some(ANGLE),
-        mesh_error: false,
-        ..Options::default()
-    };
+    let options = Options { tilt: Some(ANGLE), mesh_error: false, ..Options::default() };
     let found = simulate(&case, &options)?.result.part("tilt").cloned();
     found.ok_or_else(|| FeError::Analysis("the tilt test has no result".into()))
 }

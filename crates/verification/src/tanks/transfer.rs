@@ -30,15 +30,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             damped by 0.5 %, mesh with twice the default elements in each direction; and tank 8.1 (ρ = 1 t/m³, sloshing damped by 5 %) at \
             0.6 Hz beside its own history under 90 s of that motion.",
     ids: &[
-        (
-            "transfer-1",
-            "magnitudes of the rigid cylinder at multiples of its first sloshing frequency, 1 is resonance",
-        ),
+        ("transfer-1", "magnitudes of the rigid cylinder at multiples of its first sloshing frequency, 1 is resonance"),
         ("transfer-2", "phases of the rigid cylinder at resonance"),
-        (
-            "transfer-3",
-            "distance of the history's last ten periods from the steady state, over its magnitude",
-        ),
+        ("transfer-3", "distance of the history's last ten periods from the steady state, over its magnitude"),
     ],
     parts: &[Part::Fast(rigid), Part::Fast(history)],
 };
@@ -67,10 +61,7 @@ fn potential_flow(omega: f64) -> [(Complex<f64>, f64); 2] {
         ];
         shear += parts[0];
         wave += parts[1];
-        sizes
-            .iter_mut()
-            .zip(parts)
-            .for_each(|(size, part)| *size += part.norm());
+        sizes.iter_mut().zip(parts).for_each(|(size, part)| *size += part.norm());
     }
     [(shear, sizes[0]), (wave, sizes[1])]
 }
@@ -88,12 +79,7 @@ fn numbers(found: &results::Part, begin: &str) -> Result<Vec<f64>, FeError> {
 fn run(case: &Case, record: (f64, Vec<f64>), options: &Options) -> Result<(Simulation, results::Part), FeError> {
     let mut case = case.clone();
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "harmonic".into(),
-            dt: record.0,
-            acceleration: record.1,
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "harmonic".into(), dt: record.0, acceleration: record.1, processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
@@ -126,17 +112,9 @@ fn rigid() -> Answer {
     };
     let (_, found) = run(&tank, (0.01, vec![0.0, 0.1, 0.0]), &options)?;
     let mut rows = Vec::new();
-    let tables = [
-        ("base_shear", "base shear", "N s²/m"),
-        ("wave_height", "wave at the wall", "s²"),
-    ];
-    for (name, multiple) in [
-        ("1/2", 0.5),
-        ("1/√2", 0.5_f64.sqrt()),
-        ("1", 1.0),
-        ("√2", 2.0_f64.sqrt()),
-        ("2", 2.0),
-    ] {
+    let tables = [("base_shear", "base shear", "N s²/m"), ("wave_height", "wave at the wall", "s²")];
+    for (name, multiple) in [("1/2", 0.5), ("1/√2", 0.5_f64.sqrt()), ("1", 1.0), ("√2", 2.0_f64.sqrt()), ("2", 2.0)]
+    {
         let omega = multiple * first;
         let frequency = numbers(&found, "frequency_hz")?;
         let at = frequency.iter().position(|f| (f * TAU / omega - 1.0).abs() < 1e-9);
@@ -191,10 +169,8 @@ fn history() -> Answer {
         ..Options::default()
     };
     let (dt, last) = (1.0 / (200.0 * frequency), (90.0 * 200.0 * frequency) as usize);
-    let record: Vec<f64> = (0..=last)
-        .map(|k| k as f64 * dt)
-        .map(|t| (t * frequency / 10.0).min(1.0) * (omega * t).cos())
-        .collect();
+    let record: Vec<f64> =
+        (0..=last).map(|k| k as f64 * dt).map(|t| (t * frequency / 10.0).min(1.0) * (omega * t).cos()).collect();
     let (run, found) = run(&tank, (dt, record), &options)?;
     let mut rows = Vec::new();
     for (id, column, title) in [
@@ -212,13 +188,7 @@ fn history() -> Answer {
         let first = |what: &str| Ok::<f64, FeError>(numbers(&found, &format!("{id}_{what}"))?[0]);
         let steady = Complex::from_polar(first("magnitude")?, first("phase")?);
         let reference = (0.0, "the engine's own time history", Reference::SecondFormulation);
-        rows.push(Row::new(
-            "transfer-3",
-            title,
-            reference,
-            (sum - steady).norm() / steady.norm(),
-            (0.01, "–"),
-        ));
+        rows.push(Row::new("transfer-3", title, reference, (sum - steady).norm() / steady.norm(), (0.01, "–")));
     }
     Ok(rows)
 }

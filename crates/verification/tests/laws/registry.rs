@@ -17,10 +17,7 @@ const HELD: &str = "K_rot resists rotations";
 
 /// All of them.
 pub(crate) fn all() -> Vec<Specimen> {
-    let mean = liquid(
-        VolumePart::MeanDilatation,
-        RotationPart::Split { centre: 1e5, rest: 1e3 },
-    );
+    let mean = liquid(VolumePart::MeanDilatation, RotationPart::Split { centre: 1e5, rest: 1e3 });
     let point = liquid(VolumePart::OnePoint, RotationPart::OnePoint(1e4));
     vec![
         beam(),
@@ -33,12 +30,7 @@ pub(crate) fn all() -> Vec<Specimen> {
 
 /// They are linear: none has a history, a mixed tangent or a geometric stiffness.
 pub(crate) fn least() -> Least {
-    Least {
-        dissipate: 0,
-        mixed: 0,
-        buckle: 0,
-        change: 0,
-    }
+    Least { dissipate: 0, mixed: 0, buckle: 0, change: 0 }
 }
 
 fn beam() -> Specimen {
@@ -64,29 +56,18 @@ fn beam() -> Specimen {
             .unwrap(),
         )
     };
-    Specimen {
-        mass: Mass::Of(1.7 * length),
-        ..Specimen::new("Beam2", "in space", &ENDS, build)
-    }
+    Specimen { mass: Mass::Of(1.7 * length), ..Specimen::new("Beam2", "in space", &ENDS, build) }
 }
 
 fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
-    LiquidProperties {
-        density: DENSITY,
-        bulk_modulus: 2e6,
-        volume,
-        rotation,
-    }
+    LiquidProperties { density: DENSITY, bulk_modulus: 2e6, volume, rotation }
 }
 
 fn fluid4(what: &'static str, chart: Chart, liquid: LiquidProperties) -> Specimen {
     const CORNERS: [[f64; 3]; 4] = [[1.0, 0.0, 0.0], [1.9, 0.0, 0.1], [2.0, 0.0, 0.8], [0.9, 0.0, 0.7]];
     const BREADTH: f64 = 0.7;
     let build = move |_: &Turn| -> Box<dyn Element> {
-        let face = Face {
-            nodes: [0, 1, 2, 3],
-            chart: CORNERS,
-        };
+        let face = Face { nodes: [0, 1, 2, 3], chart: CORNERS };
         Box::new(Fluid4::new(&face, chart, BREADTH, liquid).unwrap())
     };
     // Area of the section, or its first moment about the axis: sums over its sides.
@@ -104,10 +85,7 @@ fn fluid4(what: &'static str, chart: Chart, liquid: LiquidProperties) -> Specime
     Specimen {
         resists: match chart {
             Chart::Cartesian => (&[4], HELD),
-            Chart::Cylindrical => (
-                &[0, 4],
-                "moved outwards all around, the liquid expands; K_rot resists rotations",
-            ),
+            Chart::Cylindrical => (&[0, 4], "moved outwards all around, the liquid expands; K_rot resists rotations"),
         },
         turns: Turns::None("it lies in the plane x–z with z upwards"),
         mass: match chart {

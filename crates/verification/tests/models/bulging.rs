@@ -30,12 +30,7 @@ fn f9_bulging_frequencies() {
         assert_close("8.1", first(&modes, Kind::Structural, n + 1).omega, printed, 0.003);
     }
     for (n, printed) in [2.9982, 5.346, 6.77].into_iter().enumerate() {
-        assert_close(
-            "8.1 sloshing",
-            first(&modes, Kind::Sloshing, n + 1).omega,
-            printed,
-            0.003,
-        );
+        assert_close("8.1 sloshing", first(&modes, Kind::Sloshing, n + 1).omega, printed, 0.003);
     }
     let heavy = 1e4 / 9.81;
     for (depth, printed) in [(3.0, 158.09), (3.5, 134.28), (4.0, 115.20), (4.5, 99.69), (5.0, 86.91)] {
@@ -68,12 +63,7 @@ fn breathing_frequencies() {
         (10.0, 3.0, 0.01, 3.0, &steel, 105.1),
     ];
     for (radius, wall, thickness, depth, material, printed) in cases {
-        let case = case(
-            Shape::Cylinder { radius },
-            &[(wall, thickness)],
-            material,
-            (1000.0, depth),
-        );
+        let case = case(Shape::Cylinder { radius }, &[(wall, thickness)], material, (1000.0, depth));
         let modes = coupled_modes(&case, 0);
         assert_close("breathing", first(&modes, Kind::Structural, 1).omega, printed, 0.003);
     }
@@ -118,24 +108,10 @@ fn public_modes_sort_and_number() {
     assert_eq!(found.len(), 18);
     for harmonic in 0..3 {
         for kind in ["sloshing", "structural"] {
-            let numbers: Vec<usize> = found
-                .iter()
-                .filter(|m| m.harmonic == harmonic && m.kind == kind)
-                .map(|m| m.number)
-                .collect();
+            let numbers: Vec<usize> =
+                found.iter().filter(|m| m.harmonic == harmonic && m.kind == kind).map(|m| m.number).collect();
             assert_eq!(numbers, [1, 2, 3]);
         }
     }
-    assert!(
-        modes(
-            &broad(1000.0),
-            &Options {
-                refine: 100.0,
-                ..Options::default()
-            },
-            &[1],
-            3
-        )
-        .is_err()
-    );
+    assert!(modes(&broad(1000.0), &Options { refine: 100.0, ..Options::default() }, &[1], 3).is_err());
 }

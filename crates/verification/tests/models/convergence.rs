@@ -34,10 +34,7 @@ fn sloshing_converges_with_the_fourth_power() {
 
 /// Bulging frequency, its effective mass, and base stresses per m/s² of modal acceleration.
 fn bulging(case: &Case, refine: f64) -> [f64; 4] {
-    let options = Options {
-        refine,
-        ..Options::default()
-    };
+    let options = Options { refine, ..Options::default() };
     let coupled = build(case, &options, 1).unwrap();
     let modes = solve(&coupled, Some(coupled.surface.unknowns.len() + 3)).unwrap();
     let mode = modes.iter().find(|m| m.kind == Kind::Structural).unwrap();
@@ -57,9 +54,8 @@ fn bulging(case: &Case, refine: f64) -> [f64; 4] {
 fn default_mesh_keeps_its_promise() {
     for case in [broad(1000.0), slender(1000.0, 5.0)] {
         let (coarse, fine) = (bulging(&case, 1.0), bulging(&case, 3.0));
-        for (i, (what, tolerance)) in [("omega", 0.001), ("mass", 0.002), ("axial", 0.002), ("bending", 0.015)]
-            .into_iter()
-            .enumerate()
+        for (i, (what, tolerance)) in
+            [("omega", 0.001), ("mass", 0.002), ("axial", 0.002), ("bending", 0.015)].into_iter().enumerate()
         {
             assert_close(what, coarse[i], fine[i], tolerance);
         }

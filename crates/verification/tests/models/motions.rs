@@ -4,12 +4,7 @@ use oscillator::record::Record;
 
 /// A record from its accelerations [m/s²].
 pub(crate) fn record(dt: f64, acceleration: Vec<f64>) -> Record {
-    Record {
-        name: "made by formula".into(),
-        dt,
-        acceleration,
-        processing: Vec::new(),
-    }
+    Record { name: "made by formula".into(), dt, acceleration, processing: Vec::new() }
 }
 
 /// Broad-band motion of peak about 0.3 g: 120 sines from 0.15 to 20 Hz with scattered phases under a strong-motion
@@ -27,11 +22,7 @@ pub(crate) fn broad_band(dt: f64, duration: f64) -> Record {
             // Kanai-Tajimi shape about 2.5 Hz.
             let r = f / 2.5;
             let shape = ((1.0 + r * r) / ((1.0 - r * r).powi(2) + 1.44 * r * r)).sqrt();
-            (
-                std::f64::consts::TAU * f,
-                0.28 * shape * f.sqrt(),
-                std::f64::consts::TAU * random(),
-            )
+            (std::f64::consts::TAU * f, 0.28 * shape * f.sqrt(), std::f64::consts::TAU * random())
         })
         .collect();
     let samples = (duration / dt) as usize;
@@ -51,11 +42,7 @@ pub(crate) fn swelling_harmonic(dt: f64, duration: f64, amplitude: f64, omega: f
         // e(t) = sin²(πt/2s) for t < s, and its derivatives.
         let w = std::f64::consts::PI / swell;
         let (e, e1, e2) = if t < swell {
-            (
-                0.5 * (1.0 - (w * t).cos()),
-                0.5 * w * (w * t).sin(),
-                0.5 * w * w * (w * t).cos(),
-            )
+            (0.5 * (1.0 - (w * t).cos()), 0.5 * w * (w * t).sin(), 0.5 * w * w * (w * t).cos())
         } else {
             (1.0, 0.0, 0.0)
         };

@@ -36,41 +36,26 @@ fn probe<'a>(coupled: &'a Coupled, id: &str) -> &'a Probe {
 
 fn line(coupled: &Coupled, id: &str, x: &[f64]) -> Vec<(f64, f64)> {
     let line = coupled.lines.iter().find(|l| l.what.id() == id).unwrap();
-    line.z
-        .iter()
-        .zip(&line.probes)
-        .map(|(&z, p)| (z, value(p, coupled, x)))
-        .collect()
+    line.z.iter().zip(&line.probes).map(|(&z, p)| (z, value(p, coupled, x))).collect()
 }
 
 #[test]
 fn constant_horizontal_acceleration_of_a_cylinder() {
     for case in [broad(1000.0), slender(1000.0, 5.0)] {
         let (radius, depth) = (1.83, case.liquid.fill_height);
-        let options = Options {
-            gauges: vec![-1.83, 0.6],
-            stations: vec![0.1],
-            ..Options::default()
-        };
+        let options = Options { gauges: vec![-1.83, 0.6], stations: vec![0.1], ..Options::default() };
         let coupled = build(&case, &options, 1).unwrap();
         let x = quasi_static(&coupled);
         for (z, pressure) in line(&coupled, "pressure", &x) {
             assert!((0.0..=depth * (1.0 + 1e-12)).contains(&z));
             assert_close("pressure", pressure, -1000.0 * radius, 1e-6);
         }
-        for (id, r) in [
-            ("wave_height_theta_0", radius),
-            ("wave_height_r_-1.83", -1.83),
-            ("wave_height_r_0.6", 0.6),
-        ] {
+        for (id, r) in [("wave_height_theta_0", radius), ("wave_height_r_-1.83", -1.83), ("wave_height_r_0.6", 0.6)] {
             assert_close(id, value(probe(&coupled, id), &coupled, &x), -r / GRAVITY, 1e-4);
         }
         let liquid = 1000.0 * PI * radius * radius * depth;
         let courses = &case.tank.courses;
-        let wall: f64 = courses
-            .iter()
-            .map(|c| 2.0 * PI * radius * c.height * c.thickness * c.material.density)
-            .sum();
+        let wall: f64 = courses.iter().map(|c| 2.0 * PI * radius * c.height * c.thickness * c.material.density).sum();
         let wall_moment = wall * case.tank.wall_centroid();
         let shear = value(probe(&coupled, "base_shear"), &coupled, &x);
         assert_close("shear", shear, liquid + wall, 1e-8);
@@ -82,12 +67,7 @@ fn constant_horizontal_acceleration_of_a_cylinder() {
         let t = courses[0].thickness;
         let axial = value(probe(&coupled, "axial_membrane_stress_base"), &coupled, &x) * t;
         let bending = value(probe(&coupled, "wall_moment_base"), &coupled, &x);
-        assert_close(
-            "stress resultant",
-            PI * radius * (radius * axial + bending),
-            moment,
-            0.005,
-        );
+        assert_close("stress resultant", PI * radius * (radius * axial + bending), moment, 0.005);
         let stress = value(probe(&coupled, "bending_stress_base"), &coupled, &x);
         assert_close("bending stress", stress, 6.0 * bending / (t * t), 1e-12);
     }
@@ -121,18 +101,8 @@ fn roof_mass_and_lever() {
         let x = quasi_static(c);
         value(probe(c, id), c, &x)
     };
-    assert_close(
-        "shear",
-        total(&roofed, "base_shear") - total(&bare, "base_shear"),
-        500.0,
-        1e-6,
-    );
-    assert_close(
-        "moment",
-        total(&roofed, "base_moment") - total(&bare, "base_moment"),
-        1200.0,
-        1e-6,
-    );
+    assert_close("shear", total(&roofed, "base_shear") - total(&bare, "base_shear"), 500.0, 1e-6);
+    assert_close("moment", total(&roofed, "base_moment") - total(&bare, "base_moment"), 1200.0, 1e-6);
 }
 
 /// Vertical motion at constant acceleration is the static state times a/g: pressure ρ (H − z) a, stresses likewise. The
@@ -144,17 +114,9 @@ fn constant_vertical_acceleration_is_the_static_state() {
         let x = quasi_static(&coupled);
         let depth = case.liquid.fill_height;
         for (z, pressure) in line(&coupled, "pressure", &x) {
-            assert!(
-                (pressure - 1000.0 * (depth - z)).abs() < 1e-3 * 1000.0 * depth,
-                "{z} {pressure}"
-            );
+            assert!((pressure - 1000.0 * (depth - z)).abs() < 1e-3 * 1000.0 * depth, "{z} {pressure}");
         }
-        for id in [
-            "hoop_stress",
-            "axial_membrane_stress",
-            "bending_stress",
-            "radial_displacement",
-        ] {
+        for id in ["hoop_stress", "axial_membrane_stress", "bending_stress", "radial_displacement"] {
             let found = line(&coupled, id, &x);
             let line = coupled.lines.iter().find(|l| l.what.id() == id).unwrap();
             let peak = line.probes.iter().fold(0.0_f64, |m, p| m.max(p.static_value.abs()));
@@ -174,11 +136,7 @@ fn constant_vertical_acceleration_is_the_static_state() {
 }
 
 fn strip() -> Case {
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 2.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 2.0, strip: true };
     case(shape, &[(3.0, 0.3)], &material(30e9, 0.2, 2500.0), (1000.0, 2.57))
 }
 
@@ -190,32 +148,12 @@ fn constant_horizontal_acceleration_of_a_strip() {
     for (_, pressure) in line(&coupled, "pressure", &x) {
         assert_close("pressure", pressure, -2500.0, 1e-6);
     }
-    assert_close(
-        "wave",
-        value(probe(&coupled, "wave_height_theta_0"), &coupled, &x),
-        -2.5 / GRAVITY,
-        1e-4,
-    );
+    assert_close("wave", value(probe(&coupled, "wave_height_theta_0"), &coupled, &x), -2.5 / GRAVITY, 1e-4);
     let moment = 2500.0 * 2.57_f64.powi(2) / 2.0 + 2500.0 * 0.3 * 3.0 * 1.5;
-    assert_close(
-        "wall moment",
-        value(probe(&coupled, "wall_moment_base"), &coupled, &x),
-        moment,
-        0.005,
-    );
-    assert_close(
-        "base moment",
-        value(probe(&coupled, "base_moment"), &coupled, &x),
-        4.0 * moment,
-        1e-6,
-    );
+    assert_close("wall moment", value(probe(&coupled, "wall_moment_base"), &coupled, &x), moment, 0.005);
+    assert_close("base moment", value(probe(&coupled, "base_moment"), &coupled, &x), 4.0 * moment, 1e-6);
     let below = value(probe(&coupled, "overturning_moment"), &coupled, &x);
-    assert_close(
-        "bottom",
-        below - 4.0 * moment,
-        2.0 * 2.0 * 1000.0 * 2.5_f64.powi(3) / 3.0,
-        1e-6,
-    );
+    assert_close("bottom", below - 4.0 * moment, 2.0 * 2.0 * 1000.0 * 2.5_f64.powi(3) / 3.0, 1e-6);
     assert!(coupled.lines.iter().all(|l| l.what.id() != "hoop_stress"));
 }
 
@@ -225,13 +163,8 @@ fn lines_have_both_sides_of_a_joint() {
     let line = coupled.lines.iter().find(|l| l.what.id() == "hoop_stress").unwrap();
     assert!((60..=100).contains(&line.z.len()), "{}", line.z.len());
     assert!(line.z.windows(2).all(|w| w[1] >= w[0]));
-    let joint: Vec<&Probe> = line
-        .z
-        .iter()
-        .zip(&line.probes)
-        .filter(|(z, _)| (**z - 0.915).abs() < 1e-12)
-        .map(|(_, p)| p)
-        .collect();
+    let joint: Vec<&Probe> =
+        line.z.iter().zip(&line.probes).filter(|(z, _)| (**z - 0.915).abs() < 1e-12).map(|(_, p)| p).collect();
     assert_eq!(joint.len(), 2);
     // Equal hoop strain on both sides (but for ν ε_x): stresses stay close, the membrane forces jump with t.
     assert_close("joint", joint[1].static_value, joint[0].static_value, 0.02);

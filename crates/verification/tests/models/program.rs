@@ -24,12 +24,7 @@ fn stdout(output: &Output) -> &str {
 
 fn json(arguments: &[&str]) -> Value {
     let output = verify(&[arguments, &["--format", "json"]].concat());
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_str(stdout(&output)).expect("JSON")
 }
 
@@ -65,10 +60,7 @@ fn globs_and_parts_of_names() {
     assert_eq!(texts(&part["benchmarks"], "page"), ["shell-elephant-foot"]);
     // An id is meant as a whole: F10 to F17 are other ids.
     let whole = json(&["--list", "F1"]);
-    assert_eq!(
-        texts(&whole["benchmarks"], "page"),
-        ["rigid-tank-sloshing", "potential-liquid"]
-    );
+    assert_eq!(texts(&whole["benchmarks"], "page"), ["rigid-tank-sloshing", "potential-liquid"]);
 }
 
 #[test]
@@ -80,16 +72,10 @@ fn the_list_names_page_ids_and_paces_in_every_form() {
     let human = verify(&["--list", "S22"]);
     let human = stdout(&human);
     assert!(human.contains("shell-elephant-foot (tested slow): "), "{human}");
-    assert!(
-        human.contains("S22") && human.contains("1 benchmarks, 1 ids"),
-        "{human}"
-    );
+    assert!(human.contains("S22") && human.contains("1 benchmarks, 1 ids"), "{human}");
     let csv = verify(&["--list", "S22", "--format", "csv"]);
     let csv = stdout(&csv);
-    assert!(
-        csv.starts_with("id,page,pace,what\nS22,shell-elephant-foot,tested slow,"),
-        "{csv}"
-    );
+    assert!(csv.starts_with("id,page,pace,what\nS22,shell-elephant-foot,tested slow,"), "{csv}");
     assert_eq!(csv.lines().count(), 2);
     let html = verify(&["--list", "--format", "html"]);
     assert_eq!(html.status.code(), Some(2));
@@ -108,27 +94,17 @@ fn what_needs_an_option_is_named() {
 
 #[test]
 fn a_pattern_without_match_is_an_error_with_suggestions() {
-    for (pattern, near) in [
-        ("elefant", "`shell-elephant-foot`"),
-        ("S77", "`S7`"),
-        ("shel-cook", "`shell-cook`"),
-    ] {
+    for (pattern, near) in [("elefant", "`shell-elephant-foot`"), ("S77", "`S7`"), ("shel-cook", "`shell-cook`")] {
         let output = verify(&[pattern]);
         assert_eq!(output.status.code(), Some(2));
         let message = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            message.contains(&format!("error[T0105]: PATTERN: found `{pattern}`")),
-            "{message}"
-        );
+        assert!(message.contains(&format!("error[T0105]: PATTERN: found `{pattern}`")), "{message}");
         assert!(message.contains("did you mean") && message.contains(near), "{message}");
         assert!(message.contains("list them with --list"), "{message}");
     }
     let far = verify(&["no-benchmark-is-called-so"]);
     let message = String::from_utf8_lossy(&far.stderr);
-    assert!(
-        !message.contains("did you mean") && message.contains("--list"),
-        "{message}"
-    );
+    assert!(!message.contains("did you mean") && message.contains("--list"), "{message}");
 }
 
 #[test]
@@ -150,15 +126,11 @@ fn records_that_cannot_be_read_are_bad_input() {
     let file = home.path().join("imperial-valley-1940-el-centro-ns.csv");
     let folder = home.path().to_str().expect("text");
     for (text, code) in [(None, "T0601"), (Some("time_s,velocity_m_s\n0,0\n0.02,1\n"), "T0404")] {
-        text.into_iter()
-            .for_each(|text| std::fs::write(&file, text).expect("writable"));
+        text.into_iter().for_each(|text| std::fs::write(&file, text).expect("writable"));
         let output = verify(&["C8", "--records", folder]);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(
-            message.contains(&format!("error[{code}]")) && message.contains("el-centro"),
-            "{message}"
-        );
+        assert!(message.contains(&format!("error[{code}]")) && message.contains("el-centro"), "{message}");
     }
 }
 
@@ -166,17 +138,11 @@ fn records_that_cannot_be_read_are_bad_input() {
 #[test]
 fn a_full_device_is_one_message() {
     let device = std::fs::OpenOptions::new().write(true).open("/dev/full");
-    let output = program()
-        .arg("--list")
-        .stdout(Stdio::from(device.expect("Linux has one")))
-        .output();
+    let output = program().arg("--list").stdout(Stdio::from(device.expect("Linux has one"))).output();
     let output = output.expect("the program runs");
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(
-        message.starts_with("error[T0604]: cannot write to standard output"),
-        "{message}"
-    );
+    assert!(message.starts_with("error[T0604]: cannot write to standard output"), "{message}");
 }
 
 /// Ctrl-C while benchmarks run: the manual is that of before.
@@ -192,11 +158,7 @@ fn an_interrupted_run_leaves_the_old_manual() {
     }
     let mut run = program();
     run.args(["--write", home.path().to_str().expect("text")]);
-    let child = run
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
+    let child = run.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the program runs");
     // It listens once it has a second thread, the one that waits for signals; its benchmarks take much longer.
     let pid = child.id().to_string();
     let tasks = || std::fs::read_dir(format!("/proc/{pid}/task")).map_or(2, Iterator::count);
@@ -204,20 +166,13 @@ fn an_interrupted_run_leaves_the_old_manual() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
     std::thread::sleep(std::time::Duration::from_millis(300));
-    let sent = Command::new("kill")
-        .args(["-s", "INT", &pid])
-        .status()
-        .expect("kill runs");
+    let sent = Command::new("kill").args(["-s", "INT", &pid]).status().expect("kill runs");
     let output = child.wait_with_output().expect("it ends");
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(sent.success());
     assert_eq!(output.status.code(), Some(130), "{message}");
     assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), before.len());
     for (name, bytes) in before {
-        assert_eq!(
-            std::fs::read(home.path().join(&name)).expect("readable"),
-            bytes,
-            "{name:?}"
-        );
+        assert_eq!(std::fs::read(home.path().join(&name)).expect("readable"), bytes, "{name:?}");
     }
 }

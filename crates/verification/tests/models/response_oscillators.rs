@@ -52,11 +52,7 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
 }
 
 fn probe(displacement: Vec<f64>, absolute_acceleration: Vec<f64>) -> Probe {
-    Probe {
-        displacement,
-        absolute_acceleration,
-        ..Probe::new(results::Channel::BaseShear)
-    }
+    Probe { displacement, absolute_acceleration, ..Probe::new(results::Channel::BaseShear) }
 }
 
 /// Modal superposition with the modes `kept` of all.
@@ -66,23 +62,13 @@ fn modal(system: &Coupled, kept: &[usize], damper: &Damper, ground: &Record, gri
     let system = ModalSystem::new(system, kept, damper).unwrap();
     let motion = Motion::new(ground, &grid);
     let observables: Vec<_> = probes.iter().map(|p| vec![(0, 1.0, p)]).collect();
-    superpose::respond(
-        &[system],
-        &[&motion],
-        grid,
-        &observables,
-        &observables,
-        &fem::progress::Silent,
-    )
-    .unwrap()
+    superpose::respond(&[system], &[&motion], grid, &observables, &observables, &fem::progress::Silent).unwrap()
 }
 
 /// e^A for a small matrix, by scaling and squaring of the power series.
 fn exponential(a: &Matrix) -> Matrix {
     let n = a.rows;
-    let norm = (0..n)
-        .map(|j| a.column(j).iter().map(|v| v.abs()).sum::<f64>())
-        .fold(0.0, f64::max);
+    let norm = (0..n).map(|j| a.column(j).iter().map(|v| v.abs()).sum::<f64>()).fold(0.0, f64::max);
     let squarings = norm.log2().ceil().max(0.0) as i32;
     let scale = 0.5_f64.powi(squarings);
     let times = |x: &Matrix, y: &Matrix| {
@@ -137,11 +123,7 @@ fn reference(system: &Coupled, damping: &Matrix, ground: &Record, samples: usize
         x.push(state[..n].to_vec());
         acceleration.push(rate[n..2 * n].to_vec());
         state[2 * n] = if k < last { value(k) } else { 0.0 };
-        state[2 * n + 1] = if k < last {
-            (value(k + 1) - value(k)) / ground.dt
-        } else {
-            0.0
-        };
+        state[2 * n + 1] = if k < last { (value(k + 1) - value(k)) / ground.dt } else { 0.0 };
         state = step.times(&state);
     }
     (x, acceleration)
@@ -161,11 +143,7 @@ fn two_masses_have_their_modes() {
     let g = (1.0 + root) / 2.0;
     let norm = 1.0 + g * g;
     for (mode, mass) in modes.iter().zip([(1.0 + g).powi(2) / norm, (g - 1.0).powi(2) / norm]) {
-        assert!(
-            (mode.effective_mass() - mass).abs() < 1e-12,
-            "{}",
-            mode.effective_mass()
-        );
+        assert!((mode.effective_mass() - mass).abs() < 1e-12, "{}", mode.effective_mass());
     }
     // First mode: moment (1 + 2g)/(1 + g) over shear, with arms 1 and 2.
     assert!((modes[0].effective_height - (1.0 + 2.0 * g) / (1.0 + g)).abs() < 1e-12);
@@ -186,26 +164,18 @@ fn superposition_is_exact() {
     ];
     for (mass, stiffness) in dampers {
         let mut damping = Matrix::zeros(3, 3);
-        for (c, (m, k)) in damping
-            .data
-            .iter_mut()
-            .zip(system.mass.data.iter().zip(&system.stiffness.data))
-        {
+        for (c, (m, k)) in damping.data.iter_mut().zip(system.mass.data.iter().zip(&system.stiffness.data)) {
             *c = mass * m + stiffness * k;
         }
         let grid = Grid::new(0.02, motion.duration(), 2.0, 0.007);
         let (x, a) = reference(&system, &damping, &motion, grid.samples);
         let unit = |i: usize| (0..3).map(|j| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
-        let probes: Vec<Probe> = (0..3)
-            .map(|i| probe(unit(i), Vec::new()))
-            .chain((0..3).map(|i| probe(Vec::new(), unit(i))))
-            .collect();
+        let probes: Vec<Probe> =
+            (0..3).map(|i| probe(unit(i), Vec::new())).chain((0..3).map(|i| probe(Vec::new(), unit(i)))).collect();
         let damper = Damper::Rayleigh(Rayleigh { mass, stiffness });
         let found = modal(&system, &[0, 1, 2], &damper, &motion, grid, &probes);
         for i in 0..6 {
-            let expected: Vec<f64> = (0..grid.samples)
-                .map(|k| if i < 3 { x[k][i] } else { a[k][i - 3] })
-                .collect();
+            let expected: Vec<f64> = (0..grid.samples).map(|k| if i < 3 { x[k][i] } else { a[k][i - 3] }).collect();
             let peak = expected.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             for (k, (f, e)) in found.scalars[i].values.iter().zip(&expected).enumerate() {
                 assert!(
@@ -227,10 +197,7 @@ fn harmonic_motion_meets_its_closed_form() {
     let system = chain(&[1.0], &[w * w]);
     let motion = record(0.01, (0..=6000).map(|k| (f * f64::from(k) * 0.01).sin()).collect());
     let grid = Grid::new(0.01, motion.duration(), 0.0, 0.01);
-    let damper = Damper::ByKind {
-        sloshing: 0.5,
-        structural: xi,
-    };
+    let damper = Damper::ByKind { sloshing: 0.5, structural: xi };
     let found = modal(&system, &[0], &damper, &motion, grid, &[probe(vec![1.0], Vec::new())]);
     // u = A sin ft + B cos ft + e^{−ξωt}(C cos ω_d t + D sin ω_d t)
     let d = (w * w - f * f).powi(2) + (2.0 * xi * w * f).powi(2);
@@ -254,20 +221,10 @@ fn missing_mass_follows_the_ground() {
     let system = chain(&[3.0, 1.0, 1.0], &[3e6, 400.0, 100.0]);
     let motion = broad_band(0.01, 15.0);
     let grid = Grid::new(0.01, motion.duration(), 1.0, 2e-4);
-    let damper = Damper::ByKind {
-        sloshing: 0.01,
-        structural: 0.02,
-    };
+    let damper = Damper::ByKind { sloshing: 0.01, structural: 0.02 };
     let shear = probe(Vec::new(), vec![3.0, 1.0, 1.0]);
     let spring = probe(vec![3e6, 0.0, 0.0], Vec::new());
-    let all = modal(
-        &system,
-        &[0, 1, 2],
-        &damper,
-        &motion,
-        grid,
-        &[shear.clone(), spring.clone()],
-    );
+    let all = modal(&system, &[0, 1, 2], &damper, &motion, grid, &[shear.clone(), spring.clone()]);
     let some = modal(&system, &[0, 1], &damper, &motion, grid, &[shear, spring]);
     for (a, s) in all.scalars.iter().zip(&some.scalars) {
         let (a, s) = (a.extreme.peak().0, s.extreme.peak().0);
@@ -285,15 +242,8 @@ fn newmark(system: &Coupled, damper: &Damper, motion: &Record, grid: Grid, probe
     let direct = DirectSystem::new(system, &modes, damper);
     let ground = Motion::new(motion, &grid);
     let observables: Vec<_> = probes.iter().map(|p| vec![(0, 1.0, p)]).collect();
-    let (observed, energy) = direct::respond(
-        &[direct],
-        &[&ground],
-        grid,
-        &observables,
-        &observables,
-        &fem::progress::Silent,
-    )
-    .unwrap();
+    let (observed, energy) =
+        direct::respond(&[direct], &[&ground], grid, &observables, &observables, &fem::progress::Silent).unwrap();
     assert!(energy.input > 0.0 && energy.damping > 0.0);
     assert!(energy.damping <= energy.input * (1.0 + 1e-9));
     (observed, energy.error)
@@ -307,49 +257,21 @@ fn direct_integration_converges_to_superposition() {
     let mut motion = broad_band(0.02, 8.0);
     motion.acceleration[0] = -1.0;
     *motion.acceleration.last_mut().unwrap() = 2.0;
-    let outputs = [
-        probe(vec![0.0, 1.0, -1.0], Vec::new()),
-        probe(Vec::new(), vec![2.0, 1.0, 0.5]),
-    ];
-    let dampers = [
-        Damper::ByKind {
-            sloshing: 0.0,
-            structural: 0.03,
-        },
-        Damper::Rayleigh(Rayleigh {
-            mass: 0.1,
-            stiffness: 0.01,
-        }),
-    ];
+    let outputs = [probe(vec![0.0, 1.0, -1.0], Vec::new()), probe(Vec::new(), vec![2.0, 1.0, 0.5])];
+    let dampers =
+        [Damper::ByKind { sloshing: 0.0, structural: 0.03 }, Damper::Rayleigh(Rayleigh { mass: 0.1, stiffness: 0.01 })];
     for damper in dampers {
         let error = |sub_steps: usize| -> f64 {
-            let grid = Grid {
-                dt: 0.02,
-                sub_steps,
-                samples: 501,
-            };
+            let grid = Grid { dt: 0.02, sub_steps, samples: 501 };
             let exact = modal(&system, &[0, 1, 2], &damper, &motion, grid, &outputs);
             let (found, balance) = newmark(&system, &damper, &motion, grid, &outputs);
             assert!(balance < 1e-10, "{balance}");
-            let relative = |(e, f): (
-                &engines::response::observe::History,
-                &engines::response::observe::History,
-            )| {
+            let relative = |(e, f): (&engines::response::observe::History, &engines::response::observe::History)| {
                 // The record's last sample: absolute acceleration on both sides of the jump is the same.
-                let worst = e
-                    .values
-                    .iter()
-                    .zip(&f.values)
-                    .map(|(a, b)| (a - b).abs())
-                    .fold(0.0, f64::max);
+                let worst = e.values.iter().zip(&f.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 worst / e.extreme.peak().0
             };
-            exact
-                .scalars
-                .iter()
-                .zip(&found.scalars)
-                .map(relative)
-                .fold(0.0, f64::max)
+            exact.scalars.iter().zip(&found.scalars).map(relative).fold(0.0, f64::max)
         };
         let (coarse, fine) = (error(8), error(16));
         let order = (coarse / fine).log2();
@@ -376,10 +298,7 @@ fn growth_without_bound_is_an_error() {
     let message = superpose::respond(&[modal], &[&ground], grid, &observables, &[], &fem::progress::Silent)
         .unwrap_err()
         .to_string();
-    assert!(
-        message.contains("not finite at t = 7") || message.contains("not finite at t = 8"),
-        "{message}"
-    );
+    assert!(message.contains("not finite at t = 7") || message.contains("not finite at t = 8"), "{message}");
     let direct = DirectSystem::new(&system, &modes, &damper);
     assert!(direct::respond(&[direct], &[&ground], grid, &observables, &[], &fem::progress::Silent).is_err());
 }

@@ -22,29 +22,18 @@ use crate::motions::{broad_band, slow_pulse, swelling_harmonic};
 use crate::tanks::{GRAVITY, assert_close, broad, case, column, material, slender};
 
 fn shaken(mut case: Case, horizontal: Record) -> Case {
-    case.ground_motion = Some(GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
     case
 }
 
 /// Strip 8.4 as a monolithic wall.
 fn strip() -> Case {
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     case(shape, &[(3.0, 0.3)], &material(34e9, 0.2, 2950.0), (1019.4, 2.57))
 }
 
 fn quick() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 /// A constant acceleration tilts the surface by a/g and adds the pressure ρ a x: wave R a/g, base shear m a, and by
@@ -55,10 +44,7 @@ fn quick() -> Options {
 fn slow_acceleration_tilts_the_liquid() {
     let tank = broad(1000.0);
     let a = 0.5;
-    let options = Options {
-        wave_modes: 1000,
-        ..quick()
-    };
+    let options = Options { wave_modes: 1000, ..quick() };
     let found = simulate(&shaken(tank.clone(), slow_pulse(0.1, a, 150.0, 3.0)), &options).unwrap();
     let at_rest = 1515;
     let (r, h, rho) = (1.83, 1.525, 1000.0);
@@ -86,12 +72,7 @@ fn slow_acceleration_tilts_the_liquid() {
 /// a mesh twice as fine; the peak itself within 1 % and 0.1 %.
 #[test]
 fn wave_follows_the_exact_series() {
-    let thick = case(
-        Shape::Cylinder { radius: 1.83 },
-        &[(1.83, 0.2)],
-        &material(210e9, 0.3, 7850.0),
-        (1000.0, 1.525),
-    );
+    let thick = case(Shape::Cylinder { radius: 1.83 }, &[(1.83, 0.2)], &material(210e9, 0.3, 7850.0), (1000.0, 1.525));
     let motion = broad_band(0.02, 20.0);
     let mut exact = vec![0.0; motion.acceleration.len()];
     for n in 1..=5 {
@@ -130,12 +111,7 @@ fn steady_wave_of_the_model_tank() {
             .sum()
     };
     assert!((series(5) - 3.8e-3).abs() < 0.05e-3, "{}", series(5));
-    let mut tank = case(
-        Shape::Cylinder { radius: r },
-        &[(0.225, 0.02)],
-        &material(210e9, 0.3, 7850.0),
-        (1000.0, h),
-    );
+    let mut tank = case(Shape::Cylinder { radius: r }, &[(0.225, 0.02)], &material(210e9, 0.3, 7850.0), (1000.0, h));
     tank.damping.sloshing = 0.001;
     // Swelling over 40 s leaves no start-up wave; the last sample is at 50 s.
     let motion = swelling_harmonic(1.0 / 60.0, 50.0, amplitude, omega, 40.0);
@@ -158,24 +134,12 @@ fn peaks(
     motion: &Record,
 ) -> Vec<(String, f64)> {
     let coupled = build(case, &Options::default(), 1).unwrap();
-    let damper = Damper::ByKind {
-        sloshing: case.damping.sloshing,
-        structural: case.damping.impulsive,
-    };
+    let damper = Damper::ByKind { sloshing: case.damping.sloshing, structural: case.damping.impulsive };
     let system = ModalSystem::new(&coupled, modes.iter().filter(|m| keep(m)).collect(), &damper).unwrap();
     let first = modes.iter().find(|m| m.kind == Kind::Structural).unwrap();
-    let grid = Grid::new(
-        motion.dt,
-        motion.duration(),
-        2.0,
-        std::f64::consts::TAU / first.omega / 60.0,
-    );
+    let grid = Grid::new(motion.dt, motion.duration(), 2.0, std::f64::consts::TAU / first.omega / 60.0);
     let ground = Motion::new(motion, &grid);
-    let probes: Vec<_> = coupled
-        .probes
-        .iter()
-        .chain(coupled.lines.iter().flat_map(|l| &l.probes))
-        .collect();
+    let probes: Vec<_> = coupled.probes.iter().chain(coupled.lines.iter().flat_map(|l| &l.probes)).collect();
     let observables: Vec<Observable> = probes.iter().map(|p| vec![(0, 1.0, *p)]).collect();
     let found: Observed =
         superpose::respond(&[system], &[&ground], grid, &[], &observables, &fem::progress::Silent).unwrap();
@@ -183,43 +147,26 @@ fn peaks(
         let id = p.channel.id();
         format!("{} {}", id.split("_z_").next().unwrap_or(&id), p.key())
     };
-    probes
-        .iter()
-        .map(name)
-        .zip(found.extremes.iter().map(|e| e.peak().0))
-        .collect()
+    probes.iter().map(name).zip(found.extremes.iter().map(|e| e.peak().0)).collect()
 }
 
 /// The modes kept by default and the missing mass give every peak that all modes give: 0.1 % of the largest value of the
 /// same output over the height.
 #[test]
 fn kept_modes_and_missing_mass_suffice() {
-    let damper = Damper::ByKind {
-        sloshing: 0.005,
-        structural: 0.02,
-    };
+    let damper = Damper::ByKind { sloshing: 0.005, structural: 0.02 };
     let motion = broad_band(0.0115, 12.0);
     for tank in [broad(1000.0), slender(1000.0, 5.0), strip()] {
         let coupled = build(&tank, &Options::default(), 1).unwrap();
         let modes = solve(&coupled, None).unwrap();
-        let kept: Vec<f64> = superpose::keep(&coupled, &modes, &damper, 5)
-            .iter()
-            .map(|m| m.omega)
-            .collect();
+        let kept: Vec<f64> = superpose::keep(&coupled, &modes, &damper, 5).iter().map(|m| m.omega).collect();
         assert!(kept.len() < modes.len() / 2);
         let all = peaks(&tank, &modes, |_| true, &motion);
         let some = peaks(&tank, &modes, |m| kept.contains(&m.omega), &motion);
         for ((name, a), (_, s)) in all.iter().zip(&some) {
             let title = name.rsplit_once(' ').unwrap().0;
-            let largest = all
-                .iter()
-                .filter(|(n, _)| n.starts_with(title))
-                .map(|(_, v)| *v)
-                .fold(0.0, f64::max);
-            assert!(
-                (a - s).abs() <= 1e-3 * largest,
-                "{name}: all {a}, kept {s}, largest {largest}"
-            );
+            let largest = all.iter().filter(|(n, _)| n.starts_with(title)).map(|(_, v)| *v).fold(0.0, f64::max);
+            assert!((a - s).abs() <= 1e-3 * largest, "{name}: all {a}, kept {s}, largest {largest}");
         }
     }
 }
@@ -238,11 +185,7 @@ fn missing_mass_does_not_replace_the_wall_mode() {
             Kind::Structural | Kind::Rotational => m.number <= structural,
         };
         let found = peaks(&tank, &modes, keep, &motion);
-        found
-            .into_iter()
-            .find(|(name, _)| name.contains("wall_moment_base"))
-            .unwrap()
-            .1
+        found.into_iter().find(|(name, _)| name.contains("wall_moment_base")).unwrap().1
     };
     let all = moment(usize::MAX);
     let error = |n: usize| (moment(n) / all - 1.0).abs();
@@ -256,11 +199,7 @@ fn missing_mass_does_not_replace_the_wall_mode() {
 fn integrators_agree(tank: Case, motion: Record, refine: f64) {
     let tank = shaken(tank, motion);
     let run = |integrator| {
-        let options = Options {
-            integrator,
-            refine,
-            ..quick()
-        };
+        let options = Options { integrator, refine, ..quick() };
         simulate(&tank, &options).unwrap()
     };
     let (modal, direct) = (run(Integrator::Modal), run(Integrator::Newmark));

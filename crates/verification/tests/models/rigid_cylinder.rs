@@ -42,33 +42,15 @@ fn references_have_the_printed_digits() {
     for (zero, printed) in ZEROS_1.into_iter().zip([2.9989, 5.3453, 6.7646]) {
         assert!((exact(1.83, 1.525, zero) - printed).abs() < 6e-5);
     }
-    let model = [
-        (0.03, 1.5732),
-        (0.06, 1.9744),
-        (0.09, 2.1150),
-        (0.12, 2.1613),
-        (0.15, 2.1762),
-    ];
+    let model = [(0.03, 1.5732), (0.06, 1.9744), (0.09, 2.1150), (0.12, 2.1613), (0.15, 2.1762)];
     for (depth, printed) in model {
-        assert!(
-            (first(0.096, depth) / std::f64::consts::TAU - printed).abs() < 6e-5,
-            "{depth}"
-        );
+        assert!((first(0.096, depth) / std::f64::consts::TAU - printed).abs() < 6e-5, "{depth}");
     }
-    let slender = [
-        (3.0, 3.1341),
-        (3.5, 3.1389),
-        (4.0, 3.1406),
-        (4.5, 3.1413),
-        (5.0, 3.1415),
-    ];
+    let slender = [(3.0, 3.1341), (3.5, 3.1389), (4.0, 3.1406), (4.5, 3.1413), (5.0, 3.1415)];
     for (depth, printed) in slender {
         assert!((first(1.83, depth) - printed).abs() < 6e-5, "{depth}");
     }
-    for (zero, printed) in ZEROS_1
-        .into_iter()
-        .zip([(0.49696, 5e-6), (0.0164, 5e-5), (0.0039, 5e-5)])
-    {
+    for (zero, printed) in ZEROS_1.into_iter().zip([(0.49696, 5e-6), (0.0164, 5e-5), (0.0039, 5e-5)]) {
         let a = zero * 1.525 / 1.83;
         let share = 2.0 * a.tanh() / (a * (zero * zero - 1.0));
         assert!((share - printed.0).abs() < printed.1, "{share}");

@@ -10,11 +10,7 @@ use verification::tanks::rigid::RigidTank;
 use crate::tanks::{GRAVITY, assert_close};
 
 fn strip(length: f64, depth: f64, symmetric: bool) -> RigidTank {
-    let domain = Domain::Strip {
-        half_length: 0.5 * length,
-        breadth: 1.5,
-        symmetric,
-    };
+    let domain = Domain::Strip { half_length: 0.5 * length, breadth: 1.5, symmetric };
     RigidTank::new(domain, depth, GRAVITY, 1.0).unwrap()
 }
 
@@ -32,10 +28,5 @@ fn references_have_the_printed_digits() {
 
 #[test]
 fn f6_rigid_translation_carries_the_whole_liquid() {
-    assert_close(
-        "mass",
-        strip(5.0, 2.57, false).translated_mass(),
-        1000.0 * 5.0 * 1.5 * 2.57,
-        1e-9,
-    );
+    assert_close("mass", strip(5.0, 2.57, false).translated_mass(), 1000.0 * 5.0 * 1.5 * 2.57, 1e-9);
 }

@@ -11,22 +11,14 @@ fn warped(membrane: MembraneShear, drilling: bool) -> (Shell4, [[f64; 3]; 4]) {
     let x = [[0.0, 0.0, 0.1], [1.2, 0.1, -0.1], [1.0, 0.9, 0.2], [-0.1, 1.1, -0.05]];
     let d =
         [[0.1, 0.05, 1.0], [-0.1, 0.1, 1.0], [0.0, -0.2, 1.0], [0.2, 0.1, 1.0]].map(|v| Vector3::from(v).normalize());
-    let section = ElasticSection::new(1000.0, 0.3, 0.2, 1.0)
-        .unwrap()
-        .eccentric(0.07)
-        .unwrap();
-    let shell = Shell4::new([0, 1, 2, 3], x, d, Arc::new(section))
-        .unwrap()
-        .with_membrane_shear(membrane);
+    let section = ElasticSection::new(1000.0, 0.3, 0.2, 1.0).unwrap().eccentric(0.07).unwrap();
+    let shell = Shell4::new([0, 1, 2, 3], x, d, Arc::new(section)).unwrap().with_membrane_shear(membrane);
     (shell.with_drilling([drilling; 4], 0.1).unwrap(), x)
 }
 
 fn respond(shell: &Shell4, u: &[f64; SIZE], r: &[UnitQuaternion<f64>; 4]) -> Response {
     let mut out = Response::sized(SIZE);
-    let motion = Motion {
-        values: u,
-        rotations: r,
-    };
+    let motion = Motion { values: u, rotations: r };
     shell.respond(motion, &[], &mut [], Want::ALL, &mut out).unwrap();
     out
 }
@@ -87,10 +79,7 @@ fn rigid_rotations_of_any_size_give_no_force() {
         let (shell, x) = warped(MembraneShear::CentrePoint, true);
         let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.48, -0.6, 0.64) * angle);
         let (u, r) = rigid_motion(&x, turn, [0.3, 0.2, 0.1]);
-        let worst = respond(&shell, &u, &r)
-            .force
-            .iter()
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        let worst = respond(&shell, &u, &r).force.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         assert!(worst < 1e-12 * 1000.0, "{angle}: {worst:.1e}");
     }
 }

@@ -53,10 +53,8 @@ fn mass_of_rigid_motions() {
     let mut second = 0.0;
     for i in 0..n {
         for j in 0..n {
-            let (r, s) = (
-                (2.0 * f64::from(i) + 1.0) / f64::from(n) - 1.0,
-                (2.0 * f64::from(j) + 1.0) / f64::from(n) - 1.0,
-            );
+            let (r, s) =
+                ((2.0 * f64::from(i) + 1.0) / f64::from(n) - 1.0, (2.0 * f64::from(j) + 1.0) / f64::from(n) - 1.0);
             let shape = fem::shape::quad4::value(r, s);
             let slope = fem::shape::quad4::slope(r, s);
             let sum = |f: &dyn Fn(usize) -> f64| (0..4).map(f).sum::<f64>();
@@ -79,10 +77,7 @@ fn weight_of_an_eccentric_section() {
     shell(section, MassKind::Consistent).body_force([3.0, 0.0, -10.0], &mut out);
     let sum = |i: usize| (0..4).map(|a| out[6 * a + i]).sum::<f64>();
     let mass = rho * t * area();
-    for (i, expected) in [3.0 * mass, 0.0, -10.0 * mass, 0.0, 3.0 * mass * e, 0.0]
-        .into_iter()
-        .enumerate()
-    {
+    for (i, expected) in [3.0 * mass, 0.0, -10.0 * mass, 0.0, 3.0 * mass * e, 0.0].into_iter().enumerate() {
         assert!((sum(i) - expected).abs() < 1e-12, "{i}");
     }
 }
@@ -108,28 +103,13 @@ fn follower_pressure() {
             assert!((tangent[i][j] - difference).abs() < 1e-9, "({i}, {j})");
         }
     }
-    let corner = |k: usize| {
-        [
-            f64::from(k as u8 & 1),
-            f64::from((k as u8 >> 1) & 1),
-            f64::from((k as u8 >> 2) & 1),
-        ]
-    };
-    let faces = [
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-    ];
+    let corner = |k: usize| [f64::from(k as u8 & 1), f64::from((k as u8 >> 1) & 1), f64::from((k as u8 >> 2) & 1)];
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     for amplitude in [0.0, 0.2] {
         let mut sum = Vector3::zeros();
         for face in faces {
-            let u: Vec<f64> = face
-                .iter()
-                .flat_map(|&n| (0..3).map(move |i| amplitude * (1.3 * (3 * n + i) as f64).sin()))
-                .collect();
+            let u: Vec<f64> =
+                face.iter().flat_map(|&n| (0..3).map(move |i| amplitude * (1.3 * (3 * n + i) as f64).sin())).collect();
             let (force, _) = FollowerPressure::new(face, face.map(corner), 2.0).force_and_tangent(&u);
             (0..4).for_each(|a| sum += Vector3::new(force[3 * a], force[3 * a + 1], force[3 * a + 2]));
         }
@@ -153,12 +133,8 @@ fn hydrostatic_pressure_has_the_resultant_of_statics() {
 /// A cantilever strip of 4 × 1 elements along x under a load at its end; `eccentricity` of the section, the reference
 /// surface at z = −e so that the material is the same.
 fn strip(eccentricity: f64) -> (Model, Vec<f64>, Vec<usize>) {
-    let section: Arc<dyn Section> = Arc::new(
-        ElasticSection::new(1e6, 0.0, 0.1, 1.0)
-            .unwrap()
-            .eccentric(eccentricity)
-            .unwrap(),
-    );
+    let section: Arc<dyn Section> =
+        Arc::new(ElasticSection::new(1e6, 0.0, 0.1, 1.0).unwrap().eccentric(eccentricity).unwrap());
     let mut builder = Builder::new();
     for y in [0.0, 0.5] {
         for k in 0..5 {
@@ -185,9 +161,7 @@ fn strip(eccentricity: f64) -> (Model, Vec<f64>, Vec<usize>) {
     let model = builder.build().unwrap();
     let assembler = Assembler::new(&model);
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
-    let factor = symbolic
-        .factor(&assembler.stiffness(&model).unwrap(), Kind::Definite)
-        .unwrap();
+    let factor = symbolic.factor(&assembler.stiffness(&model).unwrap(), Kind::Definite).unwrap();
     let u = factor.solve_vector(&loads.vector(&model)).unwrap();
     (model, u, placed.elements)
 }
@@ -215,20 +189,12 @@ fn nodal_moments_of_a_cantilever() {
     for k in 1..4 {
         // Force 2 over the breadth 0.5; w upwards bends the strip with m = −D w'' negative.
         let expected = -2.0 / 0.5 * (2.0 - 0.5 * k as f64);
-        assert!(
-            (nodal[&k][m_11] - expected).abs() < 1e-9,
-            "{k}: {} {expected}",
-            nodal[&k][m_11]
-        );
+        assert!((nodal[&k][m_11] - expected).abs() < 1e-9, "{k}: {} {expected}", nodal[&k][m_11]);
         assert!((nodal[&k][0] - 1.0 / 0.5).abs() < 1e-9);
     }
     // The reaction at the clamp is exact where the element's mean is not.
     let forces = Assembler::new(&model).nodal_forces(&model, &u, |_| true).unwrap();
-    assert!(
-        (forces[0][4] + forces[5][4] - 4.0).abs() < 1e-9,
-        "{}",
-        forces[0][4] + forces[5][4]
-    );
+    assert!((forces[0][4] + forces[5][4] - 4.0).abs() < 1e-9, "{}", forces[0][4] + forces[5][4]);
     assert!((forces[0][2] + forces[5][2] + 2.0).abs() < 1e-9);
 }
 
@@ -241,16 +207,10 @@ fn resultants_turn_as_tensors() {
         let shell = shell(section, MassKind::Consistent).with_axes(axes);
         let samples = shell.samples();
         assert_eq!(samples.len(), 40);
-        samples
-            .iter()
-            .map(|s| s.row.iter().zip(&values).map(|(a, b)| a * b).sum())
-            .collect()
+        samples.iter().map(|s| s.row.iter().zip(&values).map(|(a, b)| a * b).sum()).collect()
     };
     let (own, turned) = (sampled(Axes::Element), sampled(Axes::Along([0.3, 1.0, 0.0])));
-    let hoop = sampled(Axes::Hoop {
-        origin: [0.4, -1.0, 0.0],
-        axis: [0.0, 0.0, 1.0],
-    });
+    let hoop = sampled(Axes::Hoop { origin: [0.4, -1.0, 0.0], axis: [0.0, 0.0, 1.0] });
     for other in [turned, hoop] {
         for p in 0..5 {
             for k in [8 * p, 8 * p + 3] {

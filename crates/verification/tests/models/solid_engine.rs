@@ -17,21 +17,11 @@ use tank::reference::broad;
 use verification::tanks::solid_against_harmonic::artificial;
 
 fn coarse(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {
-    SolidOptions {
-        mesh: Some(MeshSize {
-            radial,
-            sectors,
-            vertical,
-        }),
-        ..SolidOptions::default()
-    }
+    SolidOptions { mesh: Some(MeshSize { radial, sectors, vertical }), ..SolidOptions::default() }
 }
 
 fn options() -> Options {
-    Options {
-        mesh_error: false,
-        ..Options::default()
-    }
+    Options { mesh_error: false, ..Options::default() }
 }
 
 /// All modes below a frequency, wave number by wave number, against the number of eigenvalues below it by inertia. With 12
@@ -49,11 +39,7 @@ fn no_mode_is_missed() {
     }
     let slow = found.iter().filter(|m| m.1 == Kind::Sloshing);
     let waves: usize = slow.map(|m| m.2).sum();
-    assert_eq!(
-        waves,
-        tank.volume.surface_nodes.len() - 1,
-        "one wave a surface node but for the volume"
-    );
+    assert_eq!(waves, tank.volume.surface_nodes.len() - 1, "one wave a surface node but for the volume");
 
     let mass = tank.assembler.mass(&tank.model);
     let dofs = tank.model.dofs();
@@ -66,11 +52,7 @@ fn no_mode_is_missed() {
     for k in [0, 2, 4] {
         let limit = 0.5 * (omegas[k] + omegas[k + 1]);
         let expected: usize = found.iter().filter(|m| m.0 < limit).map(|m| m.2).sum();
-        assert_eq!(
-            pencil.count_below(limit * limit).unwrap(),
-            expected,
-            "below {limit} rad/s"
-        );
+        assert_eq!(pencil.count_below(limit * limit).unwrap(), expected, "below {limit} rad/s");
     }
 }
 
@@ -85,11 +67,7 @@ fn shaken(vertical: bool) -> tank::Case {
 }
 
 fn series(run: &Simulation, id: &str) -> f64 {
-    run.result
-        .histories
-        .iter()
-        .find(|s| s.id == id)
-        .map_or(f64::NAN, |s| s.peak)
+    run.result.histories.iter().find(|s| s.id == id).map_or(f64::NAN, |s| s.peak)
 }
 
 /// Horizontal and vertical motion together, potential liquid: 24 sectors, 16 elements over the height. Coarse for the edge
@@ -111,16 +89,11 @@ fn two_directions_agree_with_the_harmonic_engine() {
     }
     let first = |s: &Simulation, harmonic: u32| {
         let mut modes = s.result.modes.iter();
-        modes
-            .find(|m| m.harmonic == harmonic && m.kind == "structural")
-            .map_or(f64::NAN, |m| m.omega)
+        modes.find(|m| m.harmonic == harmonic && m.kind == "structural").map_or(f64::NAN, |m| m.omega)
     };
     for harmonic in [0, 1] {
         let (found, expected) = (first(&run, harmonic), first(&reference, harmonic));
-        assert!(
-            (found / expected - 1.0).abs() < 0.03,
-            "m = {harmonic}: {found} {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 0.03, "m = {harmonic}: {found} {expected}");
     }
     let fields = run.result.fields.expect("pictures are made");
     assert!(fields.nodes.len() <= 2000 && !fields.modes.is_empty());
@@ -134,24 +107,12 @@ fn two_directions_agree_with_the_harmonic_engine() {
 fn displacement_liquid_sloshes_as_its_element_does() {
     let case = shaken(false);
     let options = options();
-    let displacement = SolidOptions {
-        liquid: Liquid::Displacement,
-        ..coarse(12, 16, 14)
-    };
+    let displacement = SolidOptions { liquid: Liquid::Displacement, ..coarse(12, 16, 14) };
     let run = solid::simulate(&case, &options, &displacement, &Silent).unwrap();
-    let first = run
-        .result
-        .modes
-        .iter()
-        .find(|m| m.kind == "sloshing")
-        .expect("it sloshes");
+    let first = run.result.modes.iter().find(|m| m.kind == "sloshing").expect("it sloshes");
     assert!((first.omega / 3.020 - 1.0).abs() < 0.002, "{}", first.omega);
     let reference = engines::simulate(&case, &options).unwrap();
-    for (id, tolerance) in [
-        ("wave_height_theta_0", 0.03),
-        ("base_shear", 0.08),
-        ("overturning_moment", 0.08),
-    ] {
+    for (id, tolerance) in [("wave_height_theta_0", 0.03), ("base_shear", 0.08), ("overturning_moment", 0.08)] {
         let (found, expected) = (series(&run, id), series(&reference, id));
         assert!((found / expected - 1.0).abs() < tolerance, "{id}: {found} {expected}");
     }
@@ -159,10 +120,7 @@ fn displacement_liquid_sloshes_as_its_element_does() {
 
 #[test]
 fn too_large_a_mesh_is_refused_before_it_is_factored() {
-    let small = SolidOptions {
-        memory_limit_mib: 1,
-        ..coarse(8, 24, 16)
-    };
+    let small = SolidOptions { memory_limit_mib: 1, ..coarse(8, 24, 16) };
     assert!(matches!(
         solid::simulate(&shaken(false), &options(), &small, &Silent),
         Err(FeError::Memory { allowed_mib: 1, .. })
@@ -179,10 +137,7 @@ fn too_large_a_mesh_is_refused_before_it_is_factored() {
 #[test]
 fn direct_integration_of_all_unknowns_agrees_with_the_reduction() {
     let case = shaken(false);
-    let direct = Options {
-        integrator: engines::Integrator::Newmark,
-        ..options()
-    };
+    let direct = Options { integrator: engines::Integrator::Newmark, ..options() };
     let mesh = coarse(4, 12, 7);
     let modal = solid::respond(&case, &options(), &mesh, &Silent).unwrap();
     let run = solid::respond(&case, &direct, &mesh, &Silent).unwrap();

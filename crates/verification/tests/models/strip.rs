@@ -29,10 +29,7 @@ fn el_centro() -> Record {
 /// crack, dissipate, and the balance of energy still closes.
 #[test]
 fn uncracked_walls_are_linear_and_cracked_ones_keep_the_balance() {
-    let damping = StripDamping::ByGroup {
-        wall: 0.02,
-        sloshing: 0.005,
-    };
+    let damping = StripDamping::ByGroup { wall: 0.02, sloshing: 0.005 };
     let tank = reinforced_tank(5, 10, 3e-4, Options::default()).unwrap();
     let strip = StripModel::new(&tank, damping).unwrap();
     let record = el_centro();
@@ -45,16 +42,9 @@ fn uncracked_walls_are_linear_and_cracked_ones_keep_the_balance() {
     let grid = Grid::new(record.dt, 3.0, 0.0, 5e-3);
     let scaled: Vec<f64> = record.acceleration.iter().map(|a| 0.2 * a).collect();
     let load = Load::ground(0, Motion::sampled(record.dt, &scaled, &grid));
-    let linear = integrate(
-        &strip.system,
-        &strip.symbolic,
-        &[load],
-        &Settings::new(grid),
-        &strip.observables(),
-        &[],
-        &Silent,
-    )
-    .unwrap();
+    let linear =
+        integrate(&strip.system, &strip.symbolic, &[load], &Settings::new(grid), &strip.observables(), &[], &Silent)
+            .unwrap();
     let top = linear[0].observed.scalars[0].extreme;
     for (wall, dynamic) in levels[0].walls.iter().zip([top.max, -top.min]) {
         assert_eq!(wall.outcome, Outcome::Completed);

@@ -13,11 +13,7 @@ use tank::Case;
 use tank::Shape;
 
 fn strip(density: f64) -> Case {
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     case(shape, &[(3.0, 0.3)], &material(30e9, 0.2, 2500.0), (density, 2.57))
 }
 
@@ -28,10 +24,7 @@ fn dry_cantilever() {
     let rigidity = 30e9 * 0.3_f64.powi(3) / (12.0 * 0.96);
     for (n, root) in [1.87510407, 4.69409113].into_iter().enumerate() {
         let exact = (root / 3.0_f64).powi(2) * (rigidity / (2500.0 * 0.3)).sqrt();
-        let mode = modes
-            .iter()
-            .find(|m| m.kind == Kind::Structural && m.number == n + 1)
-            .unwrap();
+        let mode = modes.iter().find(|m| m.kind == Kind::Structural && m.number == n + 1).unwrap();
         assert_close("omega", mode.omega, exact, 1e-4);
     }
 }
@@ -46,26 +39,13 @@ fn masses_and_side_walls() {
 
     // A box of the same breadth carries two side walls more, which follow the ground.
     let mut tank = strip(1000.0);
-    tank.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: false,
-    };
+    tank.tank.shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: false };
     let closed = build(&tank, &Options::default(), 1).unwrap();
     let shear_closed = closed.probes.iter().find(|p| p.channel.id() == "base_shear").unwrap();
     let side = 2.0 * 5.0 * 3.0 * 0.3 * 2500.0;
-    assert_close(
-        "side",
-        shear_closed.ground_acceleration - shear.ground_acceleration,
-        side,
-        1e-9,
-    );
+    assert_close("side", shear_closed.ground_acceleration - shear.ground_acceleration, side, 1e-9);
     let moment = |c: &engines::coupled::Coupled| {
-        c.probes
-            .iter()
-            .find(|p| p.channel.id() == "base_moment")
-            .unwrap()
-            .ground_acceleration
+        c.probes.iter().find(|p| p.channel.id() == "base_moment").unwrap().ground_acceleration
     };
     assert_close("side moment", moment(&closed) - moment(&coupled), 1.5 * side, 1e-9);
 }

@@ -18,10 +18,6 @@ pub(crate) fn assert_close(what: &str, value: f64, reference: f64, tolerance: f6
 /// The history of this id.
 pub(crate) fn column<'a>(simulation: &'a Simulation, id: &str) -> &'a [f64] {
     let series = &simulation.series;
-    let i = series
-        .ids
-        .iter()
-        .position(|c| c == id)
-        .unwrap_or_else(|| panic!("no column {id}"));
+    let i = series.ids.iter().position(|c| c == id).unwrap_or_else(|| panic!("no column {id}"));
     &series.columns[i]
 }

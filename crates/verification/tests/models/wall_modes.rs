@@ -22,12 +22,7 @@ fn steel(poisson: f64) -> Material {
 
 /// Frequencies of the wall with the given unknowns held at both ends.
 fn frequencies(poisson: f64, harmonic: u32, held: [bool; NODE], count: usize, shift: f64) -> Vec<f64> {
-    let case = case(
-        Shape::Cylinder { radius: RADIUS },
-        &[(LENGTH, THICKNESS)],
-        &steel(poisson),
-        (1000.0, LENGTH),
-    );
+    let case = case(Shape::Cylinder { radius: RADIUS }, &[(LENGTH, THICKNESS)], &steel(poisson), (1000.0, LENGTH));
     let wall = Wall::new(&case.tank, LENGTH, harmonic, 1.0);
     let last = wall.nodes.len() - 1;
     let mut next = 0;
@@ -100,9 +95,7 @@ fn freely_supported_cylinder() {
                 let roots = freely_supported(0.3, m, f64::from(n));
                 // m = 0: the torsional family (V alone) is not an unknown of the model.
                 let torsion = n as f64 * std::f64::consts::PI / LENGTH * (210e9 / (2.6 * 7850.0_f64)).sqrt();
-                roots
-                    .into_iter()
-                    .filter(move |w| harmonic > 0 || (w / torsion - 1.0).abs() > 1e-9)
+                roots.into_iter().filter(move |w| harmonic > 0 || (w / torsion - 1.0).abs() > 1e-9)
             })
             .collect();
         if harmonic > 0 {

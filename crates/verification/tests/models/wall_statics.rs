@@ -158,50 +158,26 @@ fn closed_form_of_8_1() {
         for k in 0..=183 {
             let z = 0.01 * f64::from(k);
             let w = found.at(z, true, Output::RadialDisplacement);
-            assert!(
-                (w - exact.w(z)).abs() < tolerance * peak,
-                "w at {z}: {w} {}",
-                exact.w(z)
-            );
+            assert!((w - exact.w(z)).abs() < tolerance * peak, "w at {z}: {w} {}", exact.w(z));
             let hoop = found.at(z, true, Output::HoopStress);
-            assert!(
-                (hoop - exact.hoop(z, true)).abs() < tolerance * exact.hoop(0.135, true),
-                "hoop at {z}"
-            );
+            assert!((hoop - exact.hoop(z, true)).abs() < tolerance * exact.hoop(0.135, true), "hoop at {z}");
         }
     }
     let found = Static::solve(&heavy, 1.0, 0.0).unwrap();
-    let (below, above) = (
-        found.at(0.915, false, Output::HoopStress),
-        found.at(0.915, true, Output::HoopStress),
-    );
+    let (below, above) = (found.at(0.915, false, Output::HoopStress), found.at(0.915, true, Output::HoopStress));
     assert_close("below the joint", below, exact.hoop(0.915, false), 3e-3);
     assert_close("above the joint", above, exact.hoop(0.915, true), 3e-3);
-    assert_close(
-        "moment at the base",
-        found.at(0.0, true, Output::BendingMoment),
-        exact.moment(0.0),
-        0.01,
-    );
+    assert_close("moment at the base", found.at(0.0, true, Output::BendingMoment), exact.moment(0.0), 0.01);
     let stress = found.at(0.0, true, Output::BendingStress);
-    assert_close(
-        "stress at the base",
-        stress,
-        6.0 * exact.moment(0.0) / 2.03e-3_f64.powi(2),
-        0.01,
-    );
+    assert_close("stress at the base", stress, 6.0 * exact.moment(0.0) / 2.03e-3_f64.powi(2), 0.01);
 }
 
 /// Printed formula of the infinitely long wall: w and m_z(0) (housner.md section 6, thesis D.4).
 #[test]
 fn edge_bending_of_a_uniform_wall() {
     let (radius, t, depth, gamma, nu, young) = (1.83, 2e-3, 1.525, 1e4, 0.32, 69e9);
-    let case = weightless(case(
-        Shape::Cylinder { radius },
-        &[(1.83, t)],
-        &material(young, nu, 1.0),
-        (gamma / 9.81, depth),
-    ));
+    let case =
+        weightless(case(Shape::Cylinder { radius }, &[(1.83, t)], &material(young, nu, 1.0), (gamma / 9.81, depth)));
     let found = Static::solve(&case, 1.0, 0.0).unwrap();
     let lambda = (3.0_f64 * (1.0 - nu * nu)).powf(0.25) / (radius * t).sqrt();
     let moment = -gamma * radius * t * depth * (1.0 - 1.0 / (lambda * depth)) / (12.0 * (1.0 - nu * nu)).sqrt();
@@ -234,11 +210,7 @@ fn self_weight_of_8_1() {
 #[test]
 fn cantilever_strip() {
     let (depth, wall, t, young, nu) = (2.57, 3.0, 0.3, 30e9, 0.2);
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
+    let shape = Shape::Rectangle { length: 5.0, breadth: 1.0, strip: true };
     let case = case(shape, &[(wall, t)], &material(young, nu, 2500.0), (1000.0, depth));
     let found = Static::solve(&case, 1.0, 0.0).unwrap();
     let gamma = 1000.0 * 9.81;
@@ -246,16 +218,6 @@ fn cantilever_strip() {
     // Deflection at the liquid level γ H⁵/(30 D), slope there γ H⁴/(24 D), straight above.
     let top = gamma * depth.powi(5) / (30.0 * rigidity) + (wall - depth) * gamma * depth.powi(4) / (24.0 * rigidity);
     assert_close("top", found.at(wall, true, Output::RadialDisplacement), top, 1e-9);
-    assert_close(
-        "moment",
-        found.at(0.0, true, Output::BendingMoment),
-        -gamma * depth.powi(3) / 6.0,
-        0.005,
-    );
-    assert_close(
-        "axial",
-        found.at(0.0, true, Output::AxialStress),
-        -2500.0 * 9.81 * wall,
-        1e-9,
-    );
+    assert_close("moment", found.at(0.0, true, Output::BendingMoment), -gamma * depth.powi(3) / 6.0, 0.005);
+    assert_close("axial", found.at(0.0, true, Output::AxialStress), -2500.0 * 9.81 * wall, 1e-9);
 }

@@ -60,11 +60,7 @@ pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>)
             let found = format!("the date `{date}`");
             r.refuse(Code::BadForm, &given.date, &found, "a date as 2026-03-14");
         }
-        all.push(check::Accepted {
-            check,
-            reason,
-            approval: Approval { by, date },
-        });
+        all.push(check::Accepted { check, reason, approval: Approval { by, date } });
     }
     all
 }

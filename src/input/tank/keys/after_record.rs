@@ -81,12 +81,7 @@ mod tests {
 
     #[test]
     fn words_that_are_read_back() {
-        for value in [
-            AfterRecord::DEFAULT,
-            AfterRecord::NONE,
-            AfterRecord::Time(12.5),
-            AfterRecord::Periods(0.5),
-        ] {
+        for value in [AfterRecord::DEFAULT, AfterRecord::NONE, AfterRecord::Time(12.5), AfterRecord::Periods(0.5)] {
             assert!(AfterRecord::allowed().contains("periods") && value.written().is_some());
         }
         assert_eq!(AfterRecord::NONE.written().as_deref(), Some("none"));

@@ -66,11 +66,7 @@ fn of(layer: &Layer, bars: &Reinforcement) -> Vec<(Code, String)> {
     if clear < 0.0 {
         found.push((Code::Inconsistent, format!("{what} overlap")));
     } else if clear < CLEAR.max(diameter) * (1.0 - 1e-9) {
-        let text = format!(
-            "{what} are {} apart, usual are {} and more",
-            length(clear),
-            length(CLEAR.max(diameter))
-        );
+        let text = format!("{what} are {} apart, usual are {} and more", length(clear), length(CLEAR.max(diameter)));
         found.push((Code::UnusualTank, text));
     }
     found

@@ -56,9 +56,7 @@ pub(super) fn bonded(
         return layer;
     }
     let name = layer.material.name.clone();
-    let list = bars
-        .and_then(|field| field.value.as_ref())
-        .map_or(&[][..], Vec::as_slice);
+    let list = bars.and_then(|field| field.value.as_ref()).map_or(&[][..], Vec::as_slice);
     for field in list {
         if field.value.as_ref().is_some_and(|b| b.diameter.given.is_none()) {
             let message = format!("the bond of `{name}` needs the diameter of the bars");
@@ -75,10 +73,7 @@ pub(super) fn bonded(
         r.remarks.push(format!(
             "materials.{name}: crack_spacing {text} (mean spacing of stabilised cracks, CEB-FIP Model Code 1990)"
         ));
-        layer.material.behaviour = Behaviour::Concrete(tank::Concrete {
-            crack_spacing: Some(spacing),
-            ..concrete
-        });
+        layer.material.behaviour = Behaviour::Concrete(tank::Concrete { crack_spacing: Some(spacing), ..concrete });
     }
     layer
 }
@@ -106,8 +101,7 @@ pub(super) fn all_bars(
     };
     if let Some(message) = fault {
         let found = format!("layer of `{name}`");
-        r.faults
-            .push(range_fault(Code::DoesNotApply, field, message, "bars in shells of concrete only").found(found));
+        r.faults.push(range_fault(Code::DoesNotApply, field, message, "bars in shells of concrete only").found(found));
     } else if r.sized(field, "layers of bars") {
         for field in list {
             reinforcement.extend(bars(r, field, thickness, materials));
@@ -120,9 +114,7 @@ pub(super) fn all_bars(
 fn area(r: &mut Resolver<'_>, field: &Field<Reinforcement>, b: &Reinforcement) -> (f64, Option<f64>) {
     let diameter = b.diameter.given.as_ref().map(|f| r.number(f));
     let spacing = b.spacing.given.as_ref().map(|f| r.number(f));
-    let of_bars = diameter
-        .zip(spacing)
-        .map(|(d, s)| std::f64::consts::PI * d * d / (4.0 * s));
+    let of_bars = diameter.zip(spacing).map(|(d, s)| std::f64::consts::PI * d * d / (4.0 * s));
     match (&b.area.given, of_bars) {
         (None, Some(area)) => (area, diameter),
         (Some(given), _) if spacing.is_none() => (r.number(given), diameter),
@@ -158,10 +150,8 @@ fn bars(
         Some((f, from_outer)) => {
             let distance = r.number(f);
             if distance >= thickness {
-                let allowed = format!(
-                    "less than {}, the thickness of the shell",
-                    like_unit(f, thickness, Dimension::Length)
-                );
+                let allowed =
+                    format!("less than {}, the thickness of the shell", like_unit(f, thickness, Dimension::Length));
                 let message = "the bars are outside their shell";
                 r.faults.push(
                     range_fault(Code::Contradiction, f, message, &allowed)
@@ -172,11 +162,5 @@ fn bars(
         }
     };
     let material = material(r, &b.material, materials, Use::Bars);
-    Some(tank::Reinforcement {
-        direction: b.direction.value?,
-        area,
-        depth,
-        diameter,
-        material: material?,
-    })
+    Some(tank::Reinforcement { direction: b.direction.value?, area, depth, diameter, material: material? })
 }

@@ -196,12 +196,9 @@ fn springs(r: &mut Resolver<'_>, given: &Given<Anchors>, found: &Anchors) {
         let message = "an anchor yields below its design capacity";
         r.refuse(Code::Contradiction, field, message, "at least tank.anchors.capacity");
     }
-    if let (Some(field), Some(rupture), Some(stiffness), Some(strength)) = (
-        &given.rupture_elongation.given,
-        found.rupture_elongation,
-        found.stiffness,
-        strength,
-    ) && rupture * stiffness < strength
+    if let (Some(field), Some(rupture), Some(stiffness), Some(strength)) =
+        (&given.rupture_elongation.given, found.rupture_elongation, found.stiffness, strength)
+        && rupture * stiffness < strength
     {
         let message = "an anchor breaks before it yields";
         let allowed = format!(
@@ -232,11 +229,9 @@ const HARDEST: f64 = 1e12;
 
 /// The modulus that the velocity of shear waves gives under a plate has the limits of one that is given.
 fn ground_of_waves(r: &mut Resolver<'_>, given: &Foundation, ground: &tank::Foundation, plate: &tank::Bottom) {
-    let (Some(field), Some(velocity), FoundationKind::Soil) = (
-        &given.shear_wave_velocity.given,
-        ground.shear_wave_velocity,
-        ground.kind,
-    ) else {
+    let (Some(field), Some(velocity), FoundationKind::Soil) =
+        (&given.shear_wave_velocity.given, ground.shear_wave_velocity, ground.kind)
+    else {
         return;
     };
     if ground.stiffness.or(plate.subgrade_modulus).is_some() {
@@ -317,10 +312,7 @@ fn foundation(
         (FoundationKind::RingWall, _) => Some("the thickness of a ring wall counts together with its width alone"),
     };
     if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {
-        r.warnings.push(Warning::new(
-            Code::NotUsed,
-            format!("{}: not used: {reason}", field.path),
-        ));
+        r.warnings.push(Warning::new(Code::NotUsed, format!("{}: not used: {reason}", field.path)));
     }
     Some(tank::Foundation {
         kind,

@@ -226,11 +226,9 @@ fn ring(r: &mut Resolver<'_>, tank: &Tank) {
 /// Foundation, friction, anchors.
 fn base(r: &mut Resolver<'_>, tank: &Tank, site: &Site) {
     if let Some(foundation) = &tank.foundation {
-        if let (FoundationKind::Slab, Some(thickness), Some(weight)) = (
-            foundation.kind,
-            foundation.thickness,
-            site.api650.and_then(|api| api.foundation_weight),
-        ) {
+        if let (FoundationKind::Slab, Some(thickness), Some(weight)) =
+            (foundation.kind, foundation.thickness, site.api650.and_then(|api| api.foundation_weight))
+        {
             let slab = CONCRETE * STANDARD_GRAVITY * tank.shape.plan_area() * thickness;
             // A slab is wider than the tank, and soil lies on it.
             if weight < 0.8 * slab || weight > 5.0 * slab {
@@ -259,16 +257,8 @@ fn base(r: &mut Resolver<'_>, tank: &Tank, site: &Site) {
     }
     if let Some(anchors) = &tank.anchors {
         let pairs = [
-            (
-                "attachment_capacity",
-                anchors.attachment_capacity,
-                "an anchor holds more than its attachment",
-            ),
-            (
-                "yield_force",
-                anchors.yield_force,
-                "an anchor yields below its design capacity",
-            ),
+            ("attachment_capacity", anchors.attachment_capacity, "an anchor holds more than its attachment"),
+            ("yield_force", anchors.yield_force, "an anchor yields below its design capacity"),
         ];
         for (key, value, what) in pairs {
             if let (Some(value), Some(capacity)) = (value, anchors.capacity)
@@ -282,10 +272,9 @@ fn base(r: &mut Resolver<'_>, tank: &Tank, site: &Site) {
             }
         }
     }
-    if let (Support::Unanchored, Some(true)) = (
-        tank.support,
-        tank.bottom.as_ref().map(|plate| !plate.material.is_metal()),
-    ) && tank.is_metal()
+    if let (Support::Unanchored, Some(true)) =
+        (tank.support, tank.bottom.as_ref().map(|plate| !plate.material.is_metal()))
+        && tank.is_metal()
     {
         let text = "tank.bottom.material and tank.courses contradict each other: the wall is metal and its bottom plate is not";
         r.inconsistent(text.into());

@@ -26,15 +26,13 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
     overfilled(r, file, t, liquid);
     let Some(tank) = tank else { return };
     shallow(r, file, tank, liquid);
-    let components = (file.site.value())
-        .and_then(|site| site.ec8.value())
-        .and_then(|ec8| ec8.components.given.as_ref());
+    let components =
+        (file.site.value()).and_then(|site| site.ec8.value()).and_then(|ec8| ec8.components.given.as_ref());
     if let (Shape::Rectangle { .. }, Some(field)) = (tank.shape, components)
         && field.value == Some(Components::HundredThirty)
     {
         let fault = range_fault(Code::DoesNotApply, field, "two components are for cylinders", "\"one\"");
-        r.faults
-            .push(fault.help("assess the other direction with length and breadth exchanged"));
+        r.faults.push(fault.help("assess the other direction with length and breadth exchanged"));
     }
     if let Some(given) = t.roof.value() {
         roof(r, given, tank, liquid);
@@ -47,10 +45,8 @@ fn overfilled(r: &mut Resolver<'_>, file: &TankFile, t: &TankKeys, liquid: Optio
     let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) else {
         return;
     };
-    let heights: Option<Vec<f64>> = courses
-        .iter()
-        .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
-        .collect();
+    let heights: Option<Vec<f64>> =
+        courses.iter().map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0)).collect();
     // A list without courses is a fault already.
     let heights = heights.filter(|heights| !heights.is_empty());
     let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
@@ -71,11 +67,7 @@ fn roof(r: &mut Resolver<'_>, given: &Roof, tank: &Tank, liquid: Option<Liquid>)
         let fill = liquid.map_or(0.0, |liquid| liquid.fill_height);
         let (least, message, what) = match fill > half {
             true => (fill, "the roof is below the surface of the liquid", "the fill height"),
-            false => (
-                half,
-                "the roof is in the lower half of the wall",
-                "half the height of the wall",
-            ),
+            false => (half, "the roof is in the lower half of the wall", "half the height of the wall"),
         };
         if height < least * (1.0 - ROUNDING) {
             let allowed = format!("at least {}, {what}", like_field(field, least));
@@ -105,16 +97,8 @@ impl Bounds {
 
     const fn of(shape: Shape) -> Bounds {
         match shape {
-            Shape::Cylinder { .. } => Bounds {
-                thickest: 5.0,
-                whole: 1.0,
-                what: "a fifth of the radius",
-            },
-            Shape::Rectangle { .. } => Bounds {
-                thickest: 2.0,
-                whole: 0.5,
-                what: "a quarter of the length",
-            },
+            Shape::Cylinder { .. } => Bounds { thickest: 5.0, whole: 1.0, what: "a fifth of the radius" },
+            Shape::Rectangle { .. } => Bounds { thickest: 2.0, whole: 0.5, what: "a quarter of the length" },
         }
     }
 
@@ -126,9 +110,7 @@ impl Bounds {
 
 /// Plates that are too thick or too thin for the tank, or a tank that is too small or too large for all its plates.
 fn thicknesses(r: &mut Resolver<'_>, t: &TankKeys, shape: Shape) {
-    let courses: Vec<&Course> = (t.courses.value.iter().flatten())
-        .filter_map(|c| c.value.as_ref())
-        .collect();
+    let courses: Vec<&Course> = (t.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref()).collect();
     let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.given.as_ref()).collect();
     plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
     plates.extend(t.bottom.value().map(|b| &b.thickness));
@@ -151,22 +133,15 @@ fn thicknesses(r: &mut Resolver<'_>, t: &TankKeys, shape: Shape) {
     for (field, thickness) in plates.into_iter().filter(|(_, t)| bounds.exclude(half, *t)) {
         let (message, allowed) = if thickness > half / bounds.thickest {
             let most = like_field(field, half / bounds.thickest);
-            (
-                "the wall is thicker than any tank's",
-                format!("at most {most}, {}", bounds.what),
-            )
+            ("the wall is thicker than any tank's", format!("at most {most}, {}", bounds.what))
         } else {
             let least = like_field(field, half / Bounds::THINNEST);
-            (
-                "the wall is thinner than any tank's",
-                format!("at least {least}, R/20000"),
-            )
+            ("the wall is thinner than any tank's", format!("at least {least}, R/20000"))
         };
         // R/t from 20 to 5000.
         let usual = |thickness: f64| (half / 5000.0..=half / 20.0).contains(&thickness);
         let fault = range_fault(Code::OutOfRange, field, message, &allowed);
-        r.faults
-            .push(suggest(fault, meant(&field.text, &["mm", "cm", "m", "in"], usual)));
+        r.faults.push(suggest(fault, meant(&field.text, &["mm", "cm", "m", "in"], usual)));
     }
 }
 
@@ -193,8 +168,7 @@ fn wrong_dimension(
     let message = format!("the {key} is too {size} for the thickness of the wall");
     let fits = |length: f64| !thicknesses.iter().any(|t| bounds.exclude(bounds.whole * length, *t));
     let fault = range_fault(Code::OutOfRange, field, &message, &bound);
-    r.faults
-        .push(suggest(fault, meant(&field.text, &["m", "ft", "cm", "mm"], fits)));
+    r.faults.push(suggest(fault, meant(&field.text, &["m", "ft", "cm", "mm"], fits)));
 }
 
 /// A fault with the value that was probably meant.
@@ -219,17 +193,13 @@ fn shallow(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank, liquid: Option<Li
         let allowed = format!("at least {}, {what}", like_field(field, SHALLOWEST * half));
         let message = "the liquid is shallower than any tank's";
         let fault = range_fault(Code::OutOfRange, field, message, &allowed);
-        r.faults
-            .push(fault.help("correct the unit; an empty tank is not assessed"));
+        r.faults.push(fault.help("correct the unit; an empty tank is not assessed"));
     }
 }
 
 /// The same number with the first of these units that makes it a usual length, if there is one.
 fn meant(text: &str, units: &[&str], usual: impl Fn(f64) -> bool) -> Option<String> {
-    let number = text
-        .trim()
-        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.')
-        .trim_end();
+    let number = text.trim().trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.').trim_end();
     let value: f64 = number.parse().ok()?;
     units.iter().find_map(|unit| {
         let length = value * Unit::find(unit, Dimension::Length)?.factor();

@@ -90,11 +90,7 @@ fn others() -> impl Iterator<Item = Preset> {
         youngs_modulus: g.young_modulus,
         poisson_ratio: g.poisson_ratio,
         density: g.density,
-        strengths: Strengths::Concrete {
-            compressive: g.strength,
-            mean: g.mean_strength,
-            tensile: g.tensile_strength,
-        },
+        strengths: Strengths::Concrete { compressive: g.strength, mean: g.mean_strength, tensile: g.tensile_strength },
     });
     let bars = BARS.iter().map(|g| Preset {
         name: g.name,
@@ -167,10 +163,7 @@ const SHOWN: usize = 6;
 /// What is allowed instead of an unknown name.
 pub(super) fn allowed(near: &[&str]) -> String {
     let such = if near.is_empty() { &EXAMPLES } else { near };
-    format!(
-        "a grade such as {}; `tankcheck schema --markdown` lists all",
-        list(such, "or")
-    )
+    format!("a grade such as {}; `tankcheck schema --markdown` lists all", list(such, "or"))
 }
 
 /// One name of each kind.

@@ -143,9 +143,7 @@ pub(super) fn imperfections(
     };
     r.sized(field, "imperfections");
     let given = field.value.iter().flatten();
-    let parts: Vec<_> = given
-        .filter_map(|item| one(r, item, item.value.as_ref()?, folder))
-        .collect();
+    let parts: Vec<_> = given.filter_map(|item| one(r, item, item.value.as_ref()?, folder)).collect();
     let all = Imperfections { parts };
     if let Some(tank) = tank {
         let Shape::Cylinder { radius } = tank.shape else {
@@ -180,12 +178,7 @@ fn one(
         r.echo_given(shape);
     }
     let (phase, factor) = (r.or_default(&given.phase), r.or_default(&given.factor));
-    let wave = [
-        given.n.place(),
-        given.amplitude.place(),
-        given.shape.place(),
-        given.phase.place(),
-    ];
+    let wave = [given.n.place(), given.amplitude.place(), given.shape.place(), given.phase.place()];
     match (&given.table.given, wave.into_iter().flatten().next()) {
         (Some(_), Some(place)) => {
             let message = "a table and a wave exclude each other";
@@ -305,11 +298,7 @@ fn grid(source: &Source, factor: f64) -> Result<Table, String> {
             return Err(at(start, "an angle twice at one height"));
         }
     }
-    let mut out = Table {
-        theta: Vec::new(),
-        z: Vec::new(),
-        w: Vec::new(),
-    };
+    let mut out = Table { theta: Vec::new(), z: Vec::new(), w: Vec::new() };
     let mut last = None;
     for ((level, _), (z, theta, w)) in found {
         if last != Some(level) {
@@ -325,16 +314,11 @@ fn grid(source: &Source, factor: f64) -> Result<Table, String> {
             row.len()
         });
         if out.theta.get(row - 1).is_none_or(|t| key(*t) != key(theta)) {
-            return Err(format!(
-                "{}: other angles at z = {z} m than at the lowest height",
-                source.name
-            ));
+            return Err(format!("{}: other angles at z = {z} m than at the lowest height", source.name));
         }
     }
     let gaps = out.theta.windows(2).map(|t| t[1] - t[0]);
-    let widest = gaps
-        .chain(out.theta.first().zip(out.theta.last()).map(|(a, b)| a + TAU - b))
-        .fold(0.0, f64::max);
+    let widest = gaps.chain(out.theta.first().zip(out.theta.last()).map(|(a, b)| a + TAU - b)).fold(0.0, f64::max);
     if out.theta.len() < ANGLES.0 || widest > ANGLES.1 + 1e-6 || out.w.iter().any(|w| w.len() != out.theta.len()) {
         return Err(format!(
             "{}: found {} angles, at most {:.0}° apart, not all at every height",

@@ -131,23 +131,10 @@ fn bearing(r: &mut Resolver<'_>, field: &Field<Isolators>, given: &Isolators) ->
     let initial = keys.follows(&given.initial_stiffness, 10.0 * stiffness, rubber);
     let damping = keys.needed(&given.damping, &[Isolation::Elastomer]);
     Some(match kind? {
-        Isolation::FrictionPendulum => Bearing::FrictionPendulum {
-            radius,
-            friction,
-            slow,
-            rate,
-            slip,
-        },
-        Isolation::LeadRubber => Bearing::LeadRubber {
-            strength,
-            initial,
-            yielded: stiffness,
-        },
+        Isolation::FrictionPendulum => Bearing::FrictionPendulum { radius, friction, slow, rate, slip },
+        Isolation::LeadRubber => Bearing::LeadRubber { strength, initial, yielded: stiffness },
         Isolation::Elastomer => Bearing::Elastomer { stiffness, damping },
-        Isolation::Damper => Bearing::Elastomer {
-            stiffness,
-            damping: 0.0,
-        },
+        Isolation::Damper => Bearing::Elastomer { stiffness, damping: 0.0 },
     })
 }
 
@@ -220,12 +207,9 @@ impl Keys<'_, '_> {
         let applies = kinds.contains(&kind);
         if let (false, Some(given)) = (applies, &option.given) {
             let message = format!("{} does not apply to a {}", option.key.name, words(kind));
-            let allowed: Vec<String> = kinds
-                .iter()
-                .map(|kind| format!("\"kind\": \"{}\"", kind.written().unwrap_or_default()))
-                .collect();
-            self.r
-                .refuse(Code::DoesNotApply, given, &message, &allowed.join(" or "));
+            let allowed: Vec<String> =
+                kinds.iter().map(|kind| format!("\"kind\": \"{}\"", kind.written().unwrap_or_default())).collect();
+            self.r.refuse(Code::DoesNotApply, given, &message, &allowed.join(" or "));
         }
         applies
     }

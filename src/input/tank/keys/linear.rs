@@ -139,10 +139,7 @@ pub(super) fn analysis(
             None => None,
         },
         heave: heave(r, &given.heave, tank),
-        dashpots: given
-            .damping
-            .value()
-            .map_or_else(Vec::new, |d| dashpots(r, &d.dashpots, tank)),
+        dashpots: given.damping.value().map_or_else(Vec::new, |d| dashpots(r, &d.dashpots, tank)),
         damping: match &given.damping.given {
             Some(damping) => damping_model(r, damping, ratios),
             None => {
@@ -164,10 +161,7 @@ fn heave(r: &mut Resolver<'_>, option: &Opt<Given<Heave>>, tank: Option<&Tank>) 
         (Shape::Cylinder { .. }, Support::Unanchored, None) => {
             Some(("no foot lifts without a bottom plate", "a tank with `tank.bottom`"))
         }
-        _ => Some((
-            "only the foot of an unanchored cylinder lifts",
-            "a cylinder with \"support\": \"unanchored\"",
-        )),
+        _ => Some(("only the foot of an unanchored cylinder lifts", "a cylinder with \"support\": \"unanchored\"")),
     });
     if let Some((message, allowed)) = refused {
         let fault = range_fault(Code::DoesNotApply, field, message, allowed);
@@ -243,12 +237,7 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
     let Some(model) = &field.value else {
         return DampingModel::Modal;
     };
-    let found = match (
-        &model.by_group.given,
-        &model.caughey.given,
-        &model.rayleigh.given,
-        &model.coefficients.given,
-    ) {
+    let found = match (&model.by_group.given, &model.caughey.given, &model.rayleigh.given, &model.coefficients.given) {
         (Some(one), None, None, None) => one.value.as_ref().map(|group| {
             let (wall, sloshing) = by_group(r, group, ratios);
             DampingModel::ByGroup { wall, sloshing }
@@ -256,23 +245,18 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
         (None, Some(one), None, None) => one.value.as_ref().and_then(|pairs| caughey(r, one, pairs)),
         (None, None, Some(one), None) => one.value.as_ref().map(|given| {
             let (first, second, allow_negative) = rayleigh(r, given);
-            DampingModel::Rayleigh {
-                first,
-                second,
-                allow_negative,
-            }
+            DampingModel::Rayleigh { first, second, allow_negative }
         }),
-        (None, None, None, Some(one)) => one.value.as_ref().map(|c| DampingModel::Coefficients {
-            mass: r.number(&c.mass),
-            stiffness: r.number(&c.stiffness),
-        }),
+        (None, None, None, Some(one)) => one
+            .value
+            .as_ref()
+            .map(|c| DampingModel::Coefficients { mass: r.number(&c.mass), stiffness: r.number(&c.stiffness) }),
         (None, None, None, None) if model.dashpots.given.is_some() => Some(DampingModel::Modal),
         _ => {
             let message = "not exactly one damping model";
             let allowed = "one of by_group, caughey, rayleigh and coefficients";
             let fault = range_fault(Code::Exclusive, field, message, allowed);
-            r.faults
-                .push(fault.help("remove analysis.damping to use the modal ratios of `damping`"));
+            r.faults.push(fault.help("remove analysis.damping to use the modal ratios of `damping`"));
             None
         }
     };
@@ -307,6 +291,5 @@ fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Fi
         }
         pairs.push(pair);
     }
-    r.sized(field, "pairs")
-        .then(|| DampingModel::Caughey(CaugheyPairs::new(&pairs)))
+    r.sized(field, "pairs").then(|| DampingModel::Caughey(CaugheyPairs::new(&pairs)))
 }

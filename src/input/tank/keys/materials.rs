@@ -129,10 +129,7 @@ fn material(
         .is_some_and(|(_, value)| matches!(value, Behaviour::Kinds(kinds) if kinds.interlayer.given.is_some()));
     let (youngs_modulus, poisson_ratio) = if interlayer {
         let allowed = "only e_normal, e_parallel and shear_modulus";
-        for (key, given) in [
-            ("youngs_modulus", m.youngs_modulus.place()),
-            ("poisson_ratio", m.poisson_ratio.place()),
-        ] {
+        for (key, given) in [("youngs_modulus", m.youngs_modulus.place()), ("poisson_ratio", m.poisson_ratio.place())] {
             if let Some(given) = given {
                 let message = format!("{key} does not apply to an interlayer with e_normal");
                 r.refuse(Code::DoesNotApply, &given, &message, allowed);
@@ -156,10 +153,7 @@ fn material(
         yielding::check(r, field, strength, youngs_modulus);
     }
     let allowable_stress = match reader.preset.as_ref().map(|p| p.strengths) {
-        Some(Strengths::Steel {
-            allowable: Some(stress),
-            ..
-        }) => Some(reader.supplied(r, &m.allowable_stress, stress)),
+        Some(Strengths::Steel { allowable: Some(stress), .. }) => Some(reader.supplied(r, &m.allowable_stress, stress)),
         _ => r.optional(&m.allowable_stress),
     };
     reader.path = join(&field.path, "behaviour");
@@ -197,14 +191,9 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -
         Found::Grade(preset) => return Some(Some(preset)),
         Found::TooThick(grade, thickest) => {
             let message = format!("the grade {grade} has no strengths for plates so thick");
-            range_fault(
-                Code::Contradiction,
-                field,
-                &message,
-                &format!("plates of at most {} mm", 1e3 * thickest),
-            )
-            .found(format!("\"{name}\" with a plate of {} mm", shown_thickness(thickness)))
-            .help("give the values of the steel instead of `grade`, or a grade that has them")
+            range_fault(Code::Contradiction, field, &message, &format!("plates of at most {} mm", 1e3 * thickest))
+                .found(format!("\"{name}\" with a plate of {} mm", shown_thickness(thickness)))
+                .help("give the values of the steel instead of `grade`, or a grade that has them")
         }
         Found::Unknown => {
             let (near, meant) = grades::near(name);

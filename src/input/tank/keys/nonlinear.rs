@@ -188,10 +188,7 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements, ()>) -> Option<WallElem
         }
         (None, _) => Some(1),
     };
-    Some(WallElements {
-        height: height?,
-        circumference: circumference?,
-    })
+    Some(WallElements { height: height?, circumference: circumference? })
 }
 
 /// Half a cylinder has half of the elements around the circumference, so their number must be even.
@@ -203,8 +200,7 @@ fn halves(r: &mut Resolver<'_>, option: &Opt<Elements, ()>) {
         let message = "half a tank needs an even number of elements around the whole circumference";
         let allowed = "an even number";
         let fault = range_fault(Code::Contradiction, field, message, allowed);
-        r.faults
-            .push(fault.help(format!("write {}, or add \"symmetry\": false", around + 1)));
+        r.faults.push(fault.help(format!("write {}, or add \"symmetry\": false", around + 1)));
     }
 }
 
@@ -212,11 +208,7 @@ fn integration(r: &mut Resolver<'_>, option: &Opt<Given<Integration>, ()>) -> In
     match option.value() {
         Some(rules) => rules.resolve(r).unwrap_or_default(),
         None => {
-            r.echo_default(
-                &option.path,
-                "gauss 2, gauss 5, midpoint 20",
-                "elastic layers, steel, concrete",
-            );
+            r.echo_default(&option.path, "gauss 2, gauss 5, midpoint 20", "elastic layers, steel, concrete");
             Integration::DEFAULT
         }
     }
@@ -234,25 +226,15 @@ pub(super) fn by_group(r: &mut Resolver<'_>, group: &ByGroup, ratios: case::Damp
 }
 
 fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping, ()>) -> Damping {
-    let unknown = case::Damping {
-        sloshing: f64::NAN,
-        impulsive: f64::NAN,
-    };
+    let unknown = case::Damping { sloshing: f64::NAN, impulsive: f64::NAN };
     let ratios = r.known.ratios.unwrap_or(unknown);
-    let default = Damping::ByGroup {
-        wall: ratios.impulsive,
-        sloshing: ratios.sloshing,
-    };
+    let default = Damping::ByGroup { wall: ratios.impulsive, sloshing: ratios.sloshing };
     let Some(field) = &option.given else {
         r.echo_default(&option.path, "by group", "the ratios of `damping`");
         return default;
     };
     let Some(given) = &field.value else { return default };
-    match (
-        &given.by_group.given,
-        &given.rayleigh.given,
-        &given.mass_proportional.given,
-    ) {
+    match (&given.by_group.given, &given.rayleigh.given, &given.mass_proportional.given) {
         (Some(group), None, None) => {
             let Some(group) = &group.value else { return default };
             let (wall, sloshing) = by_group(r, group, ratios);
@@ -261,11 +243,7 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping, ()>) -> Damping 
         (None, Some(field), None) => match &field.value {
             Some(given) => {
                 let (first, second, allow_negative) = rayleigh(r, given);
-                Damping::Rayleigh {
-                    first,
-                    second,
-                    allow_negative,
-                }
+                Damping::Rayleigh { first, second, allow_negative }
             }
             None => default,
         },

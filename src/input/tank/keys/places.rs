@@ -35,9 +35,7 @@ pub(super) fn of(file: &TankFile) -> Places {
         };
         // A concrete grade implies the behaviour of concrete.
         let whole = given.map_or_else(|| material.place(), Field::place);
-        let law = kinds
-            .and_then(|k| k.concrete.value())
-            .and_then(|concrete| concrete.law.place());
+        let law = kinds.and_then(|k| k.concrete.value()).and_then(|concrete| concrete.law.place());
         let concrete = kinds.and_then(|k| k.concrete.place()).unwrap_or_else(|| whole.clone());
         let interlayer = kinds.and_then(|k| k.interlayer.place());
         all.insert(Place::Law(name.clone()), law.unwrap_or_else(|| concrete.clone()));

@@ -18,13 +18,7 @@ pub(super) fn plates(file: &TankFile) -> BTreeMap<&str, f64> {
         if let Some(material) = &course.material.given {
             add(&mut plates, material, of(&course.thickness));
         }
-        for layer in course
-            .layers
-            .value()
-            .into_iter()
-            .flatten()
-            .filter_map(|l| l.value.as_ref())
-        {
+        for layer in course.layers.value().into_iter().flatten().filter_map(|l| l.value.as_ref()) {
             add(&mut plates, &layer.material, layer.thickness.value.map(Si::si));
         }
     }

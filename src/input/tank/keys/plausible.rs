@@ -39,10 +39,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
         let wall = tank.wall_height();
         // Lower limits are those of the checks between sections.
         if height > HIGHEST_ROOF * wall {
-            let allowed = format!(
-                "at most {}, {HIGHEST_ROOF} heights of the wall",
-                like_field(field, HIGHEST_ROOF * wall)
-            );
+            let allowed =
+                format!("at most {}, {HIGHEST_ROOF} heights of the wall", like_field(field, HIGHEST_ROOF * wall));
             r.refuse(Code::OutOfRange, field, "the roof is far above the wall", &allowed);
         } else if height > wall + tank.shape.half_length() {
             r.warnings.push(Warning::new(

@@ -51,11 +51,7 @@ choice!(ConvectiveCoefficient, Combination, FlexibleImpulsive);
 /// Ids of the methods that decide (empty: the editions in force that the site names).
 pub(super) fn deciding(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> Vec<String> {
     let Some(list) = option.value().and_then(|p| p.decide.given.as_ref()) else {
-        r.echo_default(
-            "procedures.decide",
-            "current",
-            "the editions in force that `site` names",
-        );
+        r.echo_default("procedures.decide", "current", "the editions in force that `site` names");
         return Vec::new();
     };
     let allowed = "at least one id; remove `decide` for the editions in force";

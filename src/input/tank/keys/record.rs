@@ -37,8 +37,7 @@ pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
             let message = "scale_to and scale_by exclude each other";
             let allowed = "either scale_to or scale_by (1.0 together with scale_to)";
             let fault = range_fault(Code::Exclusive, field, message, allowed);
-            r.faults
-                .push(fault.help("remove scale_by to scale to the peak, or scale_to to scale by a factor"));
+            r.faults.push(fault.help("remove scale_by to scale to the peak, or scale_to to scale by a factor"));
         }
     }
     Processing {

@@ -61,11 +61,7 @@ impl FromNode for Raw {
         "\"13.4 cm\"".into()
     }
     fn shape(_: &mut Book) -> Shape {
-        Shape::Pattern {
-            noun: "a value with its unit".into(),
-            patterns: Vec::new(),
-            examples: &[],
-        }
+        Shape::Pattern { noun: "a value with its unit".into(), patterns: Vec::new(), examples: &[] }
     }
 }
 
@@ -94,10 +90,7 @@ impl FromNode for QuantityId {
         "\"sloshing_height\"".into()
     }
     fn shape(book: &mut Book) -> Shape {
-        let words = Quantity::ALL
-            .into_iter()
-            .map(|q| (q.id(), q.title().to_owned()))
-            .collect();
+        let words = Quantity::ALL.into_iter().map(|q| (q.id(), q.title().to_owned())).collect();
         book.choice("Quantity", &["A comparable quantity."], words)
     }
 }

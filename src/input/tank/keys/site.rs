@@ -61,12 +61,7 @@ pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>
             (None, None)
         }
     };
-    case::Site {
-        ec8,
-        api650,
-        spectrum,
-        zone,
-    }
+    case::Site { ec8, api650, spectrum, zone }
 }
 
 /// Reports a key that is missing although this file needs it.
@@ -78,10 +73,7 @@ fn needed<T, U: FromNode>(r: &mut Resolver<'_>, object: &Field<T>, option: &Opt<
 
 fn ec8(r: &mut Resolver<'_>, object: &Field<Given<Ec8Site>>, s: &Given<Ec8Site>, own: bool) -> Option<Ec8Site> {
     if own {
-        for place in [s.ground.place(), s.spectrum.place(), s.ag.place()]
-            .into_iter()
-            .flatten()
-        {
+        for place in [s.ground.place(), s.spectrum.place(), s.ag.place()].into_iter().flatten() {
             let message = "this and site.spectrum exclude each other";
             let allowed = "neither ground, spectrum nor ag beside site.spectrum";
             r.refuse(Code::Exclusive, &place, message, allowed);
@@ -108,12 +100,7 @@ fn annex_e(s: &Given<Api650Site>) -> bool {
         s.joint_efficiency.given.is_some(),
         s.friction.given.is_some(),
     ];
-    let mapped = [
-        s.ss.given.is_some(),
-        s.s1.given.is_some(),
-        s.s0.given.is_some(),
-        s.av.given.is_some(),
-    ];
+    let mapped = [s.ss.given.is_some(), s.s1.given.is_some(), s.s0.given.is_some(), s.av.given.is_some()];
     let others = [
         s.site_class.given.is_some(),
         s.asce7.given.is_some(),
@@ -148,12 +135,7 @@ fn api650(
     }
     needed(r, object, &s.sug, "");
     // Either all or nothing is given of the lower limit of the user's spectrum.
-    let mapped = [
-        s.ss.given.is_some(),
-        s.s1.given.is_some(),
-        s.site_class.given.is_some(),
-        s.tl.given.is_some(),
-    ];
+    let mapped = [s.ss.given.is_some(), s.s1.given.is_some(), s.site_class.given.is_some(), s.tl.given.is_some()];
     if !own || mapped.contains(&true) {
         let why = match own {
             true => " for the lower limit of site.spectrum",
@@ -196,8 +178,7 @@ impl Hand<keys::Opt<Stress>> for f64 {
                 .path("tank.pressure.internal")
                 .found(text.clone())
                 .allowed(limits.describe(Dimension::Stress));
-            r.faults
-                .push(fault.help("leave site.api650 out, or give its design_pressure"));
+            r.faults.push(fault.help("leave site.api650 out, or give its design_pressure"));
         }
         Some(r.or_else(given, internal, &text, "tank.pressure.internal"))
     }
@@ -211,11 +192,7 @@ impl Hand<keys::Or<Number>> for f64 {
             && (q - 2.0 / 3.0).abs() > 0.007
             && q < 1.0
         {
-            r.unusual(
-                &field.path,
-                &field.text,
-                "usual are 2/3 with ASCE 7 maps and 1 with others, API 650 E.4.6.1",
-            );
+            r.unusual(&field.path, &field.text, "usual are 2/3 with ASCE 7 maps and 1 with others, API 650 E.4.6.1");
         }
         Some(q)
     }

@@ -150,11 +150,7 @@ pub(super) fn spectrum(r: &mut Resolver<'_>, option: &Opt<Spectrum>, folder: &Pa
                 let found = format!("a largest acceleration of {:.4} g", largest / STANDARD_GRAVITY);
                 r.unusual(&field.path, &found, "usual are 0.05 to 3 g");
             }
-            SpectrumForm::Table {
-                damping,
-                horizontal,
-                vertical,
-            }
+            SpectrumForm::Table { damping, horizontal, vertical }
         }
     };
     Some(SiteSpectrum { form, vertical_ratio })
@@ -269,10 +265,7 @@ fn table(r: &mut Resolver<'_>, field: &Field<Vec<Field<Row>>>, factor: f64) -> O
     if !r.sized(field, "rows of a spectrum") {
         return None;
     }
-    let values: Option<Vec<[f64; 2]>> = rows
-        .iter()
-        .map(|row| row.value.map(|Row([t, a])| [t, factor * a]))
-        .collect();
+    let values: Option<Vec<[f64; 2]>> = rows.iter().map(|row| row.value.map(|Row([t, a])| [t, factor * a])).collect();
     let values = values?;
     match checked(values) {
         Ok(table) => {
@@ -282,12 +275,8 @@ fn table(r: &mut Resolver<'_>, field: &Field<Vec<Field<Row>>>, factor: f64) -> O
         Err((row, message)) => {
             let place = row.and_then(|row| rows.get(row));
             let fault = match place {
-                Some(place) => Fault::new(Code::TableValue, message)
-                    .at(place.span.clone())
-                    .path(&place.path),
-                None => Fault::new(Code::TableValue, message)
-                    .at(field.span.clone())
-                    .path(&field.path),
+                Some(place) => Fault::new(Code::TableValue, message).at(place.span.clone()).path(&place.path),
+                None => Fault::new(Code::TableValue, message).at(field.span.clone()).path(&field.path),
             };
             let found = place.and_then(|p| p.value).map(|Row([t, a])| format!("[{t}, {a}]"));
             r.faults.push(fault.found(found.unwrap_or_default()).allowed(ALLOWED));
@@ -320,12 +309,7 @@ fn echo(r: &mut Resolver<'_>, path: &str, table: &SpectrumTable) {
         table.peak() / STANDARD_GRAVITY,
         largest / STANDARD_GRAVITY
     );
-    r.echo.push(InputValue {
-        path: path.into(),
-        text,
-        default: false,
-        source: String::new(),
-    });
+    r.echo.push(InputValue { path: path.into(), text, default: false, source: String::new() });
 }
 
 /// The tables of a CSV file; its first fault is reported at the key, with the line of the file.
@@ -394,10 +378,8 @@ fn columns(source: &Source) -> Result<Tables, String> {
         }
         let mut numbers = Vec::new();
         for (cell, unit) in row.iter().zip(&units) {
-            let number: f64 = cell
-                .text
-                .parse()
-                .map_err(|_| at(cell.span.start, &format!("`{}` is not a number", cell.text)))?;
+            let number: f64 =
+                cell.text.parse().map_err(|_| at(cell.span.start, &format!("`{}` is not a number", cell.text)))?;
             numbers.push(number * unit);
         }
         values.push((start, numbers));

@@ -172,12 +172,7 @@ fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> tank::Roof {
     }
     let message = "rim does not apply to a roof that does not float";
     r.inapplicable(&given.rim, message, "\"type\": \"floating\", or a roof without rim");
-    tank::Roof {
-        mass,
-        height: r.optional(&given.height),
-        kind,
-        ..tank::Roof::default()
-    }
+    tank::Roof { mass, height: r.optional(&given.height), kind, ..tank::Roof::default() }
 }
 
 /// Answers about the construction.
@@ -227,9 +222,7 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
             r.inapplicable(&t.length, "length does not apply to a cylinder", allowed);
             r.inapplicable(&t.breadth, "breadth does not apply to a cylinder", allowed);
             r.inapplicable(&t.strip, "strip does not apply to a cylinder", allowed);
-            Some(Shape::Cylinder {
-                radius: required(r, field, &t.radius),
-            })
+            Some(Shape::Cylinder { radius: required(r, field, &t.radius) })
         }
         Plan::Rectangle => {
             let allowed = "length and breadth (or strip) for a rectangle";
@@ -261,11 +254,7 @@ fn required(r: &mut Resolver<'_>, tank: &Field<Tank>, option: &Opt<Length>) -> f
     if let Some(field) = &option.given {
         return r.number(field);
     }
-    let alternative = if option.key.name == "breadth" {
-        ", or \"strip\": true"
-    } else {
-        ""
-    };
+    let alternative = if option.key.name == "breadth" { ", or \"strip\": true" } else { "" };
     let allowed = option.key.limits.describe(Dimension::Length);
     r.missing(tank, option, "", &allowed, &format!("\"1.83 m\"{alternative}"));
     f64::NAN

@@ -14,23 +14,12 @@ pub(super) fn unsaid(field: &Field<Tank>) -> [Vec<TankPart>; 2] {
     let anchored = t.support.value == Some(Support::Anchored);
     let said = [
         (TankPart::Roof, t.roof.given.is_some(), t.roof.none.is_some()),
-        (
-            TankPart::Foundation,
-            t.foundation.given.is_some(),
-            t.foundation.none.is_some(),
-        ),
+        (TankPart::Foundation, t.foundation.given.is_some(), t.foundation.none.is_some()),
         (TankPart::Bottom, t.bottom.given.is_some(), t.bottom.none.is_some()),
-        (
-            TankPart::Anchors,
-            t.anchors.given.is_some() || !anchored,
-            t.anchors.none.is_some(),
-        ),
+        (TankPart::Anchors, t.anchors.given.is_some() || !anchored, t.anchors.none.is_some()),
         (TankPart::Pipes, t.pipes.given.is_some(), t.pipes.none.is_some()),
     ];
     let unstated = said.iter().filter(|(_, given, none)| !given && !none);
     let without = said.iter().filter(|(_, _, none)| *none);
-    [
-        unstated.map(|(part, ..)| *part).collect(),
-        without.map(|(part, ..)| *part).collect(),
-    ]
+    [unstated.map(|(part, ..)| *part).collect(), without.map(|(part, ..)| *part).collect()]
 }

@@ -43,10 +43,7 @@ fn anchors(r: &mut Resolver<'_>, given: &Anchors, around: f64) {
     let most = (around / APART).floor();
     if given.count > FEW && f64::from(given.count) > most {
         let apart = display(APART, Dimension::Length);
-        let usual = format!(
-            "usual are at most {} on this wall, one every {apart}",
-            most.max(f64::from(FEW))
-        );
+        let usual = format!("usual are at most {} on this wall, one every {apart}", most.max(f64::from(FEW)));
         r.unusual("tank.anchors.count", &given.count.to_string(), &usual);
     }
     for (key, force, most) in [
@@ -58,11 +55,7 @@ fn anchors(r: &mut Resolver<'_>, given: &Anchors, around: f64) {
             continue;
         };
         let [found, least, most] = [force, TENSION.0, most].map(|force| display(force, Dimension::Force));
-        r.unusual(
-            &format!("tank.anchors.{key}"),
-            &found,
-            &format!("usual is {least} to {most}"),
-        );
+        r.unusual(&format!("tank.anchors.{key}"), &found, &format!("usual is {least} to {most}"));
     }
 }
 
@@ -94,11 +87,9 @@ fn damping(r: &mut Resolver<'_>, case: &Case, linear: &LinearOptions, nonlinear:
         nonlinear::Damping::MassProportional { ratio, .. } => *ratio,
     };
     let own = case.damping.impulsive;
-    for (path, ratio) in [
-        ("damping.impulsive", own),
-        ("analysis.damping", of_linear),
-        ("analysis.nonlinear.damping", of_nonlinear),
-    ] {
+    for (path, ratio) in
+        [("damping.impulsive", own), ("analysis.damping", of_linear), ("analysis.nonlinear.damping", of_nonlinear)]
+    {
         // An engine without its own takes that of the case; the range of the key names what lies above its own limit.
         let told = match path {
             "damping.impulsive" => ratio > USUAL,

@@ -91,10 +91,7 @@ pub(super) fn material(
                 "an elastic material or one with the behaviour interlayer",
             ),
             (Use::Bars, b) => (
-                matches!(
-                    b,
-                    Behaviour::Elastic | Behaviour::Steel(_) | Behaviour::Reinforcement(_)
-                ),
+                matches!(b, Behaviour::Elastic | Behaviour::Steel(_) | Behaviour::Reinforcement(_)),
                 "bars",
                 "an elastic material, steel or reinforcement",
             ),
@@ -102,17 +99,13 @@ pub(super) fn material(
         if fits {
             return Some(material);
         }
-        let message = format!(
-            "the material `{name}` is {}, which cannot be used for {what}",
-            material.behaviour.kind()
-        );
+        let message =
+            format!("the material `{name}` is {}, which cannot be used for {what}", material.behaviour.kind());
         r.refuse(Code::UnknownChoice, field, &message, allowed);
         return None;
     }
     let short = |name: &&str| name.len() <= 4 * MAX_NAME;
-    let known: Vec<&str> = (materials.keys().map(String::as_str).filter(short))
-        .take(SHOWN_NAMES)
-        .collect();
+    let known: Vec<&str> = (materials.keys().map(String::as_str).filter(short)).take(SHOWN_NAMES).collect();
     let allowed = match known.as_slice() {
         [] => "a name from `materials`, which is empty".into(),
         names if names.len() < materials.len() => {
@@ -186,28 +179,17 @@ fn uniform(
     };
     let Some(list) = &c.reinforcement.given else {
         let corrosion = loss(r, thickness, &c.corrosion_allowance, &c.measured_thickness);
-        return material(r, name, materials, Use::Shell).map(|material| tank::Course {
-            corrosion,
-            ..tank::Course::uniform(height, thickness, material)
-        });
+        return material(r, name, materials, Use::Shell)
+            .map(|material| tank::Course { corrosion, ..tank::Course::uniform(height, thickness, material) });
     };
     let material = material(r, name, materials, Use::Shell);
-    let shell = (
-        LayerKind::Shell,
-        material.as_ref().map(|m| m.behaviour),
-        name.text.as_str(),
-    );
+    let shell = (LayerKind::Shell, material.as_ref().map(|m| m.behaviour), name.text.as_str());
     // `uniform` has reported a thickness that is missing.
     let reinforcement = match &c.thickness.given {
         Some(given) => all_bars(r, list, shell, (given, thickness), materials),
         None => Vec::new(),
     };
-    let layer = tank::Layer {
-        kind: LayerKind::Shell,
-        thickness,
-        material: material?,
-        reinforcement,
-    };
+    let layer = tank::Layer { kind: LayerKind::Shell, thickness, material: material?, reinforcement };
     let layer = bonded(r, layer, Some(list));
     Some(tank::Course::layered(height, vec![layer]))
 }
@@ -257,11 +239,7 @@ fn layered(
 /// An interlayer is between two shells, and there is at most one.
 fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<Layer>]) {
     // A layer whose kind is unknown may be a shell.
-    let between = |f: &Field<Layer>| {
-        f.value
-            .as_ref()
-            .is_some_and(|l| l.kind.value == Some(LayerKind::Interlayer))
-    };
+    let between = |f: &Field<Layer>| f.value.as_ref().is_some_and(|l| l.kind.value == Some(LayerKind::Interlayer));
     let places: Vec<usize> = (0..list.len()).filter(|&i| between(&list[i])).collect();
     for &i in &places {
         if i > 0 && i + 1 < list.len() && !between(&list[i - 1]) && !between(&list[i + 1]) {
@@ -302,11 +280,6 @@ fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank:
         Some(list) => all_bars(r, list, shell, (&l.thickness, thickness), materials),
         None => Vec::new(),
     };
-    let layer = tank::Layer {
-        kind,
-        thickness,
-        material: material?,
-        reinforcement,
-    };
+    let layer = tank::Layer { kind, thickness, material: material?, reinforcement };
     Some(bonded(r, layer, l.reinforcement.given.as_ref()))
 }

@@ -25,21 +25,13 @@ fn anchors_have_a_stiffness() {
 #[test]
 fn anchors_that_are_no_springs_are_refused() {
     for (anchors, place, allowed) in [
-        (
-            r#""stiffness": "80 MN/m""#,
-            "tank.anchors.stiffness",
-            "tank.anchors.capacity",
-        ),
+        (r#""stiffness": "80 MN/m""#, "tank.anchors.stiffness", "tank.anchors.capacity"),
         (
             r#""capacity": "120 kN", "stiffness": "80 MN/m", "yield_force": "100 kN""#,
             "tank.anchors.yield_force",
             "at least tank.anchors.capacity",
         ),
-        (
-            r#""capacity": "120 kN", "gap": "1 mm""#,
-            "tank.anchors.gap",
-            "together with tank.anchors.stiffness",
-        ),
+        (r#""capacity": "120 kN", "gap": "1 mm""#, "tank.anchors.gap", "together with tank.anchors.stiffness"),
         (
             r#""capacity": "120 kN", "stiffness": "80 MN/m", "rupture_elongation": "1 mm""#,
             "tank.anchors.rupture_elongation",

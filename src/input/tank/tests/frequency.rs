@@ -11,9 +11,7 @@ fn frequency() {
     assert_eq!(read(&small("")).fe.frequency, None);
     assert_eq!(read(&of("{}")).fe.frequency, Some(FrequencyOptions::DEFAULT));
     let tau = std::f64::consts::TAU;
-    let found = read(&of(
-        r#"{ "from": "10 s", "to": "20 Hz", "points": 1000, "damping": "hysteretic" }"#,
-    ));
+    let found = read(&of(r#"{ "from": "10 s", "to": "20 Hz", "points": 1000, "damping": "hysteretic" }"#));
     let found = found.fe.frequency.expect("given");
     assert!((found.from.expect("given") - 0.1 * tau).abs() < 1e-12);
     assert!((found.to.expect("given") - 20.0 * tau).abs() < 1e-9);

@@ -14,12 +14,7 @@ fn schema_keys() -> Vec<(Vec<String>, Value)> {
             let target = root.pointer(reference.trim_start_matches('#')).expect("a definition");
             walk(target, root, path, all);
         }
-        for (key, property) in schema
-            .get("properties")
-            .and_then(Value::as_object)
-            .into_iter()
-            .flatten()
-        {
+        for (key, property) in schema.get("properties").and_then(Value::as_object).into_iter().flatten() {
             all.push((below(key), property.clone()));
             walk(property, root, &below(key), all);
         }
@@ -72,10 +67,9 @@ fn shown(path: &[String]) -> String {
 fn faults_at(document: &Value, path: &str) -> Vec<String> {
     match parse(&Source::new("tank.json", document.to_string())) {
         Ok(_) => Vec::new(),
-        Err(faults) => (faults.list().iter())
-            .filter(|f| *f.path == *path)
-            .map(|f| format!("{path}: {}", f.message))
-            .collect(),
+        Err(faults) => {
+            (faults.list().iter()).filter(|f| *f.path == *path).map(|f| format!("{path}: {}", f.message)).collect()
+        }
     }
 }
 
@@ -126,10 +120,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "anchors with",
                 "applies to a strip alone",
             ];
-            let own: Vec<&String> = found
-                .iter()
-                .filter(|f| !context.iter().any(|c| f.contains(c)))
-                .collect();
+            let own: Vec<&String> = found.iter().filter(|f| !context.iter().any(|c| f.contains(c))).collect();
             assert!(own.is_empty(), "{value}: {own:?}");
         }
     }

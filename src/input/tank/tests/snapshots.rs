@@ -9,9 +9,8 @@ use super::{read, refused, small};
 fn snapshots() {
     let of = |given: &str| small(&format!(r#", "analysis": {{ "snapshots": {given} }}"#));
     assert!(read(&small("")).fe.snapshots.is_empty());
-    let found = read(&of(
-        r#"["1500 ms", "peak wave", "peak base shear", "peak base moment", "peak overturning moment"]"#,
-    ));
+    let found =
+        read(&of(r#"["1500 ms", "peak wave", "peak base shear", "peak base moment", "peak overturning moment"]"#));
     let peaks = Peak::ALL.map(Instant::Peak);
     assert_eq!(found.fe.snapshots[0], Instant::At(1.5));
     assert_eq!(found.fe.snapshots[1..], peaks);

@@ -17,23 +17,12 @@ fn a_table_in_the_file() {
            "ec8": {}"#,
     ));
     let spectrum = file.case.site.spectrum.expect("a spectrum");
-    let SpectrumForm::Table {
-        damping,
-        horizontal,
-        vertical,
-    } = spectrum.form
-    else {
-        panic!("a table")
-    };
+    let SpectrumForm::Table { damping, horizontal, vertical } = spectrum.form else { panic!("a table") };
     assert_eq!((damping, spectrum.vertical_ratio), (0.02, 0.9));
     assert_eq!(horizontal.rows()[1], [0.5, 0.2 * STANDARD_GRAVITY]);
     assert_eq!(vertical.expect("vertical rows").peak(), 0.05 * STANDARD_GRAVITY);
     assert!(file.case.site.ec8.is_some_and(|ec8| ec8.importance == 1.0));
-    let echoed = file
-        .echo
-        .iter()
-        .find(|e| e.path == "site.spectrum.table")
-        .expect("an echo");
+    let echoed = file.echo.iter().find(|e| e.path == "site.spectrum.table").expect("an echo");
     assert!(echoed.text.contains("2 rows up to 0.5 s"), "{}", echoed.text);
     assert!(file.echo.iter().all(|e| e.path != "site.spectrum"), "not absent");
 }
@@ -77,12 +66,7 @@ fn zone_alone() {
     }
     let own = r#""spectrum": { "table": [[0, 0.1], [9, 0.2]], "unit": "g" }, "api650": { "sug": 1 }"#;
     let file = read(&site(own));
-    assert!(
-        file.case
-            .site
-            .api650
-            .is_some_and(|site| site.ss == 0.0 && site.s1 == 0.0)
-    );
+    assert!(file.case.site.api650.is_some_and(|site| site.ss == 0.0 && site.s1 == 0.0));
     let found = refused(&site(&own.replace("\"sug\": 1", "\"sug\": 1, \"ss\": 1")));
     assert!(found.contains("the key `s1` is missing for the lower limit"), "{found}");
 }
@@ -97,10 +81,7 @@ fn a_file_beside_the_tank_file() {
         read_tank(&path)
     };
     let file = with("period_s,acceleration_m_s2,vertical_g\n0,1,0.05\n0.5, 2 ,0.1\n").expect("a good table");
-    let SpectrumForm::Table {
-        horizontal, vertical, ..
-    } = file.case.site.spectrum.expect("a spectrum").form
-    else {
+    let SpectrumForm::Table { horizontal, vertical, .. } = file.case.site.spectrum.expect("a spectrum").form else {
         panic!("a table")
     };
     assert_eq!(horizontal.rows(), [[0.0, 1.0], [0.5, 2.0]]);
@@ -108,35 +89,14 @@ fn a_file_beside_the_tank_file() {
     for (csv, parts) in [
         ("", ["empty file", "site.spectrum.file"]),
         ("period_s,acceleration_g\n0,1\n", ["found 1 rows", "site.spectrum.file"]),
-        (
-            "period_s,acceleration_g\n0,1\n0.5,nan\n",
-            ["spectrum.csv:3", "not finite"],
-        ),
-        (
-            "period_s,acceleration_g\n0,1\n0.5,-2\n",
-            ["spectrum.csv:3", "not positive"],
-        ),
-        (
-            "period_s,acceleration_g\n0,1\n0.5,2\n0.4,2\n",
-            ["spectrum.csv:4", "not larger"],
-        ),
-        (
-            "period_s,acceleration_g\n0,1\n0.5,x\n",
-            ["spectrum.csv:3", "`x` is not a number"],
-        ),
-        (
-            "period_s,acceleration_g\n0,1\n0.5\n",
-            ["spectrum.csv:3", "another number of cells"],
-        ),
-        (
-            "period_s,pressure_kpa\n0,1\n0.5,2\n",
-            ["spectrum.csv:1", "unexpected column `pressure_kpa`"],
-        ),
+        ("period_s,acceleration_g\n0,1\n0.5,nan\n", ["spectrum.csv:3", "not finite"]),
+        ("period_s,acceleration_g\n0,1\n0.5,-2\n", ["spectrum.csv:3", "not positive"]),
+        ("period_s,acceleration_g\n0,1\n0.5,2\n0.4,2\n", ["spectrum.csv:4", "not larger"]),
+        ("period_s,acceleration_g\n0,1\n0.5,x\n", ["spectrum.csv:3", "`x` is not a number"]),
+        ("period_s,acceleration_g\n0,1\n0.5\n", ["spectrum.csv:3", "another number of cells"]),
+        ("period_s,pressure_kpa\n0,1\n0.5,2\n", ["spectrum.csv:1", "unexpected column `pressure_kpa`"]),
         ("period_s\n0\n0.5\n", ["spectrum.csv:1", "fewer than two columns"]),
-        (
-            "period_s,acceleration_g\n0,\"1\n",
-            ["quote is not closed", "site.spectrum.file"],
-        ),
+        ("period_s,acceleration_g\n0,\"1\n", ["quote is not closed", "site.spectrum.file"]),
     ] {
         let message = with(csv).expect_err("a fault").to_string();
         for part in parts {

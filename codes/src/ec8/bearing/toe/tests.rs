@@ -33,11 +33,7 @@ fn lifting(kind: FoundationKind, resistance: f64) -> Case {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(bottom_plate(steel()));
     case.tank.foundation = Some(foundation(kind));
-    case.site.ec8 = Some(Ec8Site {
-        ag: 0.08 * 9.81,
-        bearing_capacity: Some(resistance),
-        ..site()
-    });
+    case.site.ec8 = Some(Ec8Site { ag: 0.08 * 9.81, bearing_capacity: Some(resistance), ..site() });
     case
 }
 
@@ -58,17 +54,9 @@ fn ring(resistance: f64) -> Case {
 fn ring_wall_under_a_wall_that_bears() {
     let mut anchored = ring(1e9);
     anchored.tank.support = Support::Anchored;
-    anchored.tank.anchors = Some(Anchors {
-        capacity: Some(1e9),
-        count: 40,
-        ..Anchors::default()
-    });
+    anchored.tank.anchors = Some(Anchors { capacity: Some(1e9), count: 40, ..Anchors::default() });
     let mut heavy = ring(1e9);
-    heavy.site.ec8 = Some(Ec8Site {
-        ag: 0.002 * 9.81,
-        bearing_capacity: Some(1e9),
-        ..site()
-    });
+    heavy.site.ec8 = Some(Ec8Site { ag: 0.002 * 9.81, bearing_capacity: Some(1e9), ..site() });
     for case in [anchored, heavy] {
         let a = assess(&case);
         let demand = check(&a, "bearing_ring").demand.unwrap();
@@ -78,11 +66,7 @@ fn ring_wall_under_a_wall_that_bears() {
         let tank = &case.tank;
         let (radius, mass) = (tank.shape.half_length(), tank.wall_mass() + tank.roof.mass);
         let moment = a.values[&tank::Quantity::BaseMoment] / (PI * radius * radius);
-        close(
-            (force - moment) / (mass * case.gravity / (2.0 * PI * radius)),
-            1.0,
-            1e-2,
-        );
+        close((force - moment) / (mass * case.gravity / (2.0 * PI * radius)), 1.0, 1e-2);
         for (resistance, holds) in [(demand * 0.999, false), (demand * 1.001, true)] {
             let mut case = case.clone();
             case.site.ec8.as_mut().unwrap().bearing_capacity = Some(resistance);
@@ -114,10 +98,7 @@ fn ring_wall() {
         change(case.tank.foundation.as_mut().unwrap());
         let a = assess(&case);
         let open = check(&a, "bearing");
-        assert_eq!(
-            (open.status, open.input.as_deref()),
-            (CheckStatus::NotChecked, Some(path))
-        );
+        assert_eq!((open.status, open.input.as_deref()), (CheckStatus::NotChecked, Some(path)));
     }
 }
 
@@ -142,11 +123,7 @@ fn the_toe_is_in_equilibrium() {
     let (mut low, mut high) = (0.01, PI);
     for _ in 0..60 {
         let beta = 0.5 * (low + high);
-        if sums(beta).0 < 30.0 * PI * weight {
-            low = beta
-        } else {
-            high = beta
-        }
+        if sums(beta).0 < 30.0 * PI * weight { low = beta } else { high = beta }
     }
     close(sums(0.5 * (low + high)).1 / moment, 1.0, 1e-6);
     let strips = a.steps.iter().filter(|s| s.symbol == "n_t").map(|s| s.value);
@@ -194,16 +171,9 @@ fn one_state_of_the_base() {
     for (capacity, status) in [(1.0, CheckStatus::NotChecked), (1e9, CheckStatus::Holds)] {
         let mut case = lifting(FoundationKind::Slab, 1e9);
         case.tank.support = Support::Anchored;
-        case.tank.anchors = Some(Anchors {
-            capacity: Some(capacity),
-            count: 40,
-            ..Anchors::default()
-        });
-        case.tank.pipes = Some(Pipes {
-            support_distance: Some(5.0),
-            allowable_displacement: Some(1.0),
-            ..Pipes::default()
-        });
+        case.tank.anchors = Some(Anchors { capacity: Some(capacity), count: 40, ..Anchors::default() });
+        case.tank.pipes =
+            Some(Pipes { support_distance: Some(5.0), allowable_displacement: Some(1.0), ..Pipes::default() });
         let a = assess(&case);
         for id in ["buckling_elastic", "buckling_elastic_plastic", "bearing", "pipes"] {
             assert_eq!(check(&a, id).status, status, "{id} {capacity}");

@@ -33,10 +33,7 @@ fn cylinder(radius: f64, courses: &[(f64, f64)], depth: f64) -> Case {
 
 /// Structural modes of horizontal motion: ω and γ p(z) on the wall.
 fn modes(case: &Case, refine: f64) -> (Vec<f64>, Vec<(f64, Vec<f64>)>) {
-    let options = Options {
-        refine,
-        ..Options::default()
-    };
+    let options = Options { refine, ..Options::default() };
     let coupled: Coupled = build(case, &options, 1).unwrap();
     let line = coupled.line(OnWall::Pressure).unwrap();
     let modes = solve(&coupled, Some(coupled.surface.unknowns.len() + 6)).unwrap();
@@ -82,13 +79,7 @@ fn the_record_resolves_three_modes() {
         let ((z, run), (fine_z, fine)) = (modes(&tank, 1.0), modes(&tank, 2.0));
         for (n, (own, finer)) in run.iter().zip(&fine).enumerate() {
             assert!(own.0 < TAU * content, "{name}: mode {} is beyond the content", n + 1);
-            assert!(
-                (own.0 / finer.0 - 1.0).abs() < 0.003,
-                "{name} {}: {} {}",
-                n + 1,
-                own.0,
-                finer.0
-            );
+            assert!((own.0 / finer.0 - 1.0).abs() < 0.003, "{name} {}: {} {}", n + 1, own.0, finer.0);
             let error = distance((&z, &own.1), (&fine_z, &finer.1));
             assert!(error < 0.006, "{name} {}: pressure {error}", n + 1);
         }
@@ -122,25 +113,13 @@ fn counts() {
         for content in [1.0, 20.0, 60.0] {
             let shaken = shaken(tank.clone(), content);
             let found = mesh(&shaken, refine).elements();
-            assert_eq!(
-                [found.0 as f64, found.1 as f64],
-                elements(&shaken, refine),
-                "{content} Hz"
-            );
+            assert_eq!([found.0 as f64, found.1 as f64], elements(&shaken, refine), "{content} Hz");
         }
     }
     assert_eq!(label(&tank), None);
-    assert!(
-        label(&shaken(tank.clone(), 1.0))
-            .unwrap()
-            .text
-            .starts_with("the default")
-    );
+    assert!(label(&shaken(tank.clone(), 1.0)).unwrap().text.starts_with("the default"));
     let fast = mesh(&shaken(tank, 60.0), 1.0);
-    assert_eq!(
-        (fast.r[0], *fast.r.last().unwrap(), *fast.z.last().unwrap()),
-        (0.0, 10.0, 5.0)
-    );
+    assert_eq!((fast.r[0], *fast.r.last().unwrap(), *fast.z.last().unwrap()), (0.0, 10.0, 5.0));
     assert!(fast.r.windows(2).chain(fast.z.windows(2)).all(|w| w[1] > w[0]));
     let outermost = 10.0 - fast.r[fast.r.len() - 3];
     assert!(outermost <= 0.8 * 5.0 / (2.5 * PI), "{outermost}");

@@ -67,9 +67,7 @@ pub(super) fn items<'a>(model: &'a Model, second: Option<Across<'a>>) -> Vec<Ite
     let gauge = |probe: &&Probe| !matches!(probe.channel, Channel::WaveAt { .. }) && probe.turn.is_none();
     let even = |probe: &Probe| even(model, probe);
     let other = second.map_or(coupled, |second| &second.model.horizontal.coupled);
-    let corner = second.map(|second| Channel::WaveAround {
-        degrees: Across::corner(second.halves),
-    });
+    let corner = second.map(|second| Channel::WaveAround { degrees: Across::corner(second.halves) });
     // Both models list the same quantities in the same order.
     let mut all: Vec<Item<'_>> = (coupled.probes.iter().zip(&other.probes).filter(|(odd, _)| gauge(odd)))
         .map(|(odd, across)| {

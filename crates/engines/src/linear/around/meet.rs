@@ -80,12 +80,7 @@ pub(super) fn extreme_directions(meet: Meet, x: &[f64], y: &[f64], even: &[f64])
 pub(super) fn lines(boxed: bool) -> Vec<OnWall> {
     match boxed {
         false => vec![OnWall::Hoop, OnWall::Pressure],
-        true => vec![
-            OnWall::Pressure,
-            OnWall::Moment,
-            OnWall::HorizontalMoment,
-            OnWall::CornerMoment,
-        ],
+        true => vec![OnWall::Pressure, OnWall::Moment, OnWall::HorizontalMoment, OnWall::CornerMoment],
     }
 }
 

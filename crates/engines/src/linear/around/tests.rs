@@ -31,21 +31,12 @@ fn rest() -> Record {
 
 /// A coarse mesh: turned, scaled and projected motions are the same on every one.
 fn options() -> LinearOptions {
-    LinearOptions {
-        mesh_error: false,
-        refine: 0.25,
-        stations: vec![0.3],
-        ..LinearOptions::default()
-    }
+    LinearOptions { mesh_error: false, refine: 0.25, stations: vec![0.3], ..LinearOptions::default() }
 }
 
 fn run(x: Record, y: Option<Record>, vertical: Option<Record>, options: &LinearOptions) -> Simulation {
     let mut case: Case = broad();
-    case.ground_motion = Some(GroundMotion {
-        horizontal: x,
-        transverse: y,
-        vertical,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: x, transverse: y, vertical });
     simulate(&case, options).unwrap()
 }
 
@@ -58,10 +49,7 @@ fn column<'a>(run: &'a Simulation, id: &str) -> &'a [f64] {
 #[test]
 fn a_component_of_zero_changes_nothing() {
     for integrator in [Integrator::Modal, Integrator::Newmark] {
-        let options = LinearOptions {
-            integrator,
-            ..options()
-        };
+        let options = LinearOptions { integrator, ..options() };
         let alone = run(swept(2.0, 9.0), None, None, &options);
         let both = run(swept(2.0, 9.0), Some(rest()), None, &options);
         assert!(alone.result.directions.is_empty());
@@ -71,12 +59,7 @@ fn a_component_of_zero_changes_nothing() {
         }
         assert_eq!(alone.result.limits, both.result.limits);
         assert_eq!(alone.result.envelopes, both.result.envelopes);
-        let wave = |run: &Simulation| {
-            run.demands
-                .as_ref()
-                .and_then(|d| d.wave)
-                .map(|w| (w.value, w.time, w.theta))
-        };
+        let wave = |run: &Simulation| run.demands.as_ref().and_then(|d| d.wave).map(|w| (w.value, w.time, w.theta));
         assert_eq!(wave(&alone), wave(&both));
         for found in &both.result.directions {
             assert_eq!((found.resultant, found.y), (found.x, 0.0), "{}", found.id);
@@ -88,12 +71,7 @@ fn a_component_of_zero_changes_nothing() {
 /// Equal components are one along the diagonal, √2 times as strong: 1e-10 for the rounding of the sums.
 #[test]
 fn equal_components_act_along_the_diagonal() {
-    let run = run(
-        swept(2.0, 9.0),
-        Some(swept(2.0, 9.0)),
-        Some(swept(1.0, 13.0)),
-        &options(),
-    );
+    let run = run(swept(2.0, 9.0), Some(swept(2.0, 9.0)), Some(swept(1.0, 13.0)), &options());
     for found in &run.result.directions {
         let turned = (found.theta - FRAC_PI_4).rem_euclid(PI);
         assert!(turned.min(PI - turned) < 1e-10, "{} {}", found.id, found.theta);
@@ -147,12 +125,7 @@ fn the_resultant_is_the_largest_of_all_projections() {
         for k in 0..12 {
             let (s, c) = (PI * f64::from(k) / 12.0).sin_cos();
             let projected = Record {
-                acceleration: x
-                    .acceleration
-                    .iter()
-                    .zip(&y.acceleration)
-                    .map(|(x, y)| c * x + s * y)
-                    .collect(),
+                acceleration: x.acceleration.iter().zip(&y.acceleration).map(|(x, y)| c * x + s * y).collect(),
                 ..x.clone()
             };
             // Its own second component is zero: extremes at θ = 0 and 180°.
@@ -165,11 +138,7 @@ fn the_resultant_is_the_largest_of_all_projections() {
             let ratio = largest / found.resultant;
             assert!((0.9914..1.003).contains(&ratio), "{} {ratio}", found.id);
             // The estimate of the codes is at least the resultant of a motion whose components do not peak together.
-            assert!(
-                found.resultant <= found.srss() * (1.0 + 1e-9) || vertical.is_some(),
-                "{}",
-                found.id
-            );
+            assert!(found.resultant <= found.srss() * (1.0 + 1e-9) || vertical.is_some(), "{}", found.id);
         }
     }
 }

@@ -19,11 +19,7 @@ fn motion(vertical: bool) -> GroundMotion {
             .collect(),
         processing: Vec::new(),
     };
-    GroundMotion {
-        horizontal: record(2.0, 9.0),
-        transverse: None,
-        vertical: vertical.then(|| record(1.0, 13.0)),
-    }
+    GroundMotion { horizontal: record(2.0, 9.0), transverse: None, vertical: vertical.then(|| record(1.0, 13.0)) }
 }
 
 struct Run {
@@ -61,11 +57,7 @@ fn run(vertical: bool) -> Run {
 /// Largest |even ± odd| over time.
 fn peaks(demands: &Demands, of: &Stress) -> [f64; 2] {
     let (even, odd) = (demands.history(&of.even), demands.history(&of.odd));
-    let largest = |sign: f64| {
-        even.iter()
-            .zip(&odd)
-            .fold(0.0, |m: f64, (e, o)| m.max((e + sign * o).abs()))
-    };
+    let largest = |sign: f64| even.iter().zip(&odd).fold(0.0, |m: f64, (e, o)| m.max((e + sign * o).abs()));
     [largest(1.0), largest(-1.0)]
 }
 
@@ -75,21 +67,14 @@ fn peaks(demands: &Demands, of: &Stress) -> [f64; 2] {
 fn peaks_are_those_of_the_response() {
     for vertical in [false, true] {
         let run = run(vertical);
-        assert!(
-            run.demands.sampling > 0.0 && run.demands.sampling < 0.013,
-            "{}",
-            run.demands.sampling
-        );
+        assert!(run.demands.sampling > 0.0 && run.demands.sampling < 0.013, "{}", run.demands.sampling);
         assert_eq!(run.demands.vertical.is_some(), vertical);
         for (i, place) in run.demands.places.iter().enumerate() {
             for (of, extremes) in [(&place.hoop, run.hoop[i]), (&place.axial, run.axial[i])] {
                 for (found, expected) in peaks(&run.demands, of).into_iter().zip(extremes) {
                     // 1e-4: the cubic's own error, 2.5e-5, and extremes that are not looked for below 98 % of the largest.
                     assert!(found <= expected * 1.0001, "{i}: {found} {expected}");
-                    assert!(
-                        found >= expected * (1.0 - run.demands.sampling) * 0.9999,
-                        "{i}: {found} {expected}"
-                    );
+                    assert!(found >= expected * (1.0 - run.demands.sampling) * 0.9999, "{i}: {found} {expected}");
                 }
             }
         }
@@ -101,10 +86,9 @@ fn peaks_are_those_of_the_response() {
 fn base_reactions_are_those_of_the_series() {
     let run = run(true);
     let times = &run.demands.times;
-    for (terms, (values, peak)) in [
-        (&run.demands.base_shear, &run.shear),
-        (&run.demands.overturning_moment, &run.below),
-    ] {
+    for (terms, (values, peak)) in
+        [(&run.demands.base_shear, &run.shear), (&run.demands.overturning_moment, &run.below)]
+    {
         let own = run.demands.history(terms.as_ref().unwrap());
         for (k, value) in values.iter().enumerate() {
             let t = 0.01 * k as f64;
@@ -125,10 +109,7 @@ fn places_belong_to_their_courses() {
     };
     for (course, (bottom, top)) in [(0.0, 0.915), (0.915, 1.83)].into_iter().enumerate() {
         let z = of(course);
-        assert!(
-            (z[0] - bottom).abs() < 1e-9 && (z[z.len() - 1] - top).abs() < 1e-9,
-            "{z:?}"
-        );
+        assert!((z[0] - bottom).abs() < 1e-9 && (z[z.len() - 1] - top).abs() < 1e-9, "{z:?}");
     }
 }
 
@@ -141,9 +122,8 @@ fn shear_carries_the_pressure_above() {
     let places = &demands.places;
     let middle = places.iter().position(|p| p.z > 0.5).unwrap();
     let wetted: Vec<&Place> = places[middle..].iter().filter(|p| p.pressure.is_some()).collect();
-    let pressures: Vec<Vec<f64>> = (wetted.iter())
-        .map(|p| demands.history(&p.pressure.as_ref().unwrap().odd))
-        .collect();
+    let pressures: Vec<Vec<f64>> =
+        (wetted.iter()).map(|p| demands.history(&p.pressure.as_ref().unwrap().odd)).collect();
     let mut above = vec![0.0; demands.times.len()];
     for (pair, p) in wetted.windows(2).zip(pressures.windows(2)) {
         let height = pair[1].z - pair[0].z;
@@ -155,9 +135,5 @@ fn shear_carries_the_pressure_above() {
     // Per length of circumference: π R p cos² over π R sin².
     let largest = (0..above.len()).fold(0, |m, k| if above[k].abs() > above[m].abs() { k } else { m });
     let found = shear[largest].abs() * 2.03e-3;
-    assert!(
-        (found / above[largest].abs() - 1.0).abs() < 0.05,
-        "{found} {}",
-        above[largest]
-    );
+    assert!((found / above[largest].abs() - 1.0).abs() < 0.05, "{found} {}", above[largest]);
 }

@@ -26,11 +26,7 @@ pub(super) fn isolation(setup: &Setup, given: &Isolators, history: &History, dem
     let (displacement, step) = largest(history.displacement.iter().map(size));
     let [x, y] = history.displacement.get(step).copied().unwrap_or_default();
     Isolation {
-        displacement: Peak {
-            value: displacement,
-            time: step as f64 * setup.step,
-            theta: y.atan2(x).rem_euclid(TAU),
-        },
+        displacement: Peak { value: displacement, time: step as f64 * setup.step, theta: y.atan2(x).rem_euclid(TAU) },
         bearing_share: outermost(setup, given, history, demands),
         bounds: Vec::new(),
     }

@@ -80,10 +80,7 @@ impl Isolated {
             peak("isolator_force", force, Dimension::Force),
             Finding::new("effective_stiffness", stiffness, Dimension::LineForce),
             Finding::new("effective_period", period, Dimension::Time),
-            Finding {
-                form: Form::Percent,
-                ..Finding::new("effective_damping", damping, Dimension::Dimensionless)
-            },
+            Finding { form: Form::Percent, ..Finding::new("effective_damping", damping, Dimension::Dimensionless) },
         ];
         let (bands, bounds) = bounds.into_iter().map(|b| (b.band, (b.factor, b.demands))).unzip();
         Isolated {
@@ -111,11 +108,7 @@ impl Isolated {
     /// Samples at the steps of the record from a grid at those of the march.
     pub(in crate::linear) fn record_grid(&self, grid: Grid) -> Grid {
         let parts = self.setup.parts;
-        Grid {
-            dt: grid.dt * parts as f64,
-            sub_steps: grid.sub_steps * parts,
-            samples: (grid.samples - 1) / parts + 1,
-        }
+        Grid { dt: grid.dt * parts as f64, sub_steps: grid.sub_steps * parts, samples: (grid.samples - 1) / parts + 1 }
     }
 
     /// Histories at the steps of the record.
@@ -126,10 +119,7 @@ impl Isolated {
             (info, from.iter().step_by(self.setup.parts).map(|v| v[c]).collect())
         };
         let (d, f) = (&self.history.displacement, &self.history.force);
-        let mut columns = vec![
-            column(Channel::IsolatorDisplacement, d, 0),
-            column(Channel::IsolatorForce, f, 0),
-        ];
+        let mut columns = vec![column(Channel::IsolatorDisplacement, d, 0), column(Channel::IsolatorForce, f, 0)];
         if self.motion.transverse.is_some() {
             columns.push(column(Channel::IsolatorDisplacementY, d, 1));
             columns.push(column(Channel::IsolatorForceY, f, 1));
@@ -172,10 +162,7 @@ impl Isolated {
             form: Form::Fixed(2),
             ..Finding::new("bearing_share", share.value, Dimension::Dimensionless)
         }));
-        demands.isolation = Some(Isolation {
-            bounds: std::mem::take(&mut self.bounds),
-            ..found
-        });
+        demands.isolation = Some(Isolation { bounds: std::mem::take(&mut self.bounds), ..found });
     }
 
     /// Remarks on the run.
@@ -206,12 +193,7 @@ impl Isolated {
             .with("error", closes)
             .with("superposition", Amount::percent(self.superposition));
         let mut channels = vec![Channel::IsolatorDisplacement];
-        channels.extend(
-            self.motion
-                .transverse
-                .is_some()
-                .then_some(Channel::IsolatorDisplacementY),
-        );
+        channels.extend(self.motion.transverse.is_some().then_some(Channel::IsolatorDisplacementY));
         Part {
             id: "isolation".into(),
             blocks: vec![
@@ -238,17 +220,9 @@ impl Isolated {
     fn assumptions(&self) -> Vec<&'static str> {
         let mut list = vec!["rigid", "follows", "mass", "outermost", "cycle", "mesh", "bounded"];
         if matches!(self.given.bearing, Bearing::FrictionPendulum { .. }) {
-            list.push(if self.setup.vertical.is_empty() {
-                "weight-at-rest"
-            } else {
-                "weight"
-            });
+            list.push(if self.setup.vertical.is_empty() { "weight-at-rest" } else { "weight" });
         }
-        list.push(if self.motion.transverse.is_some() {
-            "circle"
-        } else {
-            "one-component"
-        });
+        list.push(if self.motion.transverse.is_some() { "circle" } else { "one-component" });
         list
     }
 
@@ -264,10 +238,8 @@ impl Isolated {
         let steps = peak.saturating_sub(side)..(peak + side).min(displacement.len());
         let stride = steps.len().div_ceil(CYCLES.0).max(1);
         let project = |v: [f64; 2]| v[0] * unit[0] + v[1] * unit[1];
-        let points = steps
-            .step_by(stride)
-            .map(|i| [project(displacement[i]), project(self.history.force[i])])
-            .collect();
+        let points =
+            steps.step_by(stride).map(|i| [project(displacement[i]), project(self.history.force[i])]).collect();
         let x = Axis::new("displacement", Dimension::Length, Scale::Free);
         let y = Axis::new("force", Dimension::Force, Scale::Free);
         Chart::new("loop", x, y, vec![Line::new(Fact::None, Look::Thin, points)])

@@ -12,9 +12,7 @@ use tank::options::linear::Integrator;
 /// El Centro NS, the first 30 s, times `scale`.
 fn el_centro(scale: f64) -> Record {
     let text = include_str!("../../../../../examples/records/elcentro.csv");
-    let numbers = text
-        .lines()
-        .filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok());
+    let numbers = text.lines().filter_map(|line| line.split_once(',')?.1.trim().parse::<f64>().ok());
     Record {
         name: "El Centro".into(),
         dt: 0.02,
@@ -33,11 +31,7 @@ fn tank(scale: f64) -> Case {
     let wall: f64 = courses.iter().map(|(h, t)| h * t * 7850.0 * TAU * 20.0).sum();
     case.tank.roof.mass = 21_350.0 * TAU * 20.0 / 9.81 - wall;
     assert!(case.tank.roof.mass > 0.0);
-    case.ground_motion = Some(GroundMotion {
-        horizontal: el_centro(scale),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: el_centro(scale), transverse: None, vertical: None });
     case
 }
 
@@ -60,28 +54,15 @@ fn isolated(mut case: Case, bearing: Bearing) -> Case {
 
 fn rubber() -> Bearing {
     let yielded = mass() * (TAU / 2.5).powi(2);
-    Bearing::LeadRubber {
-        strength: 0.05 * mass() * 9.81,
-        initial: 10.0 * yielded,
-        yielded,
-    }
+    Bearing::LeadRubber { strength: 0.05 * mass() * 9.81, initial: 10.0 * yielded, yielded }
 }
 
 fn pendulum() -> Bearing {
-    Bearing::FrictionPendulum {
-        radius: 2.2365,
-        friction: 0.05,
-        slow: 0.05,
-        rate: 0.0,
-        slip: 1e-3,
-    }
+    Bearing::FrictionPendulum { radius: 2.2365, friction: 0.05, slow: 0.05, rate: 0.0, slip: 1e-3 }
 }
 
 fn run(case: &Case) -> Simulation {
-    let options = Options {
-        mesh_error: false,
-        ..Options::default()
-    };
+    let options = Options { mesh_error: false, ..Options::default() };
     simulate(case, &options).unwrap()
 }
 
@@ -124,11 +105,7 @@ fn el_centro_agrees_with_the_independent_program() {
         let rows = [
             (isolated::peak(&history.displacement), base, 0.03),
             (isolated::peak(&history.force) / (mass() * 9.81), Some(force), 0.03),
-            (
-                most(history.modes[wall].iter().map(|s| s.acceleration).collect()) / 9.81,
-                impulsive,
-                0.05,
-            ),
+            (most(history.modes[wall].iter().map(|s| s.acceleration).collect()) / 9.81, impulsive, 0.05),
             (
                 0.837 * 20.0 * first * first / 9.81
                     * most(history.modes[sloshing].iter().map(|s| s.displacement).collect()),
@@ -158,10 +135,7 @@ fn a_run_closes() {
     let band = isolation.table("band").unwrap();
     assert_eq!(band.column("factor"), [0.6, 1.0, 1.8]);
     let nominal = |id| band.column(id)[1];
-    assert_eq!(
-        nominal("isolator_displacement"),
-        value(&simulation, "isolator_displacement")
-    );
+    assert_eq!(nominal("isolator_displacement"), value(&simulation, "isolator_displacement"));
     assert_eq!(nominal("base_shear"), simulation.values[&Quantity::BaseShear]);
     let force = band.column("isolator_force");
     assert!(force[2] > force[0]);
@@ -177,17 +151,11 @@ fn a_run_closes() {
 fn very_stiff_isolators_are_a_fixed_base() {
     let still = run(&tank(1.0));
     let omega = TAU / still.values[&Quantity::ImpulsivePeriod];
-    let stiff = Bearing::Elastomer {
-        stiffness: 1e4 * mass() * omega * omega,
-        damping: 0.3,
-    };
+    let stiff = Bearing::Elastomer { stiffness: 1e4 * mass() * omega * omega, damping: 0.3 };
     let simulation = run(&isolated(tank(1.0), stiff));
     for (quantity, expected) in &still.values {
         let found = simulation.values[quantity];
-        assert!(
-            (found / expected - 1.0).abs() < 1e-3,
-            "{quantity:?}: {found} of {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 1e-3, "{quantity:?}: {found} of {expected}");
         if let Some(fixed) = part(&simulation).held().get(quantity.id()) {
             assert_eq!(fixed, expected);
         }
@@ -217,13 +185,7 @@ fn a_diagonal_motion_is_that_of_one_component() {
 /// C = 2 ξ m ω: the effective ratio is that given, 1e-8 by the quadrature of the cycle; the period that of mass on stiffness.
 #[test]
 fn a_linear_damper_has_its_ratio() {
-    let case = isolated(
-        tank(1.0),
-        Bearing::Elastomer {
-            stiffness: mass() * (TAU / 2.5).powi(2),
-            damping: 0.0,
-        },
-    );
+    let case = isolated(tank(1.0), Bearing::Elastomer { stiffness: mass() * (TAU / 2.5).powi(2), damping: 0.0 });
     let mut damped = case.clone();
     if let Some(isolators) = &mut damped.tank.isolators {
         isolators.damper = Some([2.0 * 0.2 * mass() * TAU / 2.5, 1.0]);

@@ -38,9 +38,6 @@ pub(super) fn body(model: &Model, wave_modes: usize) -> Option<(Body, [f64; 2])>
         first_moment: dot(&turn, &coupled.influence) + edge,
         second_moment: dot(&turn, &coupled.moment_arm),
     };
-    let rigid = [
-        pressure(&coupled.influence) + foot.ground_acceleration,
-        pressure(&coupled.moment_arm),
-    ];
+    let rigid = [pressure(&coupled.influence) + foot.ground_acceleration, pressure(&coupled.moment_arm)];
     Some((body, rigid))
 }

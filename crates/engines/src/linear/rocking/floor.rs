@@ -78,28 +78,20 @@ impl Floor {
     /// None where a strip has no equilibrium there.
     pub(super) fn of(base: &Base, [from, to]: [f64; 2], most: f64, shape: &dyn Fn(f64) -> f64) -> Option<Floor> {
         let suction = most.min(LOWEST * base.pressure);
-        let uplifts: Vec<f64> = (0..UPLIFTS)
-            .map(|i| from + (to - from) * i as f64 / (UPLIFTS - 1) as f64)
-            .collect();
+        let uplifts: Vec<f64> = (0..UPLIFTS).map(|i| from + (to - from) * i as f64 / (UPLIFTS - 1) as f64).collect();
         let [(distances, high), (inner, low)] = [0.0, suction].map(|less| {
             let mut own = base.clone();
             own.pressure -= less;
             plates(own, &uplifts)
         });
-        let low = low
-            .iter()
-            .map(|plate| distances.iter().map(|x| along(&inner, plate, *x)).collect())
-            .collect();
+        let low = low.iter().map(|plate| distances.iter().map(|x| along(&inner, plate, *x)).collect()).collect();
         (high.len() == UPLIFTS).then_some(())?;
         let floor = Floor {
             radius: base.radius,
             modulus: base.modulus,
             rest: base.pressure,
             suction,
-            shape: distances
-                .iter()
-                .map(|x| if *x < -1e-9 { 0.0 } else { shape(base.radius - x) })
-                .collect(),
+            shape: distances.iter().map(|x| if *x < -1e-9 { 0.0 } else { shape(base.radius - x) }).collect(),
             distances,
             uplifts,
             deflections: [high, low],
@@ -119,11 +111,7 @@ impl Floor {
         let strip = self.rest - lower * self.suction;
         let place = self.uplifts.partition_point(|w| *w < rim).clamp(1, UPLIFTS - 1);
         let (a, b) = (self.uplifts[place - 1], self.uplifts[place]);
-        let t = if b > a {
-            ((rim - a) / (b - a)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
+        let t = if b > a { ((rim - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
         let of = |level: usize, i: usize| {
             let own = &self.deflections[level];
             own[place - 1][i] + t * (own[place][i] - own[place - 1][i])
@@ -141,11 +129,7 @@ impl Floor {
                 };
                 Under {
                     distance,
-                    deflection: if pressure > 0.0 {
-                        -pressure / self.modulus
-                    } else {
-                        deflection.max(0.0)
-                    },
+                    deflection: if pressure > 0.0 { -pressure / self.modulus } else { deflection.max(0.0) },
                     pressure,
                     liquid,
                 }
@@ -156,10 +140,8 @@ impl Floor {
     /// The pressure of the ground in plan, symmetric about the direction of the motion.
     pub(super) fn plan(&self, now: &Now, time: f64) -> GroundPlan {
         let (radii, crowd) = RADII;
-        let inwards: Vec<f64> = (0..radii)
-            .rev()
-            .map(|j| self.radius * (j as f64 / (radii - 1) as f64).powf(crowd))
-            .collect();
+        let inwards: Vec<f64> =
+            (0..radii).rev().map(|j| self.radius * (j as f64 / (radii - 1) as f64).powf(crowd)).collect();
         let degrees: Vec<f64> = (0..ANGLES).map(|i| 180.0 * i as f64 / (ANGLES - 1) as f64).collect();
         let row = |angle: &f64| {
             let points = self.at(now, angle.to_radians());
@@ -205,16 +187,11 @@ impl Floor {
         }
         let node = |k: usize, i: usize| if i == 0 { 0 } else { (k % SECTORS) * rings + i };
         let cell = |k: usize, i: usize| [node(k, i), node(k, i + 1), node(k + 1, i + 1), node(k + 1, i)];
-        let bottom = (0..SECTORS)
-            .flat_map(|k| (0..rings - 1).map(move |i| cell(k, i)))
-            .collect();
+        let bottom = (0..SECTORS).flat_map(|k| (0..rings - 1).map(move |i| cell(k, i))).collect();
         // The cell inside the wall has the whole of the joint.
         let foot = kept.iter().position(|i| self.distances[*i] < 1e-9).unwrap_or(rings - 1);
         let state = |(time, now): &(f64, Now)| {
-            let mut out = Snapshot {
-                time: *time,
-                ..Snapshot::default()
-            };
+            let mut out = Snapshot { time: *time, ..Snapshot::default() };
             for k in 0..SECTORS {
                 let points = self.at(now, angle(k));
                 let drawn = || kept.iter().map(|i| &points[*i]);
@@ -222,17 +199,11 @@ impl Floor {
                 out.ground.extend(drawn().map(|p| p.pressure));
                 let middle = angle(k) + 0.5 * angle(1);
                 let turned = joint(now.centre - now.rotation * self.radius * middle.cos());
-                out.plastic
-                    .extend((0..rings - 1).map(|i| if i + 1 == foot { turned } else { 0.0 }));
+                out.plastic.extend((0..rings - 1).map(|i| if i + 1 == foot { turned } else { 0.0 }));
             }
             out
         };
-        Snapshots {
-            states: instants.iter().map(state).collect(),
-            nodes,
-            bottom,
-            ..Snapshots::default()
-        }
+        Snapshots { states: instants.iter().map(state).collect(), nodes, bottom, ..Snapshots::default() }
     }
 }
 

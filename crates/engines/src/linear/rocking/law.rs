@@ -38,15 +38,8 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
     loop {
         let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
         let made = Law::new(&rocking, largest).and_then(|law| {
-            let ring = setup
-                .anchors
-                .map(|anchors| Ring::new(anchors, &rocking, &law))
-                .transpose()?;
-            let heave = if ring.is_none() {
-                heave(setup, base, &rocking, &law)
-            } else {
-                None
-            };
+            let ring = setup.anchors.map(|anchors| Ring::new(anchors, &rocking, &law)).transpose()?;
+            let heave = if ring.is_none() { heave(setup, base, &rocking, &law) } else { None };
             Ok((law, ring, heave))
         });
         match made {
@@ -56,13 +49,7 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
             }
             other => {
                 let (law, ring, heave) = other?;
-                return Ok(Laws {
-                    rocking,
-                    law,
-                    ring,
-                    heave,
-                    losses: OnceLock::new(),
-                });
+                return Ok(Laws { rocking, law, ring, heave, losses: OnceLock::new() });
             }
         }
     }

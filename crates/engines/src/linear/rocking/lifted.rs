@@ -48,10 +48,7 @@ impl Moved {
     pub(in crate::linear) fn model(&self, model: &Model) -> Model {
         let motion = &self.motion;
         let [along, rotation] = [&motion.acceleration, &motion.rotation].map(Vec::clone);
-        Model {
-            turned: Some(Turned::new(&model.horizontal, &motion.grid, along, rotation)),
-            ..model.clone()
-        }
+        Model { turned: Some(Turned::new(&model.horizontal, &motion.grid, along, rotation)), ..model.clone() }
     }
 
     /// Replaces the values that are not superposed, and completes the results with the superposed ones.
@@ -75,19 +72,14 @@ impl Moved {
         }
         let moving = |quantity: &Quantity| MOVING.contains(quantity);
         let held = held.iter().filter(|(quantity, _)| moving(quantity));
-        self.result.held = held
-            .map(|(quantity, value)| (quantity.id().to_owned(), *value))
-            .collect();
+        self.result.held = held.map(|(quantity, value)| (quantity.id().to_owned(), *value)).collect();
         let peak = |channel| {
             analysis
                 .sides(channel)
                 .map(|(front, back)| if back.peak().0 > front.peak().0 { back } else { front }.peak())
         };
         let mut off = 0.0_f64;
-        for (channel, march) in [
-            (Channel::BaseShear, self.march[0]),
-            (Channel::BaseMoment, self.march[1]),
-        ] {
+        for (channel, march) in [(Channel::BaseShear, self.march[0]), (Channel::BaseMoment, self.march[1])] {
             if let (Some((found, _)), true) = (peak(channel), march > 0.0) {
                 off = off.max((found / march - 1.0).abs());
             }
@@ -160,12 +152,7 @@ impl Moved {
             let records = (&motion.horizontal, motion.vertical.as_ref());
             let kept = &analysis.kept[..model.systems().count()];
             let found = combine(model, kept, records, (grid, stride), &[vec![(0, 1.0, probe)]])?;
-            let value = |k: usize| {
-                found.terms[0]
-                    .iter()
-                    .map(|&(state, c)| c * found.states[state][k])
-                    .sum()
-            };
+            let value = |k: usize| found.terms[0].iter().map(|&(state, c)| c * found.states[state][k]).sum();
             let shear: Vec<f64> = (0..demands.times.len()).map(value).collect();
             held_shear = Some(vec![(demands.states.len(), 1.0)]);
             demands.states.push(shear);
@@ -215,9 +202,9 @@ impl Moved {
     pub(in crate::linear) fn correct(&self, envelopes: &mut Vec<Envelope>) {
         envelopes.retain(|envelope| ![Line::Bending.id(), Line::Moment.id()].contains(&envelope.id.as_str()));
         let rest = self.foot[0].first().copied().unwrap_or(0.0);
-        let (low, high) = self.foot[0].iter().fold((0.0_f64, 0.0_f64), |(low, high), stress| {
-            (low.min(stress - rest), high.max(stress - rest))
-        });
+        let (low, high) = self.foot[0]
+            .iter()
+            .fold((0.0_f64, 0.0_f64), |(low, high), stress| (low.min(stress - rest), high.max(stress - rest)));
         for envelope in envelopes.iter_mut().filter(|envelope| envelope.id == Line::Axial.id()) {
             if envelope.z.first().is_some_and(|z| *z == 0.0) {
                 (envelope.static_[0], envelope.min[0], envelope.max[0]) = (rest, low, high);

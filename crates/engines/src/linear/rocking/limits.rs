@@ -55,11 +55,7 @@ fn unbroken(free: &Free) -> Option<Limit> {
         limit: rupture,
         dimension: Dimension::Length,
         holds,
-        note: if holds {
-            String::new()
-        } else {
-            words::anchors_break(anchors.broken, anchors.count)
-        },
+        note: if holds { String::new() } else { words::anchors_break(anchors.broken, anchors.count) },
     })
 }
 
@@ -75,11 +71,7 @@ fn elastic_wall(free: &Free) -> Option<Limit> {
         limit: strength,
         dimension: Dimension::Stress,
         holds,
-        note: if holds {
-            String::new()
-        } else {
-            words::WALL_YIELDS.into()
-        },
+        note: if holds { String::new() } else { words::WALL_YIELDS.into() },
     })
 }
 

@@ -80,9 +80,7 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
     // A positive rotation lifts θ = 180°.
     let rim = [-1.0, 1.0].map(|side| {
         let moved = turns.iter().zip(&history.rotation);
-        moved
-            .map(|(turn, psi)| turn.centre + side * psi * base.radius)
-            .collect()
+        moved.map(|(turn, psi)| turn.centre + side * psi * base.radius).collect()
     });
     let foot = [1.0, -1.0].map(|side| {
         let places = turns.iter().zip(&history.rotation).enumerate();
@@ -93,15 +91,7 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
         };
         places.map(|place| force(place) / base.wall_thickness()).collect()
     });
-    States {
-        foot,
-        toe: turns
-            .iter()
-            .map(|turn| turn.toe_force / base.wall_thickness())
-            .collect(),
-        turns,
-        rim,
-    }
+    States { foot, toe: turns.iter().map(|turn| turn.toe_force / base.wall_thickness()).collect(), turns, rim }
 }
 
 /// Largest values on another ground.
@@ -124,15 +114,8 @@ fn spread(found: &Found, own: &Peaks) -> Option<BaseSpread> {
     if found.twins.is_empty() {
         return None;
     }
-    let values = |peaks: &Peaks| {
-        [
-            peaks.uplift.0,
-            peaks.rotation.0.abs(),
-            peaks.plastic,
-            peaks.toe.0.abs(),
-            peaks.shear.0.abs(),
-        ]
-    };
+    let values =
+        |peaks: &Peaks| [peaks.uplift.0, peaks.rotation.0.abs(), peaks.plastic, peaks.toe.0.abs(), peaks.shear.0.abs()];
     let mut ranges = values(own).map(|v| [v; 2]);
     for twin in &found.twins {
         for (range, value) in ranges.iter_mut().zip(values(twin)) {
@@ -140,13 +123,7 @@ fn spread(found: &Found, own: &Peaks) -> Option<BaseSpread> {
         }
     }
     let [uplift, base_rotation, plastic_rotation, toe_axial_stress, base_shear] = ranges;
-    Some(BaseSpread {
-        uplift,
-        base_rotation,
-        plastic_rotation,
-        toe_axial_stress,
-        base_shear,
-    })
+    Some(BaseSpread { uplift, base_rotation, plastic_rotation, toe_axial_stress, base_shear })
 }
 
 /// The run as it is reported; the values of the wall held down and the superposed ones are added by [`Moved::complete`].
@@ -227,11 +204,7 @@ pub(super) fn moved(
         let joint = |w: f64| plastic(&found, w);
         Some(floor(setup, base, &all)?.states(&instants, &joint))
     });
-    let result = BaseRun {
-        lifted,
-        ground,
-        ..result
-    };
+    let result = BaseRun { lifted, ground, ..result };
     Moved {
         states: pictures,
         columns: columns(setup, &states, &found),
@@ -307,71 +280,25 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Fin
         ..Finding::new(id, value, dimension)
     };
     let lifted_side = if lean > 0.0 { 180.0 } else { 0.0 };
-    let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 {
-        0.0
-    } else {
-        180.0
-    };
+    let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 { 0.0 } else { 180.0 };
     let residual = found.history.slip.last().copied().unwrap_or(0.0);
     let path = found.history.slip.windows(2).map(|s| (s[1] - s[0]).abs()).sum();
     let (rotation, toe, slip) = (peaks.rotation, peaks.toe, peaks.slip);
     let anchor = found.laws.ring.as_ref().map(|ring| {
         let place = found.history.anchor_place.get(peaks.anchor.1).copied().unwrap_or(0);
         let degrees = angle(ring, place);
-        quantity(
-            "anchor_force",
-            peaks.anchor.0,
-            Dimension::Force,
-            Some(peaks.anchor.1),
-            Some(degrees),
-        )
+        quantity("anchor_force", peaks.anchor.0, Dimension::Force, Some(peaks.anchor.1), Some(degrees))
     });
     let quantities = vec![
-        quantity(
-            "uplift",
-            peaks.uplift.0,
-            Dimension::Length,
-            Some(peaks.uplift.1),
-            Some(lifted_side),
-        ),
-        quantity(
-            "base_rotation",
-            rotation.0.abs(),
-            Dimension::Angle,
-            Some(rotation.1),
-            None,
-        ),
-        quantity(
-            "plastic_rotation",
-            peaks.plastic,
-            Dimension::Angle,
-            Some(peaks.uplift.1),
-            Some(lifted_side),
-        ),
-        quantity(
-            "toe_axial_stress",
-            toe.0.abs(),
-            Dimension::Stress,
-            Some(toe.1),
-            Some(toe_side),
-        ),
+        quantity("uplift", peaks.uplift.0, Dimension::Length, Some(peaks.uplift.1), Some(lifted_side)),
+        quantity("base_rotation", rotation.0.abs(), Dimension::Angle, Some(rotation.1), None),
+        quantity("plastic_rotation", peaks.plastic, Dimension::Angle, Some(peaks.uplift.1), Some(lifted_side)),
+        quantity("toe_axial_stress", toe.0.abs(), Dimension::Stress, Some(toe.1), Some(toe_side)),
         quantity("slip", slip.0.abs(), Dimension::Length, Some(slip.1), None),
         quantity("slip_residual", residual.abs(), Dimension::Length, None, None),
         quantity("slip_path", path, Dimension::Length, None, None),
-        quantity(
-            "base_shear",
-            peaks.shear.0.abs(),
-            Dimension::Force,
-            Some(peaks.shear.1),
-            None,
-        ),
-        quantity(
-            "base_moment",
-            peaks.moment.0.abs(),
-            Dimension::Moment,
-            Some(peaks.moment.1),
-            None,
-        ),
+        quantity("base_shear", peaks.shear.0.abs(), Dimension::Force, Some(peaks.shear.1), None),
+        quantity("base_moment", peaks.moment.0.abs(), Dimension::Moment, Some(peaks.moment.1), None),
     ];
     quantities.into_iter().chain(anchor).collect()
 }
@@ -388,13 +315,7 @@ fn anchors(ring: &Ring, history: &History) -> AnchorRun {
         let places = ring.places().iter().enumerate().filter(|(i, _)| which(*i));
         places.map(|(_, (_, number))| *number as usize).sum()
     };
-    let by_angle = |values: &[f64]| {
-        (0..)
-            .map(|i| angle(ring, i))
-            .zip(values)
-            .map(|(a, v)| [a, *v])
-            .collect()
-    };
+    let by_angle = |values: &[f64]| (0..).map(|i| angle(ring, i)).zip(values).map(|(a, v)| [a, *v]).collect();
     AnchorRun {
         count: own.count,
         stiffness: own.stiffness,
@@ -416,10 +337,7 @@ fn cycles(setup: &Setup, found: &Found, peak: usize) -> Vec<[f64; 2]> {
     let end = (peak + side).min(found.history.rotation.len());
     let steps = peak.saturating_sub(side)..end;
     let stride = steps.len().div_ceil(CYCLES.0).max(1);
-    steps
-        .step_by(stride)
-        .map(|i| [found.history.rotation[i], found.history.moment[i]])
-        .collect()
+    steps.step_by(stride).map(|i| [found.history.rotation[i], found.history.moment[i]]).collect()
 }
 
 /// Histories at the steps of the record.

@@ -37,13 +37,9 @@ pub(super) struct Found {
 impl Found {
     fn with_twins(self, setup: &Setup, base: &Base) -> Result<Found, Missed> {
         let twins = match setup.thorough {
-            true => twins(
-                (setup, base),
-                &self.laws,
-                (self.hysteretic, self.dashpot),
-                self.history.rotation.len(),
-            )?
-            .into(),
+            true => {
+                twins((setup, base), &self.laws, (self.hysteretic, self.dashpot), self.history.rotation.len())?.into()
+            }
             false => Vec::new(),
         };
         Ok(Found { twins, ..self })
@@ -108,12 +104,7 @@ fn twins(
         friction.vertical = between(&friction.vertical);
     }
     let run = |ground: &[f64], step: f64, friction: &Option<Friction>| {
-        let history = march(&Run {
-            friction: friction.clone(),
-            step,
-            ground,
-            ..given(setup, laws, damping)
-        })?;
+        let history = march(&Run { friction: friction.clone(), step, ground, ..given(setup, laws, damping) })?;
         Ok::<_, BaseError>(Peaks::of(base, turns(laws, &history), laws, &history))
     };
     let (run, friction, step) = (&run, &setup.friction, setup.step);
@@ -145,12 +136,7 @@ fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -
     let run = |share: f64| -> Result<Round<'a>, BaseError> {
         let march = searched(setup, laws, share, dashpot)?;
         let peak = turned(march.rotation());
-        Ok(Round {
-            off: law.share(base, losses, peak) - share,
-            share,
-            march,
-            peak,
-        })
+        Ok(Round { off: law.share(base, losses, peak) - share, share, march, peak })
     };
     let mut round = run(law.share(base, losses, 0.5 * law.largest()))?;
     // Shares that are too small and too large.
@@ -170,11 +156,7 @@ fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -
             if width <= SETTLED {
                 break;
             }
-            let weight = if i % 2 == 0 {
-                low.off / (low.off - high.off)
-            } else {
-                0.5
-            };
+            let weight = if i % 2 == 0 { low.off / (low.off - high.off) } else { 0.5 };
             next = low.share + weight.clamp(0.1, 0.9) * width;
         }
         round = run(next)?;
@@ -253,26 +235,14 @@ fn covered(setup: &Setup, base: &Base, (reach, known): (f64, Option<Arc<Laws>>),
     };
     loop {
         let largest = found.law.largest();
-        let Round {
-            share: hysteretic,
-            mut march,
-            mut peak,
-            off,
-        } = consistent(setup, base, &found, dashpot)?;
+        let Round { share: hysteretic, mut march, mut peak, off } = consistent(setup, base, &found, dashpot)?;
         if whole && peak <= largest {
             march.to(setup.ground.len())?;
             peak = turned(march.rotation());
         }
         let history = march.history();
         if peak <= largest {
-            return Ok(Found {
-                twins: Vec::new(),
-                laws: found,
-                hysteretic,
-                settled: off.abs(),
-                dashpot,
-                history,
-            });
+            return Ok(Found { twins: Vec::new(), laws: found, hysteretic, settled: off.abs(), dashpot, history });
         }
         if largest >= MOST {
             let passes = history.rotation.iter().position(|psi| psi.abs() > largest).unwrap_or(0);

@@ -21,10 +21,7 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
         (205e9, 0.3, 7850.0),
         (870.0, 15.0),
     );
-    let steel = Material {
-        yield_strength: Some(205e6),
-        ..case.tank.courses[0].material.clone()
-    };
+    let steel = Material { yield_strength: Some(205e6), ..case.tank.courses[0].material.clone() };
     case.tank.support = Support::Unanchored;
     case.tank.roof.mass = roof;
     case.tank.bottom = Some(Bottom {
@@ -53,12 +50,7 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
         peak * (std::f64::consts::PI * t / 6.0).sin().powi(2) * ((TAU * 3.1 * t).sin() + 0.6 * (TAU * 1.3 * t).sin())
     });
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "waves".into(),
-            dt,
-            acceleration: acceleration.collect(),
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "waves".into(), dt, acceleration: acceleration.collect(), processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
@@ -128,20 +120,12 @@ fn the_body_is_that_of_the_engine() {
     let (setup, analysis) = (ready.setup(40), ready.analysis());
     let history = fixed(&setup);
     let shear = analysis.sides(Channel::BaseShear).unwrap().0.peak().0;
-    assert!(
-        (peak(&history.shear) / shear - 1.0).abs() < 1e-3,
-        "{} {shear}",
-        peak(&history.shear)
-    );
+    assert!((peak(&history.shear) / shear - 1.0).abs() < 1e-3, "{} {shear}", peak(&history.shear));
     let pressure = analysis.line(OnWall::Pressure).unwrap().peak(0);
     // A fixed body records no pressure; that of a base hard as diamond does.
     let stiff = ready_law(&ready, 1e12);
     let turned = search::searched(&setup, &stiff, 0.0, 0.0).unwrap().history();
-    assert!(
-        (peak(&turned.pressure) / pressure - 1.0).abs() < 1e-2,
-        "{} {pressure}",
-        peak(&turned.pressure)
-    );
+    assert!((peak(&turned.pressure) / pressure - 1.0).abs() < 1e-2, "{} {pressure}", peak(&turned.pressure));
 }
 
 fn ready_law(ready: &Ready, modulus: f64) -> setup::Laws {
@@ -158,10 +142,7 @@ fn a_heavy_wall_does_not_lift() {
     let (setup, analysis) = (ready.setup(40), ready.analysis());
     let law = ready_law(&ready, 1e13);
     let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
-    for (channel, found) in [
-        (Channel::BaseShear, peak(&history.shear)),
-        (Channel::BaseMoment, peak(&history.moment)),
-    ] {
+    for (channel, found) in [(Channel::BaseShear, peak(&history.shear)), (Channel::BaseMoment, peak(&history.moment))] {
         let expected = analysis.sides(channel).unwrap().0.peak().0;
         assert!((found / expected - 1.0).abs() < 5e-3, "{channel:?}: {found} {expected}");
     }
@@ -206,12 +187,7 @@ fn the_ground_carries_wall_and_moment() {
     let laws = ready_law(&ready, 1e8);
     for (rotation, pressure) in [(2e-3, 30e3), (-2e-3, -30e3), (1e-3, -20e3)] {
         let turn = laws.law.turn(rotation, pressure);
-        let now = floor::Now {
-            centre: turn.centre,
-            rotation,
-            pressure,
-            slip: 0.0,
-        };
+        let now = floor::Now { centre: turn.centre, rotation, pressure, slip: 0.0 };
         let floor = outcome::floor(&setup, &base, &[now]).unwrap();
         let (mut force, mut moment, mut lifted) = (0.0, 0.0, 0);
         let sectors = 180;
@@ -220,10 +196,8 @@ fn the_ground_carries_wall_and_moment() {
             let angle = TAU * (f64::from(k) + 0.5) / f64::from(sectors);
             let points = floor.at(&now, angle);
             let more = |p: &floor::Under| p.pressure - p.liquid;
-            let strip: f64 = points
-                .windows(2)
-                .map(|p| 0.5 * (more(&p[0]) + more(&p[1])) * (p[0].distance - p[1].distance))
-                .sum();
+            let strip: f64 =
+                points.windows(2).map(|p| 0.5 * (more(&p[0]) + more(&p[1])) * (p[0].distance - p[1].distance)).sum();
             force += strip * width;
             moment += strip * width * base.radius * angle.cos();
             lifted += usize::from(points.last().unwrap().pressure == 0.0);
@@ -251,9 +225,7 @@ fn energy_closes_and_the_step_does_not_matter() {
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
-    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, 0.0)
-        .unwrap()
-        .history();
+    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, 0.0).unwrap().history();
     for (coarse, fine) in [
         (peak(&found.history.rotation), peak(&half.rotation)),
         (peak(&found.history.shear), peak(&half.shear)),
@@ -289,21 +261,13 @@ fn a_run_that_does_not_repeat_says_so() {
     let grounds = [3.3e7, 3e8].map(|k| Ok(outcome::band(&base.on(k), &found)));
     let mut moved = outcome::moved(&setup, &base, found, grounds.into(), ready.analysis().grid);
     let own = moved.result.spread.unwrap();
-    assert!(
-        own.repeats() && own.uplift[0] > 0.0 && own.uplift[0] < own.uplift[1],
-        "{own:?}"
-    );
-    moved.result.spread = Some(results::BaseSpread {
-        toe_axial_stress: [0.5 * own.toe_axial_stress[0], own.toe_axial_stress[1]],
-        ..own
-    });
+    assert!(own.repeats() && own.uplift[0] > 0.0 && own.uplift[0] < own.uplift[1], "{own:?}");
+    moved.result.spread =
+        Some(results::BaseSpread { toe_axial_stress: [0.5 * own.toe_axial_stress[0], own.toe_axial_stress[1]], ..own });
     moved.wall = Some([250e6, 235e6]);
     let free = Free::Moves(Box::new(moved));
     let said = limits::repeats(&free).unwrap();
-    assert!(
-        !said.holds && said.value > 0.4 && said.note.contains("does not repeat"),
-        "{said:?}"
-    );
+    assert!(!said.holds && said.value > 0.4 && said.note.contains("does not repeat"), "{said:?}");
     // So is a wall that yields at the joint.
     let found = limits::limits(&free, Vec::new());
     let wall = found.iter().find(|limit| limit.id == "base_wall").unwrap();
@@ -342,10 +306,9 @@ fn the_rotation_has_the_rows_of_the_body() {
     let (setup, analysis) = (ready.setup(10), ready.analysis());
     let turned = Turned::new(&ready.model.horizontal, &analysis.grid, Vec::new(), Vec::new());
     let coupled = &turned.harmonic.coupled;
-    for (channel, expected) in [
-        (Channel::BaseShear, setup.body.first_moment),
-        (Channel::BaseMoment, setup.body.second_moment),
-    ] {
+    for (channel, expected) in
+        [(Channel::BaseShear, setup.body.first_moment), (Channel::BaseMoment, setup.body.second_moment)]
+    {
         let probe = coupled.probe(channel).unwrap();
         let found = fem::linalg::dot(&probe.absolute_acceleration, &coupled.influence) + probe.ground_acceleration;
         assert!((found / expected - 1.0).abs() < 1e-9, "{channel:?}: {found} {expected}");
@@ -360,13 +323,9 @@ fn the_superposed_wall_agrees_with_the_march() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let held = ready.analysis();
     let engine = (EngineId::Harmonic, &ready.model);
-    let Free::Moves(mut moved) = free(
-        &ready.case,
-        engine,
-        &held,
-        ready.motion(),
-        (&Options::default(), Extent::Whole, None, None),
-    ) else {
+    let Free::Moves(mut moved) =
+        free(&ready.case, engine, &held, ready.motion(), (&Options::default(), Extent::Whole, None, None))
+    else {
         panic!("it does not lift")
     };
     let model = moved.model(&ready.model);
@@ -376,10 +335,7 @@ fn the_superposed_wall_agrees_with_the_march() {
     moved.complete(&analysis, &mut values, &held.values(&ready.model, true));
     let near = |quantity: tank::Quantity, expected: f64| {
         let found = values[&quantity];
-        assert!(
-            (found / expected - 1.0).abs() < 1e-2,
-            "{quantity:?}: {found} {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 1e-2, "{quantity:?}: {found} {expected}");
     };
     near(tank::Quantity::BaseShear, march[0]);
     near(tank::Quantity::BaseMoment, march[1]);
@@ -400,23 +356,9 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     let run = crate::linear::simulate(&case, &Options::default()).unwrap();
     let base = run.result.base.as_ref().unwrap();
     let said = run.notes.iter().chain(&run.assumptions);
-    assert!(
-        said.clone()
-            .all(|text| text != HELD_DOWN && text != CLAMPED && text != IN_CONTACT)
-    );
-    assert!(
-        run.result
-            .limits
-            .iter()
-            .all(|limit| limit.id != crate::linear::limits::UPLIFT)
-    );
-    for id in [
-        "base_shear",
-        "base_moment",
-        "sloshing_height",
-        "hoop_stress",
-        "axial_membrane_stress",
-    ] {
+    assert!(said.clone().all(|text| text != HELD_DOWN && text != CLAMPED && text != IN_CONTACT));
+    assert!(run.result.limits.iter().all(|limit| limit.id != crate::linear::limits::UPLIFT));
+    for id in ["base_shear", "base_moment", "sloshing_height", "hoop_stress", "axial_membrane_stress"] {
         let value = run.values[&tank::Quantity::from_id(id).unwrap()];
         assert_eq!(base.quantity(id).unwrap().value.value, value, "{id}");
         assert!(run.result.mesh_error[id] < 0.05, "{id}");
@@ -435,18 +377,11 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     let demands = run.demands.as_ref().unwrap();
     let free = demands.base.as_ref().unwrap();
     assert!(free.lifts && free.held_shear.is_none());
-    assert_eq!(
-        free.joint.unwrap().value,
-        base.quantity("plastic_rotation").unwrap().value.value
-    );
+    assert_eq!(free.joint.unwrap().value, base.quantity("plastic_rotation").unwrap().value.value);
     // Largest compression of the lowest place: the toe's, between the times of the demands by less than 1 %.
     let place = demands.places.iter().find(|p| p.z == 0.0).unwrap();
     let (even, odd) = (demands.history(&place.axial.even), demands.history(&place.axial.odd));
-    let least = even
-        .iter()
-        .zip(&odd)
-        .map(|(e, o)| place.axial.rest + e - o.abs())
-        .fold(0.0, f64::min);
+    let least = even.iter().zip(&odd).map(|(e, o)| place.axial.rest + e - o.abs()).fold(0.0, f64::min);
     let toe = base.quantity("toe_axial_stress").unwrap().value.value;
     assert!((-least / toe - 1.0).abs() < 1e-2, "{least} {toe}");
     assert!(demands.places.iter().all(|place| place.bending.is_none()));
@@ -455,29 +390,16 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     let info = run.result.histories.iter().find(|info| info.id == axial).unwrap();
     let value = run.values[&tank::Quantity::AxialMembraneStress];
     assert!(info.peak <= value && info.peak > 0.5 * value, "{} {value}", info.peak);
-    let envelope = run
-        .result
-        .envelopes
-        .iter()
-        .find(|e| e.id == OnWall::Axial.id())
-        .unwrap();
+    let envelope = run.result.envelopes.iter().find(|e| e.id == OnWall::Axial.id()).unwrap();
     assert_eq!(f64::max(envelope.max[0], -envelope.min[0]), info.peak);
     let bent = [OnWall::Bending, OnWall::Moment].map(OnWall::id);
     assert!(run.result.envelopes.iter().all(|e| !bent.contains(&e.id.as_str())));
-    assert!(
-        run.result
-            .histories
-            .iter()
-            .all(|info| info.channel() != Some(Channel::Base(OnWall::Bending)))
-    );
+    assert!(run.result.histories.iter().all(|info| info.channel() != Some(Channel::Base(OnWall::Bending))));
     // What the base does stands among the values that are compared.
     let base = run.result.base.as_ref().unwrap();
     for quantity in ["uplift", "base_rotation", "plastic_rotation", "toe_axial_stress"] {
         let value = run.values[&Quantity::from_id(quantity).unwrap()];
-        assert!(
-            value > 0.0 && value == base.quantity(quantity).unwrap().value.value,
-            "{quantity}"
-        );
+        assert!(value > 0.0 && value == base.quantity(quantity).unwrap().value.value, "{quantity}");
     }
     let (_, assumptions) = run.of_modes.as_ref().unwrap();
     assert!(assumptions.iter().any(|text| text == CLAMPED));
@@ -488,15 +410,9 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
 fn heave_without_effect_is_said() {
     let case = oil(25e3, 1e8, 0.02);
     for heave in [None, Some(tank::options::linear::Heave { damping: None })] {
-        let options = Options {
-            heave,
-            ..Options::default()
-        };
+        let options = Options { heave, ..Options::default() };
         let run = crate::linear::simulate(&case, &options).unwrap();
-        let said = run
-            .notes
-            .iter()
-            .any(|note| note.contains("`analysis.heave` has no effect"));
+        let said = run.notes.iter().any(|note| note.contains("`analysis.heave` has no effect"));
         assert_eq!(said, heave.is_some(), "{:?}", run.notes);
     }
 }
@@ -505,12 +421,8 @@ fn heave_without_effect_is_said() {
 fn anchored(peak: f64, stiffness: Option<f64>, capacity: f64) -> Case {
     let mut case = oil(25e3, 1e9, peak);
     case.tank.support = Support::Anchored;
-    case.tank.anchors = Some(tank::Anchors {
-        count: 60,
-        capacity: Some(capacity),
-        stiffness,
-        ..tank::Anchors::default()
-    });
+    case.tank.anchors =
+        Some(tank::Anchors { count: 60, capacity: Some(capacity), stiffness, ..tank::Anchors::default() });
     case
 }
 
@@ -532,18 +444,14 @@ fn run_of(case: Case) -> Free {
 /// Without a stiffness the wall is held, and it is said.
 #[test]
 fn a_base_lifts_on_anchors_that_yield() {
-    let Free::Moves(moved) = run_of(anchored(2.0, Some(60e6), 50e3)) else {
-        panic!("the base does not move")
-    };
+    let Free::Moves(moved) = run_of(anchored(2.0, Some(60e6), 50e3)) else { panic!("the base does not move") };
     let run = &moved.result;
     let anchors = run.anchors.as_ref().unwrap();
     assert_eq!(run.quantity("anchor_force").unwrap().value.value, 50e3);
     assert!(anchors.yielded > 0 && anchors.broken == 0, "{anchors:?}");
     assert!(run.energy.anchors > 0.0 && run.energy.error < 1e-3, "{:?}", run.energy);
     assert!(matches!(run_of(anchored(2.0, Some(60e6), 5e6)), Free::Anchored));
-    let Free::NotComputed(reason) = run_of(anchored(2.0, None, 50e3)) else {
-        panic!("a base without stiffness")
-    };
+    let Free::NotComputed(reason) = run_of(anchored(2.0, None, 50e3)) else { panic!("a base without stiffness") };
     assert!(reason.contains("tank.anchors.stiffness"), "{reason}");
 }
 

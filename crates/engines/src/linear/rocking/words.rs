@@ -83,9 +83,7 @@ pub(super) fn unsupported(two: bool, dashpots: bool) -> Option<String> {
         (_, true) => "uplift with `analysis.damping.dashpots`, which couple the modes, is not computed",
         _ => return None,
     };
-    Some(format!(
-        "The tank is unanchored; {reason}: the linear engine clamps the wall to the ground."
-    ))
+    Some(format!("The tank is unanchored; {reason}: the linear engine clamps the wall to the ground."))
 }
 
 /// Nothing moves.
@@ -124,10 +122,7 @@ pub(super) fn missed(missed: &Missed) -> String {
 
 /// There is no run on a ground of the band, modulus [N/m³].
 pub(super) fn missed_band(modulus: f64, missed: &Missed) -> MissedBand {
-    MissedBand {
-        modulus,
-        reason: reason(missed),
-    }
+    MissedBand { modulus, reason: reason(missed) }
 }
 
 /// The same as a note of the engine.

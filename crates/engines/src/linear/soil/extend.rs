@@ -50,11 +50,7 @@ impl Rigid {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return None;
         };
-        let floor = Floor {
-            density: case.liquid.density,
-            radius,
-            depth: case.liquid.fill_height,
-        };
+        let floor = Floor { density: case.liquid.density, radius, depth: case.liquid.fill_height };
         let below = coupled.probe(Channel::OverturningMoment)?;
         let (row, arm, t) = (&below.absolute_acceleration, &coupled.moment_arm, slab.thickness);
         let wall = coupled.mass.times(arm);
@@ -170,9 +166,7 @@ impl OnSlab<'_> {
     fn line(&self, line: &ProbeLine) -> ProbeLine {
         let probes = line.probes.iter().zip(&line.z);
         ProbeLine {
-            probes: probes
-                .map(|(probe, z)| self.probe(probe, (line.what == OnWall::Pressure).then_some(*z)))
-                .collect(),
+            probes: probes.map(|(probe, z)| self.probe(probe, (line.what == OnWall::Pressure).then_some(*z))).collect(),
             ..line.clone()
         }
     }
@@ -205,17 +199,10 @@ pub(crate) fn on_soil(
     let n = held.influence.len();
     let size = n + ADDED;
     let lowest = modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
-    let spring = [
-        cones.stiffness.horizontal,
-        cones.stiffness.rocking,
-        cones.internal_inertia * (HELD * lowest).powi(2),
-    ];
+    let spring =
+        [cones.stiffness.horizontal, cones.stiffness.rocking, cones.internal_inertia * (HELD * lowest).powi(2)];
     let (mass, stiffness) = with_slab(held, &rigid, scale, spring);
-    let slab = OnSlab {
-        held,
-        rigid: &rigid,
-        scale,
-    };
+    let slab = OnSlab { held, rigid: &rigid, scale };
     let own = modes.iter().map(|mode| {
         let momentum = held.mass.times(&mode.vector);
         (longer(&momentum), 2.0 * damper.of(mode) * mode.omega)
@@ -225,17 +212,10 @@ pub(crate) fn on_soil(
     dashpots.push((slab.unit(&[(0, scale[0])]), cones.horizontal_dashpot));
     dashpots.push((slab.unit(&[(1, scale[1]), (2, -scale[2])]), cones.rocking_dashpot));
 
-    let base = [Channel::FoundationTranslation, Channel::FoundationRotation]
-        .into_iter()
-        .enumerate();
-    let base = base.map(|(k, channel)| Probe {
-        displacement: slab.unit(&[(k, scale[k])]),
-        ..Probe::new(channel)
-    });
+    let base = [Channel::FoundationTranslation, Channel::FoundationRotation].into_iter().enumerate();
+    let base = base.map(|(k, channel)| Probe { displacement: slab.unit(&[(k, scale[k])]), ..Probe::new(channel) });
     // M a = the row of the moment above the base plate.
-    let above = held
-        .probe(Channel::BaseMoment)
-        .map(|probe| slab.probe(probe, None).absolute_acceleration);
+    let above = held.probe(Channel::BaseMoment).map(|probe| slab.probe(probe, None).absolute_acceleration);
     let factor = Cholesky::factor(&mass).map_err(failure("the mass matrix of the tank on its slab"))?;
     let moment_arm = match above {
         Some(row) if !row.is_empty() => factor.solve_vector(&row),
@@ -246,12 +226,7 @@ pub(crate) fn on_soil(
         influence: slab.unit(&[(0, 1.0 / scale[0])]),
         surface: held.surface.clone(),
         rotation: Some(Part::block(&stiffness, n + 2..size)),
-        probes: held
-            .probes
-            .iter()
-            .map(|probe| slab.probe(probe, None))
-            .chain(base)
-            .collect(),
+        probes: held.probes.iter().map(|probe| slab.probe(probe, None)).chain(base).collect(),
         lines: held.lines.iter().map(|line| slab.line(line)).collect(),
         level: held.level,
         shear: held.shear.as_ref().map(|line| slab.line(line)),

@@ -81,11 +81,7 @@ mod tests {
     /// The pressure on the wall of a deep tank adds up to the shear −ρ π R⁴/4 ψ̈; midpoint rule with 2000 strips.
     #[test]
     fn the_wall_carries_the_moment_of_the_floor() {
-        let floor = Floor {
-            density: 1000.0,
-            radius: 2.0,
-            depth: 8.0,
-        };
+        let floor = Floor { density: 1000.0, radius: 2.0, depth: 8.0 };
         let n = 2_000;
         let h = floor.depth / f64::from(n);
         let sum: f64 = (0..n).map(|i| floor.pressure((f64::from(i) + 0.5) * h) * h).sum();

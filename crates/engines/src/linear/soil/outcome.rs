@@ -78,26 +78,14 @@ pub(crate) fn outcome(
     let found = analyse(&fixed_model, motion, options, &Silent)?;
     let fixed = found.values(&fixed_model, true);
     let hoop = found.line(OnWall::Hoop).map(LineExtremes::worst);
-    let beside = analysis
-        .values(model, true)
-        .into_iter()
-        .filter_map(|(quantity, value)| {
-            let held = fixed.get(&quantity).copied().filter(|held| *held != value)?;
-            Some(Finding {
-                held: Some(held),
-                ..Finding::new(quantity.id(), value, quantity.dimension())
-            })
-        });
-    let motion = [
-        ("base_translation", Channel::FoundationTranslation),
-        ("base_rotation", Channel::FoundationRotation),
-    ];
+    let beside = analysis.values(model, true).into_iter().filter_map(|(quantity, value)| {
+        let held = fixed.get(&quantity).copied().filter(|held| *held != value)?;
+        Some(Finding { held: Some(held), ..Finding::new(quantity.id(), value, quantity.dimension()) })
+    });
+    let motion = [("base_translation", Channel::FoundationTranslation), ("base_rotation", Channel::FoundationRotation)];
     let motion = motion.into_iter().filter_map(|(id, channel)| {
         let (peak, time) = analysis.sides(channel)?.0.peak();
-        Some(Finding {
-            time: Some(time),
-            ..Finding::new(id, peak.abs(), channel.dimension())
-        })
+        Some(Finding { time: Some(time), ..Finding::new(id, peak.abs(), channel.dimension()) })
     });
     let history = |channel: Channel| Block::History(History::new(&channel.id(), "axis", &[channel]));
     let part = Part {
@@ -143,10 +131,7 @@ fn ground(slab: &Slab, structure: &Structure) -> Message {
         .with("density", given(soil.density, Dimension::Density))
         .with("poisson", Amount::ratio(soil.poisson_ratio).form(Form::Fixed(3)))
         .with("horizontal", Amount::new(stiffness.horizontal, Dimension::LineForce))
-        .with(
-            "rocking",
-            Amount::new(stiffness.rocking, Dimension::RotationalStiffness),
-        )
+        .with("rocking", Amount::new(stiffness.rocking, Dimension::RotationalStiffness))
         .with("mass", Amount::new(structure.mass, Dimension::Mass))
         .with("arm", Amount::new(structure.height, Dimension::Length))
         .with("damping", Amount::percent(structure.damping))
@@ -187,9 +172,8 @@ fn cones(slab: &Slab) -> Table {
 }
 
 fn assumptions(slab: &Slab) -> Block {
-    let mut items: Vec<Message> = ["rigid", "meek", "bottom", "modal", "vertical"]
-        .map(|id| Message::new(&format!("soil-{id}")))
-        .to_vec();
+    let mut items: Vec<Message> =
+        ["rigid", "meek", "bottom", "modal", "vertical"].map(|id| Message::new(&format!("soil-{id}"))).to_vec();
     items.push(match slab.thickness > 0.0 {
         true => {
             let density = Amount::new(CONCRETE, Dimension::Density).form(Form::Given);

@@ -54,9 +54,7 @@ pub(super) fn modes(
         let mut small = Matrix::zeros(left.len(), left.len());
         for (j, d) in left.iter().enumerate() {
             let image = whole.times(d);
-            left.iter()
-                .enumerate()
-                .for_each(|(i, other)| small.add(i, j, dot(other, &image)));
+            left.iter().enumerate().for_each(|(i, other)| small.add(i, j, dot(other, &image)));
         }
         small
     };

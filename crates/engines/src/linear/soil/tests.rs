@@ -43,17 +43,8 @@ fn tank(velocity: Option<f64>, thickness: Option<f64>) -> Case {
 }
 
 fn shaken(mut case: Case, dt: f64, acceleration: Vec<f64>) -> Case {
-    let horizontal = Record {
-        name: "waves".into(),
-        dt,
-        acceleration,
-        processing: Vec::new(),
-    };
-    case.ground_motion = Some(GroundMotion {
-        horizontal,
-        transverse: None,
-        vertical: None,
-    });
+    let horizontal = Record { name: "waves".into(), dt, acceleration, processing: Vec::new() };
+    case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
     case
 }
 
@@ -68,11 +59,7 @@ fn run<'a>(case: &Case, model: &'a Model, options: &Options) -> Analysis<'a> {
 /// A dashpot of next to nothing, with which a run on a fixed base keeps all modes as one on soil does.
 fn every_mode() -> Options {
     Options {
-        dashpots: vec![Dashpots {
-            z: 6.0,
-            direction: WallDirection::Radial,
-            coefficient: 1e-3,
-        }],
+        dashpots: vec![Dashpots { z: 6.0, direction: WallDirection::Radial, coefficient: 1e-3 }],
         ..Options::default()
     }
 }
@@ -88,11 +75,7 @@ fn first_moment_of_a_rigid_translation() {
     let rigid = Rigid::of(held, &case, &slab).unwrap();
     let (r, h) = (10.0, 11.0);
     let expected = held.liquid_mass * (0.5 * h + r * r / (4.0 * h)) + held.wall_mass * 6.0;
-    assert!(
-        (rigid.first / expected - 1.0).abs() < 1e-3,
-        "{} {expected}",
-        rigid.first
-    );
+    assert!((rigid.first / expected - 1.0).abs() < 1e-3, "{} {expected}", rigid.first);
     assert!(rigid.second > rigid.first.powi(2) / rigid.mass);
     // A ground that accelerates towards θ = 0 leaves suction there, as does a floor that goes down there.
     let foot = &held.line(results::channel::OnWall::Pressure).unwrap().probes[0];
@@ -114,11 +97,7 @@ fn hard_soil_is_a_fixed_base() {
             let same = found.scalars.iter().find(|(s, _)| s.channel == scalar.channel).unwrap();
             let peak = values.values.iter().fold(0.0, |m, v| f64::max(m, v.abs()));
             for (a, b) in same.1.values.iter().zip(&values.values) {
-                assert!(
-                    (a - b).abs() <= history * peak,
-                    "{:?}: {a} {b}, peak {peak}",
-                    scalar.channel
-                );
+                assert!((a - b).abs() <= history * peak, "{:?}: {a} {b}, peak {peak}", scalar.channel);
             }
         }
         let (found, expected) = (found.values(&on_soil, true), expected.values(&fixed, true));
@@ -140,10 +119,7 @@ fn hard_soil_is_a_fixed_base() {
 #[test]
 fn direct_integration_agrees() {
     let case = tank(Some(200.0), Some(0.8));
-    let options = Options {
-        integrator: Integrator::Newmark,
-        ..Options::default()
-    };
+    let options = Options { integrator: Integrator::Newmark, ..Options::default() };
     let model = model(&case, &options);
     let analysis = run(&case, &model, &options);
     assert!(analysis.energy.unwrap().error < 1e-6);
@@ -168,13 +144,7 @@ fn free_decay_has_the_effective_period() {
     let chain = ::soil::chain::Chain::new(&on, [0.0, 0.0]).unwrap();
     let expected = chain.complex_mode().unwrap();
     let channel = Channel::FoundationRotation;
-    let rotation = &analysis
-        .scalars
-        .iter()
-        .find(|(s, _)| s.channel == channel)
-        .unwrap()
-        .1
-        .values;
+    let rotation = &analysis.scalars.iter().find(|(s, _)| s.channel == channel).unwrap().1.values;
     // Differences over a step take the sloshing away, whose period is 20 times longer.
     let rate: Vec<f64> = rotation.windows(3).map(|w| w[2] - 2.0 * w[1] + w[0]).collect();
     let mut peaks: Vec<(f64, f64)> = Vec::new();
@@ -192,16 +162,10 @@ fn free_decay_has_the_effective_period() {
     let decrement = (first.1 / last.1).ln() / n as f64;
     let damping = decrement / (TAU * TAU + decrement * decrement).sqrt();
     let period = damped * (1.0 - damping * damping).sqrt();
-    println!(
-        "fixed {} {}; expected {expected:?}; found {period} {damping}",
-        on.structure.period, on.structure.damping
-    );
+    println!("fixed {} {}; expected {expected:?}; found {period} {damping}", on.structure.period, on.structure.damping);
     assert!(expected.period / on.structure.period > 1.03);
     assert!((period / expected.period - 1.0).abs() < 0.02, "{period} {expected:?}");
-    assert!(
-        (damping / expected.damping - 1.0).abs() < 0.10,
-        "{damping} {expected:?}"
-    );
+    assert!((damping / expected.damping - 1.0).abs() < 0.10, "{damping} {expected:?}");
 }
 
 /// The results of a run say what the soil did.
@@ -217,11 +181,7 @@ fn the_results_hold_period_damping_and_motion() {
         assert!(soil.value(id).unwrap().time.is_some(), "{id}");
     }
     assert!(soil.value("base_shear").unwrap().held.is_some());
-    assert!(
-        found.notes.iter().any(|note| note.contains("moves on its slab")),
-        "{:?}",
-        found.notes
-    );
+    assert!(found.notes.iter().any(|note| note.contains("moves on its slab")), "{:?}", found.notes);
 }
 
 /// Translation and rotation against [`::soil::body`], the same modes eliminated in each of its steps, which have the whole of a force at the
@@ -233,10 +193,7 @@ fn the_slab_moves_as_on_the_body() {
         let case = tank(Some(200.0), thickness);
         let slab = Slab::of(&case).unwrap().unwrap();
         for integrator in [Integrator::Modal, Integrator::Newmark] {
-            let options = Options {
-                integrator,
-                ..Options::default()
-            };
+            let options = Options { integrator, ..Options::default() };
             let model = model(&case, &options);
             let analysis = run(&case, &model, &options);
             let record = &case.ground_motion.as_ref().unwrap().horizontal;
@@ -244,10 +201,9 @@ fn the_slab_moves_as_on_the_body() {
             ground.resize(analysis.scalars[0].1.values.len().max(ground.len()), 0.0);
             let march =
                 ::soil::body::march(&body(&case, &model, &slab).unwrap(), &slab.disc, &ground, record.dt, 40).unwrap();
-            for (channel, expected) in [
-                (Channel::FoundationTranslation, &march.translation),
-                (Channel::FoundationRotation, &march.rotation),
-            ] {
+            for (channel, expected) in
+                [(Channel::FoundationTranslation, &march.translation), (Channel::FoundationRotation, &march.rotation)]
+            {
                 let found = &analysis.scalars.iter().find(|(s, _)| s.channel == channel).unwrap().1;
                 let peak = expected.iter().fold(0.0, |m, v| f64::max(m, v.abs()));
                 let pairs = found.values.iter().zip(expected);
@@ -266,9 +222,5 @@ fn an_unanchored_tank_keeps_its_slab_at_rest_and_says_so() {
     case.tank.support = tank::Support::Unanchored;
     let found = crate::linear::simulate(&case, &Options::default()).unwrap();
     assert!(found.result.part("soil").is_none());
-    assert!(
-        found.notes.iter().any(|note| note.contains("counted twice")),
-        "{:?}",
-        found.notes
-    );
+    assert!(found.notes.iter().any(|note| note.contains("counted twice")), "{:?}", found.notes);
 }

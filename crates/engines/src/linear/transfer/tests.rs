@@ -14,21 +14,12 @@ use crate::simulate;
 use results::Part;
 
 fn options(frequency: FrequencyOptions) -> Options {
-    Options {
-        mesh_error: false,
-        frequency: Some(frequency),
-        ..Options::default()
-    }
+    Options { mesh_error: false, frequency: Some(frequency), ..Options::default() }
 }
 
 fn shaken(mut case: Case, dt: f64, acceleration: Vec<f64>) -> Case {
     case.ground_motion = Some(GroundMotion {
-        horizontal: Record {
-            name: "harmonic".into(),
-            dt,
-            acceleration,
-            processing: Vec::new(),
-        },
+        horizontal: Record { name: "harmonic".into(), dt, acceleration, processing: Vec::new() },
         transverse: None,
         vertical: None,
     });
@@ -68,12 +59,7 @@ fn frequency(found: &Part) -> Vec<f64> {
 }
 
 fn rigid(radius: f64, depth: f64) -> Case {
-    test_tanks::case(
-        Shape::Cylinder { radius },
-        &[(1.05 * depth, 0.05)],
-        (1e16, 0.3, 1.0),
-        (1000.0, depth),
-    )
+    test_tanks::case(Shape::Cylinder { radius }, &[(1.05 * depth, 0.05)], (1e16, 0.3, 1.0), (1000.0, depth))
 }
 
 /// Ω → 0: the shear is that of the whole mass (the missing mass closes the sum: 1e-6 for the condensed system, as in the tilt test),
@@ -95,16 +81,7 @@ fn slow_motion_is_statics() {
         let f = function(&found, id);
         let first = f.magnitude[0] / f.static_value.abs();
         assert!((1.0..1.05).contains(&first), "{id} {first}");
-        assert!(
-            (f.phase[0].abs()
-                - if f.static_value < 0.0 {
-                    std::f64::consts::PI
-                } else {
-                    0.0
-                })
-            .abs()
-                < 0.01
-        );
+        assert!((f.phase[0].abs() - if f.static_value < 0.0 { std::f64::consts::PI } else { 0.0 }).abs() < 0.01);
     }
 }
 
@@ -114,10 +91,7 @@ fn slow_motion_is_statics() {
 #[test]
 fn the_surface_tilts_in_slow_motion() {
     let case = shaken(rigid(1.83, 1.525), 0.01, vec![0.0, 0.1, 0.0]);
-    let fine = Options {
-        refine: 2.0,
-        ..options(FrequencyOptions::DEFAULT)
-    };
+    let fine = Options { refine: 2.0, ..options(FrequencyOptions::DEFAULT) };
     let run = simulate(&case, &fine).unwrap();
     let found = run.result.part("transfer").expect("asked for");
     let zeros = [1.841_184, 5.331_443, 8.536_316, 11.706_005, 14.863_589_f64];
@@ -136,27 +110,15 @@ fn the_first_sloshing_mode_resonates() {
         let case = rigid(radius, depth);
         let expected = 2.0 / (1.841_184_f64.powi(2) - 1.0) * radius / case.gravity / (2.0 * case.damping.sloshing);
         let peak = [FrequencyDamping::AsEngine, FrequencyDamping::Hysteretic].map(|damping| {
-            let found = transfer(
-                &case,
-                FrequencyOptions {
-                    damping,
-                    ..FrequencyOptions::DEFAULT
-                },
-            );
+            let found = transfer(&case, FrequencyOptions { damping, ..FrequencyOptions::DEFAULT });
             // The first row is the first sloshing mode.
             let mode = found.cell("modes", "sloshing", "frequency").unwrap();
             let frequency = frequency(&found);
             let distance = |i: &usize| (frequency[*i] / mode - 1.0).abs();
-            let at = (0..frequency.len())
-                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-                .unwrap();
+            let at = (0..frequency.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
             assert!(distance(&at) < 1e-9, "the peak is hit");
             let wave = function(&found, "wave_height");
-            assert!(
-                (wave.phase[at] - std::f64::consts::FRAC_PI_2).abs() < 0.01,
-                "{}",
-                wave.phase[at]
-            );
+            assert!((wave.phase[at] - std::f64::consts::FRAC_PI_2).abs() < 0.01, "{}", wave.phase[at]);
             wave.magnitude[at]
         });
         assert!((peak[0] / expected - 1.0).abs() < 3e-3, "{} {expected}", peak[0]);
@@ -173,12 +135,8 @@ fn a_long_harmonic_record_ends_in_the_steady_state() {
     case.damping.sloshing = 0.05;
     for frequency in [0.35_f64, 0.6, 2.0] {
         let omega = TAU * frequency;
-        let one = FrequencyOptions {
-            from: Some(omega),
-            to: Some(1.001 * omega),
-            points: 2,
-            ..FrequencyOptions::DEFAULT
-        };
+        let one =
+            FrequencyOptions { from: Some(omega), to: Some(1.001 * omega), points: 2, ..FrequencyOptions::DEFAULT };
         let (dt, end) = (1.0 / (200.0 * frequency), 90.0_f64);
         let record: Vec<f64> = (0..=(end / dt) as usize)
             .map(|k| k as f64 * dt)

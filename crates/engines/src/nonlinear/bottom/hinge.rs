@@ -21,9 +21,7 @@ pub(in crate::nonlinear) fn plastic_rotation(
     back: bool,
     state: &State,
 ) -> Result<f64, AnalysisError> {
-    let cells = bottom.cells[foot..]
-        .iter()
-        .filter_map(|ring| if back { ring.last() } else { ring.first() });
+    let cells = bottom.cells[foot..].iter().filter_map(|ring| if back { ring.last() } else { ring.first() });
     let sum = hinge(model, cells.map(|&cell| (cell, bottom.soft(cell))), state)?;
     Ok(LIFTS * sum)
 }
@@ -94,9 +92,8 @@ pub(in crate::nonlinear) fn plastic_part(
     if !yields {
         return Ok(None);
     }
-    let sections = element
-        .sections(motion, history)
-        .map_err(|source| AnalysisError::Element { number: cell, source })?;
+    let sections =
+        element.sections(motion, history).map_err(|source| AnalysisError::Element { number: cell, source })?;
     let plastic = |s: &fem::element::SectionState| {
         let (hoop, along) = (s.resultants[3], s.resultants[4]);
         s.strain[4] - (soft[0] * along - soft[1] * hoop)

@@ -34,9 +34,7 @@ pub(in crate::nonlinear) fn keep_in_place(
             matrix.add(i, j, stiffness * a * b);
         }
     }
-    let element = SuperElement::over(&unknowns)
-        .and_then(|e| e.with_stiffness(matrix))
-        .map_err(failed)?;
+    let element = SuperElement::over(&unknowns).and_then(|e| e.with_stiffness(matrix)).map_err(failed)?;
     Ok((builder.element(KEY, element), along))
 }
 
@@ -68,9 +66,7 @@ pub(in crate::nonlinear) fn keep_plane(builder: &mut Builder, angles: &[f64], fo
         }
     }
     let unknowns: Vec<(usize, Dof)> = foot.iter().map(|n| (*n, Dof::Uz)).collect();
-    let element = SuperElement::over(&unknowns)
-        .and_then(|e| e.with_stiffness(matrix))
-        .map_err(failed)?;
+    let element = SuperElement::over(&unknowns).and_then(|e| e.with_stiffness(matrix)).map_err(failed)?;
     builder.element("plane", element);
     Ok(())
 }

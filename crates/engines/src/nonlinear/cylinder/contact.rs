@@ -98,9 +98,7 @@ impl Join<'_> {
             unknowns.extend(self.amplitudes.iter().map(|&n| (n, Dof::Amplitude)));
             let point = JointPoint {
                 closing: vec![(0, 1.0), (1, -1.0)],
-                relief: (0..modes)
-                    .map(|j| (2 + j, -self.unit_weight * rises.get(j, i)))
-                    .collect(),
+                relief: (0..modes).map(|j| (2 + j, -self.unit_weight * rises.get(j, i))).collect(),
                 stiffness: self.penalty * areas[i],
             };
             let joint = LiquidJoint::new(&unknowns, vec![point], true).map_err(failed)?;

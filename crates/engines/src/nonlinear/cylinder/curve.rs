@@ -91,28 +91,20 @@ impl Cylinder<'_> {
             let row = cell / columns;
             0.5 * (tank.cells.z[row] + tank.cells.z[row + 1])
         });
-        let first_crack = seen
-            .first
-            .iter()
-            .find(|f| f.0 == Happening::Crack)
-            .map(|&(_, time, cell)| {
-                let row = cell / columns;
-                let at = recorder.times.partition_point(|t| *t < time - 1e-12);
-                FirstCrack {
-                    time,
-                    height: 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]),
-                    base_moment: recorder.histories[BASE_MOMENT].get(at).map_or(0.0, |m| m.abs()),
-                }
-            });
+        let first_crack = seen.first.iter().find(|f| f.0 == Happening::Crack).map(|&(_, time, cell)| {
+            let row = cell / columns;
+            let at = recorder.times.partition_point(|t| *t < time - 1e-12);
+            FirstCrack {
+                time,
+                height: 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]),
+                base_moment: recorder.histories[BASE_MOMENT].get(at).map_or(0.0, |m| m.abs()),
+            }
+        });
         let collapse = match &run.outcome {
-            Outcome::Collapsed(collapse) => Some(Collapse {
-                time: collapse.time,
-                reason: collapse.failure.to_string(),
-            }),
-            Outcome::Stopped { reason } => Some(Collapse {
-                time: run.time,
-                reason: reason.clone(),
-            }),
+            Outcome::Collapsed(collapse) => {
+                Some(Collapse { time: collapse.time, reason: collapse.failure.to_string() })
+            }
+            Outcome::Stopped { reason } => Some(Collapse { time: run.time, reason: reason.clone() }),
             _ => None,
         };
         let maps = maps(self.case, tank, watch, &worst, &last);
@@ -152,13 +144,7 @@ pub(super) fn departures(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Departu
     let rupture = watch.seen.first.iter().find(|f| f.0 == Happening::BarRupture);
     let departure = |&(_, time, cell): &(Happening, f64, usize)| {
         let z = &tank.cells.z[cell / tank.cells.columns()..];
-        Departure {
-            kind: DepartureKind::BarStrain,
-            time,
-            theta: None,
-            height: 0.5 * (z[0] + z[1]),
-            passed: None,
-        }
+        Departure { kind: DepartureKind::BarStrain, time, theta: None, height: 0.5 * (z[0] + z[1]), passed: None }
     };
     rupture.map(departure).into_iter().collect()
 }

@@ -57,17 +57,11 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
     let sides = &watch.seen.sides;
     let rows = sides.iter().flat_map(|s| &s.hoop_history);
     let samples = rows.map(Vec::len).min().unwrap_or(0).min(recorder.times.len());
-    let mut states = States {
-        states: Vec::new(),
-        samples,
-    };
+    let mut states = States { states: Vec::new(), samples };
     let rest = |k: usize| recorder.histories[k].first().copied().unwrap_or(0.0);
     let own = |k: usize| recorder.histories[k].iter().map(move |v| v - rest(k));
     let base_shear = states.keep(own(BASE_SHEAR));
-    let two = case
-        .ground_motion
-        .as_ref()
-        .is_some_and(|motion| motion.transverse.is_some());
+    let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
     let mut found = Vec::new();
     if case.tank.is_metal() {
         let [front, back] = sides;
@@ -82,11 +76,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
     let vertical = vertical.map(|record| states.keep(recorder.times.iter().map(|t| at(record, *t))));
     let rise = |(k, theta): (usize, f64)| {
         let range = &recorder.ranges[k];
-        Peak {
-            value: range.max - rest(k),
-            time: range.max_time,
-            theta,
-        }
+        Peak { value: range.max - rest(k), time: range.max_time, theta }
     };
     let [front, back] = [(WAVE_FRONT, 0.0), (WAVE_BACK, PI)].map(rise);
     let higher = if front.value >= back.value { front } else { back };
@@ -124,34 +114,24 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
 fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase> {
     tank.standing.as_ref()?;
     let seen = &watch.seen.standing;
-    let lifts = [UPLIFT_FRONT, UPLIFT_BACK]
-        .iter()
-        .any(|k| watch.recorder.ranges[*k].max > 0.0);
+    let lifts = [UPLIFT_FRONT, UPLIFT_BACK].iter().any(|k| watch.recorder.ranges[*k].max > 0.0);
     let mut joint = Peak::default();
     for (history, theta) in seen.joint.iter().zip([0.0, PI]) {
         for (value, time) in history.iter().zip(&watch.recorder.times) {
             if value.abs() > joint.value {
-                joint = Peak {
-                    value: value.abs(),
-                    time: *time,
-                    theta,
-                };
+                joint = Peak { value: value.abs(), time: *time, theta };
             }
         }
     }
-    let anchor = case
-        .tank
-        .anchors
-        .filter(|_| !seen.anchor.is_empty())
-        .and_then(|anchors| {
-            let (height, time, theta) = seen.stretched;
-            Some(Peak {
-                // As if it had stayed elastic.
-                value: anchors.stiffness? * (height - anchors.gap.unwrap_or(0.0)).max(0.0),
-                time,
-                theta,
-            })
-        });
+    let anchor = case.tank.anchors.filter(|_| !seen.anchor.is_empty()).and_then(|anchors| {
+        let (height, time, theta) = seen.stretched;
+        Some(Peak {
+            // As if it had stayed elastic.
+            value: anchors.stiffness? * (height - anchors.gap.unwrap_or(0.0)).max(0.0),
+            time,
+            theta,
+        })
+    });
     // At least one, of the force that it would have had it stayed elastic.
     let breaks = case.tank.anchors.is_some_and(|own| {
         let limit = own.stiffness.zip(own.rupture_elongation).map(|(k, u)| k * u);
@@ -174,10 +154,7 @@ fn slid(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> bool {
     let (Some(mu), true) = (friction, tank.standing.as_ref().is_some_and(|s| s.slides())) else {
         return false;
     };
-    let vertical = case
-        .ground_motion
-        .as_ref()
-        .is_some_and(|motion| motion.vertical.is_some());
+    let vertical = case.ground_motion.as_ref().is_some_and(|motion| motion.vertical.is_some());
     let weight = (case.liquid_mass() + case.tank.mass_above(0.0).0) * case.gravity;
     vertical || watch.recorder.ranges[BASE_SHEAR].peak().0 > CAPPED * mu * weight
 }
@@ -191,11 +168,7 @@ fn places(
 ) -> Vec<Place> {
     let thickness = |row: usize| tank.rows[row].thickness;
     let middle = |row: usize| 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]);
-    let rows = front
-        .hoop_history
-        .len()
-        .min(back.hoop_history.len())
-        .min(tank.cells.rows());
+    let rows = front.hoop_history.len().min(back.hoop_history.len()).min(tank.cells.rows());
     let mut places = Vec::new();
     for row in 0..rows {
         let hoop = [front, back].map(|s| s.hoop_history[row].as_slice());
@@ -205,10 +178,7 @@ fn places(
         let clear = (row..rows).find(|&r| middle(r) >= edge).unwrap_or(row);
         let pressure = (z < tank.depth).then(|| {
             let of = [front, back].map(|s| s.hoop_history[clear].as_slice());
-            OnWall {
-                rest: tank.unit_weight * (tank.depth - z),
-                ..states.sides(of, thickness(clear) / tank.radius)
-            }
+            OnWall { rest: tank.unit_weight * (tank.depth - z), ..states.sides(of, thickness(clear) / tank.radius) }
         });
         let bending = (row == 0).then(|| {
             let of = [front, back].map(|s| s.moment.as_slice());

@@ -41,11 +41,7 @@ fn shortest(run: &Run) -> f64 {
 }
 
 pub(super) fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
-    let count = |label: &str, value: f64, dimension| Count {
-        label: label.into(),
-        value,
-        dimension,
-    };
+    let count = |label: &str, value: f64, dimension| Count { label: label.into(), value, dimension };
     let number = Dimension::Dimensionless;
     let mut out = vec![
         count("unknowns", tank.model.dofs().len() as f64, number),
@@ -76,11 +72,7 @@ pub(super) fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
         fact(FactKind::ShellsOverHeight, tank.cells.rows() as f64, number),
         fact(FactKind::SloshingModes, tank.amplitudes.len() as f64, number),
         fact(FactKind::Unknowns, tank.model.dofs().len() as f64, number),
-        fact(
-            FactKind::FirstSloshing,
-            tank.sloshing_omega,
-            Dimension::AngularFrequency,
-        ),
+        fact(FactKind::FirstSloshing, tank.sloshing_omega, Dimension::AngularFrequency),
         fact(FactKind::FirstWall, tank.wall_omega, Dimension::AngularFrequency),
         fact(FactKind::WallDamping, tank.wall_ratio, number),
         fact(FactKind::LongestStep, step, Dimension::Time),
@@ -88,23 +80,13 @@ pub(super) fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
 }
 
 fn label(label: &str, text: String) -> Labelled {
-    Labelled {
-        label: label.into(),
-        text,
-    }
+    Labelled { label: label.into(), text }
 }
 
 pub(super) fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
-    let layers = tank
-        .rows
-        .iter()
-        .map(|r| r.parts.iter().map(Vec::len).sum::<usize>())
-        .max();
+    let layers = tank.rows.iter().map(|r| r.parts.iter().map(Vec::len).sum::<usize>()).max();
     vec![
-        label(
-            "shells (around × over the height)",
-            format!("{} × {}", tank.cells.columns(), tank.cells.rows()),
-        ),
+        label("shells (around × over the height)", format!("{} × {}", tank.cells.columns(), tank.cells.rows())),
         label(
             "symmetry",
             match tank.cells.half {
@@ -132,9 +114,7 @@ pub(super) fn integration(
     watch: &Watch<'_>,
     run: &Run,
 ) -> Vec<Labelled> {
-    let scheme = TimeScheme::GeneralizedAlpha {
-        radius: options.spectral_radius,
-    };
+    let scheme = TimeScheme::GeneralizedAlpha { radius: options.spectral_radius };
     let method = match scheme {
         TimeScheme::GeneralizedAlpha { radius } => format!(
             "generalised-α method, ρ∞ = {}, {}",
@@ -163,14 +143,7 @@ pub(super) fn integration(
     };
     let mut out = vec![
         label("method", method),
-        label(
-            "time step",
-            format!(
-                "{} steps; the shortest {} s",
-                run.cost.steps,
-                significant(shortest(run), 3)
-            ),
-        ),
+        label("time step", format!("{} steps; the shortest {} s", run.cost.steps, significant(shortest(run), 3))),
         label(
             "duration",
             match run.outcome {
@@ -269,12 +242,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
             "Motion is symmetric about the plane of shaking: buckles that break this symmetry are not modelled.".into(),
         );
     }
-    if case
-        .tank
-        .courses
-        .iter()
-        .any(|c| c.build_up().iter().any(|l| !l.reinforcement.is_empty()))
-    {
+    if case.tank.courses.iter().any(|c| c.build_up().iter().any(|l| !l.reinforcement.is_empty())) {
         out.push(
             "Bars are smeared into layers and perfectly bonded; their mass and the concrete they displace are ignored."
                 .into(),

@@ -68,10 +68,7 @@ pub(super) fn build_rows(
 pub(super) fn penalty(case: &Case, radius: f64) -> f64 {
     let courses = case.tank.courses.iter().map(|course| {
         let layers = course.build_up();
-        layers
-            .iter()
-            .map(|l| l.material.youngs_modulus * l.thickness)
-            .sum::<f64>()
+        layers.iter().map(|l| l.material.youngs_modulus * l.thickness).sum::<f64>()
     });
     PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
 }
@@ -145,12 +142,7 @@ pub(super) fn add_liquid(
         _ => 0.0,
     };
     let mut wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
-    wall.extend(
-        floor
-            .iter()
-            .flat_map(|floor| &floor.nodes)
-            .map(|&n| (n, Dof::Amplitude)),
-    );
+    wall.extend(floor.iter().flat_map(|floor| &floor.nodes).map(|&n| (n, Dof::Amplitude)));
     let surface: Vec<(usize, Dof)> = amplitudes.iter().map(|&n| (n, Dof::Amplitude)).collect();
     let number = match &liquid {
         WallLiquid::Dense(dense) => builder.element(LIQUID, dense.element(&wall, &surface, ratio).map_err(failed)?),

@@ -94,10 +94,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
     let mut found = of(case, options, response, [jobs, runs]);
     if jobs > 1 {
         let fewer = of(case, options, response, [1, runs]);
-        found
-            .lever
-            .smaller
-            .push(("use --jobs 1".into(), fewer.bytes(), fewer.seconds));
+        found.lever.smaller.push(("use --jobs 1".into(), fewer.bytes(), fewer.seconds));
     }
     let cells = Cells::new(&case.tank, case.liquid.fill_height, options.elements, options.symmetry);
     for part in [0.8, 0.65, 0.5, 0.35, 0.25, 0.15] {
@@ -105,10 +102,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
             height: ((cells.rows() as f64 * part) as u32).max(2),
             circumference: ((cells.sectors as f64 * part) as u32).max(8).next_multiple_of(2),
         };
-        let coarse = NonlinearOptions {
-            elements: Some(elements),
-            ..options.clone()
-        };
+        let coarse = NonlinearOptions { elements: Some(elements), ..options.clone() };
         let smaller = of(case, &coarse, response, [jobs, runs]);
         let give = format!(
             "give `analysis.nonlinear.elements` as {{\"height\": {}, \"circumference\": {}}}",
@@ -164,11 +158,7 @@ impl Size {
         let levels = cells.wet(depth) as f64;
         let operator = on_ground || iterates((levels * meridians) as usize, options.contact);
         let iterated = operator && !on_ground;
-        let shared = if iterated {
-            Rings::new(&cells, levels, node * rows, options.contact)
-        } else {
-            Rings::default()
-        };
+        let shared = if iterated { Rings::new(&cells, levels, node * rows, options.contact) } else { Rings::default() };
         let foot = FOOT * meridians;
         let [kept, zone] = match on_ground {
             true => [
@@ -202,16 +192,9 @@ impl Size {
 
     /// Numbers of the histories.
     fn histories(&self, case: &Case, samples: f64) -> f64 {
-        let two = case
-            .ground_motion
-            .as_ref()
-            .is_some_and(|motion| motion.transverse.is_some());
+        let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
         // Hoop and axial stress of the meridians of a fan.
-        let meridian = if two {
-            2.0 * self.rows * two::fan(&self.cells).len() as f64
-        } else {
-            0.0
-        };
+        let meridian = if two { 2.0 * self.rows * two::fan(&self.cells).len() as f64 } else { 0.0 };
         samples * (AT_SAMPLE + 2.0 * self.rows + meridian + 0.5 * self.wetted.min(LOOKS))
     }
 
@@ -228,25 +211,16 @@ impl Size {
         let on_ground = |bytes: f64| if self.on_ground { bytes } else { 0.0 };
         vec![
             (THE_PROGRAM, PROGRAM),
-            (
-                "liquid block",
-                model + at_a_time * MARCH_BLOCKS * block + self.shared.blocks,
-            ),
+            ("liquid block", model + at_a_time * MARCH_BLOCKS * block + self.shared.blocks),
             ("liquid as entries of a factor", on_ground(ENTRIES * wetted * wetted)),
-            (
-                "factors of wall and liquid",
-                at_a_time * KEPT_FACTORS * NUMBER * self.kept.entries,
-            ),
+            ("factors of wall and liquid", at_a_time * KEPT_FACTORS * NUMBER * self.kept.entries),
             ("sections of the wall", (1.0 + at_a_time) * self.shared.sections),
             ("open joints", at_a_time * self.shared.joints),
             // A value, and its places.
             ("vectors of the iteration", at_a_time * VECTORS * NUMBER * self.unknowns),
             ("liquid of one harmonic", harmonic),
             ("wall", number * self.shells * CELL * (1.0 + 0.5 * at_a_time)),
-            (
-                "matrices of wall and plate",
-                on_ground(at_a_time * GROUND_CELL * number),
-            ),
+            ("matrices of wall and plate", on_ground(at_a_time * GROUND_CELL * number)),
             ("history of the layers", at_a_time * STATES * NUMBER * self.history),
             ("factors", (1.0 + at_a_time) * NUMBER * self.fill.entries),
             ("histories", at_a_time * NUMBER * kept),
@@ -300,11 +274,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         let once = start + (steps - free) * record + free * tail;
         BESIDE + once * runs.max(1) as f64 + 2.0 * (size.block / NUMBER).powf(1.5) / DENSE_RATE
     };
-    let of_runs = if jobs > 0 {
-        format!(", {runs} runs, {at_a_time:.0} at a time")
-    } else {
-        String::new()
-    };
+    let of_runs = if jobs > 0 { format!(", {runs} runs, {at_a_time:.0} at a time") } else { String::new() };
     let (rows, unknowns, wetted) = (size.rows, size.unknowns, size.wetted);
     Estimate {
         run: "nonlinear run",
@@ -318,10 +288,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         steps,
         seconds: all(elastic, quiet),
         inelastic: Some(all(INELASTIC * elastic, elastic)),
-        lever: Lever {
-            smaller: Vec::new(),
-            other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),
-        },
+        lever: Lever { smaller: Vec::new(), other: "coarsen the wall (`analysis.nonlinear.elements`)".into() },
     }
 }
 

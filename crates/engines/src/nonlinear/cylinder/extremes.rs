@@ -25,11 +25,7 @@ pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]
     let recorder = &watch.recorder;
     let back = |channel: Channel| channel.title().replace("θ = 0°", "θ = 180°");
     let recorded = [
-        (
-            WAVE_FRONT,
-            Channel::Wave(Side::Front),
-            Channel::Wave(Side::Front).title(),
-        ),
+        (WAVE_FRONT, Channel::Wave(Side::Front), Channel::Wave(Side::Front).title()),
         (WAVE_BACK, Channel::Wave(Side::Back), Channel::Wave(Side::Back).title()),
         (BASE_SHEAR, Channel::BaseShear, Channel::BaseShear.title()),
         (BASE_MOMENT, Channel::BaseMoment, Channel::BaseMoment.title()),
@@ -57,14 +53,8 @@ pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]
                 title,
                 dimension: what.dimension(),
                 rest: e.rest,
-                min: Some(At {
-                    value: e.min - e.rest,
-                    time: Some(e.min_time),
-                }),
-                max: At {
-                    value: e.max - e.rest,
-                    time: Some(e.max_time),
-                },
+                min: Some(At { value: e.min - e.rest, time: Some(e.min_time) }),
+                max: At { value: e.max - e.rest, time: Some(e.max_time) },
             })
         };
         out.extend(of(hoop, OnWall::Hoop));
@@ -95,10 +85,7 @@ fn standing(watch: &Watch<'_>) -> Vec<TwoSided> {
         dimension: Channel::ToeStress.dimension(),
         rest: 0.0,
         min: None,
-        max: At {
-            value: *value,
-            time: Some(*time),
-        },
+        max: At { value: *value, time: Some(*time) },
     }));
     out
 }
@@ -174,9 +161,6 @@ fn open(tank: &CylinderModel, watch: &Watch<'_>) -> Option<TwoSided> {
         dimension: Channel::Open.dimension(),
         rest: 0.0,
         min: None,
-        max: At {
-            value: *value,
-            time: Some(*time),
-        },
+        max: At { value: *value, time: Some(*time) },
     })
 }

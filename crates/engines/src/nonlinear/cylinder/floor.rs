@@ -79,9 +79,7 @@ impl LiquidFloor {
             let area: f64 = weights.iter().map(|w| w.1).sum();
             for (k, (share, &angle)) in shares.iter().zip(angles).enumerate() {
                 let stiffness = STIFF * area * share;
-                let on_plate = weights
-                    .iter()
-                    .map(|(ring, weight)| ((rings[*ring][k], Dof::Uz), -weight / area));
+                let on_plate = weights.iter().map(|(ring, weight)| ((rings[*ring][k], Dof::Uz), -weight / area));
                 let own = (self.nodes[j * shares.len() + k], Dof::Amplitude);
                 let row: Vec<((usize, Dof), f64)> = std::iter::once((own, 1.0)).chain(on_plate).collect();
                 // Where it is, for the order of elimination.
@@ -89,9 +87,7 @@ impl LiquidFloor {
                 let gap = with_gaps.then(|| (builder.node(place), Dof::Amplitude));
                 let mut spring = |unknowns: &[(usize, Dof)], terms: &[(usize, usize, f64)]| {
                     let mut matrix = Matrix::zeros(unknowns.len(), unknowns.len());
-                    terms
-                        .iter()
-                        .for_each(|&(a, b, term)| matrix.add(a, b, stiffness * term));
+                    terms.iter().for_each(|&(a, b, term)| matrix.add(a, b, stiffness * term));
                     let spring = SuperElement::over(unknowns).and_then(|e| e.with_stiffness(matrix));
                     spring.map(|e| builder.element(FLOOR, e)).map_err(failed)
                 };
@@ -104,11 +100,7 @@ impl LiquidFloor {
                     out.push(Share {
                         element: spring(&unknowns, &terms)?,
                         size: row.len(),
-                        places: weights
-                            .iter()
-                            .enumerate()
-                            .map(|(i, (ring, _))| (1 + i, *ring))
-                            .collect(),
+                        places: weights.iter().enumerate().map(|(i, (ring, _))| (1 + i, *ring)).collect(),
                         angle,
                     });
                     continue;

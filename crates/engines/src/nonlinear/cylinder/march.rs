@@ -63,14 +63,7 @@ impl<'a> Cylinder<'a> {
     ) -> Result<Cylinder<'a>, FeError> {
         let motion = checked_motion(case)?;
         let span = Span::new(motion, options.after_record, tank.sloshing_omega)?;
-        Ok(Cylinder {
-            case,
-            options,
-            tank,
-            span,
-            states: None,
-            criteria: None,
-        })
+        Ok(Cylinder { case, options, tank, span, states: None, criteria: None })
     }
 
     /// Longest step [s].
@@ -105,9 +98,7 @@ impl<'a> Cylinder<'a> {
             load.ground[2] = Some(motion);
         }
         let mut settings = Settings::new(grid);
-        settings.scheme = TimeScheme::GeneralizedAlpha {
-            radius: options.spectral_radius,
-        };
+        settings.scheme = TimeScheme::GeneralizedAlpha { radius: options.spectral_radius };
         settings.constant = tank.constant();
         settings.threads = threads;
         settings.adaptive = match options.step {

@@ -19,13 +19,7 @@ pub(crate) struct Extremes {
 
 impl Extremes {
     pub(super) fn start(value: f64) -> Extremes {
-        Extremes {
-            rest: value,
-            min: value,
-            min_time: 0.0,
-            max: value,
-            max_time: 0.0,
-        }
+        Extremes { rest: value, min: value, min_time: 0.0, max: value, max_time: 0.0 }
     }
 
     pub(super) fn include(&mut self, value: f64, time: f64) {
@@ -40,11 +34,7 @@ impl Extremes {
     /// Largest distance from the static state, and its time.
     pub(crate) fn swing(&self) -> (f64, f64) {
         let (down, up) = (self.rest - self.min, self.max - self.rest);
-        if up >= down {
-            (up, self.max_time)
-        } else {
-            (down, self.min_time)
-        }
+        if up >= down { (up, self.max_time) } else { (down, self.min_time) }
     }
 }
 

@@ -47,11 +47,7 @@ impl Cells {
         let rows = |refine: f64| wall_levels(tank, depth, refine);
         let z = wanted.map_or_else(|| rows(1.0), |wanted| enough_rows(rows, wanted.height as usize));
         let sectors = wanted.map_or(SECTORS, |w| w.circumference as usize);
-        Cells {
-            z,
-            sectors: if symmetry { sectors.next_multiple_of(2) } else { sectors },
-            half: symmetry,
-        }
+        Cells { z, sectors: if symmetry { sectors.next_multiple_of(2) } else { sectors }, half: symmetry }
     }
 
     /// Angle of a sector [rad].

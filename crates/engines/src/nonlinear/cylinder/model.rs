@@ -269,9 +269,7 @@ impl Parts {
                 builder.hold(node, Dof::Ux);
             }
         }
-        let floor = plate
-            .as_ref()
-            .map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
+        let floor = plate.as_ref().map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
         let (liquid, amplitudes, liquid_element) =
             add_liquid(case, builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
         let joints = match options.contact {
@@ -292,15 +290,8 @@ impl Parts {
             }
         };
         let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
-        let (mut pressure, areas) = pressures(
-            builder,
-            &footprint,
-            &wall,
-            &cells,
-            [unit_weight, depth],
-            &pressed,
-            options,
-        );
+        let (mut pressure, areas) =
+            pressures(builder, &footprint, &wall, &cells, [unit_weight, depth], &pressed, options);
         if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
             standing.found(plate, case, builder, options, &mut pressure)?;
             if let Some(floor) = &floor {
@@ -360,9 +351,8 @@ impl CylinderModel {
             true => assembler.body_force(&model, [0.0, 0.0, -case.gravity]),
             false => vec![0.0; model.dofs().len()],
         };
-        let amplitudes = { parts.amplitudes.iter() }
-            .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
-            .collect();
+        let amplitudes =
+            { parts.amplitudes.iter() }.filter_map(|&n| model.dofs().equation(n, Dof::Amplitude)).collect();
         let radial = |(&node, &point): (&usize, &usize)| {
             let [c, s, _] = parts.footprint.normals[point];
             let load = parts.areas.at(node);
@@ -414,12 +404,7 @@ impl CylinderModel {
 
     /// The problem to be integrated.
     pub(crate) fn problem(&self) -> Problem<'_> {
-        Problem {
-            model: &self.model,
-            assembler: &self.assembler,
-            symbolic: &self.symbolic,
-            system: &self.system,
-        }
+        Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system }
     }
 
     /// Forces of weight and hydrostatic pressure.
@@ -457,9 +442,7 @@ impl CylinderModel {
         let wall = self.wetted.iter().map(|&n| dofs.equation(n, Dof::Ux));
         let floor = self.floor.iter().flat_map(|floor| &floor.nodes);
         let floor = floor.map(|&n| dofs.equation(n, Dof::Amplitude));
-        wall.chain(floor)
-            .chain(self.amplitudes.iter().map(|&e| Some(e)))
-            .collect()
+        wall.chain(floor).chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
     }
 }
 

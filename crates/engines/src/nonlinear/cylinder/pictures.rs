@@ -61,10 +61,7 @@ impl<'a> Pictures<'a> {
             })
             .collect();
         let (ground, plastic) = match &self.tank.standing {
-            Some(standing) => (
-                self.pressures(&displacement),
-                standing.plastic_by_cell(self.tank, now.state)?,
-            ),
+            Some(standing) => (self.pressures(&displacement), standing.plastic_by_cell(self.tank, now.state)?),
             None => (Vec::new(), Vec::new()),
         };
         let resultants = self.resultants(now)?;
@@ -128,9 +125,8 @@ impl<'a> Pictures<'a> {
             to.number(state.time);
             to.numbers(state.displacement.as_flattened());
             let all = state.resultants.iter();
-            let numbers: Vec<f64> = all
-                .flat_map(|r| [r.n_phi, r.n_v, r.n_phi_v, r.m_phi, r.m_v, r.m_phi_v, r.q_v])
-                .collect();
+            let numbers: Vec<f64> =
+                all.flat_map(|r| [r.n_phi, r.n_v, r.n_phi_v, r.m_phi, r.m_v, r.m_phi_v, r.q_v]).collect();
             to.numbers(&numbers);
             to.numbers(&state.ground);
             to.numbers(&state.plastic);
@@ -161,13 +157,5 @@ impl<'a> Pictures<'a> {
 }
 
 fn of_numbers(&[n_phi, n_v, n_phi_v, m_phi, m_v, m_phi_v, q_v]: &[f64; RESULTANTS]) -> Resultants {
-    Resultants {
-        n_phi,
-        n_v,
-        n_phi_v,
-        m_phi,
-        m_v,
-        m_phi_v,
-        q_v,
-    }
+    Resultants { n_phi, n_v, n_phi_v, m_phi, m_v, m_phi_v, q_v }
 }

@@ -197,19 +197,13 @@ impl Look {
             largest.filter(|&i| list[i] > least)
         };
         let found = [
-            (
-                Happening::Crack,
-                worst(&self.crack_width[0], 0.0).or(worst(&self.crack_width[1], 0.0)),
-            ),
+            (Happening::Crack, worst(&self.crack_width[0], 0.0).or(worst(&self.crack_width[1], 0.0))),
             (Happening::Yield, worst(&self.plastic_strain, YIELDS)),
             (Happening::BarYield, worst(&self.bar_plastic_strain, YIELDS)),
             (Happening::Crushing, worst(&self.compression, CRUSHES)),
             (Happening::Tears, self.torn.first().copied()),
             (Happening::BarRupture, self.ruptured.first().copied()),
         ];
-        found
-            .into_iter()
-            .filter_map(|(what, cell)| Some((what, cell?)))
-            .collect()
+        found.into_iter().filter_map(|(what, cell)| Some((what, cell?))).collect()
     }
 }

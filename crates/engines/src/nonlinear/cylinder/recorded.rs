@@ -78,21 +78,12 @@ pub(super) fn base_reaction(
         field
     };
     let rayleigh = |e: usize| -> Rayleigh { tank.rayleigh[tank.model.group_of(e)] };
-    Ok(Quantity::Reaction(Reaction::new(
-        tank.problem(),
-        name,
-        field,
-        rayleigh,
-    )?))
+    Ok(Quantity::Reaction(Reaction::new(tank.problem(), name, field, rayleigh)?))
 }
 
 /// A linear functional of the displacements.
 pub(super) fn row(name: &str, row: Vec<(usize, f64)>) -> Quantity {
-    Quantity::Linear(Observable {
-        name: name.into(),
-        displacement: row,
-        ..Observable::default()
-    })
+    Quantity::Linear(Observable { name: name.into(), displacement: row, ..Observable::default() })
 }
 
 /// Recorded quantities, those of half a tank doubled where they are sums.
@@ -103,11 +94,7 @@ pub(super) fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, Analysis
     // Half a wall has its last meridian at θ = π, a whole one its middle one.
     let back = |level: usize| -> Vec<(usize, f64)> {
         let around = &levels[level];
-        let opposite = if tank.cells.half {
-            around.len() - 1
-        } else {
-            around.len() / 2
-        };
+        let opposite = if tank.cells.half { around.len() - 1 } else { around.len() / 2 };
         let row = tank.model.row(tank.wall.inner[around[opposite]], Dof::Ux);
         row.into_iter().map(|(e, c)| (e, -c)).collect()
     };

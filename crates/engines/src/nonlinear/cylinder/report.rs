@@ -33,13 +33,7 @@ use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, Serie
 
 /// Everything that is reported of a run.
 pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> Simulation {
-    let Cylinder {
-        case,
-        options,
-        tank,
-        span,
-        ..
-    } = cylinder;
+    let Cylinder { case, options, tank, span, .. } = cylinder;
     let last = look(tank, &run.state);
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
     worst.envelop(&last);
@@ -116,11 +110,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         series: histories.series,
         assumptions: assumptions(case, options, tank, span),
         notes,
-        snapshots: watch
-            .pictures
-            .as_ref()
-            .map(|p| p.states.clone())
-            .filter(|p| !p.states.is_empty()),
+        snapshots: watch.pictures.as_ref().map(|p| p.states.clone()).filter(|p| !p.states.is_empty()),
         demands: Some(demands(case, tank, watch)),
         units: None,
         of_modes: None,
@@ -138,10 +128,7 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
         let own: Vec<f64> = values.iter().map(|v| v - rest).collect();
         let sampled = || {
             let i = (0..own.len()).fold(0, |m, i| if own[i].abs() > own[m].abs() { i } else { m });
-            (
-                own.get(i).map_or(0.0, |v| v.abs()),
-                times.get(i).copied().unwrap_or(0.0),
-            )
+            (own.get(i).map_or(0.0, |v| v.abs()), times.get(i).copied().unwrap_or(0.0))
         };
         let info = SeriesInfo::of(channel, rest, peak.unwrap_or_else(sampled));
         histories.push(info, own);
@@ -181,10 +168,7 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
         whole(Channel::ToeStress, toe, peak);
         let sampled = |values: &[f64]| {
             let all = values.iter().zip(times);
-            all.fold(
-                (0.0, 0.0),
-                |m: (f64, f64), (v, t)| if v.abs() > m.0 { (v.abs(), *t) } else { m },
-            )
+            all.fold((0.0, 0.0), |m: (f64, f64), (v, t)| if v.abs() > m.0 { (v.abs(), *t) } else { m })
         };
         let seen = &watch.seen.standing;
         for (history, side) in seen.joint.iter().zip(Side::BOTH) {
@@ -209,13 +193,9 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
 fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
     let range = &watch.recorder.ranges[k];
     match watch.recorder.histories[k].first() {
-        Some(&rest) => Extremes {
-            rest,
-            min: range.min,
-            min_time: range.min_time,
-            max: range.max,
-            max_time: range.max_time,
-        },
+        Some(&rest) => {
+            Extremes { rest, min: range.min, min_time: range.min_time, max: range.max, max_time: range.max_time }
+        }
         None => Extremes::default(),
     }
 }
@@ -248,10 +228,7 @@ fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
         let rows = sides.iter().filter_map(|s| s.hoop.get(row));
         rows.map(|e| e.swing().0).fold(0.0, f64::max)
     };
-    let axial = sides
-        .iter()
-        .filter_map(|s| s.axial.first().map(|e| e.swing().0))
-        .fold(0.0, f64::max);
+    let axial = sides.iter().filter_map(|s| s.axial.first().map(|e| e.swing().0)).fold(0.0, f64::max);
     let along = watch.seen.two.along();
     let mut out = BTreeMap::from([
         (Quantity::ImpulsivePeriod, TAU / tank.wall_omega),

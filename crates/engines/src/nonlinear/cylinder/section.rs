@@ -63,12 +63,7 @@ pub(crate) fn row(layers: &[Layer], element: [f64; 2], integration: &Integration
     match leaves.as_slice() {
         [only] => {
             let (section, parts) = leaf(only, element, integration)?;
-            Ok(RowBuild {
-                build: Build::Shell(section),
-                parts: vec![parts],
-                thickness,
-                gap: 0.0,
-            })
+            Ok(RowBuild { build: Build::Shell(section), parts: vec![parts], thickness, gap: 0.0 })
         }
         [inner, outer] if !inner.is_empty() && !outer.is_empty() => {
             let Some(between) = layers.iter().find(|l| l.kind == LayerKind::Interlayer) else {
@@ -109,11 +104,7 @@ pub(crate) fn interlayer(layer: &Layer) -> Result<Between, FeError> {
             ));
         }
     };
-    Ok(Between {
-        material: law,
-        kinematics: Kinematics::GreenLagrange,
-        mass: LayerMass::Halves,
-    })
+    Ok(Between { material: law, kinematics: Kinematics::GreenLagrange, mass: LayerMass::Halves })
 }
 
 fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Result<(Leaf, Vec<Part>), FeError> {
@@ -126,12 +117,7 @@ fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Resul
         let rule = quadrature(rule);
         let points = rule.points().map_err(failed)?.len();
         parts.extend(std::iter::repeat_n(part(layer, element), points));
-        plies.push(Ply {
-            law,
-            thickness: layer.thickness,
-            density: layer.material.density,
-            rule,
-        });
+        plies.push(Ply { law, thickness: layer.thickness, density: layer.material.density, rule });
         for bar in &layer.reinforcement {
             bars.push(Bar {
                 law: bar_law(&bar.material)?,
@@ -153,20 +139,16 @@ fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Resul
     }
     parts.extend(bar_parts);
     let section = LayeredSection::new(&plies, &bars).map_err(failed)?;
-    let leaf = Leaf {
-        section: Arc::new(section),
-        face: 0.5 * thickness,
-    };
+    let leaf = Leaf { section: Arc::new(section), face: 0.5 * thickness };
     Ok((leaf, parts))
 }
 
 fn part(layer: &Layer, element: [f64; 2]) -> Part {
     match layer.material.behaviour {
         Behaviour::Steel(steel) => Part::Steel(steel.ultimate_strength),
-        Behaviour::Concrete(concrete) => Part::Concrete {
-            band: element.map(|side| concrete.band(side)),
-            strength: concrete.compressive_strength,
-        },
+        Behaviour::Concrete(concrete) => {
+            Part::Concrete { band: element.map(|side| concrete.band(side)), strength: concrete.compressive_strength }
+        }
         _ => Part::Elastic,
     }
 }
@@ -186,19 +168,10 @@ fn plane_law(
     Ok(match material.behaviour {
         Behaviour::Elastic => (Arc::new(Elastic::new(young, nu).map_err(refused)?), integration.elastic),
         Behaviour::Steel(steel) => {
-            let law = VonMises::new(
-                young,
-                nu,
-                steel.yield_strength,
-                steel.tangent_modulus,
-                steel.kinematic_share,
-            );
+            let law = VonMises::new(young, nu, steel.yield_strength, steel.tangent_modulus, steel.kinematic_share);
             (Arc::new(law.map_err(refused)?), integration.steel)
         }
-        Behaviour::Concrete(concrete) => (
-            plane_concrete(&concrete, young, nu, layer, element)?,
-            integration.concrete,
-        ),
+        Behaviour::Concrete(concrete) => (plane_concrete(&concrete, young, nu, layer, element)?, integration.concrete),
         Behaviour::Reinforcement(_) => return unsupported(format!("`{}` is for bars, not for a layer", material.name)),
         Behaviour::Interlayer(_) => {
             return unsupported(format!("`{}` is for an interlayer, not for a shell", material.name));
@@ -227,10 +200,8 @@ pub(crate) fn plane_concrete(
                 BiaxialEnvelope::DruckerPrager => Envelope::DruckerPrager,
                 BiaxialEnvelope::Kupfer => Envelope::Kupfer,
             };
-            parameters.retention = ShearRetention {
-                least: concrete.shear_retention,
-                strain: concrete.shear_retention_strain,
-            };
+            parameters.retention =
+                ShearRetention { least: concrete.shear_retention, strain: concrete.shear_retention_strain };
             Arc::new(CrackedConcrete::new(&parameters).map_err(refused)?)
         }
         ConcreteLaw::PlasticFracturing => {

@@ -24,15 +24,10 @@ pub(crate) fn simulate(
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    let cylinder = Cylinder {
-        states,
-        ..Cylinder::new(case, options, progress)?
-    };
+    let cylinder = Cylinder { states, ..Cylinder::new(case, options, progress)? };
     let (watch, run) = cylinder.march(motion, 1.0, cores::available(), checkpoint, progress)?;
     if run.outcome == Outcome::Interrupted && watch.recorder.times.len() < 2 {
-        return Err(FeError::Interrupted {
-            stage: "the nonlinear run".into(),
-        });
+        return Err(FeError::Interrupted { stage: "the nonlinear run".into() });
     }
     Ok(report(&cylinder, &watch, &run))
 }

@@ -86,19 +86,14 @@ pub(super) fn stands(case: &Case, options: &NonlinearOptions) -> bool {
 /// Rings of cells of the bottom; none under a wall whose foot is clamped.
 pub(super) fn rings(case: &Case, options: &NonlinearOptions) -> usize {
     let found = plate(case, options, case.tank.shape.half_length());
-    found
-        .ok()
-        .flatten()
-        .map_or(0, |plate| plate.radii.len().saturating_sub(1))
+    found.ok().flatten().map_or(0, |plate| plate.radii.len().saturating_sub(1))
 }
 
 /// The plate of a case, `None` of a wall whose foot is clamped.
 ///
 /// Errors: those of [`Plate::of`].
 pub(super) fn plate(case: &Case, options: &NonlinearOptions, radius: f64) -> Result<Option<Plate>, FeError> {
-    stands(case, options)
-        .then(|| Plate::of(case, radius, options.bottom_mesh))
-        .transpose()
+    stands(case, options).then(|| Plate::of(case, radius, options.bottom_mesh)).transpose()
 }
 
 impl Standing {
@@ -116,10 +111,7 @@ impl Standing {
         let columns = foot.len() - 1;
         let angles: Vec<f64> = (0..=columns).map(|k| PI * k as f64 / columns as f64).collect();
         let (mut rings, mut bending) = (Vec::new(), Vec::new());
-        let refused = |e: FeError| ElementError::NoAnswer {
-            kind: "bottom",
-            reason: e.to_string(),
-        };
+        let refused = |e: FeError| ElementError::NoAnswer { kind: "bottom", reason: e.to_string() };
         let mut more = |builder: &mut Builder, wall: &[usize]| {
             let own: Vec<usize> = foot.iter().map(|p| wall[*p]).collect();
             rings = plate.nodes(builder, &angles, &own);

@@ -65,9 +65,7 @@ impl Standing {
                 });
                 let at = |(ring, radius): (&Vec<usize>, &f64)| -> Vec<(usize, Vec<f64>)> {
                     let nodes = ring.iter().zip(&self.angles);
-                    nodes
-                        .map(|(&e, angle)| (e, vec![0.0, 0.0, -copies * radius * angle.cos()]))
-                        .collect()
+                    nodes.map(|(&e, angle)| (e, vec![0.0, 0.0, -copies * radius * angle.cos()])).collect()
                 };
                 rings.flat_map(at).chain(floor).chain(foot).collect()
             }
@@ -119,12 +117,7 @@ impl Standing {
             let motion = gather.motion(&tank.model, &state.committed, anchor);
             let height = motion.values[2];
             let seen = anchor.look(motion.values, &state.old[state.history(*e)]);
-            Pulled {
-                force: seen.force / number,
-                plastic: seen.plastic,
-                height,
-                angle: *angle,
-            }
+            Pulled { force: seen.force / number, plastic: seen.plastic, height, angle: *angle }
         });
         each.max_by(|a, b| a.force.total_cmp(&b.force).then(a.height.total_cmp(&b.height)))
     }

@@ -18,16 +18,8 @@ const POINTS: usize = 1500;
 
 /// A place in words; the angle from −180° to 360°, rounding below 0 taken for 0.
 pub(super) fn place(theta: f64, z: f64) -> String {
-    let theta = if theta < -1e-9 && theta > -PI {
-        theta + TAU
-    } else {
-        theta
-    };
-    format!(
-        "θ = {}°, z = {}",
-        significant(theta.to_degrees().abs(), 3),
-        display(z, Dimension::Length)
-    )
+    let theta = if theta < -1e-9 && theta > -PI { theta + TAU } else { theta };
+    format!("θ = {}°, z = {}", significant(theta.to_degrees().abs(), 3), display(z, Dimension::Length))
 }
 
 /// Middle of a cell.
@@ -57,21 +49,13 @@ pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
                 title: title.into(),
                 time,
                 place: middle(tank, cell),
-                note: if time == 0.0 {
-                    "In the static state.".into()
-                } else {
-                    String::new()
-                },
+                note: if time == 0.0 { "In the static state.".into() } else { String::new() },
             }
         })
         .collect();
     out.extend(parting(watch, tank));
     let separation = watch.separation.result();
-    if let Some(first) = separation
-        .places
-        .iter()
-        .filter(|p| p.below_trough)
-        .min_by(|a, b| a.first.total_cmp(&b.first))
+    if let Some(first) = separation.places.iter().filter(|p| p.below_trough).min_by(|a, b| a.first.total_cmp(&b.first))
     {
         let [x, y, z] = tank.model.nodes()[tank.wetted[first.number]];
         out.push(Event {
@@ -118,11 +102,7 @@ fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
 
 pub(super) fn grid(tank: &CylinderModel) -> WallGrid {
     WallGrid {
-        columns: Columns::Sectors {
-            radius: tank.radius,
-            edges: tank.cells.edges(),
-            mirrored: tank.cells.half,
-        },
+        columns: Columns::Sectors { radius: tank.radius, edges: tank.cells.edges(), mirrored: tank.cells.half },
         z: tank.cells.z.clone(),
         surface: tank.depth,
     }
@@ -293,10 +273,7 @@ fn paired(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
 }
 
 pub(super) fn loops(watch: &Watch<'_>) -> Vec<Loop> {
-    let axis = |title: &str, dimension| LoopAxis {
-        title: title.into(),
-        dimension,
-    };
+    let axis = |title: &str, dimension| LoopAxis { title: title.into(), dimension };
     let mut out = Vec::new();
     for (side, angle) in [(0, 0), (1, 180)] {
         let meridian = &watch.seen.sides[side];

@@ -30,12 +30,7 @@ use tank::reference::{case, material};
 
 /// An aluminium tank, R = 1.83 m, 3 mm; filled to 1.5 of 1.8 m.
 fn elastic() -> Case {
-    case(
-        Shape::Cylinder { radius: 1.83 },
-        &[(1.8, 3e-3)],
-        &material(69e9, 0.32, 2750.0),
-        (1000.0, 1.5),
-    )
+    case(Shape::Cylinder { radius: 1.83 }, &[(1.8, 3e-3)], &material(69e9, 0.32, 2750.0), (1000.0, 1.5))
 }
 
 /// A shock that excites wall and liquid.
@@ -44,17 +39,9 @@ fn shaken(mut case: Case, acceleration: f64, samples: usize) -> Case {
         let t = 0.01 * i as f64;
         acceleration * ((40.0 * t).sin() * (-6.0 * t).exp() + 0.3 * (2.6 * t).sin())
     };
-    let record = Record {
-        name: "shock".into(),
-        dt: 0.01,
-        acceleration: (0..samples).map(of).collect(),
-        processing: Vec::new(),
-    };
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record,
-        transverse: None,
-        vertical: None,
-    });
+    let record =
+        Record { name: "shock".into(), dt: 0.01, acceleration: (0..samples).map(of).collect(), processing: Vec::new() };
+    case.ground_motion = Some(GroundMotion { horizontal: record, transverse: None, vertical: None });
     case
 }
 
@@ -86,12 +73,7 @@ fn translation_carries_everything() {
                     (true, Some(f)) => [f[(0, 0)], f[(1, 0)], f[(2, 0)]],
                     _ => [1.0, 0.0, 0.0],
                 };
-                w.extend(
-                    element
-                        .dofs(local)
-                        .iter()
-                        .map(|d| global.get(d.index()).copied().unwrap_or(0.0)),
-                );
+                w.extend(element.dofs(local).iter().map(|d| global.get(d.index()).copied().unwrap_or(0.0)));
             }
             dot(&w, &reference_mass(element).to_matrix().times(&w))
         })
@@ -107,11 +89,7 @@ fn translation_carries_everything() {
 #[test]
 fn small_shaking_is_linear() {
     let case = shaken(elastic(), 0.05, 60);
-    let linear_options = fe::Options {
-        integrator: fe::Integrator::Modal,
-        mesh_error: false,
-        ..fe::Options::default()
-    };
+    let linear_options = fe::Options { integrator: fe::Integrator::Modal, mesh_error: false, ..fe::Options::default() };
     let linear = fe::simulate(&case, &linear_options).unwrap();
     let mut own = options(&case, 24, 48);
     own.spectral_radius = 1.0;
@@ -132,11 +110,7 @@ fn small_shaking_is_linear() {
         let i = s.series.ids.iter().position(|c| c == id).unwrap();
         s.series.columns[i].clone()
     };
-    for (id, tolerance) in [
-        ("base_shear", 0.04),
-        ("wave_height_theta_0", 0.05),
-        ("base_moment", 0.04),
-    ] {
+    for (id, tolerance) in [("base_shear", 0.04), ("wave_height_theta_0", 0.05), ("base_moment", 0.04)] {
         let (a, b) = (column(&nonlinear, id), column(&linear, id));
         let n = a.len().min(b.len());
         let largest = b[..n].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -144,19 +118,8 @@ fn small_shaking_is_linear() {
         assert!(apart < tolerance * largest, "{id}: {apart} of {largest}");
     }
     // Statically the membrane carries ρ g (H − z) R, away from base and surface.
-    let hoop = nonlinear
-        .result
-        .envelopes
-        .iter()
-        .find(|e| e.id == "hoop_stress")
-        .unwrap();
-    let (z, stress) = hoop
-        .z
-        .iter()
-        .zip(&hoop.static_)
-        .find(|(z, _)| **z > 0.6)
-        .map(|(z, s)| (*z, *s))
-        .unwrap();
+    let hoop = nonlinear.result.envelopes.iter().find(|e| e.id == "hoop_stress").unwrap();
+    let (z, stress) = hoop.z.iter().zip(&hoop.static_).find(|(z, _)| **z > 0.6).map(|(z, s)| (*z, *s)).unwrap();
     let exact = 1000.0 * case.gravity * (1.5 - z) * 1.83 / 3e-3;
     assert!((stress / exact - 1.0).abs() < 0.02, "{stress} {exact} at {z}");
     assert!(nonlinear.result.nonlinear.unwrap().energies.error < 1e-3);
@@ -170,10 +133,7 @@ fn small_shaking_is_linear() {
 fn free_vibration_after_the_record_is_that_of_the_linear_engine() {
     let case = shaken(elastic(), 0.05, 60);
     let none = options(&case, 8, 16);
-    let own = NonlinearOptions {
-        after_record: AfterRecord::DEFAULT,
-        ..none.clone()
-    };
+    let own = NonlinearOptions { after_record: AfterRecord::DEFAULT, ..none.clone() };
     let [short, long] = [&none, &own].map(|o| simulate(&case, o, None, &Silent).unwrap());
     assert_eq!((short.result.record_end, long.result.record_end), (None, Some(0.59)));
     let n = short.series.time.len();
@@ -184,22 +144,10 @@ fn free_vibration_after_the_record_is_that_of_the_linear_engine() {
     let end = 0.59 + 2.0 * long.values[&Quantity::SloshingPeriod];
     let last = *long.series.time.last().unwrap();
     assert!((0.0..=0.011).contains(&(last - end)), "{last} {end}");
-    let linear = fe::simulate(
-        &case,
-        &fe::Options {
-            mesh_error: false,
-            ..fe::Options::default()
-        },
-    )
-    .unwrap();
+    let linear = fe::simulate(&case, &fe::Options { mesh_error: false, ..fe::Options::default() }).unwrap();
     let wave = |s: &fe::Simulation| s.values[&Quantity::SloshingHeight];
     assert!(wave(&long) > 1.1 * wave(&short), "{} {}", wave(&long), wave(&short));
-    assert!(
-        (wave(&long) / wave(&linear) - 1.0).abs() < 0.03,
-        "{} {}",
-        wave(&long),
-        wave(&linear)
-    );
+    assert!((wave(&long) / wave(&linear) - 1.0).abs() < 0.03, "{} {}", wave(&long), wave(&linear));
 }
 
 fn concrete(name: &str) -> Material {
@@ -250,12 +198,7 @@ fn cracking() -> Case {
             bars(BarDirection::Vertical, 0.16),
         ],
     };
-    let mut case = case(
-        Shape::Cylinder { radius: 8.0 },
-        &[(5.0, 0.2)],
-        &material(30e9, 0.2, 2500.0),
-        (1000.0, 4.5),
-    );
+    let mut case = case(Shape::Cylinder { radius: 8.0 }, &[(5.0, 0.2)], &material(30e9, 0.2, 2500.0), (1000.0, 4.5));
     case.tank.courses = vec![Course::layered(5.0, vec![layer])];
     case
 }
@@ -269,12 +212,7 @@ fn half_is_the_whole() {
     let half = simulate(&case, &own, None, &Silent).unwrap();
     own.symmetry = false;
     let whole = simulate(&case, &own, None, &Silent).unwrap();
-    for id in [
-        "base_shear",
-        "base_moment",
-        "wave_height_theta_180",
-        "belly_displacement",
-    ] {
+    for id in ["base_shear", "base_moment", "wave_height_theta_180", "belly_displacement"] {
         let column = |s: &fe::Simulation| {
             let i = s.series.ids.iter().position(|c| c == id).unwrap();
             s.series.columns[i].clone()
@@ -324,22 +262,13 @@ fn resumed_is_uninterrupted() {
 fn resumed_with(contact: Contact) {
     let case = shaken(cracking(), 6.0, 12);
     // Interrupted in the free vibration after the record, of 0.11 s.
-    let own = NonlinearOptions {
-        contact,
-        after_record: AfterRecord::Time(0.06),
-        ..options(&case, 4, 8)
-    };
+    let own = NonlinearOptions { contact, after_record: AfterRecord::Time(0.06), ..options(&case, 4, 8) };
     let folder = tempfile::tempdir().unwrap();
-    let file = |key: &str, resume| CheckpointFile {
-        path: folder.path().join("run.checkpoint"),
-        key: key.into(),
-        resume,
-    };
+    let file =
+        |key: &str, resume| CheckpointFile { path: folder.path().join("run.checkpoint"), key: key.into(), resume };
     let straight = simulate(&case, &own, None, &Silent).unwrap();
     // Steps of the stages before count as well.
-    let stop = StopAfter {
-        left: AtomicU64::new(40),
-    };
+    let stop = StopAfter { left: AtomicU64::new(40) };
     let part = simulate(&case, &own, Some(&file("a", false)), &stop).unwrap();
     assert!(part.result.incomplete);
     assert!(part.series.time.len() < straight.series.time.len());
@@ -360,14 +289,10 @@ fn resumed_with(contact: Contact) {
 /// pressures are more than the fewest elements that are shared among threads.
 #[test]
 fn threads_change_no_bit() {
-    for (case, contact) in [
-        (shaken(cracking(), 12.0, 10), Contact::Bonded),
-        (shaken(elastic(), 25.0, 8), Contact::Opening),
-    ] {
-        let own = NonlinearOptions {
-            contact,
-            ..options(&case, 14, 24)
-        };
+    for (case, contact) in
+        [(shaken(cracking(), 12.0, 10), Contact::Bonded), (shaken(elastic(), 25.0, 8), Contact::Opening)]
+    {
+        let own = NonlinearOptions { contact, ..options(&case, 14, 24) };
         let cylinder = Cylinder::new(&case, &own, &Silent).unwrap();
         assert!(cylinder.tank.model.elements().len() > 256);
         let motion = case.ground_motion.as_ref().unwrap();
@@ -397,13 +322,8 @@ fn marched_to(
 ) -> (Vec<Vec<f64>>, fem::analysis::march::Run) {
     let tank = CylinderModel::in_form(case, options, |_| operator).unwrap();
     assert_eq!(tank.assembler.has_operators(), operator);
-    let cylinder = Cylinder {
-        criteria,
-        ..Cylinder::of(case, options, tank).unwrap()
-    };
-    let (watch, run) = cylinder
-        .march(case.ground_motion.as_ref().unwrap(), 1.0, 1, None, &Silent)
-        .unwrap();
+    let cylinder = Cylinder { criteria, ..Cylinder::of(case, options, tank).unwrap() };
+    let (watch, run) = cylinder.march(case.ground_motion.as_ref().unwrap(), 1.0, 1, None, &Silent).unwrap();
     (watch.recorder.histories.clone(), run)
 }
 
@@ -423,17 +343,10 @@ fn operator_is_the_dense_march() {
         },
         ..by_group.clone()
     };
-    let opening = NonlinearOptions {
-        contact: Contact::Opening,
-        damping: whole.damping,
-        ..by_group.clone()
-    };
-    for (own, strength, tolerance) in [
-        (&by_group, 12.0, 3e-3),
-        (&whole, 12.0, 3e-3),
-        (&opening, 12.0, 3e-3),
-        (&by_group, 0.02, 1e-5),
-    ] {
+    let opening = NonlinearOptions { contact: Contact::Opening, damping: whole.damping, ..by_group.clone() };
+    for (own, strength, tolerance) in
+        [(&by_group, 12.0, 3e-3), (&whole, 12.0, 3e-3), (&opening, 12.0, 3e-3), (&by_group, 0.02, 1e-5)]
+    {
         let mut case = shaken(cracking(), strength, 20);
         case.tank.roof.mass = 3000.0;
         let (dense, dense_run) = marched(&case, own, false);
@@ -443,11 +356,7 @@ fn operator_is_the_dense_march() {
         for (k, (a, b)) in found.iter().zip(&dense).enumerate() {
             let largest = b.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(
-                apart < tolerance * largest,
-                "{strength} {:?} {k}: {apart} of {largest}",
-                own.contact
-            );
+            assert!(apart < tolerance * largest, "{strength} {:?} {k}: {apart} of {largest}", own.contact);
         }
         // The wall is elastic and round: the preconditioner is the matrix, but for the stress that is there.
         let each = run.cost.products as f64 / run.cost.iterations as f64;
@@ -464,24 +373,14 @@ fn contact_that_opens() {
     for (acceleration, opens) in [(0.2, false), (25.0, true)] {
         let case = shaken(elastic(), acceleration, 30);
         let bonded = options(&case, 8, 16);
-        let own = NonlinearOptions {
-            contact: Contact::Opening,
-            ..bonded.clone()
-        };
+        let own = NonlinearOptions { contact: Contact::Opening, ..bonded.clone() };
         let [tight, found] = [&bonded, &own].map(|o| simulate(&case, o, None, &Silent).unwrap());
         let n = found.result.nonlinear.as_ref().unwrap();
         assert_eq!(found.result.end, End::Completed);
         assert!(n.energies.error < 1e-3, "{}", n.energies.error);
         let gap = n.maps.iter().find(|m| m.id == "separation").unwrap();
         assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
-        assert_eq!(
-            found
-                .result
-                .events
-                .iter()
-                .any(|e| e.title == "the liquid separates from the wall"),
-            opens
-        );
+        assert_eq!(found.result.events.iter().any(|e| e.title == "the liquid separates from the wall"), opens);
         for (quantity, a) in &found.values {
             let b = tight.values[quantity];
             assert!(opens || (a / b - 1.0).abs() < 5e-3, "{}: {a} {b}", quantity.id());

@@ -37,16 +37,7 @@ const WAVE_LEFT: usize = 10;
 /// The same at θ = 270°.
 const WAVE_RIGHT: usize = 11;
 /// Components that are read at every step: forces, moments, waves.
-const READ: [usize; 8] = [
-    BASE_SHEAR,
-    SHEAR_Y,
-    BASE_MOMENT,
-    MOMENT_Y,
-    WAVE_FRONT,
-    WAVE_BACK,
-    WAVE_LEFT,
-    WAVE_RIGHT,
-];
+const READ: [usize; 8] = [BASE_SHEAR, SHEAR_Y, BASE_MOMENT, MOMENT_Y, WAVE_FRONT, WAVE_BACK, WAVE_LEFT, WAVE_RIGHT];
 /// Diameters whose meridians keep histories, at most: between two of them the amplitude of a harmonic 1 varies by 2 %.
 const DIAMETERS: usize = 8;
 
@@ -62,12 +53,8 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions) -> Vec<Refusal> 
     if options.symmetry {
         let message = "--quake-y: half of a tank (analysis.nonlinear.symmetry) does not move along y";
         return vec![
-            Refusal::new(
-                Place::Transverse,
-                message,
-                "the whole tank: analysis.nonlinear.symmetry false",
-            )
-            .help("remove \"symmetry\": true from analysis.nonlinear, or remove --quake-y"),
+            Refusal::new(Place::Transverse, message, "the whole tank: analysis.nonlinear.symmetry false")
+                .help("remove \"symmetry\": true from analysis.nonlinear, or remove --quake-y"),
         ];
     }
     let cells = Cells::new(&case.tank, case.liquid.fill_height, options.elements, false);
@@ -78,10 +65,7 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions) -> Vec<Refusal> 
     vec![
         Refusal::new(Place::Sectors, message, "a multiple of four")
             .found(cells.sectors.to_string())
-            .help(format!(
-                "set analysis.nonlinear.elements.circumference to {}",
-                cells.sectors.next_multiple_of(4)
-            )),
+            .help(format!("set analysis.nonlinear.elements.circumference to {}", cells.sectors.next_multiple_of(4))),
     ]
 }
 
@@ -100,21 +84,12 @@ impl Largest {
     fn include(&mut self, value: f64, time: f64, theta: f64, row: usize) {
         if value > self.value {
             let theta = theta.rem_euclid(TAU);
-            *self = Largest {
-                value,
-                time,
-                theta,
-                row,
-            };
+            *self = Largest { value, time, theta, row };
         }
     }
 
     fn peak(self) -> Peak {
-        Peak {
-            value: self.value,
-            time: self.time,
-            theta: self.theta,
-        }
+        Peak { value: self.value, time: self.time, theta: self.theta }
     }
 }
 
@@ -174,10 +149,7 @@ pub(crate) struct TwoSeen {
 impl TwoSeen {
     /// Nothing seen, on a fan of so many meridians beside those of the sides.
     pub(super) fn new(meridians: usize) -> TwoSeen {
-        TwoSeen {
-            meridians: vec![Meridian::default(); meridians],
-            ..TwoSeen::default()
-        }
+        TwoSeen { meridians: vec![Meridian::default(); meridians], ..TwoSeen::default() }
     }
 
     /// Looks at the recorded quantities of a committed step.
@@ -207,8 +179,7 @@ impl TwoSeen {
     /// Largest hoop stress of the wall and of its rim, and axial stress of the base, along x [Pa], from the means of the cells on both sides of θ = 0 and 180°, in which
     /// the motion along y has no part; none with one component.
     pub(super) fn along(&self) -> Option<[f64; 3]> {
-        self.rest
-            .map(|_| [self.hoop.x.value, self.rim.x.value, self.axial.x.value])
+        self.rest.map(|_| [self.hoop.x.value, self.rim.x.value, self.axial.x.value])
     }
 
     /// Largest rise of the surface at the wall.
@@ -237,31 +208,15 @@ impl TwoSeen {
             theta: found.theta,
         };
         let mut out = Vec::new();
-        for (what, [x, y], found) in [
-            (OnBase::Shear, [BASE_SHEAR, SHEAR_Y], self.shear),
-            (OnBase::Moment, [BASE_MOMENT, MOMENT_Y], self.moment),
-        ] {
+        for (what, [x, y], found) in
+            [(OnBase::Shear, [BASE_SHEAR, SHEAR_Y], self.shear), (OnBase::Moment, [BASE_MOMENT, MOMENT_Y], self.moment)]
+        {
             let channel = what.along();
-            out.push(directional(
-                channel.id(),
-                channel.title(),
-                channel,
-                [swing(x), swing(y)],
-                found,
-            ));
+            out.push(directional(channel.id(), channel.title(), channel, [swing(x), swing(y)], found));
         }
-        let waves = [
-            rise(WAVE_FRONT).max(rise(WAVE_BACK)),
-            rise(WAVE_LEFT).max(rise(WAVE_RIGHT)),
-        ];
+        let waves = [rise(WAVE_FRONT).max(rise(WAVE_BACK)), rise(WAVE_LEFT).max(rise(WAVE_RIGHT))];
         let title = "Wave height at the wall".to_owned();
-        out.push(directional(
-            "wave_height".into(),
-            title,
-            Channel::WaveLargest,
-            waves,
-            self.wave,
-        ));
+        out.push(directional("wave_height".into(), title, Channel::WaveLargest, waves, self.wave));
         for (what, stress) in [(OnWall::Hoop, &self.hoop), (OnWall::Axial, &self.axial)] {
             let row = stress.all.row;
             let z = 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]);
@@ -308,9 +263,7 @@ pub(super) fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, Analysis
 pub(super) fn fan(cells: &Cells) -> Vec<usize> {
     let half = cells.columns() / 2;
     let diameters = DIAMETERS.min(half);
-    (1..diameters)
-        .flat_map(|k| [k * half / diameters, k * half / diameters + half])
-        .collect()
+    (1..diameters).flat_map(|k| [k * half / diameters, k * half / diameters + half]).collect()
 }
 
 /// What lies between two meridians of the fan of a harmonic 1, relative: 1 − cos(π/2n) with n diameters.
@@ -333,31 +286,19 @@ pub(super) fn add(histories: &mut Histories, recorder: &QuantityObserver, seen: 
         (WAVE_RIGHT, Channel::WaveAround { degrees: 270.0 }),
     ];
     for (k, channel) in y {
-        let (range, first) = (
-            &recorder.ranges[k],
-            recorder.histories[k].first().copied().unwrap_or(0.0),
-        );
+        let (range, first) = (&recorder.ranges[k], recorder.histories[k].first().copied().unwrap_or(0.0));
         let (up, down) = (range.max - first, first - range.min);
-        let peak = if up >= down {
-            (up, range.max_time)
-        } else {
-            (down, range.min_time)
-        };
+        let peak = if up >= down { (up, range.max_time) } else { (down, range.min_time) };
         histories.push(SeriesInfo::of(channel, first, peak), own(k));
     }
-    let both = [
-        (OnBase::Shear, BASE_SHEAR, SHEAR_Y, seen.shear),
-        (OnBase::Moment, BASE_MOMENT, MOMENT_Y, seen.moment),
-    ];
+    let both = [(OnBase::Shear, BASE_SHEAR, SHEAR_Y, seen.shear), (OnBase::Moment, BASE_MOMENT, MOMENT_Y, seen.moment)];
     for (what, x, y, found) in both {
         let values = own(x).iter().zip(own(y)).map(|(x, y)| x.hypot(y)).collect();
         let info = SeriesInfo::of(Channel::Resultant(what), 0.0, (found.value, found.time));
         histories.push(info, values);
     }
     let [front, back, left, right] = [WAVE_FRONT, WAVE_BACK, WAVE_LEFT, WAVE_RIGHT].map(own);
-    let values = (0..front.len())
-        .map(|i| largest_wave([front[i], back[i], left[i], right[i]]).0)
-        .collect();
+    let values = (0..front.len()).map(|i| largest_wave([front[i], back[i], left[i], right[i]]).0).collect();
     let info = SeriesInfo::of(Channel::WaveLargest, 0.0, (seen.wave.value, seen.wave.time));
     histories.push(info, values);
 }

@@ -133,14 +133,8 @@ impl<'a> Watch<'a> {
             directions: angles.iter().map(|t| [t.cos(), t.sin()]).collect(),
             fan,
             rise: rise(&tank.liquid, tank.gravity, tank.depth, &heights, &angles),
-            openings: tank
-                .joints
-                .as_ref()
-                .map(|j| Openings::new(j.heights(), j.areas.clone())),
-            seen: Seen {
-                two: TwoSeen::new(others),
-                ..Seen::default()
-            },
+            openings: tank.joints.as_ref().map(|j| Openings::new(j.heights(), j.areas.clone())),
+            seen: Seen { two: TwoSeen::new(others), ..Seen::default() },
             tank,
             interval,
             pictures: None,
@@ -240,9 +234,7 @@ impl<'a> Watch<'a> {
                 axial.push(along);
             }
         }
-        self.seen
-            .two
-            .stresses((cells, self.tank.depth), [&hoop, &axial], now.time);
+        self.seen.two.stresses((cells, self.tank.depth), [&hoop, &axial], now.time);
         Ok(())
     }
 
@@ -292,12 +284,7 @@ impl<'a> Watch<'a> {
         let rises = self.rise.times(&u[wall..]);
         let vertical = now.ground[2] * self.tank.unit_weight / self.tank.gravity;
         let depth = self.tank.depth;
-        let heights: Vec<f64> = self
-            .tank
-            .wetted
-            .iter()
-            .map(|&n| self.tank.model.nodes()[n][2])
-            .collect();
+        let heights: Vec<f64> = self.tank.wetted.iter().map(|&n| self.tank.model.nodes()[n][2]).collect();
         let pressure = |i: usize| {
             let area = self.tank.areas[i];
             let own = if area > 0.0 { -force[i] / area } else { 0.0 };
@@ -340,20 +327,12 @@ impl<'a> Watch<'a> {
         if self.seen.rest.is_none() {
             let found = self.look(now);
             self.seen.rest = Some(found.clone());
-            self.seen.extreme = Some(Kept {
-                time: now.time,
-                moment,
-                look: found,
-            });
+            self.seen.extreme = Some(Kept { time: now.time, moment, look: found });
             self.seen.next = self.interval;
         } else if grown || now.time >= self.seen.next * (1.0 - 1e-9) {
             let found = self.look(now);
             if grown {
-                self.seen.extreme = Some(Kept {
-                    time: now.time,
-                    moment,
-                    look: found,
-                });
+                self.seen.extreme = Some(Kept { time: now.time, moment, look: found });
             }
             while self.seen.next <= now.time * (1.0 + 1e-9) {
                 self.seen.next += self.interval;

@@ -45,9 +45,7 @@ pub(super) fn mode(plan: &Plan, acceleration: f64) -> Result<Mode, FeError> {
     let model = plan.build(None)?;
     let mut state = State::new(&model.model);
     let none = vec![0.0; model.weight.len()];
-    continuation(&model, &model.weight, &none)?
-        .step(&mut state, &Constraint::Load(0.0))
-        .map_err(failed)?;
+    continuation(&model, &model.weight, &none)?.step(&mut state, &Constraint::Load(0.0)).map_err(failed)?;
     let found = under(&model, &mut state, &model.load(acceleration).0)?;
     let found = found.ok_or_else(|| failed("no multiple of the load buckles the elastic wall"))?;
     Ok(on_the_wall(&model, &found))
@@ -63,10 +61,7 @@ pub(super) fn under(model: &PushModel, state: &mut State, load: &[f64]) -> Resul
         .map_err(|(number, source)| failed(format!("element {number}: {source}")))?;
     let factor = model.symbolic.factor(&tangent, Kind::Definite).map_err(failed)?;
     let added = factor.solve_vector(load).map_err(failed)?;
-    let geometric = model
-        .assembler
-        .geometric_stiffness(&model.model, &added)
-        .map_err(failed)?;
+    let geometric = model.assembler.geometric_stiffness(&model.model, &added).map_err(failed)?;
     lowest(&tangent, &geometric, &model.symbolic).map_err(failed)
 }
 
@@ -88,11 +83,7 @@ fn on_the_wall(model: &PushModel, found: &Buckling) -> Mode {
     // A wall cannot buckle without moving out of its surface.
     let scale = if largest == 0.0 { 0.0 } else { 1.0 / largest };
     field.iter_mut().flatten().flatten().for_each(|v| *v *= scale);
-    Mode {
-        factor: found.factor,
-        field,
-        place,
-    }
+    Mode { factor: found.factor, field, place }
 }
 
 impl Mode {
@@ -116,9 +107,7 @@ impl Mode {
             dimension: Dimension::Length,
             theta: plan.angles.clone(),
             z: plan.levels.clone(),
-            values: (0..plan.angles.len())
-                .flat_map(|k| self.field.iter().map(move |row| radial(k, row)))
-                .collect(),
+            values: (0..plan.angles.len()).flat_map(|k| self.field.iter().map(move |row| radial(k, row))).collect(),
         }
     }
 }
@@ -188,10 +177,7 @@ mod tests {
         let axial = critical(&plan, shares);
         assert!((0.93..1.05).contains(&axial), "{axial}");
         let bending = critical(&plan, cosine_shares);
-        assert!(
-            (0.93..1.10).contains(&bending) && bending > 0.999 * axial,
-            "{bending} {axial}"
-        );
+        assert!((0.93..1.10).contains(&bending) && bending > 0.999 * axial, "{bending} {axial}");
     }
 
     /// The normals of the imperfect surface are those of its facets, and its supports stay where they are.
@@ -211,11 +197,7 @@ mod tests {
             let (angle, z) = (plan.angles[k], plan.levels[l]);
             let (moved, normal) = dent.at((l, k), angle, z);
             let (s, c) = angle.sin_cos();
-            (
-                Vector3::new(RADIUS * c, RADIUS * s, z) + moved,
-                normal.normalize(),
-                moved.dot(&Vector3::new(c, s, 0.0)),
-            )
+            (Vector3::new(RADIUS * c, RADIUS * s, z) + moved, normal.normalize(), moved.dot(&Vector3::new(c, s, 0.0)))
         };
         assert!((largest(&|l, k| at(l, k).2) / delta - 1.0).abs() < 1e-9);
         assert!((0..plan.angles.len()).all(|k| at(0, k).2 == 0.0));

@@ -8,11 +8,7 @@ use super::model::PushModel;
 use crate::FeError;
 
 /// When a step has converged.
-pub(super) const CRITERIA: Criteria = Criteria {
-    energy: 1e-10,
-    force: 1e-4,
-    iterations: 20,
-};
+pub(super) const CRITERIA: Criteria = Criteria { energy: 1e-10, force: 1e-4, iterations: 20 };
 
 pub(super) fn analysis(error: impl std::fmt::Display) -> FeError {
     FeError::Analysis(error.to_string())
@@ -24,14 +20,7 @@ pub(super) fn continuation<'a>(
     constant: &[f64],
     load: &[f64],
 ) -> Result<Continuation<'a>, FeError> {
-    let path = Continuation::new(
-        &model.model,
-        &model.assembler,
-        &model.symbolic,
-        constant,
-        load,
-        CRITERIA,
-    );
+    let path = Continuation::new(&model.model, &model.assembler, &model.symbolic, constant, load, CRITERIA);
     let path = path.map_err(analysis)?.on_threads(cores::available());
     Ok(path.with_extrapolated_stresses())
 }

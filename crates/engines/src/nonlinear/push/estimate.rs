@@ -37,10 +37,7 @@ pub fn estimate(case: &Case, options: &NonlinearOptions, push: &PushOptions) -> 
     check_levels(&case.tank, case.liquid.fill_height, 1.0)?;
     let rows = |refine: f64| based_levels(&case.tank, case.liquid.fill_height, BASE, refine);
     let (height, sectors) = match options.elements {
-        Some(elements) => (
-            enough_rows(rows, elements.height as usize).len() - 1,
-            elements.circumference,
-        ),
+        Some(elements) => (enough_rows(rows, elements.height as usize).len() - 1, elements.circumference),
         None => (rows(1.0).len() - 1, SECTORS),
     };
     // The plates alone decide how many rings the bottom has.
@@ -72,11 +69,7 @@ fn of(case: &Case, options: &NonlinearOptions, push: &PushOptions, rows: f64, se
     let nodes = (columns + 1.0) * rows;
     let cells = columns * rows;
     let fill = Fill::grid([columns + 1.0, rows, 1.0], NODE, false);
-    let each = case
-        .tank
-        .courses
-        .iter()
-        .map(|c| slots(c, &options.integration) * c.height);
+    let each = case.tank.courses.iter().map(|c| slots(c, &options.integration) * c.height);
     let history = cells * each.sum::<f64>() / case.tank.wall_height();
     let shells = if push.imperfection.is_some() { 2.0 } else { 1.0 };
     let iteration = cells * CELL_TIME
@@ -101,9 +94,6 @@ fn of(case: &Case, options: &NonlinearOptions, push: &PushOptions, rows: f64, se
         steps: shells * STATES as f64,
         seconds: shells * STATES as f64 * ITERATIONS * iteration,
         inelastic: None,
-        lever: Lever {
-            smaller: Vec::new(),
-            other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),
-        },
+        lever: Lever { smaller: Vec::new(), other: "coarsen the wall (`analysis.nonlinear.elements`)".into() },
     }
 }

@@ -74,11 +74,9 @@ impl Amplitude {
     /// Its source in words; `shape` describes the shape.
     pub fn source(self, shape: &str) -> String {
         match self {
-            Amplitude::Quality(q) => format!(
-                "{shape}; amplitude √(R/t) t/{} of EN 1993-1-6, quality class {}",
-                q.parameter(),
-                q.name()
-            ),
+            Amplitude::Quality(q) => {
+                format!("{shape}; amplitude √(R/t) t/{} of EN 1993-1-6, quality class {}", q.parameter(), q.name())
+            }
             _ => format!("{shape}; amplitude as given"),
         }
     }
@@ -114,15 +112,7 @@ impl Dent {
             Dent::Weld(depression) => {
                 let (w, along_z) = depression.at(z);
                 let along_theta = 0.0;
-                place(
-                    depression.radius,
-                    angle,
-                    Deviation {
-                        w,
-                        along_theta,
-                        along_z,
-                    },
-                )
+                place(depression.radius, angle, Deviation { w, along_theta, along_z })
             }
             Dent::Mode(field) => {
                 let [moved, turned] = field[node.0][node.1];
@@ -167,12 +157,7 @@ mod tests {
 
     #[test]
     fn slope_is_the_derivative() {
-        let d = Depression {
-            radius: 12.0,
-            amplitude: 0.01,
-            height: 0.5,
-            half_wave: half_wave(12.0, 0.012, 0.3),
-        };
+        let d = Depression { radius: 12.0, amplitude: 0.01, height: 0.5, half_wave: half_wave(12.0, 0.012, 0.3) };
         assert_eq!(d.at(0.5), (0.01, 0.0));
         for z in [0.1, 0.45, 0.6, 1.3] {
             let numeric = (d.at(z + 1e-6).0 - d.at(z - 1e-6).0) / 2e-6;

@@ -174,9 +174,5 @@ fn read<'a>(plan: &'a Plan<'a>, mut from: Reader) -> Result<Kept<'a>, Checkpoint
             place: (numbers[1], numbers[2]),
         })
     });
-    Ok(Kept {
-        perfect: perfect.transpose()?,
-        mode: mode.transpose()?,
-        path,
-    })
+    Ok(Kept { perfect: perfect.transpose()?, mode: mode.transpose()?, path })
 }

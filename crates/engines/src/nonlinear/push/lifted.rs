@@ -32,13 +32,7 @@ pub(super) fn base(
     let foot = &bottom.rings[plate.foot];
     let last = foot.len() - 1;
     // The part that is proportional to cos θ: the toe, at θ = 0, goes down.
-    let tilt = foot
-        .iter()
-        .zip(cosine_shares(angles))
-        .map(|(n, c)| up(*n) * c)
-        .sum::<f64>()
-        * 2.0
-        / PI;
+    let tilt = foot.iter().zip(cosine_shares(angles)).map(|(n, c)| up(*n) * c).sum::<f64>() * 2.0 / PI;
     // Two halves. The ground carries the pressure of the liquid on the plate, too.
     let (mut reaction, mut moment, mut toe) = (0.0, -2.0 * model.on_bottom(acceleration), 0.0);
     let (wet, cosine) = (plate.wet_areas(), cosine_shares(angles)[0]);
@@ -53,12 +47,7 @@ pub(super) fn base(
         toe += first - bottom.rest[i][0] - acceleration * plate.impulsive[i] * wet[i] * cosine;
     }
     let pressed: Vec<bool> = foot.iter().map(|n| up(*n) <= 0.0).collect();
-    let lifted = shares(angles)
-        .iter()
-        .zip(&pressed)
-        .filter(|(_, p)| !**p)
-        .map(|(s, _)| s)
-        .sum();
+    let lifted = shares(angles).iter().zip(&pressed).filter(|(_, p)| !**p).map(|(s, _)| s).sum();
     let width = bottom.rings[plate.foot..]
         .iter()
         .zip(&plate.radii[plate.foot..])
@@ -80,9 +69,7 @@ pub(super) fn base(
         plastic_rotation: bottom::hinge::plastic_rotation(&model.model, bottom, plate.foot, true, state)
             .map_err(failed)?
             .abs(),
-        wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state)
-            .map_err(failed)?
-            .abs(),
+        wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
         toe_stress,
         toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
         strips: None,

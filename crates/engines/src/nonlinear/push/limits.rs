@@ -80,11 +80,7 @@ pub(super) fn limits(plan: &Plan, formulas: &[Formula]) -> Vec<PushLimit> {
     let mut z = 0.0;
     let mut places = Vec::new();
     for (k, course) in plan.case.tank.courses.iter().enumerate() {
-        places.push(Place {
-            z,
-            number: k + 1,
-            course,
-        });
+        places.push(Place { z, number: k + 1, course });
         z += course.height;
     }
     let of = |formula: &Formula| match formula.bottom_course {

@@ -50,11 +50,7 @@ impl Impulsive {
             // Two of the four meridians carry the force P_l = π R q_l.
             *q = 2.0 * force.get(l * MERIDIANS, 0) / (PI * radius);
         }
-        Ok(Impulsive {
-            levels: levels.to_vec(),
-            line,
-            radius,
-        })
+        Ok(Impulsive { levels: levels.to_vec(), line, radius })
     }
 
     /// Horizontal force of the liquid above z, and its moment about z [kg, kg m].
@@ -73,11 +69,7 @@ impl Impulsive {
         let wet = self.line.iter().take_while(|q| **q > 0.0).count().max(1);
         let at = |l: usize| {
             let below = if l == 0 { self.levels[0] } else { self.levels[l - 1] };
-            let above = if l + 1 < wet.min(n) {
-                self.levels[l + 1]
-            } else {
-                self.levels[l]
-            };
+            let above = if l + 1 < wet.min(n) { self.levels[l + 1] } else { self.levels[l] };
             2.0 * self.line[l] / (above - below).max(f64::MIN_POSITIVE)
         };
         let i = self.levels.partition_point(|s| *s <= z).clamp(1, n - 1);
@@ -104,16 +96,10 @@ mod tests {
         let (mass, moment) = load.above(0.0);
         let whole = case.liquid.mass(case.tank.shape);
         assert!((mass / whole - 0.5478).abs() < 0.002, "{}", mass / whole);
-        assert!(
-            (moment / mass / radius - 0.4042).abs() < 0.002,
-            "{}",
-            moment / mass / radius
-        );
+        assert!((moment / mass / radius - 0.4042).abs() < 0.002, "{}", moment / mass / radius);
         // The pressures carry the mass.
         let n = 4000;
-        let integral: f64 = (0..n)
-            .map(|k| load.pressure(radius * (f64::from(k) + 0.5) / f64::from(n)))
-            .sum::<f64>()
+        let integral: f64 = (0..n).map(|k| load.pressure(radius * (f64::from(k) + 0.5) / f64::from(n))).sum::<f64>()
             * radius
             / f64::from(n);
         assert!((integral * PI * radius / mass - 1.0).abs() < 0.01);

@@ -81,14 +81,7 @@ pub(super) struct WetNode {
 impl WetNode {
     /// A node of the bottom; its pressure is vertical.
     pub(super) fn on_bottom(row: Vec<(usize, f64)>, impulsive: f64, rest: f64, lever: f64) -> WetNode {
-        WetNode {
-            row,
-            impulsive,
-            rest,
-            direction: 0.0,
-            height: 0.0,
-            lever,
-        }
+        WetNode { row, impulsive, rest, direction: 0.0, height: 0.0, lever }
     }
 
     /// Impulsive force at an acceleration: the liquid does not pull.
@@ -122,10 +115,7 @@ impl PushModel {
     pub(super) fn ground_force(&self, element: usize, up: f64) -> f64 {
         let mut out = Response::sized(3);
         let rotations = [UnitQuaternion::identity()];
-        let motion = Motion {
-            values: &[0.0, 0.0, up],
-            rotations: &rotations,
-        };
+        let motion = Motion { values: &[0.0, 0.0, up], rotations: &rotations };
         let ground = &self.model.elements()[element];
         // Friction, which has a history, does not change the reaction.
         let (old, mut new) = (vec![0.0; ground.history_len()], vec![0.0; ground.history_len()]);
@@ -164,10 +154,7 @@ impl NoSteel {
         let layers = case.tank.courses.iter().flat_map(Course::build_up);
         let mut materials = layers.map(|l| l.material);
         let other = materials.find(|m| !matches!(m.behaviour, Behaviour::Steel(_)))?;
-        Some(NoSteel {
-            found: other.behaviour.kind(),
-            material: other.name,
-        })
+        Some(NoSteel { found: other.behaviour.kind(), material: other.name })
     }
 }
 
@@ -209,25 +196,14 @@ impl<'a> Plan<'a> {
         }
         let depth = case.liquid.fill_height;
         let rows = |refine: f64| based_levels(&case.tank, depth, BASE, refine);
-        let levels = options
-            .elements
-            .map_or_else(|| rows(1.0), |e| enough_rows(rows, e.height as usize));
+        let levels = options.elements.map_or_else(|| rows(1.0), |e| enough_rows(rows, e.height as usize));
         let angles = geometric(0.0, PI, (sectors / 2) as usize, GRADING).map_err(failed)?;
         let impulsive = Impulsive::new(case, radius, &levels)?;
         let plate = match case.tank.support {
             Support::Anchored => None,
             Support::Unanchored => Some(Plate::of(case, radius, options.bottom_mesh)?),
         };
-        Ok(Plan {
-            plate,
-            plane,
-            case,
-            options,
-            radius,
-            levels,
-            angles,
-            impulsive,
-        })
+        Ok(Plan { plate, plane, case, options, radius, levels, angles, impulsive })
     }
 
     /// The model, with its imperfection.
@@ -252,11 +228,8 @@ impl<'a> Plan<'a> {
             true => normals[node],
             false => Vector3::z(),
         };
-        let surface = ShellSurface {
-            normals: Normals::Exact(&normal),
-            axes: Axes::HOOP_Z,
-            ..ShellSurface::new(corners)
-        };
+        let surface =
+            ShellSurface { normals: Normals::Exact(&normal), axes: Axes::HOOP_Z, ..ShellSurface::new(corners) };
         let placed = surface.place(&mut builder).map_err(failed)?;
         let mut dead = NodalLoads::new();
         self.hydrostatic(&mut builder, &pressed, &mut dead);
@@ -300,10 +273,7 @@ impl<'a> Plan<'a> {
         }
         Ok(PushModel {
             bottom,
-            cells: placed.elements[..of_wall]
-                .chunks(sectors)
-                .map(<[usize]>::to_vec)
-                .collect(),
+            cells: placed.elements[..of_wall].chunks(sectors).map(<[usize]>::to_vec).collect(),
             rings,
             levels: levels.clone(),
             angles: angles.clone(),
@@ -435,16 +405,8 @@ impl<'a> Plan<'a> {
                 let head = liquid.fill_height - (a + share * (b - a));
                 0.5 * (b - a) * liquid.density * self.case.gravity * head.max(0.0)
             };
-            let below = if l > 0 {
-                half(levels[l - 1], levels[l], 2.0 / 3.0)
-            } else {
-                0.0
-            };
-            let above = if l + 1 < levels.len() {
-                half(levels[l], levels[l + 1], 1.0 / 3.0)
-            } else {
-                0.0
-            };
+            let below = if l > 0 { half(levels[l - 1], levels[l], 2.0 / 3.0) } else { 0.0 };
+            let above = if l + 1 < levels.len() { half(levels[l], levels[l + 1], 1.0 / 3.0) } else { 0.0 };
             let all = angles.iter().zip(cosine_shares(angles)).zip(shares(angles));
             for (&node, ((angle, cosine), share)) in ring.iter().zip(all) {
                 let part = |dof, c: f64| model.row(node, dof).into_iter().map(move |(e, own)| (e, c * own));
@@ -466,11 +428,7 @@ impl<'a> Plan<'a> {
 /// Pressure of the liquid at the nodes of the plate.
 fn on_bottom(plate: &Plate, model: &Model, angles: &[f64], rings: &[Vec<usize>]) -> Vec<WetNode> {
     let mut out = Vec::new();
-    let all = rings
-        .iter()
-        .zip(plate.wet_areas())
-        .zip(&plate.impulsive)
-        .zip(&plate.radii);
+    let all = rings.iter().zip(plate.wet_areas()).zip(&plate.impulsive).zip(&plate.radii);
     for (((ring, area), p), radius) in all.filter(|(((_, area), _), _)| *area > 0.0) {
         let shares = cosine_shares(angles).into_iter().zip(shares(angles));
         for ((&node, (cosine, share)), angle) in ring.iter().zip(shares).zip(angles) {

@@ -69,19 +69,13 @@ pub(super) fn follow<'a>(
             if !walk.arc.is_finite() {
                 return Err(FeError::Interrupted { stage: name.into() });
             }
-            return Ok(Followed {
-                seen: walk.seen,
-                end: None,
-            });
+            return Ok(Followed { seen: walk.seen, end: None });
         }
         let before = walk.seen.len();
         let end = walk.attempt()?;
         progress.advance((walk.seen.len() - before) as u64);
         if let Some(end) = end {
-            return Ok(Followed {
-                seen: walk.seen,
-                end: Some(end),
-            });
+            return Ok(Followed { seen: walk.seen, end: Some(end) });
         }
         if walk.seen.len() > before && keeper.due() {
             keeper.save(Some(walk.save()), progress);
@@ -219,9 +213,7 @@ impl<'a, 'm> Walk<'a, 'm> {
 
     fn begin_arc(&mut self) -> Result<(), FeError> {
         if !self.arc.is_finite() {
-            return Err(FeError::Analysis(format!(
-                "no equilibrium at {LEAST} g, the smallest load step"
-            )));
+            return Err(FeError::Analysis(format!("no equilibrium at {LEAST} g, the smallest load step")));
         }
         self.along = Some(Along {
             path: self.pattern()?,
@@ -240,11 +232,7 @@ impl<'a, 'm> Walk<'a, 'm> {
     }
 
     fn lengths(&self) -> StepLength {
-        StepLength {
-            first: 0.1 * self.arc,
-            shortest: self.arc / 500.0,
-            longest: LONGEST * self.arc,
-        }
+        StepLength { first: 0.1 * self.arc, shortest: self.arc / 500.0, longest: LONGEST * self.arc }
     }
 
     fn arc_step(&mut self) -> Result<Option<String>, FeError> {
@@ -320,12 +308,7 @@ impl<'a, 'm> Walk<'a, 'm> {
         };
         let mut path = self.pattern()?;
         path.recall(Memory { factor, last }).map_err(analysis)?;
-        self.along = Some(Along {
-            path,
-            length,
-            largest,
-            first,
-        });
+        self.along = Some(Along { path, length, largest, first });
         Ok(())
     }
 }

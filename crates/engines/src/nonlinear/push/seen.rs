@@ -36,11 +36,7 @@ pub(super) struct Seen<'a> {
 
 impl<'a> Seen<'a> {
     pub(super) fn new(plan: &'a Plan<'a>) -> Seen<'a> {
-        Seen {
-            plan,
-            points: Vec::new(),
-            meridians: Vec::new(),
-        }
+        Seen { plan, points: Vec::new(), meridians: Vec::new() }
     }
 
     /// Number of states.
@@ -84,11 +80,7 @@ impl<'a> Seen<'a> {
             meridian.axial.push(-mean(1) / t);
         }
         meridian.plastic = plastic(model, state);
-        let largest = |values: &[f64]| {
-            (0..values.len())
-                .max_by(|&a, &b| values[a].total_cmp(&values[b]))
-                .unwrap_or(0)
-        };
+        let largest = |values: &[f64]| (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
         let compressed = largest(&meridian.axial);
         let rest = self.meridians.first().map_or(&meridian.w, |m| &m.w);
         let half = 0.5 * self.plan.case.liquid.fill_height;
@@ -285,11 +277,7 @@ impl<'a> Seen<'a> {
             });
         }
         match seen.len() {
-            0 => Err(CheckpointError::Shape {
-                what: "the path",
-                found: 0,
-                allowed: 1,
-            }),
+            0 => Err(CheckpointError::Shape { what: "the path", found: 0, allowed: 1 }),
             _ => Ok(seen),
         }
     }

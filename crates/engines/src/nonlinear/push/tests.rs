@@ -35,21 +35,13 @@ fn small() -> Case {
 
 fn options(case: &Case, height: u32) -> NonlinearOptions {
     NonlinearOptions {
-        elements: Some(WallElements {
-            height,
-            circumference: 8,
-        }),
+        elements: Some(WallElements { height, circumference: 8 }),
         ..NonlinearOptions::new(case.damping)
     }
 }
 
 fn imperfect(form: Form) -> PushOptions {
-    PushOptions {
-        imperfection: Some(Amplitude::Thicknesses(0.5)),
-        form,
-        height: None,
-        plane_foot: false,
-    }
+    PushOptions { imperfection: Some(Amplitude::Thicknesses(0.5)), form, height: None, plane_foot: false }
 }
 
 /// Stops in a stage once `steps` of its steps are done.
@@ -87,9 +79,7 @@ fn an_interruption_says_what_it_leaves_out() {
     assert_eq!(first.shells.len(), 1);
     assert!(first.shells[0].interrupted && !first.shells[0].capacity.limit);
     assert!(
-        first
-            .interruption
-            .contains("the perfect shell, whose capacity is a lower bound")
+        first.interruption.contains("the perfect shell, whose capacity is a lower bound")
             && first.interruption.contains("the imperfect one was not run"),
         "{}",
         first.interruption
@@ -97,17 +87,10 @@ fn an_interruption_says_what_it_leaves_out() {
     let before = stopped("imperfect shell", 0).unwrap();
     assert_eq!(before.shells.len(), 1);
     assert!(before.shells[0].capacity.limit && !before.shells[0].interrupted);
-    assert_eq!(
-        before.interruption,
-        "the perfect shell is complete; interrupted before the imperfect one"
-    );
+    assert_eq!(before.interruption, "the perfect shell is complete; interrupted before the imperfect one");
     let second = stopped("imperfect shell", 3).unwrap();
     assert!(second.shells[0].capacity.limit && second.shells[1].interrupted);
-    assert!(
-        second
-            .interruption
-            .starts_with("the perfect shell is complete; interrupted in the imperfect one")
-    );
+    assert!(second.interruption.starts_with("the perfect shell is complete; interrupted in the imperfect one"));
     let whole = stopped("none", 0).unwrap();
     assert!(whole.interruption.is_empty());
     // Between its maximum and the end of its path a shell is interrupted, and its capacity no lower bound.
@@ -139,11 +122,7 @@ struct Now {
 
 impl Kill {
     fn after(states: u64, questions: u64) -> Kill {
-        Kill {
-            states,
-            questions,
-            now: Mutex::default(),
-        }
+        Kill { states, questions, now: Mutex::default() }
     }
 
     fn never() -> Kill {
@@ -173,11 +152,7 @@ impl Progress for Kill {
 }
 
 fn file(path: &Path) -> CheckpointFile {
-    CheckpointFile {
-        path: path.into(),
-        key: "a pushover".into(),
-        resume: true,
-    }
+    CheckpointFile { path: path.into(), key: "a pushover".into(), resume: true }
 }
 
 /// Every number to the last digit.
@@ -210,10 +185,7 @@ fn piecewise(case: &Case, options: &NonlinearOptions, push: &PushOptions, kill: 
 fn a_resumed_pushover_is_the_uninterrupted_one() {
     let case = small();
     let options = options(&case, 12);
-    for (form, kills) in [
-        (Form::Weld, &[[1, u64::MAX], [u64::MAX, 3]][..]),
-        (Form::Mode, &[[2, u64::MAX]]),
-    ] {
+    for (form, kills) in [(Form::Weld, &[[1, u64::MAX], [u64::MAX, 3]][..]), (Form::Mode, &[[2, u64::MAX]])] {
         let push = imperfect(form);
         let whole = pushover(&case, &options, &push, None, &Kill::never()).unwrap();
         assert!(whole.shells.iter().all(|s| s.capacity.limit), "{form:?}");
@@ -265,13 +237,8 @@ fn a_run_that_fails_leaves_no_checkpoint() {
 fn interrupted(home: &Path, states: u64) -> CheckpointFile {
     let case = small();
     let file = file(&home.join("push.checkpoint"));
-    let pushed = pushover(
-        &case,
-        &options(&case, 12),
-        &imperfect(Form::Mode),
-        Some(&file),
-        &Kill::after(states, u64::MAX),
-    );
+    let pushed =
+        pushover(&case, &options(&case, 12), &imperfect(Form::Mode), Some(&file), &Kill::after(states, u64::MAX));
     assert!(!pushed.unwrap().interruption.is_empty());
     file
 }
@@ -283,30 +250,16 @@ fn a_checkpoint_of_another_run_is_refused() {
     let kept = interrupted(home.path(), 5);
     let case = small();
     let resume = |file: &CheckpointFile, height: u32| {
-        let found = pushover(
-            &case,
-            &options(&case, height),
-            &imperfect(Form::Mode),
-            Some(file),
-            &Kill::after(0, 0),
-        );
+        let found = pushover(&case, &options(&case, height), &imperfect(Form::Mode), Some(file), &Kill::after(0, 0));
         let Err(error @ FeError::Checkpoint(_)) = found else {
             panic!("{found:?}");
         };
         let text = error.to_string();
-        assert!(
-            text.contains("push.checkpoint") && text.contains("help: omit --resume"),
-            "{text}"
-        );
-        let FeError::Checkpoint(fault) = error else {
-            unreachable!()
-        };
+        assert!(text.contains("push.checkpoint") && text.contains("help: omit --resume"), "{text}");
+        let FeError::Checkpoint(fault) = error else { unreachable!() };
         fault.cause().clone()
     };
-    let other = CheckpointFile {
-        key: "another pushover".into(),
-        ..kept.clone()
-    };
+    let other = CheckpointFile { key: "another pushover".into(), ..kept.clone() };
     assert!(matches!(resume(&other, 12), CheckpointError::Identity { .. }));
     assert!(matches!(resume(&kept, 16), CheckpointError::Identity { .. }));
     let sound = std::fs::read(&kept.path).unwrap();
@@ -348,13 +301,7 @@ fn a_forged_checkpoint_does_not_panic() {
             hash.bytes(&forged[HEAD..end]);
             forged[end..].copy_from_slice(&hash.value().to_le_bytes());
             std::fs::write(&kept.path, &forged).unwrap();
-            let found = pushover(
-                &case,
-                &options,
-                &imperfect(Form::Mode),
-                Some(&kept),
-                &Kill::after(1, u64::MAX),
-            );
+            let found = pushover(&case, &options, &imperfect(Form::Mode), Some(&kept), &Kill::after(1, u64::MAX));
             refused += usize::from(matches!(found, Err(FeError::Checkpoint(_))));
         }
         assert!(refused > 0);

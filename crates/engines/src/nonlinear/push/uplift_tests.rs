@@ -47,10 +47,7 @@ fn oil(yield_strength: f64) -> Case {
 
 fn options(case: &Case, circumference: u32) -> NonlinearOptions {
     NonlinearOptions {
-        elements: Some(WallElements {
-            height: 24,
-            circumference,
-        }),
+        elements: Some(WallElements { height: 24, circumference }),
         ..NonlinearOptions::new(case.damping)
     }
 }
@@ -87,15 +84,7 @@ fn a_plane_foot_has_the_moments_of_the_strips() {
     let options = options(&case, 48);
     let plan = Plan::new(&case, &options, true).unwrap();
     let progress = Until::states(23);
-    let found = path::follow(
-        &plan,
-        None,
-        "perfect shell",
-        None,
-        &mut Keeper::new(None, &plan),
-        &progress,
-    )
-    .unwrap();
+    let found = path::follow(&plan, None, "perfect shell", None, &mut Keeper::new(None, &plan), &progress).unwrap();
     let mut shells = [found.shell()];
     lifted::compare(&plan, &mut shells);
     let bases = shells[0].path.iter().filter_map(|p| p.base);
@@ -119,10 +108,7 @@ fn a_free_top_lets_the_foot_warp() {
     let path = &pushed.shells[0].path;
     let rest = path[0].base.unwrap();
     // The liquid turns the foot of the wall, which presses the rim down: sheet of the strips, with their weight.
-    assert!(
-        (rest.toe - 3.85e-3).abs() < 0.15e-3 && rest.lifted_angle == 0.0,
-        "{rest:?}"
-    );
+    assert!((rest.toe - 3.85e-3).abs() < 0.15e-3 && rest.lifted_angle == 0.0, "{rest:?}");
     let last = path[path.len() - 1];
     let base = last.base.unwrap();
     assert!(base.uplift > 0.05 && base.plastic_rotation > 0.05, "{base:?}");
@@ -135,11 +121,8 @@ fn a_free_top_lets_the_foot_warp() {
 fn a_buckling_mode_is_rejected() {
     let case = oil(205e6);
     let options = options(&case, 32);
-    let push = PushOptions {
-        imperfection: Some(Amplitude::Thicknesses(0.5)),
-        form: Form::Mode,
-        ..PushOptions::default()
-    };
+    let push =
+        PushOptions { imperfection: Some(Amplitude::Thicknesses(0.5)), form: Form::Mode, ..PushOptions::default() };
     let error = pushover(&case, &options, &push, &[], None, &Until::states(1)).unwrap_err();
     assert!(matches!(error, FeError::Option { .. }), "{error}");
     let mut bare = case.clone();
@@ -153,12 +136,7 @@ fn an_imperfect_foot_takes_the_plate_along() {
     let case = oil(205e6);
     let options = options(&case, 32);
     let plan = Plan::new(&case, &options, false).unwrap();
-    let shape = Depression {
-        radius: 20.0,
-        amplitude: -0.03,
-        height: 0.1,
-        half_wave: 1.2,
-    };
+    let shape = Depression { radius: 20.0, amplitude: -0.03, height: 0.1, half_wave: 1.2 };
     assert!(plan.build(Some(&Dent::Weld(shape))).is_ok());
 }
 
@@ -167,11 +145,7 @@ fn weak() -> Case {
     let mut case = oil(60e6);
     case.tank.shape = Shape::Cylinder { radius: 4.0 };
     let plate = case.tank.courses[0].clone();
-    case.tank.courses = vec![tank::Course {
-        height: 4.0,
-        thickness: 5e-3,
-        ..plate
-    }];
+    case.tank.courses = vec![tank::Course { height: 4.0, thickness: 5e-3, ..plate }];
     case.liquid.density = 1000.0;
     case.liquid.fill_height = 3.6;
     if let Some(bottom) = &mut case.tank.bottom {
@@ -187,19 +161,11 @@ fn weak() -> Case {
 fn an_imperfect_tank_is_pushed_off_the_ground() {
     let case = weak();
     let own = NonlinearOptions {
-        elements: Some(WallElements {
-            height: 12,
-            circumference: 8,
-        }),
+        elements: Some(WallElements { height: 12, circumference: 8 }),
         ..NonlinearOptions::new(case.damping)
     };
     let plan = Plan::new(&case, &own, false).unwrap();
-    let dent = Dent::Weld(Depression {
-        radius: 4.0,
-        amplitude: 2.5e-3,
-        height: 0.15,
-        half_wave: 0.34,
-    });
+    let dent = Dent::Weld(Depression { radius: 4.0, amplitude: 2.5e-3, height: 0.15, half_wave: 0.34 });
     let weight = case.liquid_mass() * case.gravity;
     let path = |dent: Option<&Dent>| {
         let progress = Until::states(12);
@@ -212,18 +178,12 @@ fn an_imperfect_tank_is_pushed_off_the_ground() {
             assert!((base.reaction / rest.reaction - 1.0).abs() < 1e-3, "{base:?}");
             let lean = weight * 0.5 * case.liquid.fill_height * base.rotation;
             let off = base.moment - state.base_moment - lean;
-            assert!(
-                base.rotation < 1e-3 || off.abs() < 0.02 * state.base_moment,
-                "{off} {lean} {state:?}"
-            );
+            assert!(base.rotation < 1e-3 || off.abs() < 0.02 * state.base_moment, "{off} {lean} {state:?}");
         }
         assert!(states.len() > 8 && states[states.len() - 1].base.unwrap().rotation > rest.rotation);
         rest
     };
     let (perfect, dented) = (path(None), path(Some(&dent)));
     assert!((perfect.reaction / dented.reaction - 1.0).abs() < 1e-3);
-    assert!(
-        (dented.toe / perfect.toe - 1.0).abs() < 0.5 && dented.toe != perfect.toe,
-        "{perfect:?} {dented:?}"
-    );
+    assert!((dented.toe / perfect.toe - 1.0).abs() < 0.5 && dented.toe != perfect.toe, "{perfect:?} {dented:?}");
 }

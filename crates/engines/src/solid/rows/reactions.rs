@@ -57,11 +57,8 @@ impl Observer<'_> {
                 }
             }
         }
-        let row = Row {
-            displacement: elastic.into_iter().collect(),
-            acceleration: inertia.into_iter().collect(),
-            held,
-        };
+        let row =
+            Row { displacement: elastic.into_iter().collect(), acceleration: inertia.into_iter().collect(), held };
         Ok(row.scaled(1.0 / tank.edge))
     }
 
@@ -77,10 +74,7 @@ impl Observer<'_> {
             Liquid::Displacement => {
                 let count = tank.wall.rows.len() * tank.division.sectors;
                 let wall = |node: usize| if node < count { tilt(nodes[node]) } else { [0.0; KINDS] };
-                let joint = tank
-                    .assembler
-                    .stiffness_of(&tank.model, |e| tank.is_in(e, &[JOINT]))
-                    .map_err(failed)?;
+                let joint = tank.assembler.stiffness_of(&tank.model, |e| tank.is_in(e, &[JOINT])).map_err(failed)?;
                 let mut row = self.inertia(&wall);
                 row.displacement = sparse(&joint.times(&tank.model.vector(wall)));
                 Ok(row)
@@ -121,10 +115,7 @@ impl Observer<'_> {
                 }
             }
         }
-        Ok(Row {
-            acceleration: row.into_iter().collect(),
-            ..Row::default()
-        })
+        Ok(Row { acceleration: row.into_iter().collect(), ..Row::default() })
     }
 
     /// The same from the reactions of the liquid's bottom nodes, −Σ x R_z.
@@ -156,10 +147,6 @@ impl Observer<'_> {
                 }
             }
         }
-        Ok(Row {
-            displacement: sparse(&elastic),
-            acceleration: sparse(&inertia),
-            held: 0.0,
-        })
+        Ok(Row { displacement: sparse(&elastic), acceleration: sparse(&inertia), held: 0.0 })
     }
 }

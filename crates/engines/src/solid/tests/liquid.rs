@@ -30,9 +30,7 @@ const POINTS: usize = 6000;
 /// I_k(x)/I_k'(x), by the ratios I_{k+1}/I_k downwards.
 fn over_slope(k: u32, x: f64) -> f64 {
     let start = k + 60 + x as u32;
-    let ratio = (k..start)
-        .rev()
-        .fold(0.0, |next, n| 1.0 / (2.0 * f64::from(n + 1) / x + next));
+    let ratio = (k..start).rev().fold(0.0, |next, n| 1.0 / (2.0 * f64::from(n + 1) / x + next));
     1.0 / (ratio + f64::from(k) / x)
 }
 
@@ -85,14 +83,7 @@ fn exact() -> [[f64; 2]; 2] {
 
 /// The same of the three-dimensional engine on a mesh of so many elements over the radius, around and over the height.
 fn computed(case: &Case, [radial, sectors, vertical]: [usize; 3]) -> [[f64; 2]; 2] {
-    let solid = SolidOptions {
-        mesh: Some(MeshSize {
-            radial,
-            sectors,
-            vertical,
-        }),
-        ..solid(AMPLITUDE, 0.0)
-    };
+    let solid = SolidOptions { mesh: Some(MeshSize { radial, sectors, vertical }), ..solid(AMPLITUDE, 0.0) };
     let form = Form::of(case, &solid.imperfections);
     let tank = TankModel::formed(case, &options(), &solid, &form).unwrap();
     let (model, dofs) = (&tank.model, tank.model.dofs());
@@ -124,11 +115,7 @@ fn computed(case: &Case, [radial, sectors, vertical]: [usize; 3]) -> [[f64; 2]; 
     let symbolic = std::sync::Arc::new(Symbolic::new(h.pattern.clone(), &Ordering::MinimumDegree).unwrap());
     let flow = mass.times(&motion(&|_| [1.0, 0.0]));
     let right: Vec<f64> = free.iter().map(|&e| flow[e]).collect();
-    let solved = symbolic
-        .factor(&h, Kind::Definite)
-        .unwrap()
-        .solve_vector(&right)
-        .unwrap();
+    let solved = symbolic.factor(&h, Kind::Definite).unwrap().solve_vector(&right).unwrap();
     let mut phi = vec![0.0; dofs.len()];
     free.iter().zip(solved).for_each(|(&e, v)| phi[e] = v);
     let force = mass.times(&phi);

@@ -16,26 +16,12 @@ fn upwards(case: Case) -> Case {
 
 /// Both engines without a record.
 fn both(case: &Case, radial: usize, vertical: usize) -> [Simulation; 2] {
-    let solid = SolidOptions {
-        mesh: Some(MeshSize {
-            radial,
-            sectors: 24,
-            vertical,
-        }),
-        ..SolidOptions::DEFAULT
-    };
-    [
-        simulate(case, &quick()).unwrap(),
-        crate::solid::simulate(case, &quick(), &solid, &Silent).unwrap(),
-    ]
+    let solid = SolidOptions { mesh: Some(MeshSize { radial, sectors: 24, vertical }), ..SolidOptions::DEFAULT };
+    [simulate(case, &quick()).unwrap(), crate::solid::simulate(case, &quick(), &solid, &Silent).unwrap()]
 }
 
 /// What does not move.
-const NOTHING: Action<'static> = Action {
-    structural: &|_, _| 0.0,
-    sloshing: &|_, _| 0.0,
-    wave: &|_, _| 0.0,
-};
+const NOTHING: Action<'static> = Action { structural: &|_, _| 0.0, sloshing: &|_, _| 0.0, wave: &|_, _| 0.0 };
 
 /// The response to a vertical spectrum alone.
 fn alone(units: &ModalUnits, spectrum: Ordinates<'_>) -> Spectral {
@@ -50,54 +36,30 @@ fn line(found: &Spectral, what: OnWall) -> &LinePeaks {
 /// The larger of E_h + 0.3 E_v and c E_h + E_v, by hand.
 #[test]
 fn components_are_combined() {
-    let mode = KeptMode {
-        kind: Kind::Structural,
-        number: 1,
-        omega: 1.0,
-        damping: 0.02,
-        mass: 1.0,
-    };
+    let mode = KeptMode { kind: Kind::Structural, number: 1, omega: 1.0, damping: 0.02, mass: 1.0 };
     let tank = |value: f64| ModalUnits {
         modes: vec![mode],
         scalars: Vec::new(),
         lines: vec![UnitLine {
             what: OnWall::Hoop,
             z: vec![0.0],
-            units: vec![Unit {
-                modes: vec![value],
-                rest: 0.0,
-                static_value: 0.0,
-            }],
+            units: vec![Unit { modes: vec![value], rest: 0.0, static_value: 0.0 }],
         }],
         level: 1.0,
         vertical: None,
     };
     let one = |_: f64, _: f64| 1.0;
-    let action = Action {
-        structural: &one,
-        sloshing: &one,
-        wave: &one,
-    };
-    for (h, v, c, expected) in [
-        (10.0, 4.0, 0.3, 11.2),
-        (4.0, 10.0, 0.3, 11.2),
-        (4.0, 10.0, 0.5, 12.0),
-        (5.0, 0.0, 0.3, 5.0),
-    ] {
-        let units = ModalUnits {
-            vertical: Some(Box::new(tank(v))),
-            ..tank(h)
-        };
+    let action = Action { structural: &one, sloshing: &one, wave: &one };
+    for (h, v, c, expected) in
+        [(10.0, 4.0, 0.3, 11.2), (4.0, 10.0, 0.3, 11.2), (4.0, 10.0, 0.5, 12.0), (5.0, 0.0, 0.3, 5.0)]
+    {
+        let units = ModalUnits { vertical: Some(Box::new(tank(v))), ..tank(h) };
         let along = units.respond(&action, &CQC, true);
         let (found, _) = units.with_vertical(&along, (&one, c), &CQC, true).unwrap();
         assert!((line(&found, OnWall::Hoop).values[0] - expected).abs() < 1e-12);
         assert!((found.values[&Quantity::HoopStress] - expected).abs() < 1e-12);
     }
-    assert!(
-        tank(1.0)
-            .with_vertical(&tank(1.0).respond(&action, &CQC, true), (&one, 0.3), &CQC, true)
-            .is_none()
-    );
+    assert!(tank(1.0).with_vertical(&tank(1.0).respond(&action, &CQC, true), (&one, 0.3), &CQC, true).is_none());
 }
 
 /// Liquid in a rigid tank moves with it: p = ρ S_v(0) (H − z), exactly, in both engines. The modes of the stiff wall, 1e-3 s and less, see
@@ -106,12 +68,7 @@ fn components_are_combined() {
 fn a_rigid_tank_has_the_hydrostatic_pressure() {
     let (radius, depth) = (8.0, 6.0);
     let wall = (1.05 * depth, 0.05);
-    let case = upwards(test_tanks::case(
-        Shape::Cylinder { radius },
-        &[wall],
-        (1e16, 0.3, 1.0),
-        (1000.0, depth),
-    ));
+    let case = upwards(test_tanks::case(Shape::Cylinder { radius }, &[wall], (1e16, 0.3, 1.0), (1000.0, depth)));
     for run in both(&case, 8, 16) {
         let spectrum = |period: f64, _: f64| 2.0 + period.min(0.15);
         let found = alone(units(&run), &spectrum);
@@ -119,11 +76,7 @@ fn a_rigid_tank_has_the_hydrostatic_pressure() {
         let base = 1000.0 * 2.0 * depth;
         for (z, p) in pressure.z.iter().zip(&pressure.values) {
             let exact = base * (1.0 - z / depth);
-            assert!(
-                (p - exact).abs() < 0.005 * base,
-                "{:?} {z}: {p} {exact}",
-                run.result.engine
-            );
+            assert!((p - exact).abs() < 0.005 * base, "{:?} {z}: {p} {exact}", run.result.engine);
         }
         // Nothing sideways.
         assert!(found.values[&Quantity::BaseShear].abs() < 1e-6 * base);
@@ -147,22 +100,14 @@ fn the_breathing_mode_is_that_of_the_annex() {
         let vertical = units(&run).vertical.as_ref().unwrap();
         let breathing = vertical.breathing().unwrap();
         // The worked example of the annex: 5.600 Hz, f(0.8) = 1.0169.
-        assert!(
-            (breathing.period() * 5.600 - 1.0).abs() < 0.05,
-            "{}",
-            breathing.period()
-        );
+        assert!((breathing.period() * 5.600 - 1.0).abs() < 0.05, "{}", breathing.period());
         let place = vertical.modes.iter().position(|m| *m == breathing).unwrap();
         let pressure = vertical.lines.iter().find(|l| l.what == OnWall::Pressure).unwrap();
         let base = 0.815 * 1.0169 * density * depth;
         for (z, unit) in pressure.z.iter().zip(&pressure.units).filter(|(z, _)| **z > 1.1) {
             let exact = base * (0.5 * std::f64::consts::PI * z / depth).cos();
             let found = unit.modes[place].abs();
-            assert!(
-                (found - exact).abs() < 0.1 * base,
-                "{:?} {z}: {found} {exact}",
-                run.result.engine
-            );
+            assert!((found - exact).abs() < 0.1 * base, "{:?} {z}: {found} {exact}", run.result.engine);
         }
     }
 }
@@ -176,16 +121,9 @@ fn one_engine_beside_the_other() {
     let found = both(&case, 6, 60).map(|run| {
         let structural = |period: f64, _: f64| 2.0 + period.min(0.15);
         let sloshing = |_: f64, _: f64| 1.0;
-        let action = Action {
-            structural: &structural,
-            sloshing: &sloshing,
-            wave: &sloshing,
-        };
+        let action = Action { structural: &structural, sloshing: &sloshing, wave: &sloshing };
         let along = units(&run).respond(&action, &CQC, true);
-        units(&run)
-            .with_vertical(&along, (&structural, 0.3), &CQC, true)
-            .unwrap()
-            .0
+        units(&run).with_vertical(&along, (&structural, 0.3), &CQC, true).unwrap().0
     });
     for (quantity, tolerance) in [
         (Quantity::BaseShear, 0.03),

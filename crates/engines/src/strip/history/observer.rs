@@ -100,10 +100,7 @@ impl<'a> WallObserver<'a> {
     pub(crate) fn finish(self) -> Result<WallHistory, StripError> {
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(WallHistory {
-                departures: self.validity.found().to_vec(),
-                ..self.history
-            }),
+            None => Ok(WallHistory { departures: self.validity.found().to_vec(), ..self.history }),
         }
     }
 
@@ -171,12 +168,7 @@ impl<'a> WallObserver<'a> {
             range.include(pressure(place), now.time);
         }
         let middles = &self.places[wet..];
-        history.separation.see(
-            now.time,
-            |i| pressure(&middles[i]),
-            |i| dot(&middles[i].rise, &moved),
-            elevation,
-        );
+        history.separation.see(now.time, |i| pressure(&middles[i]), |i| dot(&middles[i].rise, &moved), elevation);
         self.inspect(now, &reaction);
         Ok(())
     }
@@ -241,21 +233,11 @@ impl<'a> WallObserver<'a> {
             if let Some((height, depth)) = place
                 && events.iter().all(|e| e.kind != kind)
             {
-                events.push(WallEvent {
-                    kind,
-                    time: now.time,
-                    height,
-                    depth,
-                    base_moment: moment,
-                });
+                events.push(WallEvent { kind, time: now.time, height, depth, base_moment: moment });
             }
         }
         let [worst, last] = &mut self.history.pictures;
-        *last = Picture {
-            time: now.time,
-            base_moment: moment,
-            faces,
-        };
+        *last = Picture { time: now.time, base_moment: moment, faces };
         if worst.faces[0].is_empty() || moment.abs() > worst.base_moment.abs() {
             worst.clone_from(last);
         }
@@ -286,11 +268,7 @@ impl Observe for WallObserver<'_> {
         to.numbers(&h.samples.iter().map(|&i| i as f64).collect::<Vec<_>>());
         h.scalars.iter().for_each(|s| to.numbers(s));
         let ranges = h.deflection.iter().chain(&h.pressure);
-        to.numbers(
-            &ranges
-                .flat_map(|(x, r)| [*x, r.min, r.min_time, r.max, r.max_time])
-                .collect::<Vec<_>>(),
-        );
+        to.numbers(&ranges.flat_map(|(x, r)| [*x, r.min, r.min_time, r.max, r.max_time]).collect::<Vec<_>>());
         to.numbers(&h.cells.iter().flat_map(Cell::array).collect::<Vec<_>>());
         let event = |e: &WallEvent| [e.kind as usize as f64, e.time, e.height, e.depth, e.base_moment];
         to.numbers(&h.events.iter().flat_map(event).collect::<Vec<_>>());
@@ -301,14 +279,7 @@ impl Observe for WallObserver<'_> {
             }
         }
         let peak = &h.peak;
-        to.numbers(&[
-            peak.time,
-            peak.reaction,
-            peak.section,
-            peak.damping,
-            peak.inertia,
-            peak.load,
-        ]);
+        to.numbers(&[peak.time, peak.reaction, peak.section, peak.damping, peak.inertia, peak.load]);
         self.validity.save(to);
         h.separation.save(to);
         if let Some(openings) = &h.openings {
@@ -328,34 +299,17 @@ impl Observe for WallObserver<'_> {
         let count = h.deflection.len() + h.pressure.len();
         let mut ranges = vec![0.0; 5 * count];
         from.numbers_into("ranges", &mut ranges)?;
-        for ((x, range), r) in h
-            .deflection
-            .iter_mut()
-            .chain(&mut h.pressure)
-            .zip(ranges.chunks_exact(5))
-        {
+        for ((x, range), r) in h.deflection.iter_mut().chain(&mut h.pressure).zip(ranges.chunks_exact(5)) {
             *x = r[0];
-            *range = Range {
-                min: r[1],
-                min_time: r[2],
-                max: r[3],
-                max_time: r[4],
-            };
+            *range = Range { min: r[1], min_time: r[2], max: r[3], max_time: r[4] };
         }
         let mut cells = vec![0.0; Cell::COUNT * h.cells.len()];
         from.numbers_into("cells", &mut cells)?;
         h.cells = cells.chunks_exact(Cell::COUNT).map(Cell::of).collect();
         let events = from.numbers("events")?;
         let kind = |k: f64| EventKind::ALL.into_iter().find(|e| *e as usize as f64 == k);
-        let event = |e: &[f64]| {
-            Some(WallEvent {
-                kind: kind(e[0])?,
-                time: e[1],
-                height: e[2],
-                depth: e[3],
-                base_moment: e[4],
-            })
-        };
+        let event =
+            |e: &[f64]| Some(WallEvent { kind: kind(e[0])?, time: e[1], height: e[2], depth: e[3], base_moment: e[4] });
         h.events = events.chunks_exact(5).filter_map(event).collect();
         for picture in &mut h.pictures {
             let mut head = [0.0; 2];
@@ -369,15 +323,7 @@ impl Observe for WallObserver<'_> {
         let mut peak = [0.0; 6];
         from.numbers_into("parts of the moment", &mut peak)?;
         let [time, reaction, section, damping, inertia, load] = peak;
-        h.peak = BaseMoment {
-            time,
-            reaction,
-            section,
-            damping,
-            inertia,
-            load,
-            ..BaseMoment::default()
-        };
+        h.peak = BaseMoment { time, reaction, section, damping, inertia, load, ..BaseMoment::default() };
         self.validity.restore(from)?;
         h.separation.restore(from)?;
         match &mut h.openings {

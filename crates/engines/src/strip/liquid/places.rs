@@ -29,19 +29,11 @@ impl StripLiquid {
         let wall = trace.unknowns() * levels.len();
         let all = wall + sloshing;
         let place = |&height: &f64| {
-            let mut place = Place {
-                height,
-                pressure: vec![0.0; all],
-                rise: vec![0.0; all],
-            };
+            let mut place = Place { height, pressure: vec![0.0; all], rise: vec![0.0; all] };
             for (j, row) in parts.mass_rows.iter().enumerate() {
                 let k = self.depth_wave(j);
                 let factor = 2.0 / h * (k * l).tanh();
-                add(
-                    &mut place.pressure,
-                    -self.density * factor / k * (k * height).cos(),
-                    row,
-                );
+                add(&mut place.pressure, -self.density * factor / k * (k * height).cos(), row);
                 add(&mut place.rise, -factor * (k * height).sin(), row);
             }
             for (n, row) in parts.sloshing_rows.iter().enumerate() {

@@ -32,22 +32,11 @@ const THICKNESS: f64 = 0.3;
 /// Normal force of the base at rest [N/m].
 const AXIAL: f64 = -2540.0 * THICKNESS * HEIGHT * oscillator::STANDARD_GRAVITY;
 /// Damping proportional to the mass, 2.2 % at the first sloshing mode: 0.05 % of the wall mode.
-const MASS: StripDamping = StripDamping::Rayleigh(Rayleigh {
-    mass: 2.0 * 0.022 * 2.39,
-    stiffness: 0.0,
-});
-const BY_GROUP: StripDamping = StripDamping::ByGroup {
-    wall: 0.05,
-    sloshing: 0.005,
-};
+const MASS: StripDamping = StripDamping::Rayleigh(Rayleigh { mass: 2.0 * 0.022 * 2.39, stiffness: 0.0 });
+const BY_GROUP: StripDamping = StripDamping::ByGroup { wall: 0.05, sloshing: 0.005 };
 
 fn concrete(softening: Softening) -> Arc<dyn Law<1>> {
-    let tension = Tension {
-        strength: 3.5e6,
-        softening,
-        stiffening: None,
-        bond: None,
-    };
+    let tension = Tension { strength: 3.5e6, softening, stiffening: None, bond: None };
     Arc::new(UniaxialConcrete::new(YOUNG, Compression::Plastic { strength: 35e6 }, Some(tension)).unwrap())
 }
 
@@ -108,12 +97,8 @@ fn observe(strip: &StripModel, quake: &StripQuake, mut see: impl FnMut(&Instant<
     settings.scheme = quake.scheme;
     settings.constant = strip.at_rest();
     settings.halvings = quake.halvings;
-    let problem = Problem {
-        model: &strip.model,
-        assembler: &strip.assembler,
-        symbolic: &strip.symbolic,
-        system: &strip.system,
-    };
+    let problem =
+        Problem { model: &strip.model, assembler: &strip.assembler, symbolic: &strip.symbolic, system: &strip.system };
     let run = march(problem, &load, &settings, &mut [&mut see], &Silent).unwrap();
     assert_eq!(run.outcome, Outcome::Completed);
 }
@@ -153,10 +138,7 @@ fn the_reaction_is_section_damping_inertia_and_load() {
 #[test]
 fn the_reaction_of_an_elastic_wall_is_the_linear_one() {
     let elastic: Arc<dyn Law<1>> = Arc::new(Elastic::new(YOUNG, 0.0).unwrap());
-    let section = FibreSection::new(2540.0 * THICKNESS)
-        .unwrap()
-        .rectangle(elastic, [1.0, THICKNESS], 0.0, 2)
-        .unwrap();
+    let section = FibreSection::new(2540.0 * THICKNESS).unwrap().rectangle(elastic, [1.0, THICKNESS], 0.0, 2).unwrap();
     let strip = strip(section, BY_GROUP);
     let row = strip.base_moment();
     let (mut rest, mut worst, mut largest) = (None, 0.0_f64, 0.0_f64);
@@ -197,19 +179,14 @@ fn the_section_bears_its_yield_moment_and_hardening() {
     let path: Vec<f64> = (0..=400).map(|i| curvature * f64::from(i) / 400.0).collect();
     let yields = |axial: f64| {
         let line = wall().moment_curvature(axial, &path).unwrap();
-        let yielding = line
-            .iter()
-            .find(|p| p.fibres.iter().any(|f| f.block > 0 && f.state.plastic_strain > 0.0));
+        let yielding = line.iter().find(|p| p.fibres.iter().any(|f| f.block > 0 && f.state.plastic_strain > 0.0));
         let most = line.iter().fold(0.0_f64, |most, p| most.max(p.moment));
         [yielding.expect("the section yields").moment, most]
     };
     let [at_rest, _] = yields(AXIAL);
     assert!((85e3..100e3).contains(&at_rest), "{at_rest}");
     let [_, capacity] = yields(axial);
-    assert!(
-        own > 0.95 * at_rest && own < 1.03 * capacity,
-        "{own} {at_rest} {capacity} {axial}"
-    );
+    assert!(own > 0.95 * at_rest && own < 1.03 * capacity, "{own} {at_rest} {capacity} {axial}");
     assert!(reaction > own, "{reaction} {own}");
 }
 
@@ -224,15 +201,10 @@ fn a_run_that_gains_energy_is_stopped_and_marked() {
     let runs = both(0.9);
     let run = runs.iter().find(|r| r.demand.departures.iter().any(|d| d.kind.stops()));
     let run = run.expect("a wall gains energy");
-    let Outcome::Stopped { reason } = &run.outcome else {
-        panic!("{:?}", run.outcome)
-    };
+    let Outcome::Stopped { reason } = &run.outcome else { panic!("{:?}", run.outcome) };
     assert!(reason.contains("gains energy"), "{reason}");
     let found = &run.demand.departures;
-    let energy = found
-        .iter()
-        .find(|d| d.kind == DepartureKind::StoredEnergy)
-        .expect("marked");
+    let energy = found.iter().find(|d| d.kind == DepartureKind::StoredEnergy).expect("marked");
     let passed = energy.passed.expect("a value");
     assert!(passed.value < passed.limit && passed.limit < 0.0, "{energy:?}");
     assert!((energy.time - run.time).abs() < 1e-9, "{energy:?} {}", run.time);
@@ -240,11 +212,7 @@ fn a_run_that_gains_energy_is_stopped_and_marked() {
     // The same walls with numerical damping: no energy is gained, and the reaction is that of the section.
     for damped in both(0.5) {
         let demand = &damped.demand;
-        assert!(
-            !demand.departures.iter().any(|d| d.kind.stops()),
-            "{:?}",
-            demand.departures
-        );
+        assert!(!demand.departures.iter().any(|d| d.kind.stops()), "{:?}", demand.departures);
         // The Gauss point is 3 cm above the base, to which the reaction is extrapolated: 12 % in the wave of a fracture.
         assert!(demand.base_moment < 1.25 * demand.section_moment, "{demand:?}");
         assert!(demand.section_moment < 140e3, "{demand:?}");
@@ -267,10 +235,7 @@ fn a_bar_beyond_its_strain_at_rupture_marks_the_run() {
         let found = history.departures.iter().find(|d| d.kind == DepartureKind::BarStrain);
         let found = found.unwrap_or_else(|| panic!("{limit}: {:?}", history.departures));
         let passed = found.passed.expect("a value");
-        assert!(
-            (passed.limit / limit - 1.0).abs() < 1e-9 && passed.value > limit,
-            "{found:?}"
-        );
+        assert!((passed.limit / limit - 1.0).abs() < 1e-9 && passed.value > limit, "{found:?}");
         assert!(found.height < 0.2, "{found:?}");
         let event = history.events.iter().any(|e| e.kind == EventKind::BarRupture);
         assert_eq!(event, rupture.is_some());

@@ -31,11 +31,7 @@ impl Progress for StopAfter {
 }
 
 fn file(folder: &Path, key: &str) -> CheckpointFile {
-    CheckpointFile {
-        path: folder.join("run.checkpoint"),
-        key: key.into(),
-        resume: true,
-    }
+    CheckpointFile { path: folder.join("run.checkpoint"), key: key.into(), resume: true }
 }
 
 /// Interrupted twice and resumed: the same numbers as without interruption, to the last bit. No file remains.
@@ -48,18 +44,12 @@ fn resumed_is_uninterrupted() {
 
 fn resumed_with(contact: Contact) {
     let case = reinforced(6.0);
-    let own = NonlinearOptions {
-        contact,
-        ..options(&case, 12)
-    };
+    let own = NonlinearOptions { contact, ..options(&case, 12) };
     let whole = run(&case, &own);
     let home = tempfile::tempdir().unwrap();
     let file = file(home.path(), "a");
     for steps in [150, 250] {
-        let stop = StopAfter {
-            steps,
-            done: AtomicU64::new(0),
-        };
+        let stop = StopAfter { steps, done: AtomicU64::new(0) };
         let part = simulate(&case, &own, Some(&file), &stop).unwrap();
         assert!(part.result.incomplete);
         assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
@@ -117,10 +107,7 @@ fn checkpoints_of_other_runs_are_refused_and_kept() {
     let case = reinforced(6.0);
     let own = options(&case, 12);
     let home = tempfile::tempdir().unwrap();
-    let stop = StopAfter {
-        steps: 100,
-        done: AtomicU64::new(0),
-    };
+    let stop = StopAfter { steps: 100, done: AtomicU64::new(0) };
     simulate(&case, &own, Some(&file(home.path(), "a")), &stop).unwrap();
     let kept = || {
         let read = |e: std::io::Result<std::fs::DirEntry>| std::fs::read(e.unwrap().path()).unwrap();

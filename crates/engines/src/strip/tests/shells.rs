@@ -7,10 +7,7 @@ use super::*;
 use crate::nonlinear::scope::{Purpose, refusals};
 
 fn shells(case: &Case, elements: u32) -> NonlinearOptions {
-    NonlinearOptions {
-        wall: StripWall::Shell,
-        ..options(case, elements)
-    }
+    NonlinearOptions { wall: StripWall::Shell, ..options(case, elements) }
 }
 
 /// Liner and interlayer inside the reinforced concrete.
@@ -24,21 +21,11 @@ fn sandwich(peak: f64) -> Case {
     let of = |kind, thickness, behaviour, (youngs_modulus, density)| Layer {
         kind,
         thickness,
-        material: Material {
-            name: "other".into(),
-            youngs_modulus,
-            density,
-            behaviour,
-            ..concrete.material.clone()
-        },
+        material: Material { name: "other".into(), youngs_modulus, density, behaviour, ..concrete.material.clone() },
         reinforcement: Vec::new(),
     };
-    let normal = Behaviour::Interlayer(tank::Interlayer {
-        e_normal: 3e9,
-        e_parallel: 0.0,
-        shear_modulus: 0.0,
-        tension: true,
-    });
+    let normal =
+        Behaviour::Interlayer(tank::Interlayer { e_normal: 3e9, e_parallel: 0.0, shear_modulus: 0.0, tension: true });
     let layers = vec![
         of(LayerKind::Shell, 0.006, Behaviour::Elastic, (210e9, 8000.0)),
         of(LayerKind::Interlayer, 0.05, normal, (3e9, 1500.0)),
@@ -76,11 +63,7 @@ fn small_motion_is_that_of_fibres() {
     for (id, reference, tolerance) in [
         ("wall_moment_base_theta_0", -gamma * DEPTH.powi(3) / 6.0, 1e-2),
         ("wall_shear_base_theta_180", -gamma * DEPTH * DEPTH / 2.0, 1e-6),
-        (
-            "wall_displacement_theta_0",
-            entry(&fibre, "wall_displacement_theta_0"),
-            2e-2,
-        ),
+        ("wall_displacement_theta_0", entry(&fibre, "wall_displacement_theta_0"), 2e-2),
     ] {
         let found = entry(&shell, id);
         assert!((found / reference - 1.0).abs() < tolerance, "{id}: {found} {reference}");
@@ -112,12 +95,7 @@ fn cracks_and_bars() {
     let (width, stress) = (map("crack_width"), map("bar_stress"));
     assert!(width.values[0] > 0.0 && width.values[n.grid.cells() - 1] == 0.0);
     assert!(stress.values[0] > 10e6);
-    assert!(
-        map("crack_depth")
-            .values
-            .iter()
-            .all(|share| (0.0..=1.0).contains(share))
-    );
+    assert!(map("crack_depth").values.iter().all(|share| (0.0..=1.0).contains(share)));
     assert!(n.energies.error < 1e-3, "{}", n.energies.error);
 }
 
@@ -126,10 +104,7 @@ fn cracks_and_bars() {
 fn contact_that_opens() {
     let case = sandwich(3e-3);
     let [fibre, shell] = [options(&case, 12), shells(&case, 12)].map(|own| {
-        let own = NonlinearOptions {
-            contact: Contact::Opening,
-            ..own
-        };
+        let own = NonlinearOptions { contact: Contact::Opening, ..own };
         assert!(refusals(&case, &own, Purpose::History).is_empty());
         run(&case, &own)
     });
@@ -142,10 +117,7 @@ fn contact_that_opens() {
     for run in [&fibre, &shell] {
         let open = run.result.histories.iter().filter(|h| h.id.starts_with("open"));
         let peaks: Vec<f64> = open.map(|h| h.peak).collect();
-        assert!(
-            !peaks.is_empty() && peaks.iter().all(|share| *share == 0.0),
-            "{peaks:?}"
-        );
+        assert!(!peaks.is_empty() && peaks.iter().all(|share| *share == 0.0), "{peaks:?}");
     }
 }
 

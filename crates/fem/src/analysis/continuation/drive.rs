@@ -29,11 +29,7 @@ pub struct StepLength {
 impl StepLength {
     /// From 1/64 to 4 times the first one.
     pub fn around(first: f64) -> StepLength {
-        StepLength {
-            first,
-            shortest: first.abs() / 64.0,
-            longest: 4.0 * first.abs(),
-        }
+        StepLength { first, shortest: first.abs() / 64.0, longest: 4.0 * first.abs() }
     }
 
     /// Length after a step of length `s` that took so many iterations: up to 7 double, up to 12 the same, else 0.7 times.
@@ -85,11 +81,7 @@ impl Continuation<'_> {
             loop {
                 let rest = target - value(state);
                 let whole = rest.abs() <= step * (1.0 + 1e-9);
-                let end = if whole {
-                    target
-                } else {
-                    target - rest + step.copysign(rest)
-                };
+                let end = if whole { target } else { target - rest + step.copysign(rest) };
                 if progress.interrupted() {
                     return Ok(path);
                 }
@@ -191,11 +183,7 @@ impl Continuation<'_> {
             };
             *state = before;
             self.lambda = start;
-            found = Some(Critical {
-                stable: start,
-                beyond: next,
-                negative,
-            });
+            found = Some(Critical { stable: start, beyond: next, negative });
             if step <= tolerance {
                 break;
             }

@@ -27,14 +27,8 @@ fn mass_on_spring(viscous: f64, hysteretic: f64) -> Reduced {
 
 fn rows() -> [Observable; 2] {
     [
-        Observable {
-            displacement: vec![(0, 1.0)],
-            ..Observable::default()
-        },
-        Observable {
-            acceleration: vec![(0, 1.0)],
-            ..Observable::default()
-        },
+        Observable { displacement: vec![(0, 1.0)], ..Observable::default() },
+        Observable { acceleration: vec![(0, 1.0)], ..Observable::default() },
     ]
 }
 
@@ -47,10 +41,7 @@ fn a_mass_on_a_spring_is_a_closed_form() {
         let reduced = mass_on_spring(viscous, hysteretic);
         let found = reduced.transfer(&rows(), 0, &[0.0, w, 1.7 * w]).unwrap();
         let close = |found: Complex<f64>, expected: Complex<f64>| {
-            assert!(
-                (found - expected).norm() < 1e-12 * expected.norm(),
-                "{found} {expected}"
-            );
+            assert!((found - expected).norm() < 1e-12 * expected.norm(), "{found} {expected}");
         };
         close(found[0][0], Complex::new(-1.0 / (w * w), 0.0));
         close(found[1][0], Complex::new(1.0, 0.0));

@@ -45,10 +45,7 @@ fn identity(key: &str, state: &State, settings: &Settings) -> u64 {
     hash.text(key);
     hash.count(state.committed.u.len());
     hash.count(state.old.len());
-    hash.text(&format!(
-        "{:?} {:?} {:?}",
-        settings.scheme, settings.grid, settings.newton
-    ));
+    hash.text(&format!("{:?} {:?} {:?}", settings.scheme, settings.grid, settings.newton));
     hash.text(&format!("{:?}", settings.adaptive));
     for count in [settings.load_steps, settings.halvings as usize, settings.recovery] {
         hash.count(count);
@@ -63,11 +60,7 @@ impl<'a> Driver<'a> {
         settings: &'a Settings,
     ) -> Result<Driver<'a>, AnalysisError> {
         let system = problem.system;
-        let inertia = Inertia {
-            mass: &system.mass,
-            stiffness: &system.stiffness,
-            damping: &system.damping,
-        };
+        let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
         let newton = Newton::with_options(
             problem.model,
             problem.assembler,
@@ -100,9 +93,7 @@ impl<'a> Driver<'a> {
                 shortest: f64::INFINITY,
                 longest: 0.0,
             },
-            strides: settings
-                .adaptive
-                .map(|a| Strides::new(a, settings.grid.sub_steps, settings.recovery, problem)),
+            strides: settings.adaptive.map(|a| Strides::new(a, settings.grid.sub_steps, settings.recovery, problem)),
             functions: vec![0.0; 3 + load.forces.len()],
             balance: Balance::default(),
             statics: None,
@@ -232,11 +223,7 @@ impl<'a> Driver<'a> {
             |_, _| {},
         )?;
         let end = match &path.failure {
-            Some(failure) => Some(Outcome::Collapsed(Collapse::new(
-                0.0,
-                Some(path.factor),
-                failure.clone(),
-            ))),
+            Some(failure) => Some(Outcome::Collapsed(Collapse::new(0.0, Some(path.factor), failure.clone()))),
             None if path.factor < 1.0 - 1e-12 => Some(Outcome::Interrupted),
             None => None,
         };
@@ -339,14 +326,7 @@ impl<'a> Driver<'a> {
                         Ok(forces) => forces,
                         Err(failure) => return Ok(Err(failure)),
                     };
-                    self.meter.end(
-                        &self.state,
-                        forces,
-                        [&p0, &p1],
-                        &self.settings.constant,
-                        &scheme,
-                        viscous.as_ref(),
-                    );
+                    self.meter.end(&self.state, forces, [&p0, &p1], &self.settings.constant, &scheme, viscous.as_ref());
                     self.functions = functions;
                     self.position.shortest = self.position.shortest.min(h);
                     self.position.longest = self.position.longest.max(h);
@@ -481,12 +461,7 @@ impl<'a> Driver<'a> {
         self.newton.restore(&mut from, &self.state)?;
         let found = from.count()?;
         if found != observers.len() {
-            return Err(CheckpointError::Shape {
-                what: "observers",
-                found,
-                allowed: observers.len(),
-            }
-            .into());
+            return Err(CheckpointError::Shape { what: "observers", found, allowed: observers.len() }.into());
         }
         for observer in observers.iter_mut() {
             observer.restore(&mut from.part()?)?;

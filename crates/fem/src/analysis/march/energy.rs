@@ -36,15 +36,7 @@ impl Energies {
     const COUNT: usize = 7;
 
     fn array(&self) -> [f64; Energies::COUNT] {
-        [
-            self.input,
-            self.constant,
-            self.kinetic,
-            self.internal,
-            self.damping,
-            self.numerical,
-            self.hysteretic,
-        ]
+        [self.input, self.constant, self.kinetic, self.internal, self.damping, self.numerical, self.hysteretic]
     }
 
     fn of(a: &[f64]) -> Energies {
@@ -74,11 +66,7 @@ pub struct Balance {
 impl Balance {
     /// Largest residual relative to the largest energy.
     pub fn error(&self) -> f64 {
-        if self.largest > 0.0 {
-            self.worst / self.largest
-        } else {
-            0.0
-        }
+        if self.largest > 0.0 { self.worst / self.largest } else { 0.0 }
     }
 
     pub(super) fn save(&self, to: &mut Writer) {
@@ -90,11 +78,7 @@ impl Balance {
 
     pub(super) fn restore(from: &mut Reader) -> Result<Balance, CheckpointError> {
         Ok(Balance {
-            samples: from
-                .numbers("energies")?
-                .chunks_exact(Energies::COUNT)
-                .map(Energies::of)
-                .collect(),
+            samples: from.numbers("energies")?.chunks_exact(Energies::COUNT).map(Energies::of).collect(),
             worst: from.number()?,
             largest: from.number()?,
         })
@@ -170,15 +154,10 @@ impl<'a> Meter<'a> {
         let Problem { model, assembler, .. } = self.problem;
         // Tangent damping changes from step to step.
         let kept = self.known_damping && viscous.is_none();
-        for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)]
-            .into_iter()
-            .skip(usize::from(kept))
-        {
+        for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)].into_iter().skip(usize::from(kept)) {
             out.clear();
             out.resize(n, 0.0);
-            system
-                .damping
-                .add_sparse_product(&system.mass, &system.stiffness, 1.0, v, out);
+            system.damping.add_sparse_product(&system.mass, &system.stiffness, 1.0, v, out);
             assembler.add_operator_products(model, |_| [c.mass, c.stiffness], v, out);
             if let Some(c) = viscous {
                 c.add_product(1.0, v, out);
@@ -194,10 +173,7 @@ impl<'a> Meter<'a> {
             damping += 0.5 * (cv0[i] + cv1[i]) * d;
             let rate = cv1[i] - cv0[i] + force[i] - before[i] - p1 + p0;
             let inertia = ma[i] - self.ma[i];
-            let (mean_v, mean_a) = (
-                0.5 * (self.before.v[i] + after.v[i]),
-                0.5 * (self.before.a[i] + after.a[i]),
-            );
+            let (mean_v, mean_a) = (0.5 * (self.before.v[i] + after.v[i]), 0.5 * (self.before.a[i] + after.a[i]));
             numerical += on_force * rate * d
                 + inertia * (on_mass * d - h * (gamma - 0.5) * mean_v + h * h * (beta - 0.5 * gamma) * mean_a);
         }
@@ -251,7 +227,5 @@ fn mass_product(problem: Problem<'_>, x: &[f64], out: &mut Vec<f64>) {
 
 fn hysteresis(problem: Problem<'_>, state: &State) -> f64 {
     let elements = problem.model.elements().iter().enumerate();
-    elements
-        .map(|(e, element)| element.dissipated(&state.old[state.history(e)]))
-        .sum()
+    elements.map(|(e, element)| element.dissipated(&state.old[state.history(e)])).sum()
 }

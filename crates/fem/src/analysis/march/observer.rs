@@ -128,12 +128,7 @@ pub struct Range {
 
 impl Range {
     /// Empty.
-    pub const EMPTY: Range = Range {
-        min: f64::INFINITY,
-        min_time: 0.0,
-        max: f64::NEG_INFINITY,
-        max_time: 0.0,
-    };
+    pub const EMPTY: Range = Range { min: f64::INFINITY, min_time: 0.0, max: f64::NEG_INFINITY, max_time: 0.0 };
 
     /// Takes a value in.
     pub fn include(&mut self, value: f64, time: f64) {
@@ -147,11 +142,7 @@ impl Range {
 
     /// Largest absolute value and its time.
     pub fn peak(&self) -> (f64, f64) {
-        if self.max.abs() >= self.min.abs() {
-            (self.max.abs(), self.max_time)
-        } else {
-            (self.min.abs(), self.min_time)
-        }
+        if self.max.abs() >= self.min.abs() { (self.max.abs(), self.max_time) } else { (self.min.abs(), self.min_time) }
     }
 }
 
@@ -211,11 +202,7 @@ impl Observe for QuantityObserver {
         self.times = from.numbers("times")?;
         let found = from.count()?;
         if found != self.quantities.len() {
-            return Err(CheckpointError::Shape {
-                what: "recorded quantities",
-                found,
-                allowed: self.quantities.len(),
-            });
+            return Err(CheckpointError::Shape { what: "recorded quantities", found, allowed: self.quantities.len() });
         }
         for (history, range) in self.histories.iter_mut().zip(&mut self.ranges) {
             *history = from.numbers("a history")?;
@@ -228,12 +215,7 @@ impl Observe for QuantityObserver {
             }
             let mut r = [0.0; 4];
             from.numbers_into("a range", &mut r)?;
-            *range = Range {
-                min: r[0],
-                min_time: r[1],
-                max: r[2],
-                max_time: r[3],
-            };
+            *range = Range { min: r[0], min_time: r[1], max: r[2], max_time: r[3] };
         }
         Ok(())
     }

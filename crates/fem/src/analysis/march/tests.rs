@@ -122,13 +122,7 @@ fn chain_of(masses: usize, strength: f64, brittle: f64) -> Model {
             let x = Direction::Translation([1.0, 0.0, 0.0]);
             builder.element("links", Spring::between(k - 1, k, x, stiffness).unwrap());
         } else {
-            let link = Link {
-                nodes: [k - 1, k],
-                stiffness,
-                strength,
-                hardening: 0.05 * stiffness,
-                brittle,
-            };
+            let link = Link { nodes: [k - 1, k], stiffness, strength, hardening: 0.05 * stiffness, brittle };
             builder.element("links", link);
         }
     }
@@ -146,26 +140,13 @@ impl Parts {
     fn new(model: Model) -> Parts {
         let assembler = Assembler::new(&model);
         let symbolic = Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap();
-        let damping = Damping::rayleigh(Rayleigh {
-            mass: 0.05,
-            stiffness: 0.002,
-        });
+        let damping = Damping::rayleigh(Rayleigh { mass: 0.05, stiffness: 0.002 });
         let system = System::new(&model, &assembler).unwrap().with_damping(damping);
-        Parts {
-            symbolic: Arc::new(symbolic),
-            model,
-            assembler,
-            system,
-        }
+        Parts { symbolic: Arc::new(symbolic), model, assembler, system }
     }
 
     fn problem(&self) -> Problem<'_> {
-        Problem {
-            model: &self.model,
-            assembler: &self.assembler,
-            symbolic: &self.symbolic,
-            system: &self.system,
-        }
+        Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system }
     }
 
     fn weight(&self) -> Vec<f64> {
@@ -215,17 +196,10 @@ fn linear_march_is_direct_integration() {
     ] {
         let mut linear = transient::Settings::new(grid());
         linear.scheme = scheme;
-        let direct = integrate(
-            problem.system,
-            problem.symbolic,
-            std::slice::from_ref(&load),
-            &linear,
-            &rows,
-            &[],
-            &Silent,
-        )
-        .unwrap()
-        .remove(0);
+        let direct =
+            integrate(problem.system, problem.symbolic, std::slice::from_ref(&load), &linear, &rows, &[], &Silent)
+                .unwrap()
+                .remove(0);
         let mut settings = Settings::new(grid());
         settings.scheme = scheme;
         let mut recorder = QuantityObserver::new(vec![top(problem), base_shear(problem)]);
@@ -244,11 +218,7 @@ fn linear_march_is_direct_integration() {
         let kinetic = direct.energy.kinetic.last().unwrap();
         assert!((last.kinetic - kinetic).abs() < 1e-10 * run.balance.largest);
         let dissipates = !matches!(scheme, TimeScheme::Trapezoidal);
-        assert_eq!(
-            last.numerical.abs() > 1e-6 * run.balance.largest,
-            dissipates,
-            "{last:?}"
-        );
+        assert_eq!(last.numerical.abs() > 1e-6 * run.balance.largest, dissipates, "{last:?}");
         // One factor serves all steps.
         assert_eq!(run.cost.factors, 1);
     }
@@ -301,10 +271,7 @@ fn hysteresis_and_balance() {
         tops.push(recorder.histories.swap_remove(0));
     }
     let peak = tops[0].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let apart = tops[0]
-        .iter()
-        .zip(&tops[1])
-        .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    let apart = tops[0].iter().zip(&tops[1]).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
     // |δu·r| ≤ 1e-10 of a step: 1e-5 of its increment, over some hundred plastic steps.
     assert!(apart < 1e-4 * peak, "{apart} {peak}");
 }
@@ -316,17 +283,8 @@ fn collapse_is_an_outcome() {
     let mut settings = Settings::new(grid());
     settings.constant = parts.weight();
     let mut recorder = QuantityObserver::new(vec![top(parts.problem())]);
-    let run = march(
-        parts.problem(),
-        &shaking(12.0),
-        &settings,
-        &mut [&mut recorder],
-        &Silent,
-    )
-    .unwrap();
-    let Outcome::Collapsed(collapse) = &run.outcome else {
-        panic!("{:?}", run.outcome)
-    };
+    let run = march(parts.problem(), &shaking(12.0), &settings, &mut [&mut recorder], &Silent).unwrap();
+    let Outcome::Collapsed(collapse) = &run.outcome else { panic!("{:?}", run.outcome) };
     assert!(collapse.time > 0.0 && collapse.time < 6.0 && collapse.load_factor.is_none());
     assert!(collapse.element.is_some() && run.cuts >= 6);
     assert_eq!(recorder.times.len(), recorder.histories[0].len());
@@ -334,9 +292,7 @@ fn collapse_is_an_outcome() {
     assert!(recorder.ranges[0].max > 0.1);
     settings.constant.iter_mut().for_each(|p| *p *= 10.0);
     let run = march(parts.problem(), &shaking(12.0), &settings, &mut [], &Silent).unwrap();
-    let Outcome::Collapsed(collapse) = &run.outcome else {
-        panic!("{:?}", run.outcome)
-    };
+    let Outcome::Collapsed(collapse) = &run.outcome else { panic!("{:?}", run.outcome) };
     let factor = collapse.load_factor.unwrap();
     assert!(factor > 0.1 && factor < 1.0 && collapse.time == 0.0, "{factor}");
 }
@@ -380,10 +336,7 @@ impl Element for Hurried {
         let change = (new[0] - old[0]).abs();
         if change > self.most {
             let reason = format!("changed by {change} in a step");
-            return Err(ElementError::NoAnswer {
-                kind: "hurried",
-                reason,
-            });
+            return Err(ElementError::NoAnswer { kind: "hurried", reason });
         }
         Ok(())
     }
@@ -395,13 +348,7 @@ impl Element for Hurried {
 fn cut_steps_grow_again() {
     let mut builder = Builder::new();
     let [ground, mass] = [0.0, 1.0].map(|x| builder.node([x, 0.0, 0.0]));
-    for (node, dof) in [
-        (ground, Dof::Ux),
-        (ground, Dof::Uy),
-        (ground, Dof::Uz),
-        (mass, Dof::Uy),
-        (mass, Dof::Uz),
-    ] {
+    for (node, dof) in [(ground, Dof::Ux), (ground, Dof::Uy), (ground, Dof::Uz), (mass, Dof::Uy), (mass, Dof::Uz)] {
         builder.hold(node, dof);
     }
     builder.element("mass", PointMass::new(mass, 2.0).unwrap());
@@ -436,11 +383,7 @@ fn cut_steps_grow_again() {
             assert!(since >= settings.recovery, "{since} at {time}");
             grown += 1;
         }
-        since = if (step / before - 1.0).abs() < 1e-9 {
-            since + 1
-        } else {
-            1
-        };
+        since = if (step / before - 1.0).abs() < 1e-9 { since + 1 } else { 1 };
     }
     assert!(grown >= 2);
     assert!(steps.iter().rev().take(200).all(|s| (s.1 - h).abs() < 1e-12));

@@ -38,11 +38,7 @@ impl Propagator {
         let size = 2 * m + 6;
         let mut whole = Matrix::zeros(size, size);
         // Loads of the size of frequencies keep the series short.
-        let largest = basis
-            .participation
-            .iter()
-            .flatten()
-            .fold(0.0, |g: f64, p| g.max(p.abs()));
+        let largest = basis.participation.iter().flatten().fold(0.0, |g: f64, p| g.max(p.abs()));
         let unit = if largest > 0.0 { largest } else { 1.0 };
         for (j, (&omega, &ratio)) in basis.omega.iter().zip(ratios).enumerate() {
             whole.add(j, m + j, h * omega);
@@ -66,10 +62,7 @@ impl Propagator {
                 *to = factor * from;
             }
         }
-        Propagator {
-            step,
-            next: vec![0.0; 2 * m],
-        }
+        Propagator { step, next: vec![0.0; 2 * m] }
     }
 
     /// The state (ω Y, Ẏ) at the end of a step over which the ground acceleration goes from a_0 to a_1.

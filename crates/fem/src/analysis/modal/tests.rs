@@ -17,10 +17,7 @@ fn frame() -> (System, Eigen) {
     let everything: Vec<usize> = (0..n).collect();
     let pattern = Arc::new(Pattern::from_cliques(n, std::iter::once(everything.as_slice())));
     let fill = |f: &dyn Fn(usize, usize) -> f64| Symmetric {
-        values: (0..n)
-            .flat_map(|j| (j..n).map(move |i| (i, j)))
-            .map(|(i, j)| f(i, j))
-            .collect(),
+        values: (0..n).flat_map(|j| (j..n).map(move |i| (i, j))).map(|(i, j)| f(i, j)).collect(),
         pattern: pattern.clone(),
     };
     let mass = fill(&|i, j| if i == j { 2.0 + 0.1 * i as f64 } else { 0.0 });
@@ -39,9 +36,7 @@ fn frame() -> (System, Eigen) {
 
 fn shaking(grid: &Grid) -> Load {
     let record = |phase: f64| -> Vec<f64> {
-        (0..200)
-            .map(|k| (0.4 * f64::from(k) + phase).sin() * (0.02 * f64::from(k)).sin())
-            .collect()
+        (0..200).map(|k| (0.4 * f64::from(k) + phase).sin() * (0.02 * f64::from(k)).sin()).collect()
     };
     let mut load = Load::default();
     for (k, g) in load.ground.iter_mut().enumerate().take(2) {
@@ -57,20 +52,9 @@ fn statics(system: &System) -> Vec<Vec<f64>> {
 
 fn observables() -> Vec<Observable> {
     vec![
-        Observable {
-            displacement: vec![(4, 1.0), (5, -0.5)],
-            ..Observable::default()
-        },
-        Observable {
-            displacement: vec![(0, 2.0)],
-            velocity: vec![(3, 0.3)],
-            ..Observable::default()
-        },
-        Observable {
-            acceleration: vec![(4, 1.0), (1, 0.2)],
-            ground: [0.5, 0.0, 0.0],
-            ..Observable::default()
-        },
+        Observable { displacement: vec![(4, 1.0), (5, -0.5)], ..Observable::default() },
+        Observable { displacement: vec![(0, 2.0)], velocity: vec![(3, 0.3)], ..Observable::default() },
+        Observable { acceleration: vec![(4, 1.0), (1, 0.2)], ground: [0.5, 0.0, 0.0], ..Observable::default() },
     ]
 }
 
@@ -94,57 +78,28 @@ fn methods_agree() {
     let damped = system.clone().with_damping(damping);
     let symbolic = Arc::new(Symbolic::new(system.mass.pattern.clone(), &Ordering::MinimumDegree).unwrap());
     let settings = Settings::new(grid);
-    let direct = integrate(
-        &damped,
-        &symbolic,
-        std::slice::from_ref(&load),
-        &settings,
-        &rows,
-        &[],
-        &Silent,
-    )
-    .unwrap();
+    let direct = integrate(&damped, &symbolic, std::slice::from_ref(&load), &settings, &rows, &[], &Silent).unwrap();
     let window = Window::Exponential(6.0);
     let on_modes = Reduced::modal(&basis, &ratios, &[0.0; 6]).unwrap();
     let on_modes = on_modes.respond(&load, grid, window, &rows).unwrap();
-    let full = Reduced::full(&damped, 0.0)
-        .unwrap()
-        .respond(&load, grid, window, &rows)
-        .unwrap();
+    let full = Reduced::full(&damped, 0.0).unwrap().respond(&load, grid, window, &rows).unwrap();
     for (k, exact) in modal.scalars.iter().enumerate() {
         let peak = exact.extreme.peak().0;
         for (i, value) in exact.values.iter().enumerate() {
-            let others = [
-                &direct[0].observed.scalars[k].values,
-                &on_modes[k].values,
-                &full[k].values,
-            ];
+            let others = [&direct[0].observed.scalars[k].values, &on_modes[k].values, &full[k].values];
             // Where the record ends with a jump, its last sample counts in the transform with the mean of both sides.
             let jump = k == 2 && i == 199;
-            for (other, allowed) in others
-                .into_iter()
-                .zip([1e-3, 2e-3, 2e-3])
-                .take(if jump { 1 } else { 3 })
-            {
+            for (other, allowed) in others.into_iter().zip([1e-3, 2e-3, 2e-3]).take(if jump { 1 } else { 3 }) {
                 // Period error of the trapezoidal rule, ω t (ω h)²/12 = 30·5·(30·6e-4)²/12 = 4e-4; transform: the corners of
                 // the record between its samples.
-                assert!(
-                    (other[i] - value).abs() < allowed * peak,
-                    "{k} {i}: {} {value} of {peak}",
-                    other[i]
-                );
+                assert!((other[i] - value).abs() < allowed * peak, "{k} {i}: {} {value} of {peak}", other[i]);
             }
             assert!((on_modes[k].values[i] - full[k].values[i]).abs() < 1e-9 * peak);
         }
     }
     // Fields at an instant give the observables there.
     let at = [0, 77 * 32, 120 * 32];
-    for (snapshot, i) in basis
-        .fields(&ratios, &load, grid, &at)
-        .unwrap()
-        .iter()
-        .zip([0, 77, 120])
-    {
+    for (snapshot, i) in basis.fields(&ratios, &load, grid, &at).unwrap().iter().zip([0, 77, 120]) {
         for (row, history) in rows.iter().zip(&modal.scalars) {
             let total = |i: usize| {
                 let carried: f64 = (0..3).map(|k| system.influence[k][i] * snapshot.ground[k]).sum();
@@ -170,9 +125,7 @@ fn missing_mass_alone_is_static() {
     let empty = crate::linalg::Matrix::zeros(6, 0);
     let basis = ModalBasis::new(&system, &[], &empty, given).unwrap();
     assert!(basis.is_empty());
-    let (found, _) = basis
-        .respond(&[], &load, grid, &observables()[..1], &[], &Silent)
-        .unwrap();
+    let (found, _) = basis.respond(&[], &load, grid, &observables()[..1], &[], &Silent).unwrap();
     for (i, value) in found.scalars[0].values.iter().enumerate() {
         let a = load.acceleration(i);
         let expected: f64 = -(0..2).map(|k| a[k] * (still[k][4] - 0.5 * still[k][5])).sum::<f64>();
@@ -193,19 +146,11 @@ fn spectra_combine() {
     let given = [Some(still[0].as_slice()), Some(still[1].as_slice()), None];
     let basis = ModalBasis::new(&system, &eigen.omega, &eigen.vectors, given).unwrap();
     let flat = |_: usize, _: f64, _: f64| 2.0;
-    let components: Vec<Component> = (0..2)
-        .map(|axis| Component {
-            axis,
-            spectrum: &flat,
-            zero_period: 2.0,
-        })
-        .collect();
+    let components: Vec<Component> = (0..2).map(|axis| Component { axis, spectrum: &flat, zero_period: 2.0 }).collect();
     let rows = &observables()[..1];
     let ratios = [0.05; 6];
     let peak = |components: &[Component], modal, direction, ratios: &[f64]| {
-        peaks(&basis, ratios, components, modal, direction, rows)
-            .unwrap()
-            .remove(0)
+        peaks(&basis, ratios, components, modal, direction, rows).unwrap().remove(0)
     };
     let srss = peak(&components, ModalRule::Srss, DirectionRule::Srss, &ratios);
     let by_hand: f64 = (0..6)
@@ -216,11 +161,7 @@ fn spectra_combine() {
         })
         .sum::<f64>()
         .sqrt();
-    assert!(
-        (srss.value - by_hand).abs() < 1e-12 * by_hand,
-        "{} {by_hand}",
-        srss.value
-    );
+    assert!((srss.value - by_hand).abs() < 1e-12 * by_hand, "{} {by_hand}", srss.value);
     // Nearly undamped modes are uncorrelated: both rules agree.
     let faint = [1e-7; 6];
     let cqc = peak(&components, ModalRule::Cqc, DirectionRule::Srss, &faint);
@@ -232,15 +173,7 @@ fn spectra_combine() {
     let all: Vec<usize> = (0..6).collect();
     let few = eigen.vectors.select(&all, &[0]);
     let basis = ModalBasis::new(&system, &eigen.omega[..1], &few, given).unwrap();
-    let found = peaks(
-        &basis,
-        &ratios[..1],
-        &components[..1],
-        ModalRule::Cqc,
-        DirectionRule::Srss,
-        rows,
-    )
-    .unwrap();
+    let found = peaks(&basis, &ratios[..1], &components[..1], ModalRule::Cqc, DirectionRule::Srss, rows).unwrap();
     let total = -2.0 * (still[0][4] - 0.5 * still[0][5]);
     // Under a flat spectrum the first mode is static too, with the sign of the ground acceleration turned.
     assert!((found[0].missing[0] - found[0].modes[0][0] - total).abs() < 1e-12);
@@ -249,17 +182,7 @@ fn spectra_combine() {
     assert!((units.iter().sum::<f64>() + rest - 0.5 * total).abs() < 1e-12);
     assert!((2.0 * rest - found[0].missing[0]).abs() < 1e-12);
     let velocity = &observables()[1..2];
-    assert!(
-        peaks(
-            &basis,
-            &ratios[..1],
-            &components,
-            ModalRule::Cqc,
-            DirectionRule::Srss,
-            velocity
-        )
-        .is_err()
-    );
+    assert!(peaks(&basis, &ratios[..1], &components, ModalRule::Cqc, DirectionRule::Srss, velocity).is_err());
 }
 
 /// 3, −4 and a rest of 1: by hand. Modes of one frequency are fully correlated: |3 − 4|.
@@ -277,27 +200,18 @@ fn rules_by_hand() {
 #[test]
 fn hysteretic_damping_at_resonance() {
     let (system, eigen) = frame();
-    let basis = ModalBasis::new(
-        &system,
-        &eigen.omega[..1],
-        &eigen.vectors.select(&[0, 1, 2, 3, 4, 5], &[0]),
-        [None; 3],
-    );
+    let basis =
+        ModalBasis::new(&system, &eigen.omega[..1], &eigen.vectors.select(&[0, 1, 2, 3, 4, 5], &[0]), [None; 3]);
     let basis = basis.unwrap();
     let omega = eigen.omega[0];
     let dt = std::f64::consts::TAU / omega / 40.0;
     let record: Vec<f64> = (0..40 * 120).map(|k| (omega * dt * f64::from(k)).sin()).collect();
     let grid = Grid::new(dt, dt * (record.len() - 1) as f64, 0.0, dt);
     let load = Load::ground(0, Motion::sampled(dt, &record, &grid));
-    let row = Observable {
-        displacement: vec![(4, 1.0)],
-        ..Observable::default()
-    };
+    let row = Observable { displacement: vec![(4, 1.0)], ..Observable::default() };
     let steady = |viscous: f64, hysteretic: f64| {
         let reduced = Reduced::modal(&basis, &[viscous], &[hysteretic]).unwrap();
-        let found = reduced
-            .respond(&load, grid, Window::zeros_for(0.05, omega), std::slice::from_ref(&row))
-            .unwrap();
+        let found = reduced.respond(&load, grid, Window::zeros_for(0.05, omega), std::slice::from_ref(&row)).unwrap();
         let last = &found[0].values[record.len() - 80..];
         last.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
     };
@@ -325,10 +239,7 @@ fn dashpots_couple_the_modes() {
         dashpot.values[place] += coefficient * row[i] * row[j];
     }
     let damped = System::from_matrices(system.mass.clone(), system.stiffness.clone(), system.influence.clone())
-        .with_damping(Damping {
-            sparse: Some(dashpot),
-            ..Damping::none()
-        });
+        .with_damping(Damping { sparse: Some(dashpot), ..Damping::none() });
     let grid = Grid::new(0.02, 3.98, 1.0, 0.02 / 32.0);
     let load = shaking(&grid);
     let rows = observables();
@@ -339,24 +250,14 @@ fn dashpots_couple_the_modes() {
         let largest = b.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         for (i, (a, b)) in a.values.iter().zip(&b.values).enumerate() {
             // The record ends with a jump at 199.
-            assert!(
-                (a - b).abs() < 2e-3 * largest || i == 199,
-                "{i}: {a} {b} of {largest:e}"
-            );
+            assert!((a - b).abs() < 2e-3 * largest || i == 199, "{i}: {a} {b} of {largest:e}");
         }
     }
     // The steady state by both, exact for both.
     let omega = [3.0, 12.5, 25.0];
-    let by_modes = Reduced::modal(&basis, &ratios, &ratios)
-        .unwrap()
-        .transfer(&rows, 0, &omega);
+    let by_modes = Reduced::modal(&basis, &ratios, &ratios).unwrap().transfer(&rows, 0, &omega);
     let by_matrix = Reduced::full(&damped, 0.0).unwrap().transfer(&rows, 0, &omega);
-    for (a, b) in by_modes
-        .unwrap()
-        .iter()
-        .flatten()
-        .zip(by_matrix.unwrap().iter().flatten())
-    {
+    for (a, b) in by_modes.unwrap().iter().flatten().zip(by_matrix.unwrap().iter().flatten()) {
         assert!((a - b).norm() <= 1e-9 * b.norm().max(1e-12), "{a} {b}");
     }
 }
@@ -365,11 +266,7 @@ fn dashpots_couple_the_modes() {
 #[test]
 fn a_dashpot_on_one_mode_is_its_ratio() {
     let (system, eigen) = frame();
-    let first = Matrix {
-        rows: system.size(),
-        cols: 1,
-        data: eigen.vectors.column(0).to_vec(),
-    };
+    let first = Matrix { rows: system.size(), cols: 1, data: eigen.vectors.column(0).to_vec() };
     let plain = ModalBasis::new(&system, &eigen.omega[..1], &first, [None; 3]).unwrap();
     let mut row = vec![0.0; system.size()];
     row[2] = 1.0;
@@ -383,11 +280,6 @@ fn a_dashpot_on_one_mode_is_its_ratio() {
     for (a, b) in found.scalars.iter().zip(&expected.scalars) {
         let largest = b.extreme.peak().0;
         assert!((a.extreme.peak().0 - largest).abs() <= 1e-9 * largest);
-        assert!(
-            a.values
-                .iter()
-                .zip(&b.values)
-                .all(|(a, b)| (a - b).abs() <= 1e-9 * largest)
-        );
+        assert!(a.values.iter().zip(&b.values).all(|(a, b)| (a - b).abs() <= 1e-9 * largest));
     }
 }

@@ -137,10 +137,7 @@ impl Newton<'_> {
                 // Loads that are elements themselves (follower pressure) are part of the forces and vanish with them.
                 || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
             {
-                return Ok(StepReport {
-                    iterations: iteration,
-                    residuals,
-                });
+                return Ok(StepReport { iterations: iteration, residuals });
             }
             // The first increment of a thin shell bends it, and stretches it in second order: forces begin to fall after it.
             if iteration == 1 || norm < 0.9 * best {
@@ -222,9 +219,7 @@ impl Newton<'_> {
         };
         let of_damping = |blend: &mut Vec<f64>, part: &mut Vec<f64>| {
             mix(on_force, &fields[0].v, &fields[1].v, blend);
-            inertia
-                .damping
-                .add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
+            inertia.damping.add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
             let c = inertia.damping.of_operators();
             assembler.add_operator_products(model, |_| [c.mass, c.stiffness], blend, part);
             if let Some(viscous) = viscous {
@@ -311,23 +306,12 @@ impl Newton<'_> {
 
     fn divergence(&self, iteration: usize, residual: f64) -> StepFailure {
         let (node, dof) = self.worst();
-        StepFailure::Divergence {
-            iteration,
-            residual,
-            node,
-            dof,
-        }
+        StepFailure::Divergence { iteration, residual, node, dof }
     }
 
     fn no_convergence(&self, iterations: usize, residual: f64, allowed: f64) -> StepFailure {
         let (node, dof) = self.worst();
-        StepFailure::NoConvergence {
-            iterations,
-            residual,
-            allowed,
-            node,
-            dof,
-        }
+        StepFailure::NoConvergence { iterations, residual, allowed, node, dof }
     }
 }
 

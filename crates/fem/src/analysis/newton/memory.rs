@@ -12,16 +12,7 @@ impl Newton<'_> {
     pub(in crate::analysis) fn save(&self, to: &mut Writer) {
         to.number(self.reference);
         let c = &self.cost;
-        for count in [
-            c.steps,
-            c.failures,
-            c.iterations,
-            c.evaluations,
-            c.factors,
-            c.searches,
-            c.products,
-            c.wholes,
-        ] {
+        for count in [c.steps, c.failures, c.iterations, c.evaluations, c.factors, c.searches, c.products, c.wholes] {
             to.count(count as usize);
         }
         to.count(usize::from(self.viscous.is_some()));

@@ -17,11 +17,7 @@ pub struct Criteria {
 
 impl Default for Criteria {
     fn default() -> Criteria {
-        Criteria {
-            energy: 1e-10,
-            force: 1e-4,
-            iterations: 25,
-        }
+        Criteria { energy: 1e-10, force: 1e-4, iterations: 25 }
     }
 }
 
@@ -83,11 +79,7 @@ impl Options {
     /// 10⁻⁵ a squat tank found no equilibrium in the next steps.
     pub fn for_ground(zone: Arc<Zone>) -> Options {
         Options {
-            criteria: Criteria {
-                energy: 1e-8,
-                force: 1e-7,
-                ..Criteria::default()
-            },
+            criteria: Criteria { energy: 1e-8, force: 1e-7, ..Criteria::default() },
             line_search: true,
             zone: Some(zone),
             ..Options::for_contact()

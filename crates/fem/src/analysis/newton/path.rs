@@ -35,19 +35,11 @@ pub fn load_path(
     check_length("constant load", constant.len(), n)?;
     check_length("load", load.len(), n)?;
     if steps == 0 {
-        return Err(AnalysisError::Option {
-            option: "load steps",
-            found: "0".into(),
-            allowed: "1 or more".into(),
-        });
+        return Err(AnalysisError::Option { option: "load steps", found: "0".into(), allowed: "1 or more".into() });
     }
     let at = |factor: f64| -> Vec<f64> { constant.iter().zip(load).map(|(c, p)| c + factor * p).collect() };
     progress.stage("load steps", steps as u64);
-    let mut path = LoadPath {
-        factor: 0.0,
-        steps: Vec::new(),
-        failure: None,
-    };
+    let mut path = LoadPath { factor: 0.0, steps: Vec::new(), failure: None };
     let nominal = 1.0 / steps as f64;
     let (mut part, mut easy, mut told) = (1.0, 0, 0);
     while path.factor < 1.0 - 1e-12 && !progress.interrupted() {

@@ -40,11 +40,7 @@ impl Newton<'_> {
         for _ in 0..TRIES {
             let crossing = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
             let bracketed = high.1 * low.1 < 0.0;
-            let next = if bracketed && crossing.is_finite() {
-                crossing
-            } else {
-                0.5 * (low.0 + high.0)
-            };
+            let next = if bracketed && crossing.is_finite() { crossing } else { 0.5 * (low.0 + high.0) };
             at = next.clamp(SHORTEST, 1.0);
             scale = self.look(scheme, state, loads, &full, at)?;
             let g = dot(&full, &self.room.r);

@@ -60,16 +60,11 @@ impl Secants {
                 MOST => self.pairs.pop_front(),
                 _ => None,
             }
-            .unwrap_or(Pair {
-                s: Vec::new(),
-                y: Vec::new(),
-                product: 0.0,
-            });
+            .unwrap_or(Pair { s: Vec::new(), y: Vec::new(), product: 0.0 });
             pair.s.clear();
             pair.s.extend_from_slice(s);
             pair.y.clear();
-            pair.y
-                .extend(self.before.iter().zip(r).map(|(before, after)| before - after));
+            pair.y.extend(self.before.iter().zip(r).map(|(before, after)| before - after));
             pair.product = product;
             self.pairs.push_back(pair);
         }

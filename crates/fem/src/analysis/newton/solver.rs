@@ -115,11 +115,7 @@ impl Newton<'_> {
             Solver::Direct(factor) => {
                 x.clear();
                 x.extend_from_slice(b);
-                let mut column = crate::linalg::Matrix {
-                    rows: x.len(),
-                    cols: 1,
-                    data: std::mem::take(x),
-                };
+                let mut column = crate::linalg::Matrix { rows: x.len(), cols: 1, data: std::mem::take(x) };
                 let solved = factor.solve(&mut column);
                 *x = column.data;
                 solved.map_err(failed(WHAT))
@@ -155,9 +151,7 @@ impl Newton<'_> {
             let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
             let mut solver =
                 ZoneSolver::new(&zoned.zone, Keep::Double, self.threads).map_err(failed("the mass matrix"))?;
-            solver
-                .renew(&regular, None, &shares)
-                .map_err(failed("the mass matrix"))?;
+            solver.renew(&regular, None, &shares).map_err(failed("the mass matrix"))?;
             let [mut first, mut second] = [Vec::new(), Vec::new()];
             solver.solve(force, &mut first);
             solver.solve(&rest(&first), &mut second);
@@ -165,10 +159,7 @@ impl Newton<'_> {
         }
         match &self.rings {
             None => {
-                let factor = self
-                    .symbolic
-                    .factor(&regular, self.kind)
-                    .map_err(failed("the mass matrix"))?;
+                let factor = self.symbolic.factor(&regular, self.kind).map_err(failed("the mass matrix"))?;
                 let first = factor.solve_vector(force).map_err(&after)?;
                 let second = factor.solve_vector(&rest(&first)).map_err(&after)?;
                 Ok([first, second])

@@ -80,10 +80,7 @@ fn linear_is_a_special_case() {
     let (assembler, symbolic) = parts(&model);
     let system = System::new(&model, &assembler)
         .unwrap()
-        .with_damping(Damping::rayleigh(Rayleigh {
-            mass: 0.05,
-            stiffness: 0.01,
-        }));
+        .with_damping(Damping::rayleigh(Rayleigh { mass: 0.05, stiffness: 0.01 }));
     let load = end_load(&model, 3.0);
     let mut newton = Newton::new(&model, &assembler, &symbolic, None, Criteria::default()).unwrap();
     let mut state = State::new(&model);
@@ -96,25 +93,14 @@ fn linear_is_a_special_case() {
     }
     let grid = Grid::new(0.02, 1.0, 0.0, 0.02);
     let force: Vec<f64> = (0..grid.samples).map(|k| (0.2 * k as f64).sin()).collect();
-    for scheme in [
-        TimeScheme::Trapezoidal,
-        TimeScheme::Hht { alpha: -0.1 },
-        TimeScheme::GeneralizedAlpha { radius: 0.7 },
-    ] {
+    for scheme in
+        [TimeScheme::Trapezoidal, TimeScheme::Hht { alpha: -0.1 }, TimeScheme::GeneralizedAlpha { radius: 0.7 }]
+    {
         let mut settings = Settings::new(grid);
         settings.scheme = scheme;
-        let loads = [Load {
-            forces: vec![(load.clone(), Motion::sampled(0.02, &force, &grid))],
-            ..Load::default()
-        }];
-        let linear = integrate(&system, &symbolic, &loads, &settings, &[], &[], &Silent)
-            .unwrap()
-            .remove(0);
-        let inertia = Inertia {
-            mass: &system.mass,
-            stiffness: &system.stiffness,
-            damping: &system.damping,
-        };
+        let loads = [Load { forces: vec![(load.clone(), Motion::sampled(0.02, &force, &grid))], ..Load::default() }];
+        let linear = integrate(&system, &symbolic, &loads, &settings, &[], &[], &Silent).unwrap().remove(0);
+        let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
         let mut newton = Newton::new(&model, &assembler, &symbolic, Some(inertia), Criteria::default()).unwrap();
         let mut state = State::new(&model);
         let step = scheme.with_step(0.02).unwrap();
@@ -134,10 +120,7 @@ fn linear_is_a_special_case() {
 fn failures_leave_the_state_alone() {
     let model = bar(2, Kinematics::GreenLagrange);
     let (assembler, symbolic) = parts(&model);
-    let criteria = Criteria {
-        iterations: 1,
-        ..Criteria::default()
-    };
+    let criteria = Criteria { iterations: 1, ..Criteria::default() };
     let mut newton = Newton::new(&model, &assembler, &symbolic, None, criteria).unwrap();
     let mut state = State::new(&model);
     let before = state.clone();

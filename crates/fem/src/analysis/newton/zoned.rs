@@ -52,20 +52,11 @@ pub(super) enum Renew {
 
 impl Zoned {
     pub(super) fn new(zone: Arc<Zone>, assembler: &Assembler) -> Zoned {
-        Zoned {
-            zone,
-            own: Symmetric::zeros(assembler.pattern().clone()),
-            slow: 0,
-            always: Renew::Nothing,
-            spare: None,
-        }
+        Zoned { zone, own: Symmetric::zeros(assembler.pattern().clone()), slow: 0, always: Renew::Nothing, spare: None }
     }
 
     pub(super) fn apart(&mut self) -> Apart<'_> {
-        Apart {
-            elements: self.zone.elements(),
-            tangent: &mut self.own,
-        }
+        Apart { elements: self.zone.elements(), tangent: &mut self.own }
     }
 
     /// The residual corrects what a rounded factor leaves, as it does with that of an earlier state. Without inertia a thin wall is too badly
@@ -112,11 +103,7 @@ pub(super) fn save_weights(to: &mut Writer, w: Weights) {
 pub(super) fn restore_weights(from: &mut Reader) -> Result<Weights, CheckpointError> {
     let mut w = [0.0; 3];
     from.numbers_into("weights", &mut w)?;
-    Ok(Weights {
-        mass: w[0],
-        damping: w[1],
-        stiffness: w[2],
-    })
+    Ok(Weights { mass: w[0], damping: w[1], stiffness: w[2] })
 }
 
 impl Newton<'_> {
@@ -138,11 +125,7 @@ impl Newton<'_> {
         let mut solver = ZoneSolver::new(&zone, keep, self.threads).map_err(failed(WHAT))?;
         solver.renew_outside(&effective, &shares).map_err(|_| NO_PIVOT)?;
         if let Some(zoned) = &mut self.zoned {
-            zoned.spare = Some(Spare {
-                solver: Box::new(solver),
-                weights,
-                effective,
-            });
+            zoned.spare = Some(Spare { solver: Box::new(solver), weights, effective });
         }
         Ok(())
     }
@@ -172,11 +155,7 @@ impl Newton<'_> {
             && weights.mass > 0.0
         {
             let none = Symmetric::zeros(self.assembler.pattern().clone());
-            zoned.spare = Some(Spare {
-                solver,
-                weights,
-                effective: std::mem::replace(&mut self.effective, none),
-            });
+            zoned.spare = Some(Spare { solver, weights, effective: std::mem::replace(&mut self.effective, none) });
         }
     }
 

@@ -122,10 +122,7 @@ impl Open {
             let rows = layout.pairs()[pair].rows;
             rows.map(|row| layout.equations(row)[k] as usize)
         };
-        Ok(Some(Update {
-            equations: self.joints.iter().map(equation).collect(),
-            factor: Cholesky::factor(&q)?,
-        }))
+        Ok(Some(Update { equations: self.joints.iter().map(equation).collect(), factor: Cholesky::factor(&q)? }))
     }
 }
 

@@ -122,18 +122,14 @@ impl RingLayout {
         let circle = Ring::new(rings.ring.sectors(), false).ok_or_else(|| missing("fewer than 3 sectors".into()))?;
         let sections = [0, slots].map(|slots| section(rows.len(), slots, &entries, &wet));
         let [plain, full] = sections;
-        let symbolic = [
-            plain.map_err(failed("a section of the wall"))?,
-            full.map_err(failed("a section of the wall"))?,
-        ];
+        let symbolic =
+            [plain.map_err(failed("a section of the wall"))?, full.map_err(failed("a section of the wall"))?];
         let places = symbolic.each_ref().map(|s| {
             let place = |e: &Entry| s.pattern().place(e.row, e.column).unwrap_or(0);
             entries.iter().map(place).collect()
         });
         Ok(RingLayout {
-            sloshing: (0..rings.ring.harmonics())
-                .map(|m| amplitudes.iter().any(|(_, a)| a.harmonic == m))
-                .collect(),
+            sloshing: (0..rings.ring.harmonics()).map(|m| amplitudes.iter().any(|(_, a)| a.harmonic == m)).collect(),
             ring: rings.ring.clone(),
             circle,
             rows,
@@ -303,12 +299,7 @@ fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (
                 continue;
             }
             let number = *numbers.entry((high.0, low.0, offset)).or_insert_with(|| {
-                entries.push(Entry {
-                    row: high.0 as usize,
-                    column: low.0 as usize,
-                    offset,
-                    count: 0.0,
-                });
+                entries.push(Entry { row: high.0 as usize, column: low.0 as usize, offset, count: 0.0 });
                 entries.len() as u32 - 1
             });
             let on_plane = plane(low.1) && plane(high.1);
@@ -322,10 +313,7 @@ fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (
 /// The rows of `faces` that one other row on their own meridian joins, and nothing else.
 fn pairs(faces: &[usize], rows: &[Vec<u32>], entries: &[Entry], pattern: &Pattern) -> Vec<Pair> {
     let pair = |&face: &usize| -> Option<Pair> {
-        let mut own = entries
-            .iter()
-            .enumerate()
-            .filter(|(_, e)| e.row == face || e.column == face);
+        let mut own = entries.iter().enumerate().filter(|(_, e)| e.row == face || e.column == face);
         let (mut between, mut diagonal) = (None, None);
         own.try_for_each(|(number, e)| {
             let place = if e.row == e.column { &mut diagonal } else { &mut between };
@@ -334,13 +322,10 @@ fn pairs(faces: &[usize], rows: &[Vec<u32>], entries: &[Entry], pattern: &Patter
         let between = between?;
         let wall = entries[between].row + entries[between].column - face;
         let on_diagonal = |e: &Entry| e.offset == 0 && e.row == wall && e.column == wall;
-        let places = rows[face]
-            .iter()
-            .zip(&rows[wall])
-            .map(|(&a, &b)| match a == NONE || b == NONE {
-                true => None,
-                false => pattern.place(a.max(b) as usize, a.min(b) as usize),
-            });
+        let places = rows[face].iter().zip(&rows[wall]).map(|(&a, &b)| match a == NONE || b == NONE {
+            true => None,
+            false => pattern.place(a.max(b) as usize, a.min(b) as usize),
+        });
         Some(Pair {
             rows: [face, wall],
             entries: [between, diagonal?, entries.iter().position(on_diagonal)?],

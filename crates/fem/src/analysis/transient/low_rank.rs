@@ -41,20 +41,10 @@ impl<'a> LowRank<'a> {
         }
         let s = s.lu();
         if !s.is_invertible() {
-            return Err(failed("modal damping")(LinalgError::NotPositiveDefinite {
-                pivot: 0,
-                size: m,
-            }));
+            return Err(failed("modal damping")(LinalgError::NotPositiveDefinite { pivot: 0, size: m }));
         }
         let zero = || vec![0.0; m * columns];
-        Ok(LowRank {
-            part,
-            z,
-            s,
-            wv: zero(),
-            wa: zero(),
-            next: zero(),
-        })
+        Ok(LowRank { part, z, s, wv: zero(), wa: zero(), next: zero() })
     }
 
     fn rank(&self) -> usize {

@@ -78,9 +78,8 @@ impl<'a> March<'a> {
         if let Some(c) = &system.damping.sparse {
             effective.add(w.damping, c);
         }
-        let factor = symbolic
-            .factor(&effective, settings.kind)
-            .map_err(failed("the effective matrix of a time step"))?;
+        let factor =
+            symbolic.factor(&effective, settings.kind).map_err(failed("the effective matrix of a time step"))?;
         let zero = || vec![0.0; n * columns];
         let sparse = system.damping.sparse.as_ref();
         let matrices = match sparse {
@@ -309,11 +308,7 @@ impl<'a> March<'a> {
         let (on_mv, on_ma) = (r.mass, s.alpha_m + r.mass * af * g1);
         let range = c * n..(c + 1) * n;
         let right = &mut self.right[range.clone()];
-        let (ku, kv, ka) = (
-            &self.ku[range.clone()],
-            &self.kv[range.clone()],
-            &self.ka[range.clone()],
-        );
+        let (ku, kv, ka) = (&self.ku[range.clone()], &self.kv[range.clone()], &self.ka[range.clone()]);
         let (mv, ma) = (&self.mv[range.clone()], &self.ma[range.clone()]);
         for j in 0..n {
             right[j] = -(ku[j] + on_kv * kv[j] + on_ka * ka[j] + on_mv * mv[j] + on_ma * ma[j]);

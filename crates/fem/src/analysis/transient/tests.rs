@@ -47,18 +47,12 @@ fn record(samples: usize, phase: f64) -> Vec<f64> {
 }
 
 fn displacement(i: usize) -> Observable {
-    Observable {
-        displacement: vec![(i, 1.0)],
-        ..Observable::default()
-    }
+    Observable { displacement: vec![(i, 1.0)], ..Observable::default() }
 }
 
 fn dampings(system: &System) -> Vec<Damping> {
     let eigen = generalized_eigen(&system.stiffness.to_dense(), &system.mass.to_dense(), None).unwrap();
-    let rayleigh = Rayleigh {
-        mass: 0.3,
-        stiffness: 0.002,
-    };
+    let rayleigh = Rayleigh { mass: 0.3, stiffness: 0.002 };
     let mut dashpot = Symmetric::zeros(system.mass.pattern.clone());
     let place = dashpot.pattern.place(2, 2).unwrap();
     dashpot.values[place] = 7.0;
@@ -67,10 +61,7 @@ fn dampings(system: &System) -> Vec<Damping> {
     vec![
         Damping::none(),
         Damping::rayleigh(rayleigh),
-        Damping {
-            sparse: Some(dashpot),
-            ..Damping::default()
-        },
+        Damping { sparse: Some(dashpot), ..Damping::default() },
         Damping::modal(&system.mass, &eigen, &[0.05, 0.02, 0.3], Rayleigh::NONE).unwrap(),
         mixed,
     ]
@@ -97,12 +88,10 @@ fn dissertation(system: &System, beta: f64, gamma: f64, h: f64, force: &[f64], s
     let lu = effective.lu();
     let (mut u, mut v) = (vec![0.0; n], vec![0.0; n]);
     let mass = nalgebra::DMatrix::from_fn(n, n, |i, j| m.get(i, j));
-    let mut a = (mass
-        .lu()
-        .solve(&(nalgebra::DVector::from_vec(system.inertia[0].clone()) * -force[0])))
-    .unwrap()
-    .as_slice()
-    .to_vec();
+    let mut a = (mass.lu().solve(&(nalgebra::DVector::from_vec(system.inertia[0].clone()) * -force[0])))
+        .unwrap()
+        .as_slice()
+        .to_vec();
     let mut out = vec![u.clone()];
     for step in 1..=steps {
         let on_m: Vec<f64> = (0..n)
@@ -116,9 +105,7 @@ fn dissertation(system: &System, beta: f64, gamma: f64, h: f64, force: &[f64], s
             })
             .collect();
         let p = nalgebra::DVector::from_vec(system.inertia[0].clone()) * -force[step];
-        let u1 = lu
-            .solve(&(p + dense_times(&m, &on_m) + dense_times(&c, &on_c)))
-            .unwrap();
+        let u1 = lu.solve(&(p + dense_times(&m, &on_m) + dense_times(&c, &on_c))).unwrap();
         for i in 0..n {
             let a1 = (u1[i] - u[i]) / (beta * h * h) - v[i] / (beta * h) - (1.0 - 2.0 * beta) / (2.0 * beta) * a[i];
             v[i] += h * ((1.0 - gamma) * a[i] + gamma * a1);
@@ -147,11 +134,7 @@ fn newmark_is_the_dissertations() {
             for (i, history) in found[0].observed.scalars.iter().enumerate() {
                 for (k, value) in history.values.iter().enumerate() {
                     // The start of the acceleration is refined to (1e-6 h² ω²/4)², all else is rounding.
-                    assert!(
-                        (value - expected[k][i]).abs() < 1e-12,
-                        "{beta} {i} {k}: {value} {}",
-                        expected[k][i]
-                    );
+                    assert!((value - expected[k][i]).abs() < 1e-12, "{beta} {i} {k}: {value} {}", expected[k][i]);
                 }
             }
             assert!(found[0].complete && found[0].residual < 1e-13);
@@ -167,42 +150,22 @@ fn energy_balance_closes() {
     let grid = Grid::new(0.04, 4.0, 2.0, 0.02);
     let ground = Motion::sampled(0.04, &record(101, 0.7), &grid);
     let push = Motion::sampled(0.04, &record(60, 1.9), &grid);
-    let load = Load {
-        ground: [Some(ground), None, None],
-        forces: vec![((0..8).map(|i| f64::from(i) - 2.0).collect(), push)],
-    };
+    let load =
+        Load { ground: [Some(ground), None, None], forces: vec![((0..8).map(|i| f64::from(i) - 2.0).collect(), push)] };
     for damping in dampings(&plain) {
         let system = plain.clone().with_damping(damping);
         let symbolic = symbolic(&system);
         let mut settings = Settings::new(grid);
         settings.initial = Some((vec![0.01; 8], vec![-0.2; 8]));
         settings.constant = Some(vec![0.3; 8]);
-        let found = integrate(
-            &system,
-            &symbolic,
-            std::slice::from_ref(&load),
-            &settings,
-            &[],
-            &[],
-            &Silent,
-        )
-        .unwrap();
+        let found = integrate(&system, &symbolic, std::slice::from_ref(&load), &settings, &[], &[], &Silent).unwrap();
         let energy = &found[0].energy;
         assert_eq!(energy.input.len(), grid.samples);
         assert!(energy.error() < 1e-10, "{}", energy.error());
         assert!(energy.damping.windows(2).all(|w| w[1] >= w[0] - 1e-12));
         // A dissipative scheme loses energy and shows it.
         settings.scheme = TimeScheme::GeneralizedAlpha { radius: 0.5 };
-        let lossy = integrate(
-            &system,
-            &symbolic,
-            std::slice::from_ref(&load),
-            &settings,
-            &[],
-            &[],
-            &Silent,
-        )
-        .unwrap();
+        let lossy = integrate(&system, &symbolic, std::slice::from_ref(&load), &settings, &[], &[], &Silent).unwrap();
         assert!(lossy[0].energy.error() > 1e-4, "{}", lossy[0].energy.error());
     }
 }
@@ -212,9 +175,8 @@ fn energy_balance_closes() {
 fn records_do_not_see_each_other() {
     let system = chain(7);
     let grid = Grid::new(0.03, 1.5, 0.3, 0.015);
-    let loads: Vec<Load> = (0..11)
-        .map(|r| Load::ground(0, Motion::sampled(0.03, &record(40 + r, r as f64), &grid)))
-        .collect();
+    let loads: Vec<Load> =
+        (0..11).map(|r| Load::ground(0, Motion::sampled(0.03, &record(40 + r, r as f64), &grid))).collect();
     for damping in dampings(&system) {
         let system = system.clone().with_damping(damping);
         let (symbolic, rows) = (symbolic(&system), [displacement(6)]);
@@ -242,10 +204,7 @@ fn records_do_not_see_each_other() {
 /// Without ground motion a system in equilibrium under its weight stays there (D2).
 #[test]
 fn equilibrium_stays() {
-    let system = chain(9).with_damping(Damping::rayleigh(Rayleigh {
-        mass: 0.1,
-        stiffness: 0.001,
-    }));
+    let system = chain(9).with_damping(Damping::rayleigh(Rayleigh { mass: 0.1, stiffness: 0.001 }));
     let symbolic = symbolic(&system);
     let weight: Vec<f64> = system.inertia[0].iter().map(|m| -9.81 * m).collect();
     let statics = Statics::new(&symbolic, &system.stiffness, Kind::Definite).unwrap();
@@ -264,33 +223,20 @@ fn equilibrium_stays() {
 #[test]
 fn one_oscillator() {
     let pattern = Arc::new(Pattern::from_cliques(1, std::iter::once(&[0usize][..])));
-    let matrix = |value: f64| Symmetric {
-        pattern: pattern.clone(),
-        values: vec![value],
-    };
+    let matrix = |value: f64| Symmetric { pattern: pattern.clone(), values: vec![value] };
     let (omega, damping, h): (f64, f64, f64) = (5.0, 0.03, 0.07);
     let one = || [vec![1.0], vec![0.0], vec![0.0]];
     let system = System::from_matrices(matrix(1.0), matrix(omega * omega), one())
         .with_damping(Damping::rayleigh(Rayleigh::mass_proportional(omega, damping)));
     let grid = Grid::new(h, 40.0 * h, 0.0, h);
     let symbolic = symbolic(&system);
-    for scheme in [
-        TimeScheme::Hht { alpha: -0.1 },
-        TimeScheme::GeneralizedAlpha { radius: 0.8 },
-        TimeScheme::Trapezoidal,
-    ] {
+    for scheme in
+        [TimeScheme::Hht { alpha: -0.1 }, TimeScheme::GeneralizedAlpha { radius: 0.8 }, TimeScheme::Trapezoidal]
+    {
         let mut settings = Settings::new(grid);
         settings.scheme = scheme;
         settings.initial = Some((vec![1.0], vec![0.0]));
-        let found = integrate(
-            &system,
-            &symbolic,
-            &[Load::default()],
-            &settings,
-            &[displacement(0)],
-            &[],
-            &Silent,
-        );
+        let found = integrate(&system, &symbolic, &[Load::default()], &settings, &[displacement(0)], &[], &Silent);
         let found = found.unwrap().remove(0).observed.scalars.remove(0).values;
         let amplification = scheme.with_step(h).unwrap().amplification(omega * h, damping);
         let mut state = nalgebra::Vector3::new(1.0, 0.0, -omega * omega * h * h);
@@ -351,8 +297,5 @@ fn bad_input_is_rejected() {
     settings.snapshots = vec![SnapshotAt::Peak(0)];
     assert!(run(&settings, Load::default()).to_string().contains("observable 0"));
     let broken = Load::ground(0, Motion::sampled(0.01, &[0.0, f64::NAN, 0.0], &grid));
-    assert!(matches!(
-        run(&Settings::new(grid), broken),
-        AnalysisError::NotFinite { .. }
-    ));
+    assert!(matches!(run(&Settings::new(grid), broken), AnalysisError::NotFinite { .. }));
 }

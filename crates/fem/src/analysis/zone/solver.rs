@@ -88,14 +88,7 @@ impl ZoneSolver {
     ///
     /// Errors: a zero pivot, not enough memory; the solver must not be used then.
     pub fn renew_zone(&mut self, own: Option<(f64, &Symmetric)>) -> Result<(), LinalgError> {
-        let ZoneSolver {
-            zone,
-            rest,
-            matrix,
-            inside,
-            threads,
-            ..
-        } = self;
+        let ZoneSolver { zone, rest, matrix, inside, threads, .. } = self;
         matrix.values.copy_from_slice(rest);
         if let Some((factor, own)) = own {
             for &[from, to] in &zone.inner_places {

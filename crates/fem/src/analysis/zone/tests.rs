@@ -87,21 +87,13 @@ fn two_factors_are_one() {
     let symbolic = Arc::new(Symbolic::new(base.pattern.clone(), &Ordering::MinimumDegree).unwrap());
     let b: Vec<f64> = (0..base.size()).map(|i| (0.7 * i as f64).cos()).collect();
     // Rounded to single precision: a hundred times 6e-8.
-    let kept = [
-        (Keep::Double, 1, 1e-10),
-        (Keep::Double, 2, 1e-10),
-        (Keep::Single, 1, 6e-6),
-    ];
+    let kept = [(Keep::Double, 1, 1e-10), (Keep::Double, 2, 1e-10), (Keep::Single, 1, 6e-6)];
     for ((keep, threads, allowed), factor) in kept.into_iter().flat_map(|k| [1.0, 0.3, 2.0].map(|f| (k, f))) {
         let mut solver = ZoneSolver::new(&zone, keep, threads).unwrap();
         solver.renew(&base, Some((0.0, &own)), &[]).unwrap();
         let mut whole = base.clone();
         whole.add(factor, &own);
-        let expected = symbolic
-            .factor(&whole, Kind::Definite)
-            .unwrap()
-            .solve_vector(&b)
-            .unwrap();
+        let expected = symbolic.factor(&whole, Kind::Definite).unwrap().solve_vector(&b).unwrap();
         let mut found = Vec::new();
         solver.renew_zone(Some((factor, &own))).unwrap();
         solver.solve(&b, &mut found);
@@ -120,12 +112,7 @@ fn a_kept_outside_is_full_newton() {
     let (model, assembler) = beam();
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
     let system = System::new(&model, &assembler).unwrap();
-    let problem = Problem {
-        model: &model,
-        assembler: &assembler,
-        symbolic: &symbolic,
-        system: &system,
-    };
+    let problem = Problem { model: &model, assembler: &assembler, symbolic: &symbolic, system: &system };
     let grid = Grid::new(0.005, 0.5, 0.0, 0.005);
     let shaking: Vec<f64> = (0..=100).map(|k| 25.0 * (25.0 * 0.005 * f64::from(k)).sin()).collect();
     let load = Load::ground(2, Motion::sampled(0.005, &shaking, &grid));
@@ -151,12 +138,7 @@ fn a_kept_outside_is_full_newton() {
     assert!(kept.balance.error() < 1e-6, "{}", kept.balance.error());
     // Full Newton factors everything in every iteration.
     assert_eq!(full.cost.wholes, 0);
-    assert!(
-        kept.cost.wholes * 5 < full.cost.factors,
-        "{:?} {:?}",
-        kept.cost,
-        full.cost
-    );
+    assert!(kept.cost.wholes * 5 < full.cost.factors, "{:?} {:?}", kept.cost, full.cost);
 }
 
 /// Steps that are halved and come back to their length: the factor of each length is made once and serves again with the present tangents of the
@@ -166,16 +148,9 @@ fn a_spare_factor_serves_another_length_of_step() {
     let (model, assembler) = beam();
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
     let system = System::new(&model, &assembler).unwrap();
-    let inertia = Inertia {
-        mass: &system.mass,
-        stiffness: &system.stiffness,
-        damping: &system.damping,
-    };
+    let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
     let begin = |zone: Option<Arc<Zone>>| {
-        let options = Options {
-            zone,
-            ..Options::for_contact()
-        };
+        let options = Options { zone, ..Options::for_contact() };
         Newton::with_options(&model, &assembler, &symbolic, Some(inertia), options).unwrap()
     };
     let parts = [1, 1, 2, 2, 1, 2, 2, 1, 1];
@@ -212,9 +187,6 @@ fn a_spare_factor_serves_another_length_of_step() {
     }
     assert_eq!(cost.wholes, 2, "{cost:?}");
     for k in [3, 4, 5, 30] {
-        assert!(
-            run(Some(zone.clone()), Some(k)) == (found.clone(), cost),
-            "stored after step {k}"
-        );
+        assert!(run(Some(zone.clone()), Some(k)) == (found.clone(), cost), "stored after step {k}");
     }
 }

@@ -97,11 +97,7 @@ impl Assembler {
             return Ok(());
         }
         let compute = |chunk: Chunk<'_>, store: &mut Store, room: &mut Room| {
-            let Chunk {
-                elements,
-                mut new,
-                mut kept,
-            } = chunk;
+            let Chunk { elements, mut new, mut kept } = chunk;
             store.clear(elements.clone());
             for e in elements {
                 match one(e, &mut new, &mut kept, room) {

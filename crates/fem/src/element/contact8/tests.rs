@@ -10,10 +10,7 @@ const UP: [[f64; 3]; 4] = [[0.0, 0.0, 1.0]; 4];
 
 /// The 2 × 2 square in the plane z = 0, whose parameters are x and y.
 fn square() -> Face {
-    Face {
-        nodes: BOTTOM,
-        chart: quad4::CORNERS.map(|[x, y]| [x, y, 0.0]),
-    }
+    Face { nodes: BOTTOM, chart: quad4::CORNERS.map(|[x, y]| [x, y, 0.0]) }
 }
 
 fn joint(law: ContactLaw) -> Contact8 {
@@ -31,21 +28,14 @@ fn opened(gaps: [f64; 4]) -> [f64; 24] {
 
 fn respond(element: &Contact8, values: &[f64]) -> Response {
     let mut response = Response::sized(24);
-    let motion = Motion {
-        values,
-        rotations: &[UnitQuaternion::identity(); 8],
-    };
+    let motion = Motion { values, rotations: &[UnitQuaternion::identity(); 8] };
     element.respond(motion, &[], &mut [], Want::ALL, &mut response).unwrap();
     response
 }
 
 /// Forces along the normal at the top, per k_n, of a joint that transmits no tension at all.
 fn forces(gaps: [f64; 4], integration: Integration) -> [f64; 4] {
-    let law = ContactLaw {
-        opening: Opening::Unilateral { residual: 0.0 },
-        integration,
-        ..ContactLaw::bonded(1.0)
-    };
+    let law = ContactLaw { opening: Opening::Unilateral { residual: 0.0 }, integration, ..ContactLaw::bonded(1.0) };
     let force = respond(&joint(law), &opened(gaps)).force;
     std::array::from_fn(|a| force[3 * a + 2])
 }
@@ -126,9 +116,7 @@ fn plain(gaps: [f64; 4], rule: gauss::Rule) -> [f64; 4] {
 fn errors(count: usize, rule: impl Fn([f64; 4]) -> [f64; 4]) -> [f64; 3] {
     let mut seed = 1u64;
     let mut random = || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
     let mut found = Vec::new();
@@ -221,9 +209,7 @@ fn facet_normals_lock_the_slip() {
                     let t = face.chart[a][1];
                     (u[12 + 3 * a], u[13 + 3 * a]) = (-t.sin(), t.cos());
                 }
-                0.5 * (0..24)
-                    .map(|i| (0..24).map(|j| u[i] * k.get(i, j) * u[j]).sum::<f64>())
-                    .sum::<f64>()
+                0.5 * (0..24).map(|i| (0..24).map(|j| u[i] * k.get(i, j) * u[j]).sum::<f64>()).sum::<f64>()
             })
             .iter()
             .sum()
@@ -253,14 +239,8 @@ fn bad_joints_are_rejected() {
     assert!(new(&square(), [[0.0, 0.0, 1.1]; 4], good).is_err());
     assert!(new(&square(), UP, ContactLaw::bonded(0.0)).is_err());
     assert!(new(&square(), UP, good.with_tangential(-1.0)).is_err());
-    let law = ContactLaw {
-        opening: Opening::Unilateral { residual: 1.0 },
-        ..good
-    };
+    let law = ContactLaw { opening: Opening::Unilateral { residual: 1.0 }, ..good };
     assert!(new(&square(), UP, law).is_err());
-    let line = Face {
-        nodes: BOTTOM,
-        chart: [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0; 3]],
-    };
+    let line = Face { nodes: BOTTOM, chart: [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0; 3]] };
     assert!(matches!(new(&line, UP, good), Err(ElementError::Jacobian { .. })));
 }

@@ -22,11 +22,7 @@ impl Law<1> for NoTension {
 
     fn respond(&self, [strain]: &[f64; 1], _: &[f64], _: &mut [f64]) -> Result<Stress<1>, LawError> {
         let modulus = if *strain < 0.0 { self.0 } else { 1e-9 * self.0 };
-        Ok(Stress {
-            stress: [modulus * strain],
-            tangent: [[modulus]],
-            dissipation: 0.0,
-        })
+        Ok(Stress { stress: [modulus * strain], tangent: [[modulus]], dissipation: 0.0 })
     }
 }
 
@@ -45,19 +41,12 @@ impl Law<1> for Curved {
 
     fn respond(&self, [e]: &[f64; 1], _: &[f64], new: &mut [f64]) -> Result<Stress<1>, LawError> {
         new[0] = *e;
-        Ok(Stress {
-            stress: [self.0 * (e + 40.0 * e * e)],
-            tangent: [[self.0 * (1.0 + 80.0 * e)]],
-            dissipation: 0.5,
-        })
+        Ok(Stress { stress: [self.0 * (e + 40.0 * e * e)], tangent: [[self.0 * (1.0 + 80.0 * e)]], dissipation: 0.5 })
     }
 }
 
 fn section(law: impl Law<1> + 'static, layers: usize) -> FibreSection {
-    FibreSection::new(2.0)
-        .unwrap()
-        .rectangle(Arc::new(law), [1.0, 0.3], 0.0, layers)
-        .unwrap()
+    FibreSection::new(2.0).unwrap().rectangle(Arc::new(law), [1.0, 0.3], 0.0, layers).unwrap()
 }
 
 const ENDS: [[f64; 3]; 2] = [[1.0, 0.4, 0.5], [2.2, 0.4, 2.1]];
@@ -109,14 +98,8 @@ fn elastic_cantilever() {
                 let u = model.at_node(&state.committed.u, count);
                 let across = 0.01 * 8.0 / (3.0 * 50.0 * 0.027 / 12.0) + 0.01 * 2.0 / shear;
                 let along = 0.03 * 2.0 / 15.0;
-                assert!(
-                    (u[0] - (across * z + along * x)).abs() < 1e-12 * across.max(1.0),
-                    "{u:?}"
-                );
-                assert!(
-                    (u[2] - (along * z - across * x)).abs() < 1e-12 * across.max(1.0),
-                    "{u:?}"
-                );
+                assert!((u[0] - (across * z + along * x)).abs() < 1e-12 * across.max(1.0), "{u:?}");
+                assert!((u[2] - (along * z - across * x)).abs() < 1e-12 * across.max(1.0), "{u:?}");
             }
         }
     }
@@ -125,9 +108,7 @@ fn elastic_cantilever() {
 /// Weight of a column: u = −ρ g L²/(2 E A), N = −ρ g (L − z) at every section.
 #[test]
 fn weight_of_a_column() {
-    let elastic = section(Elastic::new(50.0, 0.0).unwrap(), 4)
-        .with_attached_mass(7.0)
-        .unwrap();
+    let elastic = section(Elastic::new(50.0, 0.0).unwrap(), 4).with_attached_mass(7.0).unwrap();
     let model = cantilever([0.0, 0.0, 3.0], 2, elastic, Options::default());
     let assembler = Assembler::new(&model);
     let weight = assembler.body_force(&model, [0.0, 0.0, -10.0]);
@@ -174,12 +155,7 @@ fn cracked_cantilever_converges() {
     let mut errors = Vec::new();
     for count in [2, 4, 8, 16] {
         // 400 layers: their own error is 1e-4.
-        let model = cantilever(
-            [0.0, 0.0, length],
-            count,
-            section(NoTension(young), 400),
-            Options::default(),
-        );
+        let model = cantilever([0.0, 0.0, length], count, section(NoTension(young), 400), Options::default());
         let mut down = vec![0.0; model.dofs().len()];
         down[model.dofs().equation(count, Dof::Uz).unwrap()] = -p;
         let state = loaded(&model, count, [force, 0.0], &down);
@@ -197,10 +173,7 @@ fn cracked_cantilever_converges() {
     eprintln!("{errors:?}");
     // The curvature is linear along a beam: the error falls with the square of its length, and always on the stiff side.
     assert!(errors.iter().all(|e| *e < 1e-3), "{errors:?}");
-    assert!(
-        errors[0].abs() < 0.1 && errors[2].abs() < 0.01 && errors[3].abs() < 2e-3,
-        "{errors:?}"
-    );
+    assert!(errors[0].abs() < 0.1 && errors[2].abs() < 0.01 && errors[3].abs() < 2e-3, "{errors:?}");
 }
 
 /// Cantilever under P down and H across: w = H/P (tan(k L)/k − L), k² = P/(E I); Euler's load by `geometric_stiffness`.
@@ -210,16 +183,8 @@ fn second_order() {
     let bending: f64 = 50.0 * 0.027 / 12.0;
     let k = (p / bending).sqrt();
     let exact = h / p * ((k * length).tan() / k - length);
-    let options = Options {
-        second_order: true,
-        ..Options::default()
-    };
-    let model = cantilever(
-        [0.0, 0.0, length],
-        8,
-        section(Elastic::new(50.0, 0.0).unwrap(), 4),
-        options,
-    );
+    let options = Options { second_order: true, ..Options::default() };
+    let model = cantilever([0.0, 0.0, length], 8, section(Elastic::new(50.0, 0.0).unwrap(), 4), options);
     let mut down = vec![0.0; model.dofs().len()];
     let top = model.dofs().equation(8, Dof::Uz).unwrap();
     down[top] = -p;
@@ -260,13 +225,9 @@ fn history_and_dissipation() {
     assert_eq!(beam.history_len(), 2 * 4);
     let mut old = vec![0.0; 8];
     beam.init_history(&mut old);
-    let motion = Motion {
-        values: &[0.0; SIZE],
-        rotations: &[],
-    };
+    let motion = Motion { values: &[0.0; SIZE], rotations: &[] };
     let mut new = old.clone();
-    beam.respond(motion, &old, &mut new, Want::ALL, &mut Response::sized(SIZE))
-        .unwrap();
+    beam.respond(motion, &old, &mut new, Want::ALL, &mut Response::sized(SIZE)).unwrap();
     // 0.5 per volume.
     assert!((beam.dissipated(&new) - 0.5 * 0.3 * 2.0).abs() < 1e-14);
     let mut fibres = 0;

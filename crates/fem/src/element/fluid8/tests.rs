@@ -15,19 +15,11 @@ fn cell() -> Hexahedron {
         [1.8, 0.65, 1.1],
         [1.2, 0.55, 0.9],
     ];
-    Hexahedron {
-        nodes: [0, 1, 2, 3, 4, 5, 6, 7],
-        chart,
-    }
+    Hexahedron { nodes: [0, 1, 2, 3, 4, 5, 6, 7], chart }
 }
 
 fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
-    LiquidProperties {
-        density: 1000.0,
-        bulk_modulus: 2e6,
-        volume,
-        rotation,
-    }
+    LiquidProperties { density: 1000.0, bulk_modulus: 2e6, volume, rotation }
 }
 
 /// The matrices of appendix C, B̃ (rows u_1|_1, u_1|_2, …) at a point, over Cartesian unknowns: slow and obvious.
@@ -87,11 +79,7 @@ fn textbook(element: &Fluid8) -> Vec<f64> {
 
 #[test]
 fn stiffness_is_that_of_appendix_c() {
-    let parts = [
-        RotationPart::Full(3e4),
-        RotationPart::OnePoint(3e4),
-        RotationPart::Split { centre: 3e4, rest: 1e4 },
-    ];
+    let parts = [RotationPart::Full(3e4), RotationPart::OnePoint(3e4), RotationPart::Split { centre: 3e4, rest: 1e4 }];
     for chart in [Chart::Cartesian, Chart::Cylindrical] {
         for volume in [VolumePart::Full, VolumePart::OnePoint] {
             for rotation in parts {
@@ -100,10 +88,7 @@ fn stiffness_is_that_of_appendix_c() {
                 let slow = textbook(&element);
                 let scale = slow.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
                 for (f, s) in fast.data.iter().zip(&slow) {
-                    assert!(
-                        (f - s).abs() < 1e-13 * scale,
-                        "{chart:?} {volume:?} {rotation:?}: {f} {s}"
-                    );
+                    assert!((f - s).abs() < 1e-13 * scale, "{chart:?} {volume:?} {rotation:?}: {f} {s}");
                 }
             }
         }
@@ -114,12 +99,7 @@ fn stiffness_is_that_of_appendix_c() {
 /// into the chart: u = Σ u_i g^i differentiated numerically in space.
 #[test]
 fn covariant_derivative_is_the_spatial_gradient() {
-    let element = Fluid8::new(
-        &cell(),
-        Chart::Cylindrical,
-        liquid(VolumePart::Full, RotationPart::None),
-    )
-    .unwrap();
+    let element = Fluid8::new(&cell(), Chart::Cylindrical, liquid(VolumePart::Full, RotationPart::None)).unwrap();
     let u: [f64; 24] = std::array::from_fn(|k| (1.3 * k as f64 + 0.2).sin());
     let at = |r: f64, s: f64, t: f64| {
         let p = element.point(&Reference::at(r, s, t, 1.0));
@@ -153,11 +133,7 @@ fn covariant_derivative_is_the_spatial_gradient() {
     for i in 0..3 {
         for j in 0..3 {
             let found: f64 = rows[3 * i + j].iter().zip(&u).map(|(r, v)| r * v).sum();
-            assert!(
-                (found - expected[(i, j)]).abs() < 1e-8,
-                "{i}{j} {found} {}",
-                expected[(i, j)]
-            );
+            assert!((found - expected[(i, j)]).abs() < 1e-8, "{i}{j} {found} {}", expected[(i, j)]);
         }
     }
 }
@@ -176,16 +152,9 @@ fn wedge_on_the_axis_sees_a_uniform_expansion() {
         corner(0.8, 0.7, 0.5),
         corner(0.0, 0.7, 0.5),
     ];
-    let wedge = Hexahedron {
-        nodes: [0, 1, 2, 0, 3, 4, 5, 3],
-        chart,
-    };
-    let element = Fluid8::new(
-        &wedge,
-        Chart::Cylindrical,
-        liquid(VolumePart::MeanDilatation, RotationPart::None),
-    )
-    .unwrap();
+    let wedge = Hexahedron { nodes: [0, 1, 2, 0, 3, 4, 5, 3], chart };
+    let element =
+        Fluid8::new(&wedge, Chart::Cylindrical, liquid(VolumePart::MeanDilatation, RotationPart::None)).unwrap();
     assert!((element.volume() - 0.5 * 0.8 * 0.8 * 0.4 * 0.5).abs() < 1e-14);
     // u = (r e_r, z): û₁ = r is in the space, e = 3.
     let u: Vec<f64> = chart.iter().flat_map(|&c| Chart::Cylindrical.position(c)).collect();
@@ -200,10 +169,8 @@ fn mass_and_weight() {
         for volume in [VolumePart::Full, VolumePart::OnePoint, VolumePart::MeanDilatation] {
             let element = Fluid8::new(&cell(), chart, liquid(volume, RotationPart::Full(1.0))).unwrap();
             let m = reference_mass(&element);
-            let vertical: f64 = (0..8)
-                .flat_map(|a| (0..8).map(move |b| (3 * a + 2, 3 * b + 2)))
-                .map(|(i, j)| m.get(i, j))
-                .sum();
+            let vertical: f64 =
+                (0..8).flat_map(|a| (0..8).map(move |b| (3 * a + 2, 3 * b + 2))).map(|(i, j)| m.get(i, j)).sum();
             assert!((vertical / (1000.0 * element.volume()) - 1.0).abs() < 1e-13);
             let mut load = [0.0; 24];
             element.body_force([0.0, 0.0, -9.81], &mut load);
@@ -232,27 +199,15 @@ fn bad_input_is_rejected() {
     flat.chart.swap(1, 5);
     flat.chart.swap(2, 6);
     flat.chart.swap(3, 7);
-    assert!(matches!(
-        Fluid8::new(&flat, Chart::Cartesian, good),
-        Err(ElementError::Jacobian { .. })
-    ));
+    assert!(matches!(Fluid8::new(&flat, Chart::Cartesian, good), Err(ElementError::Jacobian { .. })));
     let mut nan = cell();
     nan.chart[3][1] = f64::NAN;
     assert!(Fluid8::new(&nan, Chart::Cartesian, good).is_err());
     let bad = [
-        LiquidProperties {
-            bulk_modulus: 0.0,
-            ..good
-        },
+        LiquidProperties { bulk_modulus: 0.0, ..good },
         LiquidProperties { density: -1.0, ..good },
-        LiquidProperties {
-            rotation: RotationPart::OnePoint(-1.0),
-            ..good
-        },
-        LiquidProperties {
-            rotation: RotationPart::Split { centre: 1.0, rest: 2.0 },
-            ..good
-        },
+        LiquidProperties { rotation: RotationPart::OnePoint(-1.0), ..good },
+        LiquidProperties { rotation: RotationPart::Split { centre: 1.0, rest: 2.0 }, ..good },
     ];
     for liquid in bad {
         let error = Fluid8::new(&cell(), Chart::Cartesian, liquid).unwrap_err();

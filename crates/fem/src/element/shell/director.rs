@@ -17,11 +17,7 @@ pub(in crate::element) fn add_turn_block(out: &mut LocalMatrix, node: usize, f: 
     for i in 0..3 {
         for j in 0..3 {
             let unit = if i == j { product } else { 0.0 };
-            out.add(
-                6 * node + 3 + i,
-                6 * node + 3 + j,
-                0.5 * (f[i] * d[j] + d[i] * f[j]) - unit,
-            );
+            out.add(6 * node + 3 + i, 6 * node + 3 + j, 0.5 * (f[i] * d[j] + d[i] * f[j]) - unit);
         }
     }
 }

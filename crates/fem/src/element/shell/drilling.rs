@@ -38,13 +38,7 @@ impl Corner {
     ) -> Result<Corner, ElementError> {
         let [r, s] = quad4::CORNERS[node];
         let point = Point::new(x, r, s, 1.0, nodes)?;
-        Ok(Corner {
-            node,
-            d1: point.d1,
-            d2: point.d2,
-            e: [point.axis(0), point.axis(1)],
-            stiffness,
-        })
+        Ok(Corner { node, d1: point.d1, d2: point.d2, e: [point.axis(0), point.axis(1)], stiffness })
     }
 
     /// Adds force and tangent; the pull-back of t_i is that of the director.

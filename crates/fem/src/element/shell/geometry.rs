@@ -55,11 +55,7 @@ impl Point {
         // Relative to the diagonals: a sliver of 1e-9 counts as degenerate.
         let size = (x[2] - x[0]).norm_squared() + (x[3] - x[1]).norm_squared();
         if along <= 1e-9 * size || along.is_nan() {
-            return Err(ElementError::Jacobian {
-                kind: "shell4",
-                determinant: along,
-                nodes: nodes.to_vec(),
-            });
+            return Err(ElementError::Jacobian { kind: "shell4", determinant: along, nodes: nodes.to_vec() });
         }
         let jacobian = normal.norm();
         let e3 = normal / jacobian;

@@ -138,12 +138,7 @@ impl LayeredSection {
             let (area, depth, rho) = (bar.area, bar.depth, bar.density);
             check(area > 0.0 && area.is_finite(), "bar area", area, "> 0 and finite")?;
             let inside = depth.abs() <= 0.5 * thickness;
-            check(
-                inside,
-                "depth of a bar",
-                depth,
-                "inside the plies, at most half their thickness",
-            )?;
+            check(inside, "depth of a bar", depth, "inside the plies, at most half their thickness")?;
             check(bar.angle.is_finite(), "angle of a bar", bar.angle, "finite")?;
             check(rho >= 0.0 && rho.is_finite(), "density of a bar", rho, "≥ 0 and finite")?;
         }
@@ -172,12 +167,7 @@ impl LayeredSection {
     ///
     /// Errors: a factor that is not positive.
     pub fn with_shear_factor(mut self, factor: f64) -> Result<LayeredSection, ElementError> {
-        check(
-            factor > 0.0 && factor.is_finite(),
-            "shear factor",
-            factor,
-            "> 0 and finite",
-        )?;
+        check(factor > 0.0 && factor.is_finite(), "shear factor", factor, "> 0 and finite")?;
         for i in 6..8 {
             self.constant[i][i] = factor * self.shear;
             self.whole[i][i] = factor * self.shear;
@@ -220,14 +210,7 @@ impl LayeredSection {
             if let Some(moduli) = &moduli {
                 add_layer(moduli, depth, weight, &mut self.whole);
             }
-            self.layers.push(Layer {
-                law: ply.law.clone(),
-                depth,
-                weight,
-                slots,
-                linear,
-                ranged: moduli.is_some(),
-            });
+            self.layers.push(Layer { law: ply.law.clone(), depth, weight, slots, linear, ranged: moduli.is_some() });
         }
         if moduli.is_some() {
             self.outermost.extend([first, self.layers.len() - 1]);
@@ -275,9 +258,7 @@ impl LayeredSection {
 
 impl Rod {
     fn strain(&self, strain: &[f64; 8]) -> f64 {
-        (0..3)
-            .map(|i| self.direction[i] * (strain[i] + self.depth * strain[3 + i]))
-            .sum()
+        (0..3).map(|i| self.direction[i] * (strain[i] + self.depth * strain[3 + i])).sum()
     }
 
     /// b = (a, ζ a): tangent += A E b bᵀ.
@@ -327,12 +308,7 @@ fn failed(source: LawError) -> ElementError {
 fn check(ok: bool, parameter: &'static str, found: f64, allowed: &'static str) -> Result<(), ElementError> {
     match ok {
         true => Ok(()),
-        false => Err(ElementError::Parameter {
-            kind: KIND,
-            parameter,
-            found: found.to_string(),
-            allowed,
-        }),
+        false => Err(ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }),
     }
 }
 
@@ -384,10 +360,7 @@ impl Section for LayeredSection {
             let at = at_depth(strain, layer.depth);
             let own = layer.past(history, &mut room);
             // The law has already responded to a committed state.
-            let stress = layer
-                .law
-                .respond(&at, own, &mut own.to_vec())
-                .map_or([0.0; 3], |r| r.stress);
+            let stress = layer.law.respond(&at, own, &mut own.to_vec()).map_or([0.0; 3], |r| r.stress);
             see(LayerState {
                 layer: number,
                 depth: layer.depth,
@@ -400,10 +373,7 @@ impl Section for LayeredSection {
         for (number, rod) in self.rods.iter().enumerate() {
             let at = rod.strain(strain);
             let own = &history[rod.slots.clone()];
-            let stress = rod
-                .law
-                .respond(&[at], own, &mut own.to_vec())
-                .map_or(0.0, |r| r.stress[0]);
+            let stress = rod.law.respond(&[at], own, &mut own.to_vec()).map_or(0.0, |r| r.stress[0]);
             see(LayerState {
                 layer: self.layers.len() + number,
                 depth: rod.depth,

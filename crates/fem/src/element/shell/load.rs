@@ -110,12 +110,7 @@ impl FollowerPressure {
 
     /// The same with its values at the corners, bilinear between them.
     pub fn varying(nodes: [usize; 4], positions: [[f64; 3]; 4], pressure: [f64; 4]) -> FollowerPressure {
-        FollowerPressure {
-            nodes,
-            x: positions.map(Vector3::from),
-            pressure,
-            dead: None,
-        }
+        FollowerPressure { nodes, x: positions.map(Vector3::from), pressure, dead: None }
     }
 
     /// Only the change by deformation: its forces less those on the undeformed face, which belong to a load that is applied

@@ -49,9 +49,7 @@ pub fn nodal_resultants(model: &Model, elements: &[usize], u: &[f64]) -> BTreeMa
             *count += 1.0;
         }
     }
-    sums.into_iter()
-        .map(|(n, (sum, count))| (n, sum.map(|v| v / count)))
-        .collect()
+    sums.into_iter().map(|(n, (sum, count))| (n, sum.map(|v| v / count))).collect()
 }
 
 /// Position of the centre, and the resultants at the centre and the four Gauss points.
@@ -78,19 +76,12 @@ fn point_resultants(model: &Model, e: usize, u: &[f64]) -> Option<([f64; 3], [[f
 pub fn edge_values(model: &Model, edge: &[usize], closed: bool, forces: &[[f64; KINDS]]) -> Vec<[f64; 6]> {
     let x: Vec<Vector3<f64>> = edge.iter().map(|&n| Vector3::from(model.nodes()[n])).collect();
     let mut length = vec![0.0; edge.len()];
-    let pairs = if closed {
-        edge.len()
-    } else {
-        edge.len().saturating_sub(1)
-    };
+    let pairs = if closed { edge.len() } else { edge.len().saturating_sub(1) };
     for i in 0..pairs {
         let j = (i + 1) % edge.len();
         let half = 0.5 * (x[j] - x[i]).norm();
         length[i] += half;
         length[j] += half;
     }
-    edge.iter()
-        .zip(length)
-        .map(|(&n, l)| std::array::from_fn(|i| forces[n][i] / l))
-        .collect()
+    edge.iter().zip(length).map(|(&n, l)| std::array::from_fn(|i| forces[n][i] / l)).collect()
 }

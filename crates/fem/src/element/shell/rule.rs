@@ -57,10 +57,9 @@ impl Rule {
             Rule::Gauss(_) => ((1..=64).contains(&n), "1 to 64 with the Gauss rule"),
             Rule::Lobatto(_) => ((3..=64).contains(&n), "3 to 64 with the Lobatto rule"),
             Rule::MidPoint(_) => ((2..=1000).contains(&n), "2 to 1000 with the mid-point rule"),
-            Rule::Simpson(_) => (
-                (3..=999).contains(&n) && n % 2 == 1,
-                "an odd number from 3 to 999 with Simpson's rule",
-            ),
+            Rule::Simpson(_) => {
+                ((3..=999).contains(&n) && n % 2 == 1, "an odd number from 3 to 999 with Simpson's rule")
+            }
             Rule::Trapezoid(_) => ((2..=1000).contains(&n), "2 to 1000 with the trapezoidal rule"),
         };
         if !ok {
@@ -180,15 +179,8 @@ mod tests {
             let points = rule.points().unwrap();
             assert!(points.windows(2).all(|p| p[0].0 < p[1].0), "{rule:?}");
             for power in 0..=degree {
-                let exact = if power % 2 == 0 {
-                    2.0 / f64::from(power + 1)
-                } else {
-                    0.0
-                };
-                assert!(
-                    (moment_of(rule, power) - exact).abs() < 3e-14,
-                    "{rule:?}, power {power}"
-                );
+                let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
+                assert!((moment_of(rule, power) - exact).abs() < 3e-14, "{rule:?}, power {power}");
             }
         }
         for n in [5, 9] {
@@ -206,10 +198,7 @@ mod tests {
             let error = |k: i32| {
                 let curvature = 1.0 + 9.0 * f64::from(k) / f64::from(steps);
                 let exact = 1.0 - 1.0 / (3.0 * curvature * curvature);
-                let found: f64 = points
-                    .iter()
-                    .map(|(x, w)| w * x * (curvature * x).clamp(-1.0, 1.0))
-                    .sum();
+                let found: f64 = points.iter().map(|(x, w)| w * x * (curvature * x).clamp(-1.0, 1.0)).sum();
                 (found / exact - 1.0).abs()
             };
             100.0 * (0..=steps).map(error).fold(0.0, f64::max)
@@ -227,11 +216,7 @@ mod tests {
                 let found = largest(rule(n));
                 // Printed to one digit. The theory sheet of this project has run Simpson's rule on fewer curvatures, which miss
                 // its narrow peaks.
-                let tolerance = if matches!(rule(n), Rule::Simpson(_)) {
-                    0.2
-                } else {
-                    0.051
-                };
+                let tolerance = if matches!(rule(n), Rule::Simpson(_)) { 0.2 } else { 0.051 };
                 assert!((found - expected).abs() <= tolerance, "{:?}: {found}", rule(n));
             }
         }
@@ -239,14 +224,9 @@ mod tests {
 
     #[test]
     fn numbers_of_points_out_of_range_are_rejected() {
-        for rule in [
-            Rule::Gauss(0),
-            Rule::Gauss(65),
-            Rule::Lobatto(2),
-            Rule::MidPoint(1),
-            Rule::Simpson(4),
-            Rule::Trapezoid(1),
-        ] {
+        for rule in
+            [Rule::Gauss(0), Rule::Gauss(65), Rule::Lobatto(2), Rule::MidPoint(1), Rule::Simpson(4), Rule::Trapezoid(1)]
+        {
             assert!(rule.points().is_err(), "{rule:?}");
         }
     }

@@ -30,10 +30,7 @@ pub struct SectionResponse {
 
 impl Default for SectionResponse {
     fn default() -> Self {
-        SectionResponse {
-            resultants: [0.0; 8],
-            tangent: [[0.0; 8]; 8],
-        }
+        SectionResponse { resultants: [0.0; 8], tangent: [[0.0; 8]; 8] }
     }
 }
 
@@ -140,33 +137,13 @@ impl ElasticSection {
     ) -> Result<ElasticSection, ElementError> {
         let check = |ok: bool, parameter, found: f64, allowed| match ok {
             true => Ok(()),
-            false => Err(ElementError::Parameter {
-                kind: "shell4",
-                parameter,
-                found: found.to_string(),
-                allowed,
-            }),
+            false => Err(ElementError::Parameter { kind: "shell4", parameter, found: found.to_string(), allowed }),
         };
         let positive = |x: f64| x > 0.0 && x.is_finite();
-        check(
-            positive(youngs_modulus),
-            "Young's modulus",
-            youngs_modulus,
-            "> 0 and finite",
-        )?;
-        check(
-            poisson_ratio > -1.0 && poisson_ratio <= 0.5,
-            "Poisson's ratio",
-            poisson_ratio,
-            "above −1, at most 0.5",
-        )?;
+        check(positive(youngs_modulus), "Young's modulus", youngs_modulus, "> 0 and finite")?;
+        check(poisson_ratio > -1.0 && poisson_ratio <= 0.5, "Poisson's ratio", poisson_ratio, "above −1, at most 0.5")?;
         check(positive(thickness), "thickness", thickness, "> 0 and finite")?;
-        check(
-            density >= 0.0 && density.is_finite(),
-            "density",
-            density,
-            "≥ 0 and finite",
-        )?;
+        check(density >= 0.0 && density.is_finite(), "density", density, "≥ 0 and finite")?;
         let mut section = ElasticSection {
             youngs_modulus,
             poisson_ratio,
@@ -274,11 +251,7 @@ mod tests {
             let z = e - 0.5 * t + dz * (f64::from(k) + 0.5);
             let at: [f64; 3] = std::array::from_fn(|i| strain[i] + z * strain[i + 3]);
             let c = young / (1.0 - nu * nu);
-            let stress = [
-                c * (at[0] + nu * at[1]),
-                c * (at[1] + nu * at[0]),
-                c * (1.0 - nu) / 2.0 * at[2],
-            ];
+            let stress = [c * (at[0] + nu * at[1]), c * (at[1] + nu * at[0]), c * (1.0 - nu) / 2.0 * at[2]];
             for i in 0..3 {
                 sum[i] += stress[i] * dz;
                 sum[i + 3] += stress[i] * z * dz;

@@ -82,11 +82,7 @@ pub fn directors(
             let own = g_r.cross(&g_s);
             let area = own.norm();
             if area <= 1e-12 * (g_r.norm_squared() + g_s.norm_squared()) || area.is_nan() {
-                return Err(ElementError::Jacobian {
-                    kind: "shell4",
-                    determinant: area,
-                    nodes: nodes.to_vec(),
-                });
+                return Err(ElementError::Jacobian { kind: "shell4", determinant: area, nodes: nodes.to_vec() });
             }
             let normal = match normals {
                 Normals::Cells => own / area,
@@ -94,18 +90,10 @@ pub fn directors(
             };
             // g_r and g_s point along the edges, inwards or outwards: the sine of the angle is the same.
             let (before, after) = (x[(corner + 3) % 4] - x[corner], x[(corner + 1) % 4] - x[corner]);
-            around.entry(node).or_default().push(CornerNormal {
-                cell,
-                corner,
-                normal,
-                angle: before.angle(&after),
-            });
+            around.entry(node).or_default().push(CornerNormal { cell, corner, normal, angle: before.angle(&after) });
         }
     }
-    let mut out = Directors {
-        corners: vec![[Vector3::zeros(); 4]; cells.len()],
-        nodes: BTreeMap::new(),
-    };
+    let mut out = Directors { corners: vec![[Vector3::zeros(); 4]; cells.len()], nodes: BTreeMap::new() };
     for (&node, list) in &around {
         let mut group: Vec<usize> = (0..list.len()).collect();
         for i in 0..list.len() {
@@ -150,11 +138,7 @@ pub fn directors(
 pub fn rotation_frame(axes: &Axes, position: [f64; 3], director: Vector3<f64>) -> Matrix3<f64> {
     let fallback = || {
         // The projection of x is long enough unless the director is within 45 degrees of it.
-        let wish = if director.x.abs() < 0.7 {
-            Vector3::x()
-        } else {
-            Vector3::y()
-        };
+        let wish = if director.x.abs() < 0.7 { Vector3::x() } else { Vector3::y() };
         (wish - director * director.dot(&wish)).normalize()
     };
     let first = axes.first(position.into(), director).unwrap_or_else(fallback);

@@ -18,10 +18,7 @@ impl Shell4 {
 
     /// Axes 1 and 2 of the section at a point, in the reference state.
     fn section_axes(&self, p: &Point) -> [Vector3<f64>; 2] {
-        let first = self
-            .axes
-            .first(blend(&p.n, &self.x), p.axis(2))
-            .unwrap_or_else(|| p.axis(0));
+        let first = self.axes.first(blend(&p.n, &self.x), p.axis(2)).unwrap_or_else(|| p.axis(0));
         [first, p.axis(2).cross(&first)]
     }
 

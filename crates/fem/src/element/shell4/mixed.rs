@@ -71,10 +71,7 @@ impl Shell4 {
                 step[6 * a + 3 + i] = turn[i];
             }
         }
-        let before = self.configuration(&Motion {
-            values: &values,
-            rotations: &rotations,
-        });
+        let before = self.configuration(&Motion { values: &values, rotations: &rotations });
         let common = self.common(&before);
         Some(std::array::from_fn(|g| {
             let rows = Self::rows(&self.points[g], &before, &common);

@@ -54,12 +54,7 @@ impl Shell4 {
     }
 
     pub(super) fn reference(&self) -> Configuration {
-        Configuration {
-            x: self.x,
-            u: [Vector3::zeros(); 4],
-            d: self.directors,
-            w: [Vector3::zeros(); 4],
-        }
+        Configuration { x: self.x, u: [Vector3::zeros(); 4], d: self.directors, w: [Vector3::zeros(); 4] }
     }
 
     /// Row of 2ε_12 at a point.

@@ -41,10 +41,7 @@ fn bad_geometry_is_rejected() {
     assert!(Shell4::new([0, 1, 2, 3], SQUARE, [-Vector3::z(); 4], section()).is_err());
     assert!(Shell4::new([0, 1, 2, 3], SQUARE, up.map(|d| d * 1.1), section()).is_err());
     let bow_tie = [SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]];
-    assert!(matches!(
-        Shell4::new([0, 1, 2, 3], bow_tie, up, section()),
-        Err(ElementError::Jacobian { .. })
-    ));
+    assert!(matches!(Shell4::new([0, 1, 2, 3], bow_tie, up, section()), Err(ElementError::Jacobian { .. })));
     let nan = [[f64::NAN, 0.0, 0.0], SQUARE[1], SQUARE[2], SQUARE[3]];
     assert!(Shell4::new([0, 1, 2, 3], nan, up, section()).is_err());
     let shell = Shell4::new([0, 1, 2, 3], SQUARE, up, section()).unwrap();
@@ -55,19 +52,9 @@ const WARPED: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.1, 0.1], [1.8, 1.2, -0.1
 
 /// Steel springs that yield, with bars at `angle`.
 fn reinforced(angle: f64) -> Arc<dyn Section> {
-    let ply = Ply {
-        law: Arc::new(Elastic::new(30e9, 0.2).unwrap()),
-        thickness: 0.1,
-        density: 2500.0,
-        rule: Rule::Gauss(2),
-    };
-    let bar = Bar {
-        law: Arc::new(Springs),
-        area: 4e-3,
-        depth: 0.03,
-        angle,
-        density: 7850.0,
-    };
+    let ply =
+        Ply { law: Arc::new(Elastic::new(30e9, 0.2).unwrap()), thickness: 0.1, density: 2500.0, rule: Rule::Gauss(2) };
+    let bar = Bar { law: Arc::new(Springs), area: 4e-3, depth: 0.03, angle, density: 7850.0 };
     Arc::new(LayeredSection::new(&[ply], &[bar]).unwrap())
 }
 
@@ -80,10 +67,7 @@ fn moved(shell: &Shell4, scale: f64) -> (Response, Vec<f64>) {
     shell.init_history(&mut old);
     let mut new = old.clone();
     let mut out = Response::sized(SIZE);
-    let motion = Motion {
-        values: &values,
-        rotations: &rotations,
-    };
+    let motion = Motion { values: &values, rotations: &rotations };
     shell.respond(motion, &old, &mut new, Want::ALL, &mut out).unwrap();
     (out, new)
 }
@@ -93,9 +77,7 @@ fn moved(shell: &Shell4, scale: f64) -> (Response, Vec<f64>) {
 #[test]
 fn bars_follow_the_axes_of_the_shell() {
     let shell = |angle: f64, axes: Axes| {
-        Shell4::new([0, 1, 2, 3], SQUARE, [Vector3::z(); 4], reinforced(angle))
-            .unwrap()
-            .with_axes(axes)
+        Shell4::new([0, 1, 2, 3], SQUARE, [Vector3::z(); 4], reinforced(angle)).unwrap().with_axes(axes)
     };
     let angle = 0.4_f64;
     let along = Axes::Along([angle.cos(), angle.sin(), 0.0]);
@@ -119,10 +101,7 @@ fn bars_follow_the_axes_of_the_shell() {
         + history[history.len() / 4] * 0.5
         + history[history.len() / 2] * 0.5
         + history[3 * history.len() / 4] * 0.5;
-    assert!(
-        (own.dissipated(&history) / mean - 1.0).abs() < 1e-12,
-        "four points of 0.5 m²"
-    );
+    assert!((own.dissipated(&history) / mean - 1.0).abs() < 1e-12, "four points of 0.5 m²");
 }
 
 /// A warped element with bars in hoop direction under finite rotations: bars, layers and sections are shown along the axes.
@@ -132,25 +111,15 @@ fn layered_shell_in_hoop_axes() {
         let x = WARPED.map(Vector3::from);
         (x[(a + 1) % 4] - x[a]).cross(&(x[(a + 3) % 4] - x[a])).normalize()
     };
-    let hoop = Axes::Hoop {
-        origin: [5.0, -3.0, 0.0],
-        axis: [0.0, 0.0, 1.0],
-    };
-    let shell = Shell4::new([0, 1, 2, 3], WARPED, [0, 1, 2, 3].map(normal), reinforced(0.3))
-        .unwrap()
-        .with_axes(hoop);
+    let hoop = Axes::Hoop { origin: [5.0, -3.0, 0.0], axis: [0.0, 0.0, 1.0] };
+    let shell = Shell4::new([0, 1, 2, 3], WARPED, [0, 1, 2, 3].map(normal), reinforced(0.3)).unwrap().with_axes(hoop);
     let rotations = [0.0, 0.02, 0.01, -0.03].map(|a| UnitQuaternion::from_scaled_axis(Vector3::new(a, 0.01, -a)));
     let values: Vec<f64> = (0..SIZE).map(|k| 0.01 * (1.3 * k as f64).sin()).collect();
     let mut old = vec![0.0; shell.history_len()];
     shell.init_history(&mut old);
-    let motion = Motion {
-        values: &values,
-        rotations: &rotations,
-    };
+    let motion = Motion { values: &values, rotations: &rotations };
     let mut history = old.clone();
-    shell
-        .respond(motion, &old, &mut history, Want::FORCE, &mut Response::sized(SIZE))
-        .unwrap();
+    shell.respond(motion, &old, &mut history, Want::FORCE, &mut Response::sized(SIZE)).unwrap();
     let mut bars = 0;
     shell.material_points(motion, &history, &mut |i| {
         let radius = Vector3::new(i.position[0] - 5.0, i.position[1] + 3.0, 0.0);
@@ -167,9 +136,5 @@ fn layered_shell_in_hoop_axes() {
     assert_eq!(bars, 4);
     let sections = shell.sections(motion, &history).unwrap();
     assert_eq!(sections.len(), 4);
-    assert!(
-        sections
-            .iter()
-            .all(|s| s.resultants.iter().all(|n| n.is_finite() && *n != 0.0))
-    );
+    assert!(sections.iter().all(|s| s.resultants.iter().all(|n| n.is_finite() && *n != 0.0)));
 }

@@ -29,11 +29,7 @@ impl Turn {
         let (c, s) = (self.cosine, self.sine);
         let (cc, ss, cs) = (c * c, s * s, c * s);
         let plane = |a: f64, b: f64, g: f64| {
-            [
-                cc * a + ss * b + cs * g,
-                ss * a + cc * b - cs * g,
-                2.0 * cs * (b - a) + (cc - ss) * g,
-            ]
+            [cc * a + ss * b + cs * g, ss * a + cc * b - cs * g, 2.0 * cs * (b - a) + (cc - ss) * g]
         };
         let ([e1, e2, g], [k1, k2, t]) = (plane(v[0], v[1], v[2]), plane(v[3], v[4], v[5]));
         [e1, e2, g, k1, k2, t, c * v[6] + s * v[7], c * v[7] - s * v[6]]
@@ -47,11 +43,7 @@ impl Turn {
         let (c, s) = (self.cosine, self.sine);
         let (cc, ss, cs) = (c * c, s * s, c * s);
         let plane = |a: f64, b: f64, h: f64| {
-            [
-                cc * a + ss * b - 2.0 * cs * h,
-                ss * a + cc * b + 2.0 * cs * h,
-                cs * (a - b) + (cc - ss) * h,
-            ]
+            [cc * a + ss * b - 2.0 * cs * h, ss * a + cc * b + 2.0 * cs * h, cs * (a - b) + (cc - ss) * h]
         };
         let ([n1, n2, n], [m1, m2, m]) = (plane(v[0], v[1], v[2]), plane(v[3], v[4], v[5]));
         [n1, n2, n, m1, m2, m, c * v[6] - s * v[7], c * v[7] + s * v[6]]

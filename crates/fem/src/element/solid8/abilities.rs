@@ -25,14 +25,7 @@ impl Inspect for Solid8 {
     /// Stresses at the 2 × 2 × 2 points: `stress_11` … `stress_13` in global components, or `stress_nn` along the layer's
     /// normal.
     fn samples(&self) -> Vec<Sample> {
-        const NAMES: [&str; 6] = [
-            "stress_11",
-            "stress_22",
-            "stress_33",
-            "stress_12",
-            "stress_23",
-            "stress_13",
-        ];
+        const NAMES: [&str; 6] = ["stress_11", "stress_22", "stress_33", "stress_12", "stress_23", "stress_13"];
         let mut samples = Vec::new();
         for (q, point) in self.points().iter().enumerate() {
             let position = std::array::from_fn(|k| (0..8).map(|a| VALUES[q][a] * self.coordinates[a][k]).sum());
@@ -45,12 +38,7 @@ impl Inspect for Solid8 {
                 .map(|strain| moduli.map(|row| row.iter().zip(strain).map(|(d, e)| d * e).sum()))
                 .collect();
             let mut push = |name, row: Vec<f64>| {
-                samples.push(Sample {
-                    name,
-                    position,
-                    row,
-                    of_acceleration: false,
-                });
+                samples.push(Sample { name, position, row, of_acceleration: false });
             };
             match self.material.law {
                 Law::NormalOnly { .. } | Law::Core { .. } => {
@@ -77,11 +65,7 @@ impl Inspect for Solid8 {
             let p = dyad(&point.normal);
             let (stress, _) = self.material.law.stress(&strain, &point.normal);
             let along = point.normal.dot(&(tensor(&stress) * point.normal));
-            let wish = if point.normal.x.abs() < 0.7 {
-                Vector3::x()
-            } else {
-                Vector3::y()
-            };
+            let wish = if point.normal.x.abs() < 0.7 { Vector3::x() } else { Vector3::y() };
             see(&Inspection {
                 point: q,
                 layer: 0,

@@ -73,14 +73,7 @@ pub(super) fn add_isotropic_stiffness(
 pub(super) fn strain_rows(f: &Matrix3<f64>, g: &[f64; 3]) -> [[f64; 6]; 3] {
     std::array::from_fn(|i| {
         let (f1, f2, f3) = (f[(i, 0)], f[(i, 1)], f[(i, 2)]);
-        [
-            f1 * g[0],
-            f2 * g[1],
-            f3 * g[2],
-            f1 * g[1] + f2 * g[0],
-            f2 * g[2] + f3 * g[1],
-            f1 * g[2] + f3 * g[0],
-        ]
+        [f1 * g[0], f2 * g[1], f3 * g[2], f1 * g[1] + f2 * g[0], f2 * g[2] + f3 * g[1], f1 * g[2] + f3 * g[0]]
     })
 }
 
@@ -91,14 +84,7 @@ pub(super) fn tensor(s: &[f64; 6]) -> Matrix3<f64> {
 
 /// Voigt vector, with engineering shears, of a symmetric strain tensor.
 pub(super) fn voigt(e: &Matrix3<f64>) -> [f64; 6] {
-    [
-        e[(0, 0)],
-        e[(1, 1)],
-        e[(2, 2)],
-        2.0 * e[(0, 1)],
-        2.0 * e[(1, 2)],
-        2.0 * e[(0, 2)],
-    ]
+    [e[(0, 0)], e[(1, 1)], e[(2, 2)], 2.0 * e[(0, 1)], 2.0 * e[(1, 2)], 2.0 * e[(0, 2)]]
 }
 
 /// H = Σ u_a g_aᵀ.

@@ -8,11 +8,7 @@ fn corners() -> [[f64; 3]; 8] {
     let bumps = [0.03, -0.05, 0.07, 0.02, -0.04, 0.06, -0.01, 0.05];
     std::array::from_fn(|a| {
         let c = CORNERS[a];
-        [
-            0.6 * c[0] + bumps[a],
-            0.4 * c[1] - 0.7 * bumps[(a + 3) % 8],
-            0.5 * c[2] + bumps[(a + 5) % 8],
-        ]
+        [0.6 * c[0] + bumps[a], 0.4 * c[1] - 0.7 * bumps[(a + 3) % 8], 0.5 * c[2] + bumps[(a + 5) % 8]]
     })
 }
 
@@ -32,10 +28,7 @@ fn displaced() -> [f64; 24] {
 fn respond(element: &Solid8, values: &[f64], want: Want) -> Response {
     let mut response = Response::sized(24);
     let rotations = [UnitQuaternion::identity(); 8];
-    let motion = Motion {
-        values,
-        rotations: &rotations,
-    };
+    let motion = Motion { values, rotations: &rotations };
     element.respond(motion, &[], &mut [], want, &mut response).unwrap();
     response
 }
@@ -139,15 +132,8 @@ fn number_of_modes_without_energy() {
 fn samples_pass_the_patch_test() {
     let h = Matrix3::new(1e-3, 2e-3, -1e-3, 0.5e-3, -2e-3, 0.0, 1e-3, 3e-3, 4e-3);
     let element = brick(materials()[0], Kinematics::Linear);
-    let u: Vec<f64> = corners()
-        .iter()
-        .flat_map(|&p| (h * Vector3::from(p)).data.0[0])
-        .collect();
-    let exact = element
-        .material
-        .law
-        .stress(&voigt(&(0.5 * (h + h.transpose()))), &Vector3::z())
-        .0;
+    let u: Vec<f64> = corners().iter().flat_map(|&p| (h * Vector3::from(p)).data.0[0]).collect();
+    let exact = element.material.law.stress(&voigt(&(0.5 * (h + h.transpose()))), &Vector3::z()).0;
     let samples = element.samples();
     assert_eq!(samples.len(), 48);
     for (k, sample) in samples.iter().enumerate() {
@@ -163,10 +149,7 @@ fn samples_pass_the_patch_test() {
 fn mass_and_weight() {
     let element = brick(materials()[0], Kinematics::Linear);
     let mass = reference_mass(&element);
-    let total: f64 = (0..8)
-        .flat_map(|a| (0..8).map(move |b| (a, b)))
-        .map(|(a, b)| mass.get(3 * a, 3 * b))
-        .sum();
+    let total: f64 = (0..8).flat_map(|a| (0..8).map(move |b| (a, b))).map(|(a, b)| mass.get(3 * a, 3 * b)).sum();
     assert!((total - 2.0 * element.volume()).abs() < 1e-14);
     let mut weight = vec![0.0; 24];
     element.body_force([0.0, 0.0, -9.81], &mut weight);
@@ -206,11 +189,5 @@ fn bad_bricks_are_rejected() {
     assert!(matches!(refused, Err(ElementError::Jacobian { determinant, .. }) if determinant < 0.0));
     let bad = Elastic::isotropic(1.0, 0.3, -1.0);
     let refused = Solid8::new(nodes, corners(), bad, Kinematics::Linear);
-    assert!(matches!(
-        refused,
-        Err(ElementError::Parameter {
-            parameter: "density",
-            ..
-        })
-    ));
+    assert!(matches!(refused, Err(ElementError::Parameter { parameter: "density", .. })));
 }

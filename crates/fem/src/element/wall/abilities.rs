@@ -21,11 +21,7 @@ impl Inspect for Wall {
             let spread = |sample: Sample| {
                 let mut row = vec![0.0; SIZE];
                 row[SHELL_SIZE * i..SHELL_SIZE * (i + 1)].copy_from_slice(&sample.row);
-                Sample {
-                    name: rename(sample.name, names),
-                    row,
-                    ..sample
-                }
+                Sample { name: rename(sample.name, names), row, ..sample }
             };
             shell.samples().into_iter().map(spread).collect::<Vec<_>>()
         };
@@ -46,20 +42,13 @@ impl Inspect for Wall {
 
     /// Points of the inner shell 0 to 3, of the outer 4 to 7, of the layer 8 to 15.
     fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
-        let shift = |inspection: &Inspection, by: usize| Inspection {
-            point: inspection.point + by,
-            ..inspection.clone()
-        };
+        let shift =
+            |inspection: &Inspection, by: usize| Inspection { point: inspection.point + by, ..inspection.clone() };
         for (shell, i) in self.shells() {
-            shell.material_points(Wall::part(&motion, i), &history[self.slots(i)], &mut |p| {
-                see(&shift(p, 4 * i))
-            });
+            shell.material_points(Wall::part(&motion, i), &history[self.slots(i)], &mut |p| see(&shift(p, 4 * i)));
         }
         let (u, _) = self.faces(&motion);
-        let face = Motion {
-            values: &u,
-            rotations: motion.rotations,
-        };
+        let face = Motion { values: &u, rotations: motion.rotations };
         self.layer.material_points(face, &[], &mut |p| see(&shift(p, 8)));
     }
 

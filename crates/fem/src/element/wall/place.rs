@@ -122,9 +122,7 @@ impl Footprint {
     /// The points moved by `offset` [m] along their normals.
     pub fn at(&self, offset: f64) -> Vec<[f64; 3]> {
         let pairs = self.points.iter().zip(&self.normals);
-        pairs
-            .map(|(p, n)| std::array::from_fn(|i| p[i] + offset * n[i]))
-            .collect()
+        pairs.map(|(p, n)| std::array::from_fn(|i| p[i] + offset * n[i])).collect()
     }
 }
 
@@ -200,8 +198,7 @@ impl WallMesh<'_> {
     ///
     /// Errors: those of [`Shell4::new`], [`directors`] and [`Wall::new`]; rows with and without a layer in one wall.
     pub fn place(&self, builder: &mut Builder) -> Result<PlacedWall, ElementError> {
-        self.place_with(builder, &mut |_, _| Ok(Vec::new()))
-            .map(|found| found.0)
+        self.place_with(builder, &mut |_, _| Ok(Vec::new())).map(|found| found.0)
     }
 
     /// With level cells that are welded to a wall of one row of nodes, such as a bottom: `more` makes them from the nodes of the wall;
@@ -228,10 +225,7 @@ impl WallMesh<'_> {
         if layered < builds.len() {
             return Err(ElementError::NoAnswer {
                 kind: "wall",
-                reason: format!(
-                    "{layered} of {} courses have a layer: all of them or none",
-                    builds.len()
-                ),
+                reason: format!("{layered} of {} courses have a layer: all of them or none", builds.len()),
             });
         }
         let nodes = [add(builder, self.offsets[0]), add(builder, self.offsets[1])];
@@ -293,11 +287,7 @@ impl WallMesh<'_> {
         for (cell, &row) in self.footprint.cells.iter().zip(&self.footprint.rows) {
             let nodes = cell.map(|p| inner[p]);
             let mut add = |leaf: &Leaf, suffix: &str| {
-                cells.push(ShellCell {
-                    nodes,
-                    section: leaf.section.clone(),
-                    group: format!("{}{suffix}", self.name),
-                });
+                cells.push(ShellCell { nodes, section: leaf.section.clone(), group: format!("{}{suffix}", self.name) });
                 row_of.push(row);
             };
             match &builds[row] {
@@ -330,11 +320,7 @@ impl WallMesh<'_> {
         for (&element, row) in placed.elements.iter().zip(row_of) {
             rows[row].push(element);
         }
-        let wall = PlacedWall {
-            rows,
-            inner,
-            outer: Vec::new(),
-        };
+        let wall = PlacedWall { rows, inner, outer: Vec::new() };
         Ok((wall, placed.elements[of_wall..].to_vec()))
     }
 }

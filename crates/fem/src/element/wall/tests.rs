@@ -17,11 +17,7 @@ fn wall(material: Elastic, mass: LayerMass) -> (Wall, [[f64; 3]; 8]) {
         let section = ElasticSection::new(e, 0.3, t, 2.0).unwrap();
         Shell4::new(nodes, x, directors, Arc::new(section)).unwrap()
     };
-    let layer = Layer {
-        material,
-        kinematics: Kinematics::GreenLagrange,
-        mass,
-    };
+    let layer = Layer { material, kinematics: Kinematics::GreenLagrange, mass };
     let wall = Wall::new(
         shell([0, 1, 2, 3], foot, 1000.0, 2.0 * INNER_FACE),
         shell([4, 5, 6, 7], outer, 700.0, 2.0 * OUTER_FACE),
@@ -35,8 +31,7 @@ fn wall(material: Elastic, mass: LayerMass) -> (Wall, [[f64; 3]; 8]) {
 
 fn respond(wall: &Wall, values: &[f64], rotations: &[UnitQuaternion<f64>; 8]) -> Response {
     let mut out = Response::sized(SIZE);
-    wall.respond(Motion { values, rotations }, &[], &mut [], Want::ALL, &mut out)
-        .unwrap();
+    wall.respond(Motion { values, rotations }, &[], &mut [], Want::ALL, &mut out).unwrap();
     out
 }
 
@@ -90,16 +85,10 @@ fn layer_without_tension_parts() {
         (4..8).map(|a| force[6 * a + 2]).sum::<f64>()
     };
     let (pressed, parted) = (pull(-1e-6), pull(1e-6));
-    assert!(
-        pressed < 0.0 && (parted / pressed + 1e-6).abs() < 1e-9,
-        "{pressed} {parted}"
-    );
+    assert!(pressed < 0.0 && (parted / pressed + 1e-6).abs() < 1e-9, "{pressed} {parted}");
     let mut switched = Vec::new();
     let rest = vec![0.0; SIZE];
-    let motion = Motion {
-        values: &rest,
-        rotations: &[UnitQuaternion::identity(); 8],
-    };
+    let motion = Motion { values: &rest, rotations: &[UnitQuaternion::identity(); 8] };
     wall.switches(motion, &[], &mut |on| switched.push(on));
     assert_eq!(switched, [true; 8]);
 }
@@ -114,10 +103,7 @@ fn samples_of_all_parts() {
     let stiffness = reference_stiffness(&wall).unwrap();
     assert_eq!(stiffness.n, SIZE);
     let mut seen = Vec::new();
-    let motion = Motion {
-        values: &[0.0; SIZE],
-        rotations: &[UnitQuaternion::identity(); 8],
-    };
+    let motion = Motion { values: &[0.0; SIZE], rotations: &[UnitQuaternion::identity(); 8] };
     wall.material_points(motion, &[], &mut |p| seen.push(p.point));
     assert!(seen.ends_with(&[8, 9, 10, 11, 12, 13, 14, 15]));
 }
@@ -125,11 +111,8 @@ fn samples_of_all_parts() {
 #[test]
 fn bad_geometry_is_rejected() {
     let (wall, _) = wall(Elastic::normal_only(300.0, 0.0), LayerMass::Halves);
-    let layer = Layer {
-        material: Elastic::normal_only(300.0, 0.0),
-        kinematics: Kinematics::Linear,
-        mass: LayerMass::Halves,
-    };
+    let layer =
+        Layer { material: Elastic::normal_only(300.0, 0.0), kinematics: Kinematics::Linear, mass: LayerMass::Halves };
     let again = |faces| Wall::new(wall.inner.clone(), wall.outer.clone(), faces, &layer);
     assert!(again([0.3, 0.06]).is_err_and(|e| e.to_string().contains("no thickness")));
     assert!(again([f64::NAN, 0.0]).is_err());

@@ -39,10 +39,7 @@ fn operator_is_the_dense_matrix() {
         }
         let wall: Vec<usize> = (0..dense.wall).collect();
         let surface: Vec<usize> = (dense.wall..dense.mass.rows).collect();
-        let pairs = [
-            (&dense.mass, own.operator.dense_mass()),
-            (&dense.stiffness, own.operator.dense_stiffness()),
-        ];
+        let pairs = [(&dense.mass, own.operator.dense_mass()), (&dense.stiffness, own.operator.dense_stiffness())];
         for (a, b) in &pairs {
             assert!(apart(&a.select(&wall, &wall), &b.select(&wall, &wall)) < 1e-12);
             assert!(apart(&a.select(&surface, &surface), &b.select(&surface, &surface)) < 1e-12);
@@ -59,10 +56,7 @@ fn operator_is_the_dense_matrix() {
         assert_eq!(own.rim.len(), dense.rim.len());
         for (a, b) in dense.rim.iter().zip(&own.rim) {
             assert_eq!(a.harmonic, b.harmonic);
-            assert_eq!(
-                (a.sine.is_empty(), b.sine.is_empty()),
-                (half || a.harmonic == 0, half || a.harmonic == 0)
-            );
+            assert_eq!((a.sine.is_empty(), b.sine.is_empty()), (half || a.harmonic == 0, half || a.harmonic == 0));
             for (a, b) in [(&a.row, &b.row), (&a.sine, &b.sine)] {
                 if a.is_empty() {
                     continue;
@@ -71,10 +65,8 @@ fn operator_is_the_dense_matrix() {
                 for (a, b) in a[..dense.wall].iter().zip(b) {
                     assert!((a - b).abs() < 1e-12 * largest, "{a} {b}");
                 }
-                let on_wall = [
-                    masses[0].transposed_times(&a[dense.wall..]),
-                    masses[1].transposed_times(&b[dense.wall..]),
-                ];
+                let on_wall =
+                    [masses[0].transposed_times(&a[dense.wall..]), masses[1].transposed_times(&b[dense.wall..])];
                 let largest = on_wall[0].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
                 for (a, b) in on_wall[0].iter().zip(&on_wall[1]) {
                     assert!((a - b).abs() < 1e-11 * largest, "{a} {b}");
@@ -91,9 +83,8 @@ fn translation_carries_the_liquid() {
     for (half, share) in [(false, 1.0), (true, 0.5)] {
         let own = CircularLiquid::new(&liquid(10), half, 1000).unwrap();
         let meridians = own.operator.ring().meridians();
-        let mut x: Vec<f64> = (0..own.operator.wall())
-            .map(|i| (std::f64::consts::TAU * (i % meridians) as f64 / 10.0).cos())
-            .collect();
+        let mut x: Vec<f64> =
+            (0..own.operator.wall()).map(|i| (std::f64::consts::TAU * (i % meridians) as f64 / 10.0).cos()).collect();
         x.resize(own.operator.size(), 0.0);
         let mut y = vec![0.0; x.len()];
         own.operator.add_mass(1.0, &x, &mut y);

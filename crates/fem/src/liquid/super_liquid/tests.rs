@@ -15,11 +15,7 @@ const GRAVITY: f64 = 9.81;
 /// A cylinder of liquid whose wall faces sit on their own nodes.
 fn mesh(rings: usize, sectors: usize, levels: usize) -> Model {
     let uniform = |length: f64, n: usize| (0..=n).map(|k| length * k as f64 / n as f64).collect::<Vec<f64>>();
-    let cylinder = Cylinder {
-        radii: uniform(RADIUS, rings),
-        sectors,
-        heights: uniform(DEPTH, levels),
-    };
+    let cylinder = Cylinder { radii: uniform(RADIUS, rings), sectors, heights: uniform(DEPTH, levels) };
     let volume = cylinder.volume().unwrap();
     let mut builder = Builder::new();
     builder.nodes(&volume.nodes);
@@ -72,10 +68,7 @@ fn mesh_of_potential_elements() {
     // ω² = g (1.8412/R) tanh(1.8412 H/R), Lamb 1932.
     let k = 1.841_183_781_340_659 / RADIUS;
     let omega = (GRAVITY * k * (k * DEPTH).tanh()).sqrt();
-    let nearest = few.omega.iter().fold(
-        0.0_f64,
-        |m, w| if (w - omega).abs() < (m - omega).abs() { *w } else { m },
-    );
+    let nearest = few.omega.iter().fold(0.0_f64, |m, w| if (w - omega).abs() < (m - omega).abs() { *w } else { m });
     assert!((nearest / omega - 1.0).abs() < 0.03, "{:?} {omega}", few.omega);
     // With all modes the result is exact: the same frequencies of the free liquid with the wall on springs.
     let with_springs = |l: &CondensedLiquid| {
@@ -111,9 +104,7 @@ fn harmonic_liquid() {
     .unwrap();
     let found = CondensedLiquid::of_harmonic(&liquid);
     assert_eq!((found.wall, found.surface()), (24, liquid.elevations()));
-    let mut iota: Vec<f64> = (0..24)
-        .map(|i| (std::f64::consts::TAU * (i % 6) as f64 / 6.0).cos())
-        .collect();
+    let mut iota: Vec<f64> = (0..24).map(|i| (std::f64::consts::TAU * (i % 6) as f64 / 6.0).cos()).collect();
     iota.resize(found.mass.rows, 0.0);
     let exact = DENSITY * std::f64::consts::PI * RADIUS * RADIUS * DEPTH;
     assert!((moved(&found, &iota) / exact - 1.0).abs() < 1e-9);
@@ -142,18 +133,13 @@ fn a_turned_motion_lifts_the_sine() {
     let motion = |turned: bool| {
         let back = if turned { sectors / 4 } else { 0 };
         let w = |level: usize, k: usize| ((3 * level + 5 * ((k + sectors - back) % sectors)) as f64).sin();
-        let mut x: Vec<f64> = (0..heights.len())
-            .flat_map(|l| (0..sectors).map(move |k| w(l, k)))
-            .collect();
+        let mut x: Vec<f64> = (0..heights.len()).flat_map(|l| (0..sectors).map(move |k| w(l, k))).collect();
         x.resize(whole.mass.rows, 0.0);
         let first = whole.wall + own[0] + if turned { own[1] } else { 0 };
         (0..own[1]).for_each(|i| x[first + i] = (0.7 * i as f64).cos());
         x
     };
-    let (cosine, sine) = (
-        crate::linalg::dot(&rim.row, &motion(false)),
-        crate::linalg::dot(&rim.sine, &motion(true)),
-    );
+    let (cosine, sine) = (crate::linalg::dot(&rim.row, &motion(false)), crate::linalg::dot(&rim.sine, &motion(true)));
     assert!((sine / cosine - 1.0).abs() < 1e-12, "{sine} {cosine}");
     assert!(whole.rim[0].sine.is_empty());
 }
@@ -165,21 +151,15 @@ fn symmetric_half() {
     let sectors = 8;
     let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
     let liquid = HarmonicLiquid::new(RADIUS, DENSITY, GRAVITY, sectors, &heights, &mesh, 1).unwrap();
-    let (whole, half) = (
-        CondensedLiquid::of_harmonic(&liquid),
-        CondensedLiquid::of_harmonic_half(&liquid).unwrap(),
-    );
+    let (whole, half) = (CondensedLiquid::of_harmonic(&liquid), CondensedLiquid::of_harmonic_half(&liquid).unwrap());
     let meridians = sectors / 2 + 1;
     assert_eq!((half.wall, half.rim.len()), (meridians * heights.len(), 2));
     // A motion without pattern; elevations of the cosines only.
     let w = |level: usize, k: usize| ((3 * level + 5 * k) as f64).sin();
     let eta = |i: usize| (0.7 * i as f64).cos();
-    let mut x: Vec<f64> = (0..heights.len())
-        .flat_map(|l| (0..sectors).map(move |k| w(l, k.min(sectors - k))))
-        .collect();
-    let mut y: Vec<f64> = (0..heights.len())
-        .flat_map(|l| (0..meridians).map(move |k| w(l, k)))
-        .collect();
+    let mut x: Vec<f64> =
+        (0..heights.len()).flat_map(|l| (0..sectors).map(move |k| w(l, k.min(sectors - k)))).collect();
+    let mut y: Vec<f64> = (0..heights.len()).flat_map(|l| (0..meridians).map(move |k| w(l, k))).collect();
     let own: Vec<usize> = liquid.blocks.iter().map(|b| b.elevations(heights.len())).collect();
     x.extend((0..own[0] + own[1]).map(eta));
     x.resize(whole.mass.rows, 0.0);
@@ -192,10 +172,7 @@ fn symmetric_half() {
     }
     for (a, b) in whole.rim.iter().zip(&half.rim) {
         let (full, part) = (crate::linalg::dot(&a.row, &x), crate::linalg::dot(&b.row, &y));
-        assert!(
-            a.harmonic == b.harmonic && (part / full - 1.0).abs() < 1e-12,
-            "{part} {full}"
-        );
+        assert!(a.harmonic == b.harmonic && (part / full - 1.0).abs() < 1e-12, "{part} {full}");
     }
     // With all modes the same energies, and at rest a rim that rises by what a breathing wall displaces less:
     // π R² η = −2 π R H w for a uniform elevation, which is the only one without pressure from gravity alone.
@@ -208,19 +185,11 @@ fn symmetric_half() {
         k.add(i, i, stiff);
         f[i] = stiff;
     }
-    let mut rest = Matrix {
-        rows: f.len(),
-        cols: 1,
-        data: f,
-    };
+    let mut rest = Matrix { rows: f.len(), cols: 1, data: f };
     crate::linalg::Cholesky::factor(&k).unwrap().solve(&mut rest);
     let rise = |rim: &Rim| crate::linalg::dot(&rim.row, &rest.data);
     let exact = -2.0 * DEPTH / RADIUS;
-    assert!(
-        (rise(&modal.rim[0]) / exact - 1.0).abs() < 1e-6,
-        "{} {exact}",
-        rise(&modal.rim[0])
-    );
+    assert!((rise(&modal.rim[0]) / exact - 1.0).abs() < 1e-6, "{} {exact}", rise(&modal.rim[0]));
     assert!(rise(&modal.rim[1]).abs() < 1e-6);
     let odd = HarmonicLiquid::new(RADIUS, DENSITY, GRAVITY, 7, &heights, &mesh, 1).unwrap();
     assert!(CondensedLiquid::of_harmonic_half(&odd).is_err());

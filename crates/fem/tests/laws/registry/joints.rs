@@ -31,11 +31,7 @@ fn springs() -> Vec<Specimen> {
     let translation = |turn: &Turn| Direction::Translation(turned(turn, ALONG));
     let rotation = |turn: &Turn| Direction::Rotation(turned(turn, ALONG));
     let ground = (&[0, 1, 2, 3, 4, 5][..], "it is held by the ground");
-    let massless = |specimen: Specimen| Specimen {
-        mass: MASSLESS,
-        rotations: NO_FRAME,
-        ..specimen
-    };
+    let massless = |specimen: Specimen| Specimen { mass: MASSLESS, rotations: NO_FRAME, ..specimen };
     vec![
         massless(Specimen::new("Spring", "between two nodes", &LINE, move |t| {
             Box::new(Spring::between(0, 1, translation(t), 7.0).unwrap()) as Box<dyn Element>
@@ -52,9 +48,7 @@ fn springs() -> Vec<Specimen> {
         Specimen {
             mass: Mass::Of(3.5),
             rotations: NO_FRAME,
-            ..Specimen::new("PointMass", "of a node", &LINE[..1], |_| {
-                Box::new(PointMass::new(0, 3.5).unwrap())
-            })
+            ..Specimen::new("PointMass", "of a node", &LINE[..1], |_| Box::new(PointMass::new(0, 3.5).unwrap()))
         },
     ]
 }
@@ -67,10 +61,7 @@ const ARCS: Tangent = Tangent::Near(
 fn contact(what: &'static str, law: ContactLaw) -> Specimen {
     const CORNERS: [[f64; 3]; 4] = [[-1.0, -1.0, 0.0], [1.0, -0.8, 0.1], [1.1, 1.0, 0.0], [-1.0, 0.9, 0.1]];
     let build = move |turn: &Turn| -> Box<dyn Element> {
-        let face = Face {
-            nodes: [0, 1, 2, 3],
-            chart: CORNERS.map(|x| turned(turn, x)),
-        };
+        let face = Face { nodes: [0, 1, 2, 3], chart: CORNERS.map(|x| turned(turn, x)) };
         let normals = [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, 0.28, 0.96], [0.0, 0.0, 1.0]].map(|n| turned(turn, n));
         Box::new(Contact8::new(&face, Chart::Cartesian, [0, 1, 2, 3], [4, 5, 6, 7], normals, law).unwrap())
     };
@@ -104,12 +95,7 @@ fn liquid_joint(what: &'static str, opens: bool) -> Specimen {
         rotations: NO_FRAME,
         resists: (&[0, 4], "the liquid rests where the wall moves against it"),
         mass: Mass::None("the mass is that of the liquid's amplitudes"),
-        ..Specimen::new(
-            "LiquidJoint",
-            what,
-            &[[1.0, 0.0, 0.0], [1.0, 0.0, 0.5], [0.0; 3]],
-            build,
-        )
+        ..Specimen::new("LiquidJoint", what, &[[1.0, 0.0, 0.0], [1.0, 0.0, 0.5], [0.0; 3]], build)
     }
 }
 
@@ -144,11 +130,7 @@ fn anchor() -> Specimen {
 /// A bar along x with an amplitude.
 fn super_element() -> Specimen {
     let build = move |_: &Turn| -> Box<dyn Element> {
-        let matrix = |rows: [[f64; 3]; 3]| Matrix {
-            rows: 3,
-            cols: 3,
-            data: rows.into_iter().flatten().collect(),
-        };
+        let matrix = |rows: [[f64; 3]; 3]| Matrix { rows: 3, cols: 3, data: rows.into_iter().flatten().collect() };
         let element = SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux), (1, Dof::Amplitude)])
             .and_then(|e| e.with_stiffness(matrix([[5.0, -5.0, 0.0], [-5.0, 5.0, 0.0], [0.0, 0.0, 3.0]])))
             .and_then(|e| e.with_mass(matrix([[2.0, 1.0, 0.4], [1.0, 2.0, 0.3], [0.4, 0.3, 1.0]])))
@@ -160,12 +142,7 @@ fn super_element() -> Specimen {
         turns: OWN_AXES,
         rotations: NO_FRAME,
         mass: Mass::Weightless(6.0, "its weight is among the loads that it is given"),
-        ..Specimen::new(
-            "SuperElement",
-            "matrices alone",
-            &[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
-            build,
-        )
+        ..Specimen::new("SuperElement", "matrices alone", &[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], build)
     }
 }
 
@@ -199,10 +176,7 @@ pub(crate) fn all() -> Vec<Specimen> {
     all.extend([
         contact("bonded", ContactLaw::bonded(50.0).with_tangential(8.0)),
         contact("pressure only", ContactLaw::unilateral(50.0)),
-        contact(
-            "pressure only, with multipliers",
-            ContactLaw::unilateral(50.0).with_tangential(8.0).augmented(),
-        ),
+        contact("pressure only, with multipliers", ContactLaw::unilateral(50.0).with_tangential(8.0).augmented()),
         liquid_joint("bonded", false),
         liquid_joint("opens", true),
         ground("smooth", None),

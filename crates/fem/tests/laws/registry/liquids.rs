@@ -52,26 +52,15 @@ fn placed<const N: usize>(chart: Chart, corners: [[f64; 3]; N], turn: &Turn) -> 
 }
 
 fn face(chart: Chart, corners: [[f64; 3]; 4], turn: &Turn) -> Face {
-    Face {
-        nodes: [0, 1, 2, 3],
-        chart: placed(chart, corners, turn),
-    }
+    Face { nodes: [0, 1, 2, 3], chart: placed(chart, corners, turn) }
 }
 
 fn cell(chart: Chart, corners: [[f64; 3]; 8], turn: &Turn) -> Hexahedron {
-    Hexahedron {
-        nodes: std::array::from_fn(|a| a),
-        chart: placed(chart, corners, turn),
-    }
+    Hexahedron { nodes: std::array::from_fn(|a| a), chart: placed(chart, corners, turn) }
 }
 
 fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
-    LiquidProperties {
-        density: DENSITY,
-        bulk_modulus: 2e6,
-        volume,
-        rotation,
-    }
+    LiquidProperties { density: DENSITY, bulk_modulus: 2e6, volume, rotation }
 }
 
 const SPLIT: RotationPart = RotationPart::Split { centre: 1e5, rest: 1e3 };
@@ -107,11 +96,7 @@ fn surfaces() -> Vec<Specimen> {
     let surface = |what, chart: Chart, corners: [[f64; 3]; 4], one_point: bool| {
         let build = move |turn: &Turn| -> Box<dyn Element> {
             let face = face(chart, corners, turn);
-            let make = if one_point {
-                FreeSurface::at_one_point
-            } else {
-                FreeSurface::new
-            };
+            let make = if one_point { FreeSurface::at_one_point } else { FreeSurface::new };
             Box::new(make(&face, chart, DENSITY * GRAVITY).unwrap())
         };
         Specimen {
@@ -140,27 +125,15 @@ fn vertical([_, _, z]: [f64; 3]) -> [f64; KINDS] {
 
 fn potentials() -> Vec<Specimen> {
     let liquid = |what, chart: Chart, corners: [[f64; 3]; 8], factor: fn([f64; 3]) -> f64| Specimen {
-        turns: if chart == Chart::Cartesian {
-            Turns::Any
-        } else {
-            CYLINDER
-        },
-        mass: Mass::Joins {
-            left: vertical,
-            right: vertical,
-            value: -DENSITY * volume(&corners, factor),
-        },
+        turns: if chart == Chart::Cartesian { Turns::Any } else { CYLINDER },
+        mass: Mass::Joins { left: vertical, right: vertical, value: -DENSITY * volume(&corners, factor) },
         ..Specimen::new("Potential8", what, &positions(chart, &corners), move |turn| {
             Box::new(Potential8::new(&cell(chart, corners, turn), chart, DENSITY).unwrap()) as Box<dyn Element>
         })
     };
     let surface = |what, chart: Chart, corners: [[f64; 3]; 4], area: f64| Specimen {
         turns: if chart == Chart::Cartesian { LEVELLED } else { CYLINDER },
-        mass: Mass::Joins {
-            left: |_| one(Dof::Phi),
-            right: |_| one(Dof::Eta),
-            value: DENSITY * area,
-        },
+        mass: Mass::Joins { left: |_| one(Dof::Phi), right: |_| one(Dof::Eta), value: DENSITY * area },
         ..Specimen::new("PotentialSurface", what, &positions(chart, &corners), move |turn| {
             Box::new(PotentialSurface::new(&face(chart, corners, turn), chart, DENSITY, GRAVITY).unwrap())
                 as Box<dyn Element>
@@ -183,10 +156,7 @@ fn wet_faces() -> Vec<Specimen> {
             let normals = [turned(turn, [0.0, 1.0, 0.0]); 4];
             let own = face(Chart::Cartesian, WALL, turn);
             if shared {
-                let wall = Face {
-                    nodes: [4, 5, 6, 7],
-                    ..own
-                };
+                let wall = Face { nodes: [4, 5, 6, 7], ..own };
                 let found = WetFace::overlapping(&own, &wall, Chart::Cartesian, normals, DENSITY);
                 return Box::new(found.unwrap().expect("the faces are one"));
             }
@@ -198,11 +168,7 @@ fn wet_faces() -> Vec<Specimen> {
                 true => Turns::None("it joins faces on one coordinate plane"),
                 false => Turns::Any,
             },
-            mass: Mass::Joins {
-                left: |_| one(Dof::Phi),
-                right: |_| one(Dof::Uy),
-                value: DENSITY * 1.3 * 0.9,
-            },
+            mass: Mass::Joins { left: |_| one(Dof::Phi), right: |_| one(Dof::Uy), value: DENSITY * 1.3 * 0.9 },
             ..Specimen::new("WetFace", what, &positions, build)
         }
     };

@@ -36,19 +36,8 @@ fn elastic(young: f64, thickness: f64) -> Arc<dyn Section> {
 /// Steel 2 cm thick that yields at 0.2 %, with bars across.
 fn reinforced() -> Arc<dyn Section> {
     let steel = Arc::new(VonMises::new(200e9, 0.3, 400e6, 4e9, 0.5).unwrap());
-    let ply = Ply {
-        law: steel.clone(),
-        thickness: 0.02,
-        density: 7850.0,
-        rule: Rule::Gauss(3),
-    };
-    let bar = Bar {
-        law: steel,
-        area: 1e-3,
-        depth: 0.005,
-        angle: 0.4,
-        density: 7850.0,
-    };
+    let ply = Ply { law: steel.clone(), thickness: 0.02, density: 7850.0, rule: Rule::Gauss(3) };
+    let bar = Bar { law: steel, area: 1e-3, depth: 0.005, angle: 0.4, density: 7850.0 };
     Arc::new(LayeredSection::new(&[ply], &[bar]).unwrap())
 }
 
@@ -58,9 +47,7 @@ fn shell(what: &'static str, per_area: f64, make: impl Fn(&Turn) -> Shell4 + 'st
         rotations: Rotations::Finite,
         // The mass is integrated with the points of the stiffness.
         mass: Mass::Of(per_area * area(&WARPED, 2)),
-        ..Specimen::new("Shell4", what, &WARPED, move |turn| {
-            Box::new(make(turn)) as Box<dyn Element>
-        })
+        ..Specimen::new("Shell4", what, &WARPED, move |turn| Box::new(make(turn)) as Box<dyn Element>)
     }
 }
 
@@ -74,19 +61,13 @@ fn shells() -> Vec<Specimen> {
     vec![
         shell("elastic", 0.16, |t| bare(t, elastic(1000.0, 0.08))),
         shell("plain MITC4, lumped mass", 0.16, |t| {
-            bare(t, elastic(1000.0, 0.08))
-                .with_membrane_shear(MembraneShear::Full)
-                .with_mass(MassKind::Lumped)
+            bare(t, elastic(1000.0, 0.08)).with_membrane_shear(MembraneShear::Full).with_mass(MassKind::Lumped)
         }),
-        shell("with drilling", 0.16, |t| {
-            bare(t, elastic(1000.0, 0.08)).with_drilling([true; 4], 0.1).unwrap()
-        }),
+        shell("with drilling", 0.16, |t| bare(t, elastic(1000.0, 0.08)).with_drilling([true; 4], 0.1).unwrap()),
         Specimen {
             // Strains of 1 %: steel yields.
             amplitude: 0.01,
-            ..shell("of yielding layers and bars", 7850.0 * 0.021, move |t| {
-                bare(t, reinforced()).with_axes(along(t))
-            })
+            ..shell("of yielding layers and bars", 7850.0 * 0.021, move |t| bare(t, reinforced()).with_axes(along(t)))
         },
     ]
 }
@@ -101,20 +82,12 @@ fn wall(what: &'static str, material: Solid, mass: LayerMass) -> Specimen {
             let corners = x.map(|x| turned(turn, x));
             Shell4::new(nodes, corners, directors().map(|d| turn * d), elastic(young, thickness)).unwrap()
         };
-        let layer = Layer {
-            material,
-            kinematics: Kinematics::GreenLagrange,
-            mass,
-        };
+        let layer = Layer { material, kinematics: Kinematics::GreenLagrange, mass };
         let (inner, outer) = (shell(0, WARPED, 1000.0, 0.08), shell(4, outer, 700.0, 0.12));
         Box::new(Wall::new(inner, outer, FACES, &layer).unwrap())
     };
     let face = |a: usize| -> [f64; 3] {
-        let (x, out) = if a < 4 {
-            (WARPED[a], FACES[0])
-        } else {
-            (outer[a - 4], -FACES[1])
-        };
+        let (x, out) = if a < 4 { (WARPED[a], FACES[0]) } else { (outer[a - 4], -FACES[1]) };
         (Vector3::from(x) + out * directors()[a % 4]).into()
     };
     let between = volume(&std::array::from_fn(face), |_| 1.0);
@@ -139,9 +112,7 @@ fn fibre_beam(what: &'static str, options: Options, yields: bool) -> Specimen {
             }
             false => section.rectangle(Arc::new(Elastic::new(50.0, 0.0).unwrap()), [1.0, 0.3], 0.0, 4),
         };
-        let section = section
-            .and_then(|s| s.with_shear(if yields { 1e9 } else { 30.0 }))
-            .unwrap();
+        let section = section.and_then(|s| s.with_shear(if yields { 1e9 } else { 30.0 })).unwrap();
         Box::new(FibreBeam::new([0, 1, 2], ENDS.map(|x| turned(turn, x)), Arc::new(section), options).unwrap())
     };
     Specimen {
@@ -155,18 +126,11 @@ fn fibre_beam(what: &'static str, options: Options, yields: bool) -> Specimen {
 }
 
 pub(crate) fn all() -> Vec<Specimen> {
-    let second = |points| Options {
-        points,
-        second_order: true,
-    };
+    let second = |points| Options { points, second_order: true };
     let mut all = shells();
     all.extend([
         wall("isotropic layer", Solid::isotropic(60.0, 0.2, 2.0), LayerMass::Halves),
-        wall(
-            "layer without tension",
-            Solid::pressed_only(50.0, 2.0),
-            LayerMass::Inner,
-        ),
+        wall("layer without tension", Solid::pressed_only(50.0, 2.0), LayerMass::Inner),
         wall("core", Solid::core(50.0, 20.0, 2.0), LayerMass::Outer),
         fibre_beam("elastic", Options::default(), false),
         fibre_beam("elastic, P-Δ, Lobatto", second(Points::Lobatto3), false),

@@ -29,11 +29,7 @@ impl CrackedConcrete {
         let mut add = |stress: [f64; 3], e: [f64; 2]| {
             // Back to the cone along the ray, which keeps the first step short.
             let (q, f) = self.surface.at(&stress);
-            let share = if f > 0.0 {
-                (scale / (f + scale).max(1e-3 * q)).min(1.0)
-            } else {
-                1.0
-            };
+            let share = if f > 0.0 { (scale / (f + scale).max(1e-3 * q)).min(1.0) } else { 1.0 };
             let t = stress.map(|s| s * share * inverse);
             starts[count] = [t[0], t[1], t[2], 0.0, e[0], e[1]];
             count += 1;
@@ -41,11 +37,7 @@ impl CrackedConcrete {
         let (nu, c) = (self.poisson_ratio, self.plane_modulus);
         let elastic_at = |e: [f64; 2]| {
             let x = [a[0] - e[0], a[1] - e[1]];
-            [
-                c * (x[0] + nu * x[1]),
-                c * (x[1] + nu * x[0]),
-                problem.beta * self.shear_modulus * a[2],
-            ]
+            [c * (x[0] + nu * x[1]), c * (x[1] + nu * x[0]), problem.beta * self.shear_modulus * a[2]]
         };
         if let Some(solution) = elastic {
             add(solution.stress, solution.opening);
@@ -162,11 +154,7 @@ impl CrackedConcrete {
         let opening = [x[4].max(0.0), x[5].max(0.0)];
         let multiplier = x[3].max(0.0);
         let (q, _) = self.surface.at(&stress);
-        let n = if q > 1e-9 * self.surface.scale() {
-            self.surface.normal(&stress, q).0
-        } else {
-            [0.0; 3]
-        };
+        let n = if q > 1e-9 * self.surface.scale() { self.surface.normal(&stress, q).0 } else { [0.0; 3] };
         // J dx = da, and (∂t/∂f) df/E in the rows of cracks that open.
         let mut columns = [[0.0; 3]; 6];
         for i in 0..3 {
@@ -185,11 +173,7 @@ impl CrackedConcrete {
             opening,
             multiplier,
             flow: n.map(|n| multiplier * n),
-            beta: if wide > problem.largest() {
-                self.shear_factor(wide).0
-            } else {
-                problem.beta
-            },
+            beta: if wide > problem.largest() { self.shear_factor(wide).0 } else { problem.beta },
             tangent: std::array::from_fn(|i| columns[i].map(|v| young * v)),
         })
     }

@@ -18,16 +18,10 @@ impl Frame {
         // Half angles from the larger of the two, to avoid cancellation.
         if x >= 0.0 {
             let c = (0.5 * (1.0 + x / r)).sqrt();
-            Frame {
-                c,
-                s: 0.5 * y / (r * c),
-            }
+            Frame { c, s: 0.5 * y / (r * c) }
         } else {
             let s = (0.5 * (1.0 - x / r)).sqrt();
-            Frame {
-                c: 0.5 * y / (r * s),
-                s,
-            }
+            Frame { c: 0.5 * y / (r * s), s }
         }
     }
 
@@ -88,11 +82,7 @@ impl Frame {
 
     /// Angle of n from axis 1 [rad], in −π/2 … π/2.
     pub(crate) fn angle(&self) -> f64 {
-        if self.c < 0.0 {
-            (-self.s).atan2(-self.c)
-        } else {
-            self.s.atan2(self.c)
-        }
+        if self.c < 0.0 { (-self.s).atan2(-self.c) } else { self.s.atan2(self.c) }
     }
 }
 

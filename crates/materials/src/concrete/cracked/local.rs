@@ -30,12 +30,7 @@ pub(super) struct Axis {
 
 impl Axis {
     /// A direction that does not crack in this step.
-    pub(crate) const WHOLE: Axis = Axis {
-        traction: None,
-        largest: 0.0,
-        at_largest: f64::INFINITY,
-        gradient: [0.0; 3],
-    };
+    pub(crate) const WHOLE: Axis = Axis { traction: None, largest: 0.0, at_largest: f64::INFINITY, gradient: [0.0; 3] };
 
     /// Stress [Pa] at which the closed crack opens.
     #[inline]
@@ -216,10 +211,7 @@ impl CrackedConcrete {
             let x = [a[0] - e[0], a[1] - e[1]];
             let r = [c * (x[0] + nu * x[1]) - t_0, c * (x[1] + nu * x[0]) - t_1];
             let det = (c + k_0) * (c + k_1) - (nu * c) * (nu * c);
-            let step = [
-                (r[0] * (c + k_1) - nu * c * r[1]) / det,
-                (r[1] * (c + k_0) - nu * c * r[0]) / det,
-            ];
+            let step = [(r[0] * (c + k_1) - nu * c * r[1]) / det, (r[1] * (c + k_0) - nu * c * r[0]) / det];
             e = [e[0] + step[0], e[1] + step[1]];
             if !(e[0] > -1.0 && e[0] < 1.0 && e[1] > -1.0 && e[1] < 1.0) {
                 break;

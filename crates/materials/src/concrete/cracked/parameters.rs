@@ -15,10 +15,7 @@ pub struct ShearRetention {
 
 impl Default for ShearRetention {
     fn default() -> Self {
-        ShearRetention {
-            least: 0.1,
-            strain: 2e-4,
-        }
+        ShearRetention { least: 0.1, strain: 2e-4 }
     }
 }
 
@@ -93,20 +90,10 @@ impl CrackedParameters {
         positive(law, "youngs_modulus", self.young_modulus, "Pa")?;
         positive(law, "compressive_strength", self.compressive_strength, "Pa")?;
         if !(0.0..0.5).contains(&self.poisson_ratio) {
-            return Err(refuse(
-                law,
-                "poisson_ratio",
-                self.poisson_ratio.to_string(),
-                "from 0 to below 0.5",
-            ));
+            return Err(refuse(law, "poisson_ratio", self.poisson_ratio.to_string(), "from 0 to below 0.5"));
         }
         if !(1.0..=1.5).contains(&self.biaxial_ratio) {
-            return Err(refuse(
-                law,
-                "biaxial_ratio",
-                self.biaxial_ratio.to_string(),
-                "from 1 to 1.5",
-            ));
+            return Err(refuse(law, "biaxial_ratio", self.biaxial_ratio.to_string(), "from 1 to 1.5"));
         }
         let traction = Traction::new(law, self.young_modulus, &self.tension)?;
         if self.tension.strength >= 0.5 * self.compressive_strength {
@@ -114,10 +101,7 @@ impl CrackedParameters {
                 law,
                 "tensile_strength",
                 format!("{} Pa", self.tension.strength),
-                &format!(
-                    "below half the compressive strength, {} Pa",
-                    0.5 * self.compressive_strength
-                ),
+                &format!("below half the compressive strength, {} Pa", 0.5 * self.compressive_strength),
             ));
         }
         if let Some(sides) = self.sides {
@@ -125,12 +109,7 @@ impl CrackedParameters {
         }
         let ShearRetention { least, strain } = self.retention;
         if !(least > 0.0 && least <= 1.0) {
-            return Err(refuse(
-                law,
-                "shear retention, least",
-                least.to_string(),
-                "above 0, at most 1",
-            ));
+            return Err(refuse(law, "shear retention, least", least.to_string(), "above 0, at most 1"));
         }
         positive(law, "shear retention, strain", strain, "")?;
         Ok(traction)

@@ -17,11 +17,8 @@ const ROUNDING: f64 = 1e-12;
 impl ElasticRange<3> for CrackedConcrete {
     fn holds(&self, strain: &[f64; 3]) -> bool {
         let (c, nu) = (self.plane_modulus, self.poisson_ratio);
-        let stress = [
-            c * (strain[0] + nu * strain[1]),
-            c * (strain[1] + nu * strain[0]),
-            self.shear_modulus * strain[2],
-        ];
+        let stress =
+            [c * (strain[0] + nu * strain[1]), c * (strain[1] + nu * strain[0]), self.shear_modulus * strain[2]];
         let (mean, half) = (0.5 * (stress[0] + stress[1]), 0.5 * (stress[0] - stress[1]));
         let radius = (half * half + stress[2] * stress[2]).sqrt();
         let (most, least) = (mean + radius, mean - radius);

@@ -53,18 +53,11 @@ impl CrackedConcrete {
         new.copy_from_slice(&old[..SLOTS]);
         new[STRAIN..STRAIN + 3].copy_from_slice(strain);
         new[PARTS] = 1.0;
-        let held = Frame {
-            c: old[AXIS],
-            s: old[AXIS + 1],
-        };
+        let held = Frame { c: old[AXIS], s: old[AXIS + 1] };
         let cracked = held.c != 0.0 || held.s != 0.0;
         let (frame, coaxial) = if !cracked {
             if let Some(stress) = self.whole(&a) {
-                return Some(Response {
-                    stress,
-                    tangent: self.elastic_moduli(),
-                    dissipation: 0.0,
-                });
+                return Some(Response { stress, tangent: self.elastic_moduli(), dissipation: 0.0 });
             }
             (Frame::principal(&a), true)
         } else if old[LARGEST].max(old[LARGEST + 1]) < self.turning {
@@ -88,11 +81,7 @@ impl CrackedConcrete {
             let over = |i: usize| {
                 let whole = problem.axes[i].traction.is_none();
                 let limit = self.beginning(solution.stress[1 - i]).0;
-                if whole {
-                    solution.stress[i] - limit * (1.0 + 1e-12)
-                } else {
-                    f64::NEG_INFINITY
-                }
+                if whole { solution.stress[i] - limit * (1.0 + 1e-12) } else { f64::NEG_INFINITY }
             };
             let i = if over(0) >= over(1) { 0 } else { 1 };
             if over(i) <= 0.0 {
@@ -113,14 +102,7 @@ impl CrackedConcrete {
 
     /// Writes the history of a result and rotates it into the plane.
     fn commit(&self, problem: &Problem, frame: Frame, solution: Solution, new: &mut [f64]) -> Response<3> {
-        let Solution {
-            stress,
-            opening,
-            multiplier,
-            flow,
-            beta,
-            mut tangent,
-        } = solution;
+        let Solution { stress, opening, multiplier, flow, beta, mut tangent } = solution;
         if problem.coaxial {
             let gap = problem.strain[0] - problem.strain[1];
             // Equal strains of a whole point: the limit of the quotient.
@@ -153,11 +135,7 @@ impl CrackedConcrete {
                 let t = traction.at(opening[i]).0;
                 new[LARGEST + i] = opening[i];
                 new[TRACTION + i] = t;
-                let before = if axis.largest > 0.0 {
-                    traction.dissipated(axis.largest, axis.at_largest)
-                } else {
-                    0.0
-                };
+                let before = if axis.largest > 0.0 { traction.dissipated(axis.largest, axis.at_largest) } else { 0.0 };
                 dissipation += if !traction.brittle() {
                     traction.dissipated(opening[i], t) - before
                 } else if axis.largest == 0.0 {
@@ -175,11 +153,7 @@ impl CrackedConcrete {
             dissipation += 0.5 * self.shear_modulus * slip * slip * (problem.beta - beta);
             new[SHEAR] = 1.0 - beta;
         }
-        Response {
-            stress: frame.stress_back(&stress),
-            tangent: frame.moduli_back(&tangent),
-            dissipation,
-        }
+        Response { stress: frame.stress_back(&stress), tangent: frame.moduli_back(&tangent), dissipation }
     }
 
     /// One step in `parts` equal substeps.
@@ -228,10 +202,7 @@ impl CrackedConcrete {
             new.copy_from_slice(&history);
             return Ok(response);
         }
-        Err(LawError::NoConvergence {
-            law: KIND,
-            increment: size,
-        })
+        Err(LawError::NoConvergence { law: KIND, increment: size })
     }
 }
 
@@ -251,10 +222,7 @@ mod tests {
             35e6,
             Tension {
                 strength: 3.5e6,
-                softening: Softening::Energy {
-                    fracture_energy: 100.0,
-                    size: 0.1,
-                },
+                softening: Softening::Energy { fracture_energy: 100.0, size: 0.1 },
                 stiffening: None,
                 bond: None,
             },
@@ -268,10 +236,7 @@ mod tests {
             let parts = law.in_parts(&strain, &old, &mut new).unwrap();
             assert_eq!(law.parts(&new), 2);
             for i in 0..3 {
-                assert!(
-                    (one.stress[i] - parts.stress[i]).abs() < 0.02 * 35e6,
-                    "{one:?} {parts:?}"
-                );
+                assert!((one.stress[i] - parts.stress[i]).abs() < 0.02 * 35e6, "{one:?} {parts:?}");
             }
             for j in 0..3 {
                 let (mut up, mut down) = (strain, strain);

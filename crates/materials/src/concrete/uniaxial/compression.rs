@@ -115,9 +115,7 @@ impl Envelope {
                         ),
                     ));
                 }
-                Ok(linear(
-                    peak_strain + crushing_energy / (0.6 * strength * size) - 0.8 * strength / young_modulus,
-                ))
+                Ok(linear(peak_strain + crushing_energy / (0.6 * strength * size) - 0.8 * strength / young_modulus))
             }
             PostPeak::Linear { strain } => {
                 if !(strain > peak_strain && strain.is_finite()) {
@@ -143,12 +141,7 @@ impl Envelope {
                 let half = 0.5 * (k - RESIDUAL * (k - 2.0));
                 let fallen = half + (half * half - RESIDUAL).sqrt();
                 let end = fallen.min(strain / peak_strain);
-                let mut envelope = Envelope {
-                    curve_end: end,
-                    line_end: end,
-                    slope: 0.0,
-                    ..linear(2.0 * peak_strain)
-                };
+                let mut envelope = Envelope { curve_end: end, line_end: end, slope: 0.0, ..linear(2.0 * peak_strain) };
                 envelope.residual = envelope.curve(end).0;
                 Ok(envelope)
             }
@@ -161,10 +154,7 @@ impl Envelope {
         let (k, a) = (self.k, self.k - 2.0);
         let inverse = 1.0 / (1.0 + a * x);
         let y = (k * x - x * x) * inverse;
-        (
-            self.strength * y,
-            self.strength / self.peak_strain * (k - 2.0 * x - a * y) * inverse,
-        )
+        (self.strength * y, self.strength / self.peak_strain * (k - 2.0 * x - a * y) * inverse)
     }
 
     /// Stress and slope [Pa] at a first strain s ≥ 0.
@@ -174,10 +164,7 @@ impl Envelope {
         if x <= self.curve_end {
             self.curve(x)
         } else if x < self.line_end {
-            (
-                self.residual + self.slope * (s - self.line_end * self.peak_strain),
-                self.slope,
-            )
+            (self.residual + self.slope * (s - self.line_end * self.peak_strain), self.slope)
         } else {
             (self.residual, 0.0)
         }

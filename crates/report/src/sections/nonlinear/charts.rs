@@ -36,10 +36,7 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         (low, high)
     };
-    let (x, y) = (
-        extent(points.iter().map(|p| p.0).collect()),
-        extent(points.iter().map(|p| p.1).collect()),
-    );
+    let (x, y) = (extent(points.iter().map(|p| p.0).collect()), extent(points.iter().map(|p| p.1).collect()));
     if points.len() < 2 || x.1 <= x.0 || y.1 <= y.0 {
         return Ok(None);
     }
@@ -48,24 +45,13 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
     };
     let (across, up) = (axis(&curve.x, x, 5), axis(&curve.y, y, 6));
     let mut chart = Chart::new((HALF, 0.0), across, up);
-    let zero = |points: Vec<(f64, f64)>| Line {
-        points,
-        class: "dg".into(),
-        label: String::new(),
-    };
+    let zero = |points: Vec<(f64, f64)>| Line { points, class: "dg".into(), label: String::new() };
     // Where both quantities are zero: in the corner of the plot there is an axis already.
     chart.lines.push(zero(vec![(x.0.min(0.0), 0.0), (x.1.max(0.0), 0.0)]));
     chart.lines.push(zero(vec![(0.0, y.0.min(0.0)), (0.0, y.1.max(0.0))]));
-    chart.lines.push(Line {
-        points,
-        class: "k-fe hist".into(),
-        label: String::new(),
-    });
+    chart.lines.push(Line { points, class: "k-fe hist".into(), label: String::new() });
     let chart = chart.with_plot_height(LOOP);
-    let scales = (
-        Scale::of(curve.x.dimension, [x.0, x.1]),
-        Scale::of(curve.y.dimension, [y.0, y.1]),
-    );
+    let scales = (Scale::of(curve.x.dimension, [x.0, x.1]), Scale::of(curve.y.dimension, [y.0, y.1]));
     let mut table = Table::new(vec![
         Column::numbers(&capital(&curve.x.title), scales.0.symbol()),
         Column::numbers(&capital(&curve.y.title), scales.1.symbol()),
@@ -107,9 +93,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         .collect();
     let whole = |v: &[f64]| v.len() == time.len() && v.iter().all(|x| x.is_finite());
     if !curves.iter().all(|(_, _, v)| whole(v)) {
-        return Err(Error::Report(
-            "nonlinear: energies without a value for each time".into(),
-        ));
+        return Err(Error::Report("nonlinear: energies without a value for each time".into()));
     }
     let most = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let largest = curves.iter().map(|(_, _, v)| most(v)).fold(0.0, f64::max);
@@ -144,12 +128,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
             true => "–".into(),
             false => percent(values[end] / input),
         };
-        table.row(vec![
-            capital(label),
-            scale.text(values[end]),
-            scale.text(most(values)),
-            share,
-        ]);
+        table.row(vec![capital(label), scale.text(values[end]), scale.text(most(values)), share]);
     }
     Ok(vec![Figure {
         id: "energies".into(),
@@ -189,22 +168,14 @@ fn one_envelope(linear: Option<&Envelope>, nonlinear: &Envelope) -> Result<Optio
     let sides = |e: &Envelope| -> [Vec<(f64, f64)>; 2] {
         [&e.min, &e.max].map(|v| v.iter().copied().zip(e.z.iter().copied()).collect())
     };
-    let runs = [
-        (linear, "k-fe", "linear"),
-        (Some(nonlinear), "k-fe-nonlinear", "nonlinear"),
-    ];
+    let runs = [(linear, "k-fe", "linear"), (Some(nonlinear), "k-fe-nonlinear", "nonlinear")];
     let all = || runs.iter().filter_map(|(e, _, _)| *e);
     let values: Vec<f64> = all().flat_map(|e| e.min.iter().chain(&e.max).copied()).collect();
     if values.iter().all(|v| *v == 0.0) {
         return Ok(None);
     }
     let top = all().flat_map(|e| e.z.iter().copied()).fold(0.0, f64::max);
-    let x = Axis::linear(
-        &nonlinear.title,
-        nonlinear.dimension,
-        values.iter().copied().chain([0.0]),
-        5,
-    );
+    let x = Axis::linear(&nonlinear.title, nonlinear.dimension, values.iter().copied().chain([0.0]), 5);
     let y = Axis::exact("Height z", Dimension::Length, (0.0, top), 6);
     let mut chart = Chart::new((HALF, 0.0), x, y);
     for (envelope, class, label) in runs {
@@ -225,11 +196,7 @@ fn one_envelope(linear: Option<&Envelope>, nonlinear: &Envelope) -> Result<Optio
     ]);
     table.caption = "Nonlinear".into();
     for i in spread(nonlinear.z.len(), LISTED).into_iter().rev() {
-        table.row(vec![
-            fixed(nonlinear.z[i], 3),
-            scale.text(nonlinear.min[i]),
-            scale.text(nonlinear.max[i]),
-        ]);
+        table.row(vec![fixed(nonlinear.z[i], 3), scale.text(nonlinear.min[i]), scale.text(nonlinear.max[i])]);
     }
     let most = |e: &Envelope| e.min.iter().chain(&e.max).fold(0.0_f64, |m, v| m.max(v.abs()));
     let [caption, description] = words::envelope(nonlinear, most(nonlinear), linear.map(most));

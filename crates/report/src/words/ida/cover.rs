@@ -8,19 +8,11 @@ use results::{Ida, IdaRun};
 /// In the running head.
 pub const RUNNING: &str = "incremental dynamic analysis";
 /// Parts of the page: id and title.
-pub const PARTS: [(&str, &str); 3] = [
-    ("model", "Model and assumptions"),
-    ("curves", "Curves"),
-    ("runs", "Runs"),
-];
+pub const PARTS: [(&str, &str); 3] = [("model", "Model and assumptions"), ("curves", "Curves"), ("runs", "Runs")];
 
 /// `0.45 (1.54 m/s²)`: scale and peak of the ground.
 fn motion(run: &IdaRun) -> String {
-    format!(
-        "scale {} ({})",
-        significant(run.scale, 4),
-        with_unit(run.pga, Dimension::Acceleration)
-    )
+    format!("scale {} ({})", significant(run.scale, 4), with_unit(run.pga, Dimension::Acceleration))
 }
 
 /// Whether the tank collapses, and when.
@@ -40,10 +32,7 @@ pub fn lines(ida: &Ida) -> Vec<String> {
     let mut lines = Vec::new();
     let collapse = ida.runs.iter().position(|run| run.collapse.is_some());
     if let Some(below) = collapse.and_then(|at| at.checked_sub(1)) {
-        lines.push(format!(
-            "Strongest motion with equilibrium before it: {}.",
-            motion(&ida.runs[below])
-        ));
+        lines.push(format!("Strongest motion with equilibrium before it: {}.", motion(&ida.runs[below])));
     }
     if let Some(run) = ida.runs.iter().find(|run| !run.departures.is_empty()) {
         lines.push(format!("A run leaves its model from {} on.", motion(run)));
@@ -62,9 +51,6 @@ pub fn facts(ida: &Ida) -> Vec<(&'static str, String)> {
     vec![
         ("Runs", count(ida.runs.len())),
         ("Largest scale", significant(largest(|r| r.scale), 4)),
-        (
-            "Largest ground acceleration",
-            with_unit(largest(|r| r.pga), Dimension::Acceleration),
-        ),
+        ("Largest ground acceleration", with_unit(largest(|r| r.pga), Dimension::Acceleration)),
     ]
 }

@@ -10,11 +10,7 @@ pub(super) struct Words {
 
 /// A section without sentences.
 const fn title(id: &'static str, title: &'static str) -> Words {
-    Words {
-        id,
-        title,
-        sentences: &[],
-    }
+    Words { id, title, sentences: &[] }
 }
 
 /// All sections and pages.
@@ -25,10 +21,7 @@ pub(super) const ALL: &[Words] = &[
         sentences: &[
             ("seismic", "Seismic part, absolute maxima."),
             ("engine", "Dashed line: finite elements; × ratio to them."),
-            (
-                "outside",
-                "✗: outside the model of the finite elements, see limits of validity.",
-            ),
+            ("outside", "✗: outside the model of the finite elements, see limits of validity."),
             ("design", "Design values: spectrum of the site"),
             ("record", "Under the record"),
             ("standards", "Standards:"),
@@ -41,10 +34,7 @@ pub(super) const ALL: &[Words] = &[
         id: "comparison",
         title: "Quantities by method",
         sentences: &[
-            (
-                "seismic",
-                "Seismic part alone, absolute maxima over time and circumference.",
-            ),
+            ("seismic", "Seismic part alone, absolute maxima over time and circumference."),
             (
                 "ratios",
                 "Below each value: its ratio to the finite elements under the same excitation. For the spectrum of the site these are the \
@@ -102,10 +92,7 @@ pub(super) const ALL: &[Words] = &[
         id: "checks",
         title: "Checks",
         sentences: &[
-            (
-                "utilisation",
-                "Utilisation is demand over capacity; the tick on the bar marks 100 %.",
-            ),
+            ("utilisation", "Utilisation is demand over capacity; the tick on the bar marks 100 %."),
             ("caption", "Limit states"),
             ("others", "Methods that do not decide"),
         ],
@@ -148,19 +135,13 @@ pub(super) const ALL: &[Words] = &[
                 "maxima",
                 "The codes give absolute maxima; the finite elements give the largest and smallest values over time.",
             ),
-            (
-                "after",
-                "Largest and smallest values are those of the record and of the free vibration after it.",
-            ),
+            ("after", "Largest and smallest values are those of the record and of the free vibration after it."),
         ],
     },
     Words {
         id: "histories",
         title: "Time histories",
-        sentences: &[(
-            "marks",
-            "The dot marks the largest absolute value. All samples are in `series.csv`.",
-        )],
+        sentences: &[("marks", "The dot marks the largest absolute value. All samples are in `series.csv`.")],
     },
     Words {
         id: "internal_forces",
@@ -241,10 +222,7 @@ pub(super) const ALL: &[Words] = &[
                 "Strokes run along the cracks; wider cracks have thicker strokes. Height and circumference have different scales; \
                  directions are drawn accordingly.",
             ),
-            (
-                "loops",
-                "In the order of time, starting from the static state, which is included.",
-            ),
+            ("loops", "In the order of time, starting from the static state, which is included."),
         ],
     },
     Words {
@@ -264,10 +242,7 @@ pub(super) const ALL: &[Words] = &[
                 "moments",
                 "Displacements relative to the ground; wall and free surface are each enlarged by their own factor.",
             ),
-            (
-                "maps",
-                "Static state and earthquake together. Lines join equal values, at the ticks of the bar.",
-            ),
+            ("maps", "Static state and earthquake together. Lines join equal values, at the ticks of the bar."),
         ],
     },
     Words {
@@ -327,18 +302,12 @@ pub(super) const ALL: &[Words] = &[
                 "outside",
                 "These runs exceed limits of the theory: results that depend on these limits are indicative only.",
             ),
-            (
-                "extremes",
-                "Changes from the state at rest; waves and displacements positive upwards and outwards.",
-            ),
+            ("extremes", "Changes from the state at rest; waves and displacements positive upwards and outwards."),
             (
                 "departures",
                 "These runs passed a limit of the model: their later values are not results. Runs that gained energy were stopped there.",
             ),
-            (
-                "collapses",
-                "The values of these runs end with the collapse and are lower bounds.",
-            ),
+            ("collapses", "The values of these runs end with the collapse and are lower bounds."),
         ],
     },
     Words {

@@ -8,10 +8,7 @@ use results::{EngineId, Study, StudyGap};
 pub fn faults(study: &Study) -> String {
     let failed = |status: &str| study.by_status.iter().find(|(s, _)| s == status).map_or(0, |s| s.1);
     if study.faults.is_empty() && study.missing_tasks == 0 {
-        return format!(
-            "All {} rows were computed to the end of their record.",
-            count(study.rows[1])
-        );
+        return format!("All {} rows were computed to the end of their record.", count(study.rows[1]));
     }
     let words = [
         ("collapsed", "without equilibrium"),
@@ -91,10 +88,7 @@ pub fn cost(study: &Study) -> Vec<(String, String)> {
         all.push((format!("Rows {status}"), count(*rows)));
     }
     if let Some(time) = shaken(study) {
-        all.push((
-            "Seconds of record in the rows with a result".to_owned(),
-            significant(time, 4),
-        ));
+        all.push(("Seconds of record in the rows with a result".to_owned(), significant(time, 4)));
     }
     all
 }

@@ -40,10 +40,7 @@ pub fn bands(study: &Study) -> String {
 
 /// Which tanks are drawn.
 pub fn drawn(some: usize, all: usize) -> String {
-    format!(
-        "Drawn: the {} whose worst state comes first; the table has all.",
-        of(some, all)
-    )
+    format!("Drawn: the {} whose worst state comes first; the table has all.", of(some, all))
 }
 
 /// Remark on a curve.
@@ -70,11 +67,7 @@ pub fn gaps(study: &Study) -> Vec<String> {
         let mut open = study.gaps.iter().filter(|gap| own(&gap.tanks));
         curve.unjudged > 0 && open.any(|gap| !curve.never_checked.contains(&gap.demand))
     };
-    let mut tanks: Vec<&str> = curves
-        .iter()
-        .filter(at_times)
-        .filter_map(|c| c.tank.as_deref())
-        .collect();
+    let mut tanks: Vec<&str> = curves.iter().filter(at_times).filter_map(|c| c.tank.as_deref()).collect();
     tanks.dedup();
     if !tanks.is_empty() {
         all.push(format!(
@@ -93,11 +86,7 @@ pub fn gaps(study: &Study) -> Vec<String> {
         }
     }
     let line = |(demands, names): &(Vec<String>, Vec<String>)| {
-        format!(
-            "{}: without {}, which no run checks.",
-            first_of(names),
-            demands.join(", ")
-        )
+        format!("{}: without {}, which no run checks.", first_of(names), demands.join(", "))
     };
     all.extend(groups.iter().map(line));
     all
@@ -116,29 +105,19 @@ pub fn remarks(curves: &[StudyCurve]) -> Vec<String> {
             }
         }
     }
-    groups
-        .iter()
-        .map(|(note, names)| format!("{}: {note}.", first_of(names)))
-        .collect()
+    groups.iter().map(|(note, names)| format!("{}: {note}.", first_of(names))).collect()
 }
 
 /// Caption of the curves of a tank.
 pub fn caption(curves: &[&StudyCurve]) -> String {
-    let open: Vec<&str> = curves
-        .iter()
-        .filter(|c| c.fit.is_none())
-        .map(|c| c.state.as_str())
-        .collect();
+    let open: Vec<&str> = curves.iter().filter(|c| c.fit.is_none()).map(|c| c.state.as_str()).collect();
     let mut parts = Vec::new();
     if !open.is_empty() {
         parts.push(format!("No curve is identified of {}.", open.join(", ")));
     }
     for pair in curves.windows(2) {
         if pair[0].fit.is_some() && pair[0].fit == pair[1].fit {
-            parts.push(format!(
-                "The curves of {} and {} coincide.",
-                pair[0].state, pair[1].state
-            ));
+            parts.push(format!("The curves of {} and {} coincide.", pair[0].state, pair[1].state));
         }
     }
     parts.join(" ")

@@ -14,11 +14,7 @@ fn spectrum(period: f64, damping: f64) -> f64 {
 }
 
 fn inertia(mass: f64, height: f64) -> Inertia {
-    Inertia {
-        shear: mass,
-        moment: mass * height,
-        overturning: 2.0 * mass * height,
-    }
+    Inertia { shear: mass, moment: mass * height, overturning: 2.0 * mass * height }
 }
 
 /// 100 kg at 2 m with 0.5 s and 2 %, of which the wall is 20 kg at 2 m; 50 kg at 3 m with 4 s and 0.5 %.
@@ -42,23 +38,13 @@ fn modal(split: bool) -> Vec<ModalPart> {
 }
 
 fn engine(modal: &[ModalPart]) -> Engine<'_> {
-    Engine {
-        modal,
-        liquid_mass: 140.0,
-        spectrum: &spectrum,
-        held: None,
-        hoop_height: None,
-    }
+    Engine { modal, liquid_mass: 140.0, spectrum: &spectrum, held: None, hoop_height: None }
 }
 
 fn attribute(split: bool, quantity: Quantity, target: Response, value: f64) -> Attribution {
     let modal = modal(split);
     let ingredients = Ingredients::response(quantity, target);
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Record,
-        ingredients: &ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Record, ingredients: &ingredients };
     engine(&modal).attribute(&made, value).unwrap()
 }
 
@@ -103,11 +89,7 @@ fn two_exchanges_by_hand() {
 }
 
 fn everything_differs() -> Response {
-    let factors = [
-        (Factor::LongPeriod, 0.8),
-        (Factor::Importance, 1.2),
-        (Factor::BehaviourFactor, 1.0 / 1.5),
-    ];
+    let factors = [(Factor::LongPeriod, 0.8), (Factor::Importance, 1.2), (Factor::BehaviourFactor, 1.0 / 1.5)];
     Response {
         impulsive: Some(Part {
             wall: Share::new(30.0, 2.5),
@@ -115,10 +97,7 @@ fn everything_differs() -> Response {
             floor: Share::new(7.0, 0.5),
             ..Part::liquid(Ordinate::at(0.3, 0.05, 4.0).split(&factors[1..]), Share::new(90.0, 1.5))
         }),
-        convective: Some(Part::liquid(
-            Ordinate::at(4.4, 0.02, 0.4).split(&factors[..2]),
-            Share::new(60.0, 3.5),
-        )),
+        convective: Some(Part::liquid(Ordinate::at(4.4, 0.02, 0.4).split(&factors[..2]), Share::new(60.0, 3.5))),
         combination: Combination::Abs,
         vertical: None,
     }
@@ -155,11 +134,7 @@ fn a_wave_by_hand() {
     };
     let found = attribute(true, Quantity::SloshingHeight, target, 0.08);
     // SRSS of one sloshing mode is that mode, 0.2·0.5 = 0.1 m; at 5 s 0.08 m; 0.3·0.4/(1 − 0.4) = 0.2 m.
-    let expected = [
-        (Factor::TimeHistory, 1.25),
-        (Factor::SloshingPeriod, 0.8),
-        (Factor::WaveFormula, 2.5),
-    ];
+    let expected = [(Factor::TimeHistory, 1.25), (Factor::SloshingPeriod, 0.8), (Factor::WaveFormula, 2.5)];
     for ((factor, value), (which, by_hand)) in list(&found).into_iter().zip(expected) {
         assert_eq!(factor, which);
         assert!((value - by_hand).abs() < 1e-12, "{which:?}: {value}");
@@ -173,11 +148,7 @@ fn a_ladder_by_hand() {
     let modal = modal(true);
     let rungs = [(Factor::RigidTank, 85.0), (Factor::Formula, 95.0)];
     let ingredients = Ingredients::ladder(Quantity::ImpulsiveMass, &rungs);
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Record,
-        ingredients: &ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Record, ingredients: &ingredients };
     let found = engine(&modal).attribute(&made, 80.0).unwrap();
     let values: Vec<f64> = found.steps.iter().map(|s| s.value).collect();
     assert_eq!(values, [90.0, 85.0, 95.0]);
@@ -193,11 +164,7 @@ fn no_factor_of_zero() {
         part.as_mut().unwrap().ordinate.base = 0.0;
     }
     let ingredients = Ingredients::response(Quantity::BaseShear, target);
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Site,
-        ingredients: &ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Site, ingredients: &ingredients };
     assert_eq!(engine(&modal).attribute(&made, 100.0), None);
 }
 
@@ -212,11 +179,7 @@ fn stressed() -> Vec<ModalPart> {
 }
 
 fn of_stress(modal: &[ModalPart], ingredients: &Ingredients, value: f64) -> Option<Attribution> {
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Record,
-        ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Record, ingredients };
     engine(modal).attribute(&made, value)
 }
 
@@ -233,16 +196,8 @@ fn of_stress(modal: &[ModalPart], ingredients: &Ingredients, value: f64) -> Opti
 fn a_hoop_stress_by_hand() {
     let at = |period, damping, base, scale| (Ordinate::at(period, damping, base), scale);
     let target = Response {
-        vertical: Some(Vertical {
-            horizontal: 1.0,
-            value: 9.0,
-            combination: Combination::Abs,
-        }),
-        ..Response::hoop(
-            (Ordinate::ground(3.0), 12.0),
-            at(4.0, 0.005, 0.5, 3.0),
-            Combination::Srss,
-        )
+        vertical: Some(Vertical { horizontal: 1.0, value: 9.0, combination: Combination::Abs }),
+        ..Response::hoop((Ordinate::ground(3.0), 12.0), at(4.0, 0.005, 0.5, 3.0), Combination::Srss)
     };
     let ingredients = Ingredients::response(Quantity::HoopStress, target);
     let found = of_stress(&stressed(), &ingredients, 21.0).unwrap();
@@ -270,23 +225,12 @@ fn a_hoop_stress_by_hand() {
 #[test]
 fn stresses_are_exchanged_at_the_same_height() {
     let modal = stressed();
-    let target = Response::hoop(
-        (Ordinate::ground(3.0), 12.0),
-        (Ordinate::at(4.0, 0.005, 0.5), 3.0),
-        Combination::Srss,
-    );
+    let target = Response::hoop((Ordinate::ground(3.0), 12.0), (Ordinate::at(4.0, 0.005, 0.5), 3.0), Combination::Srss);
     let target = target.along(&[(0.0, 12.0, 3.0), (2.0, 6.0, 1.5), (4.0, 0.0, 4.0)]);
     let ingredients = Ingredients::response(Quantity::HoopStress, target);
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Record,
-        ingredients: &ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Record, ingredients: &ingredients };
     let found = |hoop_height| {
-        let engine = Engine {
-            hoop_height,
-            ..engine(&modal)
-        };
+        let engine = Engine { hoop_height, ..engine(&modal) };
         let steps = list(&engine.attribute(&made, 21.0).unwrap());
         let of = |which: Factor| steps.iter().find(|s| s.0 == which).map_or(1.0, |s| s.1);
         [Factor::ImpulsiveStress, Factor::ConvectiveStress, Factor::Place].map(of)
@@ -296,11 +240,7 @@ fn stresses_are_exchanged_at_the_same_height() {
             assert!((a - b).abs() < 1e-12, "{found:?} {expected:?}");
         }
     };
-    let there = [
-        (148.0_f64 / 404.0).sqrt(),
-        (144.5625_f64 / 148.0).sqrt(),
-        (578.25_f64 / 144.5625).sqrt(),
-    ];
+    let there = [(148.0_f64 / 404.0).sqrt(), (144.5625_f64 / 148.0).sqrt(), (578.25_f64 / 144.5625).sqrt()];
     near(found(Some(2.0)), there);
     let own = [(580.0_f64 / 404.0).sqrt(), (578.25_f64 / 580.0).sqrt(), 1.0];
     near(found(None), own);
@@ -332,18 +272,11 @@ fn an_axial_stress_has_the_factors_of_its_moment() {
 fn a_moving_base_is_the_first_factor() {
     let modal = modal(false);
     let ingredients = Ingredients::response(Quantity::BaseShear, everything_differs());
-    let made = Made {
-        method: "x",
-        excitation: Excitation::Record,
-        ingredients: &ingredients,
-    };
+    let made = Made { method: "x", excitation: Excitation::Record, ingredients: &ingredients };
     let plain = list(&engine(&modal).attribute(&made, 250.0).unwrap());
     for factor in [Factor::Uplift, Factor::Isolators, Factor::Soil] {
         let values = BTreeMap::from([("base_shear".to_owned(), 250.0)]);
-        let moves = Engine {
-            held: Some(Held { factor, values }),
-            ..engine(&modal)
-        };
+        let moves = Engine { held: Some(Held { factor, values }), ..engine(&modal) };
         let moved = list(&moves.attribute(&made, 200.0).unwrap());
         assert_eq!(moved[0].0, factor);
         assert!((moved[0].1 - 1.25).abs() < 1e-12);

@@ -106,17 +106,13 @@ impl Jointing {
                 let at = z[e] + 0.5 * l * (1.0 + x);
                 let share = 0.5 * l * w;
                 let [shape, ..] = line::hermite(x, l);
-                let closing = (0..4)
-                    .flat_map(|i| [(wall + 2 * e + i, shape[i]), (2 * e + i, -shape[i])])
-                    .collect();
+                let closing = (0..4).flat_map(|i| [(wall + 2 * e + i, shape[i]), (2 * e + i, -shape[i])]).collect();
                 let rise = |n: usize| {
                     let kn = liquid.wave_number(n);
                     condensed.elevation[n] * (kn * at).sinh() / (kn * DEPTH).sinh()
                 };
                 let relief = match criterion {
-                    Criterion::Particle => (0..sloshing)
-                        .map(|n| (wall + own + n, -weight * share * rise(n)))
-                        .collect(),
+                    Criterion::Particle => (0..sloshing).map(|n| (wall + own + n, -weight * share * rise(n))).collect(),
                     _ => Vec::new(),
                 };
                 // A preload larger than any wave keeps the joint closed.
@@ -218,13 +214,7 @@ impl Jointing {
                 check.see(m.time, pressure, rise, elevation);
             }
         })?;
-        Ok(Peaks {
-            moment,
-            wave,
-            opened,
-            report,
-            check: check.result(),
-        })
+        Ok(Peaks { moment, wave, opened, report, check: check.result() })
     }
 
     /// The worse of both walls.

@@ -24,12 +24,7 @@ const STATIC: [Line; 5] = [
 const DYNAMIC: [[Line; 6]; 3] = [
     dynamic(&["38.6", "13.4"], &["1.11", "4.90"], &["4.83", "4.9"], &["5.6", "5.87"]),
     dynamic(&["4.4", "3.1"], &["0.9", "4.15"], &["4.55", "4.97"], &["5.15", "6.44"]),
-    dynamic(
-        &["11.4", "15.5"],
-        &["0.8", "4.61"],
-        &["3.85", "5.12"],
-        &["4.42", "6.74"],
-    ),
+    dynamic(&["11.4", "15.5"], &["0.8", "4.61"], &["3.85", "5.12"], &["4.42", "6.74"]),
 ];
 
 const fn dynamic(
@@ -49,10 +44,7 @@ const fn dynamic(
 }
 
 /// Coefficients that the dissertation prints.
-const PRINTED: DampingModel = DampingModel::Coefficients {
-    mass: -0.0604,
-    stiffness: 0.013205,
-};
+const PRINTED: DampingModel = DampingModel::Coefficients { mass: -0.0604, stiffness: 0.013205 };
 
 /// Thickness of the lower course [m].
 const THICKNESS: f64 = 2.03e-3;
@@ -98,10 +90,7 @@ pub(super) fn section(records: &[(&str, Record, Record)]) -> Result<String, Fail
     let asked = |damping| options(damping, &[0.05, 0.1]);
     for (liquid, name) in [
         (Liquid::Potential, "potential liquid"),
-        (
-            Liquid::Displacement,
-            "displacement liquid (mean dilatation, split penalty, joined by `contact8`)",
-        ),
+        (Liquid::Displacement, "displacement liquid (mean dilatation, split penalty, joined by `contact8`)"),
     ] {
         for (i, (record, _, motion)) in records.iter().enumerate() {
             // The second liquid is a check of the first: one record is enough.
@@ -139,12 +128,7 @@ pub(super) fn section(records: &[(&str, Record, Record)]) -> Result<String, Fail
             Ok(significant(1e2 * peak(&run, "wave_height_theta_0"), 3))
         };
         let [printed, test] = [0, 1].map(|i| lines[0].sources[i]);
-        let _ = writeln!(
-            text,
-            "| {record} | {printed} | {test} | {} | {} |",
-            wave(motion)?,
-            wave(original)?
-        );
+        let _ = writeln!(text, "| {record} | {printed} | {test} | {} | {} |", wave(motion)?, wave(original)?);
     }
     text.push('\n');
     Ok(text)

@@ -24,19 +24,12 @@ const FREQUENCIES: [(f64, &str, &str); 5] = [
 ];
 
 /// Table 8.9 and figure 8.6.
-const WAVE: [Line; 2] = [
-    line("largest wave", "mm", &["6.1", "6.0"]),
-    line("largest wave from 100 s to 150 s", "mm", &["6.1", ""]),
-];
+const WAVE: [Line; 2] =
+    [line("largest wave", "mm", &["6.1", "6.0"]), line("largest wave from 100 s to 150 s", "mm", &["6.1", ""])];
 
 fn tank(depth: f64) -> Case {
     let perspex = material(3.3e9, 0.3, 1500.0);
-    let mut case = case(
-        Shape::Cylinder { radius: 0.096 },
-        &[(0.225, 6e-3)],
-        &perspex,
-        (1e4 / G, depth),
-    );
+    let mut case = case(Shape::Cylinder { radius: 0.096 }, &[(0.225, 6e-3)], &perspex, (1e4 / G, depth));
     case.damping.sloshing = 1e-3;
     case.damping.impulsive = 1e-3;
     case
@@ -46,12 +39,7 @@ fn tank(depth: f64) -> Case {
 fn motion() -> Record {
     let (omega, dt) = (TAU * 1.2, 0.02);
     let acceleration = (0..=7500).map(|i| -5e-3 * omega * omega * (omega * dt * f64::from(i)).sin());
-    Record {
-        name: "harmonic".into(),
-        dt,
-        acceleration: acceleration.collect(),
-        processing: Vec::new(),
-    }
+    Record { name: "harmonic".into(), dt, acceleration: acceleration.collect(), processing: Vec::new() }
 }
 
 fn wave(run: &Simulation) -> Vec<f64> {
@@ -83,12 +71,7 @@ pub(super) fn section() -> Result<String, Failure> {
             let _ = writeln!(text, "|---|---|---|{}", "---|".repeat(titles.len()));
         }
         let values: Vec<String> = runs.iter().map(|(_, run)| significant(omega(run) / TAU, 4)).collect();
-        let _ = writeln!(
-            text,
-            "| {} | {test} | {printed} | {} |",
-            significant(1e2 * depth, 2),
-            values.join(" | ")
-        );
+        let _ = writeln!(text, "| {} | {test} | {printed} | {} |", significant(1e2 * depth, 2), values.join(" | "));
         found.push((case, runs));
     }
     let (case, modal) = &found[2];

@@ -11,19 +11,11 @@ use tank::units::significant;
 use tank::{Case, Quantity};
 
 /// Meshes of table 8.1: elements over radius, circumference and height.
-const MESHES: [(&str, MeshSize); 4] = [
-    ("A", mesh(12, 16, 12)),
-    ("B", mesh(15, 18, 12)),
-    ("C", mesh(12, 16, 19)),
-    ("D", mesh(12, 16, 20)),
-];
+const MESHES: [(&str, MeshSize); 4] =
+    [("A", mesh(12, 16, 12)), ("B", mesh(15, 18, 12)), ("C", mesh(12, 16, 19)), ("D", mesh(12, 16, 20))];
 
 const fn mesh(radial: usize, sectors: usize, vertical: usize) -> MeshSize {
-    MeshSize {
-        radial,
-        sectors,
-        vertical,
-    }
+    MeshSize { radial, sectors, vertical }
 }
 
 /// A computed column.
@@ -45,20 +37,11 @@ pub(super) const fn line(what: &'static str, unit: &'static str, sources: &'stat
 
 /// Options of a run besides the mesh.
 pub(super) fn options(damping: DampingModel, stations: &[f64]) -> Options {
-    Options {
-        mesh_error: false,
-        stations: stations.to_vec(),
-        damping,
-        ..Options::default()
-    }
+    Options { mesh_error: false, stations: stations.to_vec(), damping, ..Options::default() }
 }
 
 pub(super) fn shaken(mut case: Case, record: &Record) -> Case {
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
-        transverse: None,
-        vertical: None,
-    });
+    case.ground_motion = Some(GroundMotion { horizontal: record.clone(), transverse: None, vertical: None });
     case
 }
 
@@ -77,11 +60,7 @@ pub(super) fn omega(run: &Simulation) -> f64 {
 pub(super) fn runs(case: &Case, options: &Options, liquid: Liquid) -> Result<Vec<(String, Simulation)>, FeError> {
     let mut out = Vec::new();
     for (name, size) in MESHES {
-        let solid_options = SolidOptions {
-            mesh: Some(size),
-            liquid,
-            ..SolidOptions::default()
-        };
+        let solid_options = SolidOptions { mesh: Some(size), liquid, ..SolidOptions::default() };
         let run = solid::respond(case, options, &solid_options, &Silent)?;
         out.push((format!("{name} {size}"), run));
     }
@@ -90,10 +69,7 @@ pub(super) fn runs(case: &Case, options: &Options, liquid: Liquid) -> Result<Vec
 }
 
 pub(super) fn columns(runs: &[(String, Simulation)], values: impl Fn(&Simulation) -> Vec<f64>) -> Vec<Column> {
-    let each = |(title, run): &(String, Simulation)| Column {
-        title: title.clone(),
-        values: values(run),
-    };
+    let each = |(title, run): &(String, Simulation)| Column { title: title.clone(), values: values(run) };
     runs.iter().map(each).collect()
 }
 
@@ -104,19 +80,8 @@ pub(super) fn table(text: &mut String, heads: &[&str], lines: &[Line], columns: 
     let _ = writeln!(text, "|---|---|{}", "---|".repeat(heads.len() + columns.len()));
     for (i, line) in lines.iter().enumerate() {
         let values: Vec<String> = columns.iter().map(|c| significant(c.values[i], 4)).collect();
-        let sources: Vec<&str> = line
-            .sources
-            .iter()
-            .map(|s| if s.is_empty() { "–" } else { s })
-            .collect();
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} |",
-            line.what,
-            line.unit,
-            sources.join(" | "),
-            values.join(" | ")
-        );
+        let sources: Vec<&str> = line.sources.iter().map(|s| if s.is_empty() { "–" } else { s }).collect();
+        let _ = writeln!(text, "| {} | {} | {} | {} |", line.what, line.unit, sources.join(" | "), values.join(" | "));
     }
     text.push('\n');
 }
@@ -129,10 +94,7 @@ mod tests {
     fn a_table_has_a_row_a_line() {
         let mut text = String::new();
         let lines = [line("wave", "cm", &["38.6", ""]), line("shear", "kN", &["", ""])];
-        let columns = [Column {
-            title: "A".into(),
-            values: vec![1.0; 2],
-        }];
+        let columns = [Column { title: "A".into(), values: vec![1.0; 2] }];
         table(&mut text, &["printed", "test"], &lines, &columns);
         assert_eq!(text.lines().filter(|l| l.starts_with('|')).count(), 4);
         assert!(text.contains("| wave | cm | 38.6 | – | 1.000 |"), "{text}");

@@ -33,27 +33,17 @@ const fn lines(
 }
 
 /// 1 % and 2 % at the first two shapes, 3.17 and 4.32 rad/s; the coefficients are not printed.
-const DAMPING: DampingModel = DampingModel::Coefficients {
-    mass: -0.0646,
-    stiffness: 0.01273,
-};
+const DAMPING: DampingModel = DampingModel::Coefficients { mass: -0.0646, stiffness: 0.01273 };
 
 fn values(run: &Simulation) -> Vec<f64> {
-    vec![
-        omega(run),
-        1e2 * peak(run, "wave_height_theta_0"),
-        peak(run, "axial_membrane_stress_base") / 1e6,
-    ]
+    vec![omega(run), 1e2 * peak(run, "wave_height_theta_0"), peak(run, "axial_membrane_stress_base") / 1e6]
 }
 
 /// The section, for El Centro as described.
 pub(super) fn section(record: &Record) -> Result<String, Failure> {
     let mut text = String::from("## Example 8.3: slender tank (table 8.10), El Centro\n\n");
     for (damping, name) in [
-        (
-            DAMPING,
-            "Rayleigh damping of 1 % and 2 % at 3.17 and 4.32 rad/s (a_M = −0.0646 1/s, a_K = 0.01273 s)",
-        ),
+        (DAMPING, "Rayleigh damping of 1 % and 2 % at 3.17 and 4.32 rad/s (a_M = −0.0646 1/s, a_K = 0.01273 s)"),
         (DampingModel::Modal, "Damping by kind (sloshing 1 %, wall 2 %)"),
     ] {
         let _ = writeln!(text, "### {name}\n");

@@ -74,9 +74,7 @@ pub(super) fn concrete(
 ) -> Concrete {
     let law = r.or_default(&c.law);
     let strengths = |p: &Preset| match p.strengths {
-        Strengths::Concrete {
-            compressive, tensile, ..
-        } => (compressive, tensile),
+        Strengths::Concrete { compressive, tensile, .. } => (compressive, tensile),
         _ => (f64::NAN, f64::NAN),
     };
     let f_c = reader.needed(r, &c.compressive_strength, |p| strengths(p).0);
@@ -128,10 +126,8 @@ pub(super) fn concrete(
 /// Biaxial strength in compression: the curve is for the law `cracked`.
 fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> BiaxialEnvelope {
     let envelope = r.or_default(&c.envelope);
-    if let (Some(field), true) = (
-        &c.envelope.given,
-        envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked,
-    ) {
+    if let (Some(field), true) = (&c.envelope.given, envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked)
+    {
         let message = "the envelope of Kupfer and Gerstle belongs to the law `cracked`";
         r.refuse(Code::DoesNotApply, field, message, "with \"law\": \"cracked\" only");
     }
@@ -216,10 +212,9 @@ fn softening(
     let brittle = c.brittle.value() == Some(&true);
     let energy = (c.fracture_energy.given.as_ref()).map(|f| (f, r.number(f)));
     let strain = (c.softening_strain.given.as_ref()).map(|f| (f, r.number(f)));
-    if let (Some(field), true) = (
-        field,
-        usize::from(brittle) + usize::from(energy.is_some()) + usize::from(strain.is_some()) > 1,
-    ) {
+    if let (Some(field), true) =
+        (field, usize::from(brittle) + usize::from(energy.is_some()) + usize::from(strain.is_some()) > 1)
+    {
         let message = "more than one softening law in tension";
         let allowed = "one of fracture_energy, softening_strain and \"brittle\": true";
         r.refuse(Code::Exclusive, field, message, allowed);
@@ -234,10 +229,7 @@ fn softening(
         return Softening::Strain(strain);
     }
     if brittle {
-        r.remarks.push(format!(
-            "{}: brittle in tension; results depend on the mesh and the time step",
-            reader.path
-        ));
+        r.remarks.push(format!("{}: brittle in tension; results depend on the mesh and the time step", reader.path));
         return Softening::Brittle;
     }
     if let Some((_, energy)) = energy {
@@ -249,10 +241,7 @@ fn softening(
         _ => f_c,
     };
     let energy = 73.0 * (mean / 1e6).powf(0.18);
-    let source = format!(
-        "fib Model Code 2010, eq. (5.1-9), with f_cm = {}",
-        shown::<Stress>(mean, 3)
-    );
+    let source = format!("fib Model Code 2010, eq. (5.1-9), with f_cm = {}", shown::<Stress>(mean, 3));
     let energy = r.or_else(&c.fracture_energy, energy, &shown::<LineForce>(energy, 4), &source);
     Softening::FractureEnergy(energy)
 }

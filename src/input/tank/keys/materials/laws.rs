@@ -71,12 +71,8 @@ impl FromNode for Behaviour {
             Kind::Text(text) if text == "elastic" => Some(Behaviour::Elastic),
             Kind::Object(_) => BehaviourKinds::from_node(node, faults).map(|kinds| Behaviour::Kinds(Box::new(kinds))),
             Kind::Text(text) => {
-                let mut fault = wrong_value(
-                    Code::UnknownChoice,
-                    node,
-                    &format!("unknown behaviour `{text}`"),
-                    &Self::allowed(),
-                );
+                let mut fault =
+                    wrong_value(Code::UnknownChoice, node, &format!("unknown behaviour `{text}`"), &Self::allowed());
                 if ["steel", "concrete", "reinforcement", "interlayer"].contains(&text.as_str()) {
                     fault = fault.help(format!("write {{ \"{text}\": {{ … }} }}"));
                 }
@@ -129,11 +125,7 @@ pub(super) fn of_file(
         kinds.steel.given.as_ref().map(|f| ("steel", f.value.is_some())),
         kinds.concrete.given.as_ref().map(|f| ("concrete", f.value.is_some())),
         (kinds.reinforcement.given.as_ref()).map(|f| ("reinforcement", f.value.is_some())),
-        kinds
-            .interlayer
-            .given
-            .as_ref()
-            .map(|f| ("interlayer", f.value.is_some())),
+        kinds.interlayer.given.as_ref().map(|f| ("interlayer", f.value.is_some())),
     ];
     let mut given = given.into_iter().flatten();
     let (Some((word, sound)), None) = (given.next(), given.next()) else {
@@ -152,8 +144,7 @@ pub(super) fn of_file(
     {
         let message = format!("the grade {} is {}", preset.name, preset.strengths.kind());
         let allowed = format!("\"elastic\" or {} with this grade", preset.strengths.kind());
-        r.faults
-            .push(range_fault(Code::UnknownChoice, field, &message, &allowed).found(word));
+        r.faults.push(range_fault(Code::UnknownChoice, field, &message, &allowed).found(word));
         return None;
     }
     if let Some(s) = kinds.steel.value() {
@@ -229,12 +220,7 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength
         let message = "the tensile strength is not above the yield strength";
         r.refuse(Code::Contradiction, field, message, &allowed);
     }
-    Steel {
-        yield_strength,
-        tangent_modulus,
-        kinematic_share,
-        ultimate_strength,
-    }
+    Steel { yield_strength, tangent_modulus, kinematic_share, ultimate_strength }
 }
 
 fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): ElasticPart) -> Bar {
@@ -250,11 +236,7 @@ fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): 
         let allowed = format!("more than the strain at yielding, {:.2e}", yield_strength / e);
         r.refuse(Code::Contradiction, field, "the bars break before they yield", &allowed);
     }
-    Bar {
-        yield_strength,
-        tangent_modulus,
-        rupture_strain,
-    }
+    Bar { yield_strength, tangent_modulus, rupture_strain }
 }
 
 fn interlayer(r: &mut Resolver<'_>, l: &Given<Interlayer>) -> Option<Interlayer> {

@@ -28,11 +28,7 @@ pub(super) struct Reader {
 impl Reader {
     /// The same for an object inside this one.
     pub(crate) fn inside(&self, key: &str) -> Reader {
-        Reader {
-            preset: self.preset.clone(),
-            path: join(&self.path, key),
-            head: self.head.clone(),
-        }
+        Reader { preset: self.preset.clone(), path: join(&self.path, key), head: self.head.clone() }
     }
 
     /// A number from the file or else from the grade; reports a missing one. NaN if it is faulty or missing.
@@ -78,8 +74,7 @@ impl Reader {
             let field = Field::<T>::missing(self.head.clone(), option.path.clone());
             let message = format!("the key `{key}` is missing");
             let fault = range_fault(Code::MissingKey, &field, &message, &T::allowed());
-            r.faults
-                .push(fault.help(format!("add \"{key}\": {}{otherwise}", T::example())));
+            r.faults.push(fault.help(format!("add \"{key}\": {}{otherwise}", T::example())));
         }
         f64::NAN
     }

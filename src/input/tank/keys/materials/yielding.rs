@@ -22,10 +22,8 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, e: f64) {
     let show = |stress: f64| display_in(stress, unit_for(stress, Dimension::Stress), 3);
     if strength > THEORETICAL * e * (1.0 + ROUNDING) {
-        let allowed = format!(
-            "at most {}, a tenth of Young's modulus",
-            like_unit(field, THEORETICAL * e, Dimension::Stress)
-        );
+        let allowed =
+            format!("at most {}, a tenth of Young's modulus", like_unit(field, THEORETICAL * e, Dimension::Stress));
         let message = "the yield strength is larger than any material's";
         r.refuse(Code::OutOfRange, field, message, &allowed);
         return;

@@ -15,9 +15,7 @@ fn a_missed_ground_is_named() {
     let missed = words::missed_band(3e8, &setup::Missed::TooFar(0.0612, 3.25));
     let moved = outcome::moved(&setup, &base, found, vec![Ok(soft), Err(missed)], ready.analysis().grid);
     assert_eq!(moved.result.band, [soft]);
-    let [missed] = &moved.result.missed[..] else {
-        panic!("{:?}", moved.result.missed)
-    };
+    let [missed] = &moved.result.missed[..] else { panic!("{:?}", moved.result.missed) };
     assert_eq!(missed.modulus, 3e8);
     let mut notes = vec![HELD_DOWN.to_owned()];
     say(&Free::Moves(Box::new(moved)), true, &mut notes, &mut Vec::new());
@@ -43,21 +41,10 @@ fn a_base_beyond_the_model_is_a_limit() {
     let missed = setup::Missed::TooFar(0.0612, 3.25);
     let found = limits::limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
     let [turns] = &found[..] else { panic!("{found:?}") };
-    assert_eq!(
-        (turns.id.as_str(), turns.value, turns.limit, turns.holds),
-        ("base_rotation", 0.0612, 0.05, false)
-    );
+    assert_eq!((turns.id.as_str(), turns.value, turns.limit, turns.holds), ("base_rotation", 0.0612, 0.05, false));
     assert!(turns.note.contains("overturns"), "{}", turns.note);
-    let error = ::base::BaseError::BeyondCurve {
-        rotation: 0.01,
-        wanted: 0.2,
-        from: -0.1,
-        to: 0.1,
-    };
+    let error = ::base::BaseError::BeyondCurve { rotation: 0.01, wanted: 0.2, from: -0.1, to: 0.1 };
     let missed = setup::Missed::Base(error);
     let found = limits::limits(&Free::beyond(words::missed(&missed), &missed), vec![pulls()]);
-    assert!(
-        found.len() == 1 && !found[0].holds && found[0].note.contains("no run with uplift"),
-        "{found:?}"
-    );
+    assert!(found.len() == 1 && !found[0].holds && found[0].note.contains("no run with uplift"), "{found:?}");
 }

@@ -37,10 +37,7 @@ impl CylinderModel {
             true => self.first_wall_mode(),
             // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
             false => {
-                let perfect = NonlinearOptions {
-                    imperfections: Imperfections::NONE,
-                    ..options.clone()
-                };
+                let perfect = NonlinearOptions { imperfections: Imperfections::NONE, ..options.clone() };
                 Ok(CylinderModel::new(case, &perfect)?.wall_omega)
             }
         }
@@ -107,8 +104,7 @@ impl CylinderModel {
     fn stiffness_times(&self, x: &[f64]) -> Vec<f64> {
         let mut y = self.system.stiffness.times(x);
         let on_stiffness = |_| [0.0, 1.0];
-        self.assembler
-            .add_operator_products(&self.model, on_stiffness, x, &mut y);
+        self.assembler.add_operator_products(&self.model, on_stiffness, x, &mut y);
         y
     }
 
@@ -134,15 +130,12 @@ impl CylinderModel {
                     Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?;
                 return Ok(());
             }
-            Wanted::Rayleigh {
-                first,
-                second,
-                allow_negative,
-            } => Rayleigh::fit(first, second, allow_negative).map_err(|e| FeError::Option {
-                option: "damping".into(),
-                found: e.to_string(),
-                allowed: "coefficients ≥ 0, or allow_negative".into(),
-            })?,
+            Wanted::Rayleigh { first, second, allow_negative } => Rayleigh::fit(first, second, allow_negative)
+                .map_err(|e| FeError::Option {
+                    option: "damping".into(),
+                    found: e.to_string(),
+                    allowed: "coefficients ≥ 0, or allow_negative".into(),
+                })?,
             Wanted::MassProportional { ratio, at } => {
                 let omega = match at {
                     MassProportionalAt::FirstSloshing => self.sloshing_omega,

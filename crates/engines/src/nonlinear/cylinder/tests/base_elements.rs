@@ -38,12 +38,7 @@ fn a_block_slips_as_far_as_it_should() {
     let assembler = Assembler::new(&model);
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
     let system = System::new(&model, &assembler).unwrap();
-    let problem = Problem {
-        model: &model,
-        assembler: &assembler,
-        symbolic: &symbolic,
-        system: &system,
-    };
+    let problem = Problem { model: &model, assembler: &assembler, symbolic: &symbolic, system: &system };
     // Straight between samples: half of the acceleration at the end of the pulse keeps its area.
     let acceleration: Vec<f64> = (0..=12_000)
         .map(|i| match i {
@@ -75,10 +70,8 @@ fn a_ring_of_anchors_turns_about_its_toe() {
     let (count, strength, weight) = (24.0, 2e5, 3e6);
     let angles: Vec<f64> = (0..=60).map(|k| PI * f64::from(k) / 60.0).collect();
     let mut builder = Builder::new();
-    let foot: Vec<usize> = angles
-        .iter()
-        .map(|angle| builder.node([RADIUS * angle.cos(), RADIUS * angle.sin(), 0.0]))
-        .collect();
+    let foot: Vec<usize> =
+        angles.iter().map(|angle| builder.node([RADIUS * angle.cos(), RADIUS * angle.sin(), 0.0])).collect();
     let mut load = fem::element::shell::load::NodalLoads::new();
     for (&node, share) in foot.iter().zip(shares(&angles)) {
         builder.hold(node, Dof::Ux);
@@ -90,10 +83,7 @@ fn a_ring_of_anchors_turns_about_its_toe() {
     }
     keep_plane(&mut builder, &angles, &foot).unwrap();
     // A spring on ψ = Σ c_i u_i, whose other end turns by the given angle.
-    let row: Vec<f64> = cosine_shares(&angles)
-        .iter()
-        .map(|c| -2.0 * c / (PI * RADIUS))
-        .collect();
+    let row: Vec<f64> = cosine_shares(&angles).iter().map(|c| -2.0 * c / (PI * RADIUS)).collect();
     let (stiffness, turned) = (1e10, 0.05);
     let mut matrix = Matrix::zeros(row.len(), row.len());
     for (i, a) in row.iter().enumerate() {
@@ -124,9 +114,6 @@ fn a_ring_of_anchors_turns_about_its_toe() {
     let rotation: f64 = foot.iter().zip(&row).map(|(n, c)| c * height(*n)).sum();
     let moment = 2.0 * stiffness * (turned - rotation);
     let expected = RADIUS * (count * strength + weight);
-    assert!(
-        (moment / expected - 1.0).abs() < 0.01,
-        "{moment} {expected} at {rotation}"
-    );
+    assert!((moment / expected - 1.0).abs() < 0.01, "{moment} {expected} at {rotation}");
     assert!(rotation > 5e-3 && height(foot[60]) > 0.05);
 }

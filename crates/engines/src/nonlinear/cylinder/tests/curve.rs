@@ -50,16 +50,10 @@ fn scales_are_linear_until_their_limits_are_marked() {
 #[test]
 fn cracks_and_gaps_have_their_sides() {
     let case = shaken(cracking(), 1.0, 25);
-    let own = NonlinearOptions {
-        contact: Contact::Opening,
-        ..options(&case, 6, 16)
-    };
+    let own = NonlinearOptions { contact: Contact::Opening, ..options(&case, 6, 16) };
     let runs = curve(&case, &own, &[0.0, 20.0]);
     let shares: Vec<f64> = runs.iter().map(|r| r.open_share.unwrap()).collect();
-    assert!(
-        shares[0] == 0.0 && (0.0..1.0).contains(&shares[1]) && shares[1] > 0.0,
-        "{shares:?}"
-    );
+    assert!(shares[0] == 0.0 && (0.0..1.0).contains(&shares[1]) && shares[1] > 0.0, "{shares:?}");
     let widest = |run: &IdaRun| {
         let cracks = run.extremes.iter().filter(|e| e.title.contains("crack width"));
         let all: Vec<f64> = cracks.map(|e| e.max.value).collect();

@@ -37,12 +37,7 @@ fn shocked() -> Case {
 fn waves_are_those_of_three_dimensions() {
     let case = shocked();
     let imperfections = Imperfections {
-        parts: vec![Imperfection::Wave(Wave {
-            n: 3,
-            amplitude: 3e-4,
-            profile: Profile::Linear,
-            phase: 0.0,
-        })],
+        parts: vec![Imperfection::Wave(Wave { n: 3, amplitude: 3e-4, profile: Profile::Linear, phase: 0.0 })],
     };
     let [wall, sloshing] = RATIOS;
     let mut own = NonlinearOptions {
@@ -53,25 +48,16 @@ fn waves_are_those_of_three_dimensions() {
     own.spectral_radius = 1.0;
     own.time_step = Some(0.001);
     let found = simulate(&case, &own, None, &Silent).unwrap().result.around.unwrap();
-    let linear = fe::Options {
-        mesh_error: false,
-        damping: DampingModel::ByGroup { wall, sloshing },
-        ..fe::Options::default()
-    };
+    let linear =
+        fe::Options { mesh_error: false, damping: DampingModel::ByGroup { wall, sloshing }, ..fe::Options::default() };
     let solid = SolidOptions {
-        mesh: Some(MeshSize {
-            radial: 6,
-            sectors: MESH[1] as usize,
-            vertical: MESH[0] as usize,
-        }),
+        mesh: Some(MeshSize { radial: 6, sectors: MESH[1] as usize, vertical: MESH[0] as usize }),
         imperfections,
         ..SolidOptions::default()
     };
     let following = fe::solid::respond(&case, &linear, &solid, &Silent).unwrap();
     let following = following.result.around.unwrap();
-    let other = fe::solid::around_a_perfect_liquid(&case, &linear, &solid)
-        .unwrap()
-        .unwrap();
+    let other = fe::solid::around_a_perfect_liquid(&case, &linear, &solid).unwrap().unwrap();
     for n in [1, 2, 4] {
         let [a, b, c] = [&found, &other, &following].map(|around| &around.waves[n]);
         println!(

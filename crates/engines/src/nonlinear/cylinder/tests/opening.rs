@@ -17,11 +17,7 @@ use super::{elastic, marched, options, shaken};
 fn open_joints_take_no_products() {
     for (symmetry, sectors) in [(true, 24), (false, 18)] {
         let case = shaken(elastic(), 25.0, 12);
-        let own = NonlinearOptions {
-            contact: Contact::Opening,
-            symmetry,
-            ..options(&case, 10, sectors)
-        };
+        let own = NonlinearOptions { contact: Contact::Opening, symmetry, ..options(&case, 10, sectors) };
         let (dense, dense_run) = marched(&case, &own, false);
         let (found, run) = marched(&case, &own, true);
         let each = run.cost.products as f64 / run.cost.iterations as f64;

@@ -35,11 +35,7 @@ impl Progress for StopAt {
 }
 
 fn file(folder: &Path) -> CheckpointFile {
-    CheckpointFile {
-        path: folder.join("run.checkpoint"),
-        key: "a".into(),
-        resume: true,
-    }
+    CheckpointFile { path: folder.join("run.checkpoint"), key: "a".into(), resume: true }
 }
 
 /// A run whose systems are solved by iteration, stopped in the record and in the free vibration after it and resumed each time,
@@ -49,35 +45,22 @@ fn resumed(case: &Case, own: &NonlinearOptions, tank: CylinderModel, stops: [u64
     let iterated = operator && tank.standing.is_none();
     assert!(operator == (tank.standing.is_some() || tank.wetted.len() > 400));
     let states = tank.standing.is_some().then_some(0.03);
-    let cylinder = Cylinder {
-        states,
-        ..Cylinder::of(case, own, tank).unwrap()
-    };
+    let cylinder = Cylinder { states, ..Cylinder::of(case, own, tank).unwrap() };
     let motion = case.ground_motion.as_ref().unwrap();
     let march = |threads: usize, file: Option<&CheckpointFile>, progress: &dyn Progress| {
         let (watch, run) = cylinder.march(motion, 1.0, threads, file, progress).unwrap();
         let seen = (watch.seen, watch.openings, watch.pictures.map(|p| p.states));
-        (
-            (watch.recorder.histories, seen, run.state, run.balance, run.cost),
-            run.outcome,
-        )
+        ((watch.recorder.histories, seen, run.state, run.balance, run.cost), run.outcome)
     };
     let (straight, end) = march(1, None, &Silent);
     assert_eq!(end, Outcome::Completed);
-    assert!(
-        !iterated || straight.4.products > straight.4.iterations,
-        "{:?}",
-        straight.4
-    );
+    assert!(!iterated || straight.4.products > straight.4.iterations, "{:?}", straight.4);
     assert!(march(2, None, &Silent).0 == straight, "two threads");
     for threads in [[1, 2, 1], [2, 1, 2]] {
         let folder = tempfile::tempdir().unwrap();
         let file = file(folder.path());
         for (&threads, step) in threads.iter().zip(stops) {
-            let stop = StopAt {
-                step,
-                done: AtomicU64::new(0),
-            };
+            let stop = StopAt { step, done: AtomicU64::new(0) };
             let (part, end) = march(threads, Some(&file), &stop);
             assert_eq!(end, Outcome::Interrupted);
             assert!(part.4.steps < straight.4.steps);
@@ -100,10 +83,7 @@ fn resumed(case: &Case, own: &NonlinearOptions, tank: CylinderModel, stops: [u64
 #[test]
 fn iterated_run_resumed_is_uninterrupted() {
     let case = shaken(cracking(), 12.0, 7);
-    let own = NonlinearOptions {
-        after_record: AfterRecord::Time(0.02),
-        ..options(&case, 14, 64)
-    };
+    let own = NonlinearOptions { after_record: AfterRecord::Time(0.02), ..options(&case, 14, 64) };
     let tank = CylinderModel::new(&case, &own).unwrap();
     resumed(&case, &own, tank, [6, 15]);
 }
@@ -112,11 +92,8 @@ fn iterated_run_resumed_is_uninterrupted() {
 #[test]
 fn iterated_run_with_contact_resumed_is_uninterrupted() {
     let case = shaken(elastic(), 25.0, 5);
-    let own = NonlinearOptions {
-        contact: Contact::Opening,
-        after_record: AfterRecord::Time(0.01),
-        ..options(&case, 14, 72)
-    };
+    let own =
+        NonlinearOptions { contact: Contact::Opening, after_record: AfterRecord::Time(0.01), ..options(&case, 14, 72) };
     let tank = CylinderModel::in_form(&case, &own, |_| true).unwrap();
     resumed(&case, &own, tank, [6, 15]);
 }
@@ -126,10 +103,7 @@ fn iterated_run_with_contact_resumed_is_uninterrupted() {
 fn lifted_run_resumed_is_uninterrupted() {
     let mut case = shaken(super::standing::slender(), 4.0, 20);
     case.tank.foundation.as_mut().unwrap().friction = Some(0.1);
-    let own = NonlinearOptions {
-        after_record: AfterRecord::Time(0.02),
-        ..options(&case, 6, 8)
-    };
+    let own = NonlinearOptions { after_record: AfterRecord::Time(0.02), ..options(&case, 6, 8) };
     let tank = CylinderModel::new(&case, &own).unwrap();
     resumed(&case, &own, tank, [10, 25]);
 }

@@ -53,10 +53,7 @@ pub(super) fn slender() -> Case {
 #[test]
 fn the_damping_is_that_of_the_held_wall() {
     let case = shaken(slender(), 0.05, 10);
-    let linear_options = crate::Options {
-        mesh_error: false,
-        ..crate::Options::default()
-    };
+    let linear_options = crate::Options { mesh_error: false, ..crate::Options::default() };
     let linear = crate::simulate(&case, &linear_options).unwrap();
     let period = linear.values[&tank::Quantity::ImpulsivePeriod];
     let mut sliding = case.clone();
@@ -89,22 +86,13 @@ fn a_shock_lifts_the_foot() {
     };
     assert!(pressed(Side::Back) < 2.0 * pressed(Side::Front), "toe");
     assert!(peak(Channel::ToeStress) > 1e6 && peak(Channel::BaseRotation) > 1e-4);
-    let plastic = extremes
-        .iter()
-        .find(|e| e.title == Channel::PlasticRotation(Side::Front).title())
-        .unwrap();
+    let plastic = extremes.iter().find(|e| e.title == Channel::PlasticRotation(Side::Front).title()).unwrap();
     // The side that lifts more turns its joint as a plate that lifts, the other one is pressed.
     assert!(plastic.max.value > 1e-3, "{plastic:?}");
     let joint = run.demands.as_ref().and_then(|d| d.base.as_ref()?.joint).unwrap();
     let [front, back] = Side::BOTH.map(|side| peak(Channel::PlasticRotation(side)));
-    assert!(
-        (joint.value / front.max(back) - 1.0).abs() < 1e-12,
-        "{joint:?} {front} {back}"
-    );
-    let cycles = extremes
-        .iter()
-        .find(|e| e.title.starts_with("Largest range of the plastic"))
-        .unwrap();
+    assert!((joint.value / front.max(back) - 1.0).abs() < 1e-12, "{joint:?} {front} {back}");
+    let cycles = extremes.iter().find(|e| e.title.starts_with("Largest range of the plastic")).unwrap();
     assert!(cycles.max.value >= joint.value * (1.0 - 1e-12), "{cycles:?} {joint:?}");
     assert!(run.result.energy.unwrap().error.abs() < 1e-6);
     assert!(run.assumptions.iter().any(|a| a.contains("does not slide")));
@@ -114,9 +102,7 @@ fn a_shock_lifts_the_foot() {
     at_rest_the_ground_carries_all(&case, pictures);
     let lifted = |s: &results::Snapshot| {
         let own = pictures.bottom.iter().flatten();
-        own.filter(|n| s.displacement[**n][2] > 0.0)
-            .map(|n| s.ground[*n])
-            .collect::<Vec<f64>>()
+        own.filter(|n| s.displacement[**n][2] > 0.0).map(|n| s.ground[*n]).collect::<Vec<f64>>()
     };
     assert!(lifted(&pictures.states[0]).is_empty());
     assert!(pictures.states.iter().any(|s| !lifted(s).is_empty()));
@@ -210,9 +196,7 @@ fn the_floor_has_the_impulsive_pressure() {
             let n = 200;
             let width = (end - floor.radii[j]).abs() / f64::from(n);
             let at = |i: i32| floor.radii[j] + (end - floor.radii[j]) * (f64::from(i) + 0.5) / f64::from(n);
-            (0..n)
-                .map(|i| (1.0 - (f64::from(i) + 0.5) / f64::from(n)) * at(i) * value(at(i)) * width)
-                .sum()
+            (0..n).map(|i| (1.0 - (f64::from(i) + 0.5) / f64::from(n)) * at(i) * value(at(i)) * width).sum()
         };
         let outer = j.checked_sub(1).and_then(|i| floor.radii.get(i));
         side(outer) + side(floor.radii.get(j + 1))
@@ -226,11 +210,7 @@ fn the_floor_has_the_impulsive_pressure() {
             let found = force[wetted + j * meridians + k] / (area * share * weight);
             let cos = (share * k as f64).cos();
             // The ground accelerates towards θ = 0, where the liquid pulls at the floor: the force that lifts it is negative.
-            assert!(
-                (found + expected * cos).abs() < 0.01 * largest,
-                "{j} {k}: {found} {}",
-                expected * cos
-            );
+            assert!((found + expected * cos).abs() < 0.01 * largest, "{j} {k}: {found} {}", expected * cos);
         }
     }
 }
@@ -246,10 +226,7 @@ fn friction_caps_the_shear() {
     let plate = std::f64::consts::PI * 25.0 * 6e-3 * 7850.0;
     let weight = (case.liquid_mass() + case.tank.wall_mass() + plate) * case.gravity;
     let shear = peak(&run, Channel::BaseShear);
-    assert!(
-        shear < 1.01 * 0.05 * weight && shear > 0.95 * 0.05 * weight,
-        "{shear} {weight}"
-    );
+    assert!(shear < 1.01 * 0.05 * weight && shear > 0.95 * 0.05 * weight, "{shear} {weight}");
     assert!(peak(&run, Channel::Slip) > 5e-3, "{}", peak(&run, Channel::Slip));
     let energies = &run.result.nonlinear.as_ref().unwrap().energies;
     assert!(energies.hysteretic.last().unwrap() > &(0.05 * weight * 1e-3));
@@ -288,11 +265,7 @@ fn anchors_hold_the_foot_and_yield() {
     for run in [&strong, &weak] {
         assert_eq!(run.result.end, End::Completed);
         assert!(run.result.energy.unwrap().error.abs() < 1e-3);
-        assert!(
-            run.assumptions
-                .iter()
-                .any(|a| a.contains("Anchors are elastic-plastic"))
-        );
+        assert!(run.assumptions.iter().any(|a| a.contains("Anchors are elastic-plastic")));
     }
     let judged = weak.demands.unwrap().base.unwrap().anchor.unwrap();
     assert!((judged.value / (2e7 * lifted[1]) - 1.0).abs() < 0.02, "{judged:?}");
@@ -338,23 +311,14 @@ fn kept_tangents_are_full_newton() {
         }
     }
     assert!(full.cost.wholes == 0 && kept.cost.wholes > 0);
-    assert!(
-        kept.cost.wholes * 5 < full.cost.factors,
-        "{:?} {:?}",
-        kept.cost,
-        full.cost
-    );
+    assert!(kept.cost.wholes * 5 < full.cost.factors, "{:?} {:?}", kept.cost, full.cost);
     assert!(kept.balance.error() < 1e-6);
 }
 
 /// Processor time of this process so far [s]; 0 where the system does not say.
 fn processor_time() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    let ticks = stat
-        .split_whitespace()
-        .skip(13)
-        .take(2)
-        .filter_map(|t| t.parse::<f64>().ok());
+    let ticks = stat.split_whitespace().skip(13).take(2).filter_map(|t| t.parse::<f64>().ok());
     ticks.sum::<f64>() / 100.0
 }
 
@@ -389,10 +353,7 @@ fn measured_tank() {
             let sine = (0..=steps).map(|k| 3.0 * (std::f64::consts::TAU * 2.0 * 5e-3 * f64::from(k)).sin());
             motion.horizontal.acceleration = sine.collect();
         }
-        let own = NonlinearOptions {
-            time_step: Some(5e-3),
-            ..options(&case, rows, 2 * half)
-        };
+        let own = NonlinearOptions { time_step: Some(5e-3), ..options(&case, rows, 2 * half) };
         let before = processor_time();
         let tank = CylinderModel::new(&case, &own).unwrap();
         let built = processor_time();

@@ -20,20 +20,13 @@ fn both(case: &Case, x: f64, y: f64) -> Case {
         record
     };
     Case {
-        ground_motion: Some(GroundMotion {
-            horizontal: scaled(x),
-            transverse: Some(scaled(y)),
-            vertical: None,
-        }),
+        ground_motion: Some(GroundMotion { horizontal: scaled(x), transverse: Some(scaled(y)), vertical: None }),
         ..case.clone()
     }
 }
 
 fn whole(case: &Case, height: u32, circumference: u32) -> NonlinearOptions {
-    NonlinearOptions {
-        symmetry: false,
-        ..options(case, height, circumference)
-    }
+    NonlinearOptions { symmetry: false, ..options(case, height, circumference) }
 }
 
 fn column<'a>(s: &'a Simulation, id: &str) -> &'a [f64] {
@@ -88,20 +81,12 @@ fn equal_components_shake_the_diagonal() {
         assert!(apart(column(&two, y), column(&two, x)) < 1e-3, "{y}");
         assert!(apart(column(&two, x), column(&one, x)) < 1e-3, "{x}");
     }
-    for (id, both) in [
-        ("base_shear", "base_shear_resultant"),
-        ("base_moment", "base_moment_resultant"),
-    ] {
+    for (id, both) in [("base_shear", "base_shear_resultant"), ("base_moment", "base_moment_resultant")] {
         let diagonal: Vec<f64> = column(&one, id).iter().map(|v| 2.0_f64.sqrt() * v.abs()).collect();
         assert!(apart(column(&two, both), &diagonal) < 1e-3, "{both}");
     }
     // The wave has a part that is the same around the tank: none of linear theory, next to none here.
-    for (id, tolerance) in [
-        ("base_shear", 1e-3),
-        ("base_moment", 1e-3),
-        ("wave_height", 1e-3),
-        ("hoop_stress", 5e-3),
-    ] {
+    for (id, tolerance) in [("base_shear", 1e-3), ("base_moment", 1e-3), ("wave_height", 1e-3), ("hoop_stress", 5e-3)] {
         let found = direction(&two, id);
         assert!((found.x / found.y - 1.0).abs() < tolerance, "{found:?}");
         assert!((found.resultant / found.srss() - 1.0).abs() < tolerance, "{found:?}");
@@ -111,18 +96,12 @@ fn equal_components_shake_the_diagonal() {
         assert!((off - cell).abs() < 0.1, "{found:?}");
     }
     for quantity in [Quantity::BaseShear, Quantity::SloshingHeight, Quantity::HoopStress] {
-        assert!(
-            (two.values[&quantity] / one.values[&quantity] - 1.0).abs() < 2e-3,
-            "{quantity:?}"
-        );
+        assert!((two.values[&quantity] / one.values[&quantity] - 1.0).abs() < 2e-3, "{quantity:?}");
     }
     // Limit states meet the diagonal: its meridian has √2 times the stress at θ = 0.
     let demands = two.demands.unwrap();
     let hoop = |turned: f64| {
-        let places = demands
-            .places
-            .iter()
-            .filter(|p| (p.turned - turned).abs() < 1e-9 && p.z > 0.0);
+        let places = demands.places.iter().filter(|p| (p.turned - turned).abs() < 1e-9 && p.z > 0.0);
         let swing = |p: &tank::demand::Place| demands.history(&p.hoop.odd).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         places.map(swing).fold(0.0, f64::max)
     };
@@ -164,17 +143,8 @@ fn half_a_tank_is_refused() {
     };
     let own = whole(&case, 6, 16);
     assert!(refused(&own).is_empty());
-    let half = NonlinearOptions {
-        symmetry: true,
-        ..own.clone()
-    };
+    let half = NonlinearOptions { symmetry: true, ..own.clone() };
     assert!(refused(&half)[0].contains("half of a tank"));
-    let odd = NonlinearOptions {
-        elements: Some(WallElements {
-            height: 6,
-            circumference: 18,
-        }),
-        ..own
-    };
+    let odd = NonlinearOptions { elements: Some(WallElements { height: 6, circumference: 18 }), ..own };
     assert!(refused(&odd)[0].contains("multiple of four"));
 }

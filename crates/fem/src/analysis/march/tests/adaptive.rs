@@ -8,9 +8,8 @@ use crate::analysis::march::Adaptive;
 /// The record of [`shaking`], and forty seconds of free vibration, four nominal steps between two samples.
 fn long(amplitude: f64) -> (Grid, Load) {
     let grid = Grid::new(0.08, 6.0, 40.0, 0.02);
-    let a: Vec<f64> = (0..=75)
-        .map(|k| amplitude * ((0.52 * f64::from(k) + 0.7).sin() + 0.5 * (1.24 * f64::from(k)).cos()))
-        .collect();
+    let a: Vec<f64> =
+        (0..=75).map(|k| amplitude * ((0.52 * f64::from(k) + 0.7).sin() + 0.5 * (1.24 * f64::from(k)).cos())).collect();
     (grid, Load::ground(0, Motion::sampled(0.08, &a, &grid)))
 }
 
@@ -51,12 +50,7 @@ fn quiet_phases_take_longer_steps() {
             assert!(apart < 0.15 * peak, "{q}: {apart} of {peak}");
         }
         let lost = |run: &Run| run.balance.samples.last().unwrap().hysteretic;
-        assert!(
-            (lost(&found) - lost(&fixed)).abs() <= 0.02 * lost(&fixed),
-            "{} {}",
-            lost(&found),
-            lost(&fixed)
-        );
+        assert!((lost(&found) - lost(&fixed)).abs() <= 0.02 * lost(&fixed), "{} {}", lost(&found), lost(&fixed));
         assert!(found.balance.error() < 1e-6);
     }
 }
@@ -142,9 +136,6 @@ fn local_error_of_an_oscillator() {
         let exact = (phase + x).cos();
         let estimate = scheme.local_error() * (new[2] - old[2]);
         let found = new[0] - exact;
-        assert!(
-            (found / estimate - 1.0).abs() < 0.05,
-            "ρ {radius}: {found:e} {estimate:e}"
-        );
+        assert!((found / estimate - 1.0).abs() < 0.05, "ρ {radius}: {found:e} {estimate:e}");
     }
 }

@@ -32,13 +32,8 @@ fn resumed_march_is_the_same() {
     let recorder = || QuantityObserver::new(vec![top(problem), base_shear(problem)]);
     let mut whole = recorder();
     let expected = march(problem, &load, &settings, &mut [&mut whole], &Silent).unwrap();
-    settings.checkpoint = Some(Checkpoint {
-        path: path.clone(),
-        steps: 25,
-        seconds: f64::INFINITY,
-        key: "test".into(),
-        resume: true,
-    });
+    settings.checkpoint =
+        Some(Checkpoint { path: path.clone(), steps: 25, seconds: f64::INFINITY, key: "test".into(), resume: true });
     // Interrupted twice, with new recorders as after a restart.
     for patience in [150, 60] {
         let patience = Patience(std::sync::atomic::AtomicU64::new(0), patience);
@@ -79,31 +74,19 @@ fn resumed_march_is_the_same() {
     // Truncated, damaged, of another version, no checkpoint at all.
     let bytes = fs::read(&path).unwrap();
     fs::write(&path, &bytes[..bytes.len() - 9]).unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Length { .. }
-    ));
+    assert!(matches!(refused(problem, &load, &settings), CheckpointError::Length { .. }));
     let mut broken = bytes.clone();
     broken[200] ^= 4;
     fs::write(&path, &broken).unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Checksum { .. }
-    ));
+    assert!(matches!(refused(problem, &load, &settings), CheckpointError::Checksum { .. }));
     broken = bytes.clone();
     broken[8] = 200;
     fs::write(&path, &broken).unwrap();
     let text = refused(problem, &load, &settings).to_string();
-    let known = format!(
-        "format 200, this one reads format {}",
-        crate::analysis::checkpoint::VERSION
-    );
+    let known = format!("format 200, this one reads format {}", crate::analysis::checkpoint::VERSION);
     assert!(text.contains(&known), "{text}");
     fs::write(&path, b"something else").unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Magic { .. }
-    ));
+    assert!(matches!(refused(problem, &load, &settings), CheckpointError::Magic { .. }));
     fs::remove_dir_all(&folder).unwrap();
 }
 
@@ -146,11 +129,7 @@ fn a_march_continues_without_room_for_its_checkpoint() {
     assert_eq!((&found.outcome, &found.state), (&Outcome::Completed, &expected.state));
     // Three times in vain, then there was room.
     assert_eq!(room.0.into_inner(), 3);
-    let names: Vec<_> = fs::read_dir(&folder)
-        .unwrap()
-        .flatten()
-        .map(|e| e.file_name())
-        .collect();
+    let names: Vec<_> = fs::read_dir(&folder).unwrap().flatten().map(|e| e.file_name()).collect();
     assert_eq!(names, ["march.checkpoint"]);
     fs::remove_dir_all(&folder).unwrap();
 }

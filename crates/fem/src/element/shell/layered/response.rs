@@ -54,10 +54,7 @@ impl LayeredSection {
     ) -> Result<(), ElementError> {
         let whole = self.history > 0
             && old[WHOLE] == 1.0
-            && self
-                .outermost
-                .iter()
-                .all(|&number| self.layers[number].is_elastic(strain));
+            && self.outermost.iter().all(|&number| self.layers[number].is_elastic(strain));
         let constant = if whole { &self.whole } else { &self.constant };
         for (n, row) in out.resultants.iter_mut().zip(constant) {
             *n = row.iter().zip(strain).map(|(c, e)| c * e).sum();
@@ -80,10 +77,7 @@ impl LayeredSection {
         }
         for rod in self.rods.iter().filter(|r| !r.linear) {
             let (at, own) = (rod.strain(strain), rod.slots.clone());
-            let response = rod
-                .law
-                .respond(&[at], &old[own.clone()], &mut new[own])
-                .map_err(failed)?;
+            let response = rod.law.respond(&[at], &old[own.clone()], &mut new[own]).map_err(failed)?;
             let force = rod.area * response.stress[0];
             for (n, b) in out.resultants.iter_mut().zip(rod.weights()) {
                 *n += force * b;
@@ -128,10 +122,7 @@ impl LayeredSection {
         for layer in self.layers.iter().filter(|l| !(l.linear || whole && l.ranged)) {
             let at = at_depth(strain, layer.depth);
             let past = layer.past(old, &mut room);
-            let response = layer
-                .law
-                .respond(&at, past, &mut new[layer.slots.clone()])
-                .map_err(failed)?;
+            let response = layer.law.respond(&at, past, &mut new[layer.slots.clone()]).map_err(failed)?;
             for (i, stress) in response.stress.iter().enumerate() {
                 let force = layer.weight * stress;
                 out.resultants[i] += force;

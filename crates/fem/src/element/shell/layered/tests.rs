@@ -59,21 +59,12 @@ impl Law<1> for Springs {
     fn respond(&self, strain: &[f64; 1], old: &[f64], new: &mut [f64]) -> Result<Response<1>, LawError> {
         let (stress, tangent, plastic, dissipation) = spring(E, strain[0], old[0]);
         new[0] = plastic;
-        Ok(Response {
-            stress: [stress],
-            tangent: [[tangent]],
-            dissipation,
-        })
+        Ok(Response { stress: [stress], tangent: [[tangent]], dissipation })
     }
 }
 
 fn ply(law: Arc<dyn Law<3>>, thickness: f64, rule: Rule) -> Ply {
-    Ply {
-        law,
-        thickness,
-        density: 7850.0,
-        rule,
-    }
+    Ply { law, thickness, density: 7850.0, rule }
 }
 
 fn respond(section: &LayeredSection, strain: &[f64; 8], old: &[f64], new: &mut [f64]) -> SectionResponse {
@@ -148,13 +139,7 @@ fn bar_in_an_oblique_direction() {
     let laws: [Arc<dyn Law<1>>; 2] = [Arc::new(Elastic::new(E, 0.0).unwrap()), Arc::new(Springs)];
     let (area, depth, e, angle) = (7e-4, 0.11, 0.05, PI / 6.0);
     for law in laws {
-        let bar = Bar {
-            law,
-            area,
-            depth,
-            angle,
-            density: 7850.0,
-        };
+        let bar = Bar { law, area, depth, angle, density: 7850.0 };
         let section = LayeredSection::eccentric(&[ply(soft.clone(), 0.3, Rule::Gauss(2))], &[bar], e).unwrap();
         let old = virgin(&section);
         let found = respond(&section, &STRAIN, &old, &mut old.clone());
@@ -166,10 +151,7 @@ fn bar_in_an_oblique_direction() {
         for i in 0..3 {
             let force = area * stress * a[i];
             assert!((found.resultants[i] - force).abs() < 1e-6 * force.abs() + 1.0, "{i}");
-            assert!(
-                (found.resultants[3 + i] - zeta * force).abs() < 1e-6 * force.abs() + 1.0,
-                "{i}"
-            );
+            assert!((found.resultants[3 + i] - zeta * force).abs() < 1e-6 * force.abs() + 1.0, "{i}");
         }
         let inertia = section.inertia();
         assert!((inertia[0] - 7850.0 * (0.3 + area)).abs() < 1e-9);
@@ -191,17 +173,8 @@ fn bar_in_an_oblique_direction() {
 fn plastic_bending_and_its_energy() {
     let t = 0.02;
     let law: Arc<dyn Law<3>> = Arc::new(Springs);
-    let plies = [
-        ply(law.clone(), 0.5 * t, Rule::MidPoint(200)),
-        ply(law, 0.5 * t, Rule::MidPoint(200)),
-    ];
-    let bar = Bar {
-        law: Arc::new(Springs),
-        area: 1e-4,
-        depth: -0.008,
-        angle: 0.0,
-        density: 0.0,
-    };
+    let plies = [ply(law.clone(), 0.5 * t, Rule::MidPoint(200)), ply(law, 0.5 * t, Rule::MidPoint(200))];
+    let bar = Bar { law: Arc::new(Springs), area: 1e-4, depth: -0.008, angle: 0.0, density: 0.0 };
     let yielding = 2.0 * YIELD / (E * t);
     let plain = LayeredSection::new(&plies, &[]).unwrap();
     let mut strain = [0.0; 8];
@@ -235,23 +208,14 @@ fn plastic_bending_and_its_energy() {
     let dissipated = section.dissipated(&old);
     assert!(dissipated > 3.0 * stored && stored > 0.0);
     // Steps of 1/4000 of the path: trapezoidal rule.
-    assert!(
-        (work / (stored + dissipated) - 1.0).abs() < 1e-4,
-        "{work} {stored} {dissipated}"
-    );
+    assert!((work / (stored + dissipated) - 1.0).abs() < 1e-4, "{work} {stored} {dissipated}");
 }
 
 #[test]
 fn parameters_out_of_range_are_rejected() {
     let law: Arc<dyn Law<3>> = Arc::new(Springs);
     let good = ply(law.clone(), 0.1, Rule::Gauss(3));
-    let bar = |area: f64, depth: f64| Bar {
-        law: Arc::new(Springs),
-        area,
-        depth,
-        angle: 0.0,
-        density: 0.0,
-    };
+    let bar = |area: f64, depth: f64| Bar { law: Arc::new(Springs), area, depth, angle: 0.0, density: 0.0 };
     assert!(LayeredSection::new(&[], &[]).is_err());
     assert!(LayeredSection::new(&[ply(law.clone(), 0.0, Rule::Gauss(3))], &[]).is_err());
     assert!(LayeredSection::new(&[ply(law, 0.1, Rule::Gauss(0))], &[]).is_err());
@@ -290,10 +254,7 @@ impl Law<3> for Hidden {
 fn whole_sections_are_their_layers() {
     let tension = Tension {
         strength: 3e6,
-        softening: Softening::Energy {
-            fracture_energy: 100.0,
-            size: 0.15,
-        },
+        softening: Softening::Energy { fracture_energy: 100.0, size: 0.15 },
         stiffening: None,
         bond: None,
     };
@@ -306,10 +267,7 @@ fn whole_sections_are_their_layers() {
         density: 7850.0,
     };
     let of = |law: Arc<dyn Law<3>>| {
-        let plies = [
-            ply(law.clone(), 0.08, Rule::MidPoint(8)),
-            ply(law, 0.12, Rule::Gauss(5)),
-        ];
+        let plies = [ply(law.clone(), 0.08, Rule::MidPoint(8)), ply(law, 0.12, Rule::Gauss(5))];
         LayeredSection::eccentric(&plies, std::slice::from_ref(&bar), 0.01).unwrap()
     };
     let sections = [of(Arc::new(law)), of(Arc::new(Hidden(law)))];
@@ -318,16 +276,8 @@ fn whole_sections_are_their_layers() {
     for step in 0..200 {
         let size = 1.5e-6 * f64::from(step);
         let wave = |k: f64| size * (0.3 * k * f64::from(step) + k).sin();
-        let strain = [
-            wave(1.0),
-            0.4 * wave(2.0),
-            wave(3.0),
-            5.0 * wave(1.3),
-            4.0 * wave(0.7),
-            3.0 * wave(2.1),
-            wave(1.7),
-            0.0,
-        ];
+        let strain =
+            [wave(1.0), 0.4 * wave(2.0), wave(3.0), 5.0 * wave(1.3), 4.0 * wave(0.7), 3.0 * wave(2.1), wave(1.7), 0.0];
         let mut seen: [Vec<LayerState>; 2] = Default::default();
         let found: [SectionResponse; 2] = std::array::from_fn(|i| {
             // Another strain in between, as of an iterate that was not accepted.
@@ -336,9 +286,7 @@ fn whole_sections_are_their_layers() {
             let found = respond(&sections[i], &strain, &histories[i], &mut new);
             let mut alone = SectionResponse::default();
             let mut again = vec![f64::NAN; new.len()];
-            sections[i]
-                .resist(&strain, &histories[i], &mut again, &mut alone)
-                .unwrap();
+            sections[i].resist(&strain, &histories[i], &mut again, &mut alone).unwrap();
             assert_eq!((alone.resultants, &again), (found.resultants, &new));
             sections[i].inspect(&strain, &new, &mut |layer| seen[i].push(layer));
             histories[i] = new;
@@ -347,16 +295,10 @@ fn whole_sections_are_their_layers() {
         let [a, b] = &found;
         for i in 0..8 {
             let scale = sections[0].whole[i][i];
-            assert!(
-                (a.resultants[i] - b.resultants[i]).abs() <= 1e-12 * scale * 1e-4,
-                "step {step}, resultant {i}"
-            );
+            assert!((a.resultants[i] - b.resultants[i]).abs() <= 1e-12 * scale * 1e-4, "step {step}, resultant {i}");
             for j in 0..8 {
                 let scale = (scale * sections[0].whole[j][j]).sqrt();
-                assert!(
-                    (a.tangent[i][j] - b.tangent[i][j]).abs() <= 1e-12 * scale,
-                    "step {step}, {i} {j}"
-                );
+                assert!((a.tangent[i][j] - b.tangent[i][j]).abs() <= 1e-12 * scale, "step {step}, {i} {j}");
             }
         }
         let [x, y] = [0, 1].map(|i| sections[i].dissipated(&histories[i]));
@@ -367,14 +309,7 @@ fn whole_sections_are_their_layers() {
             first_crack = Some(step);
         }
         // The range is smaller than the elastic one only where compression is beyond f_c.
-        assert_eq!(
-            histories[0][response::WHOLE] == 1.0,
-            first_crack.is_none(),
-            "step {step}"
-        );
+        assert_eq!(histories[0][response::WHOLE] == 1.0, first_crack.is_none(), "step {step}");
     }
-    assert!(
-        first_crack.is_some_and(|step| step > 20 && step < 150),
-        "{first_crack:?}"
-    );
+    assert!(first_crack.is_some_and(|step| step > 20 && step < 150), "{first_crack:?}");
 }
