@@ -34,10 +34,9 @@ pub(crate) fn lines(sheet: &mut Sheet, tank: &Tank, symbol: &str, clause: &str) 
         let (built, lost) = (format!("{symbol}_n{index}"), format!("c_{index}"));
         sheet.input(&built, &format!("thickness of {name} as built"), thickness, Length, &path);
         sheet.input(&lost, &format!("corrosion of {name}"), corrosion, Length, &path);
-        let terms = [(built.as_str(), thickness, Length), (lost.as_str(), corrosion, Length)];
         let net = format!("net thickness of {name}");
         let formula = format!("{built} - {lost}");
-        sheet.calc(&format!("{symbol}_{index}"), &net, &formula, &terms, Length, clause);
+        sheet.calc(&format!("{symbol}_{index}"), &net, &formula, Length, clause);
     }
 }
 

@@ -1,7 +1,8 @@
 //! Builder of calculation sheets: every line with symbol, formula, the numbers put in, value, dimension and clause.
 //!
-//! A line is an input, a formula or a look-up. The value of a formula is computed from its text ([`Formula`]), so that
-//! the printed line is the computation:
+//! A line is an input, a formula or a look-up. The value of a formula is computed from its text ([`Formula`]) and from the
+//! lines above it, so that the printed line is the computation: a symbol has the value of the last line that gives it.
+//! What a formula uses and no line shows is told by [`Sheet::given`].
 //!
 //! ```
 //! use codes::sheet::Sheet;
@@ -9,17 +10,12 @@
 //!
 //! let mut sheet = Sheet::new();
 //! sheet.section("Impulsive part");
-//! let p_i = sheet.calc(
-//!     "P_i",
-//!     "impulsive force",
-//!     "a_B·m_i",
-//!     &[("a_B", 4.903, Acceleration), ("m_i", 7600.6, Mass)],
-//!     Force,
-//!     "Housner 1957",
-//! );
+//! sheet.input("m_i", "impulsive mass", 7600.6, Mass, "table 1");
+//! sheet.given(&[("a_B", 4.903, Acceleration)]);
+//! let p_i = sheet.calc("P_i", "impulsive force", "a_B·m_i", Force, "Housner 1957");
 //! assert_eq!(p_i, 4.903 * 7600.6);
 //! let steps = sheet.into_steps().unwrap();
-//! assert_eq!(steps[0].substitution, "4.903 m/s²·7600.6 kg");
+//! assert_eq!(steps[1].substitution, "4.903 m/s²·7600.6 kg");
 //! ```
 
 use std::cell::Cell;
@@ -48,6 +44,8 @@ pub fn without_lines<T>(compute: impl FnOnce() -> T) -> T {
 pub struct Sheet {
     section: String,
     steps: Vec<Step>,
+    /// Symbols with their values, the latest last.
+    known: Vec<(String, f64, Dimension)>,
     /// The first formula that could not be evaluated.
     fault: Option<FormulaError>,
 }
@@ -63,52 +61,31 @@ impl Sheet {
         self.section = title.into();
     }
 
-    /// Adds an input: a value of the tank file, of another sheet or of a table of the report. Returns the value.
-    pub fn input(&mut self, symbol: &str, name: &str, value: f64, dimension: Dimension, source: &str) -> f64 {
-        if !LINES.get() {
-            return value;
-        }
-        self.push(Step {
-            symbol: symbol.into(),
-            name: name.into(),
-            value,
-            dimension,
-            clause: source.into(),
-            ..Step::default()
-        })
+    /// Tells values that formulas below use and no line shows.
+    pub fn given(&mut self, terms: &[Term]) {
+        self.known.extend(terms.iter().map(|&(symbol, value, dimension)| (symbol.into(), value, dimension)));
     }
 
-    /// Adds a line with a formula. Returns its value, in SI; NaN if the formula is faulty, which [`Sheet::into_steps`]
-    /// then reports.
-    pub fn calc(
-        &mut self,
-        symbol: &str,
-        name: &str,
-        formula: &str,
-        terms: &[Term],
-        dimension: Dimension,
-        clause: &str,
-    ) -> f64 {
-        let lines = LINES.get();
-        let substitution = |f: &Formula| if lines { f.substitution(terms) } else { String::new() };
-        let evaluated = Formula::cached(formula).and_then(|f| Ok((f.value(terms)?, substitution(&f))));
+    /// Adds an input: a value of the tank file, of another sheet or of a table of the report. Returns the value.
+    pub fn input(&mut self, symbol: &str, name: &str, value: f64, dimension: Dimension, source: &str) -> f64 {
+        self.push(symbol, name, value, dimension, source, Step::default)
+    }
+
+    /// Adds a line with a formula of the symbols above. Returns its value, in SI; NaN if the formula is faulty, which
+    /// [`Sheet::into_steps`] then reports.
+    pub fn calc(&mut self, symbol: &str, name: &str, formula: &str, dimension: Dimension, clause: &str) -> f64 {
+        let evaluated = Formula::cached(formula).and_then(|parsed| {
+            let latest = |symbol: &str| self.known.iter().rev().find(|known| known.0 == symbol);
+            let terms: Vec<Term> = parsed.symbols().filter_map(latest).map(|(s, v, d)| (s.as_str(), *v, *d)).collect();
+            let value = parsed.value(&terms)?;
+            Ok((value, if LINES.get() { parsed.substitution(&terms) } else { String::new() }))
+        });
         let (value, substitution) = evaluated.unwrap_or_else(|error| {
             self.fault.get_or_insert(error);
             (f64::NAN, String::new())
         });
-        if !lines {
-            return value;
-        }
-        self.push(Step {
-            symbol: symbol.into(),
-            name: name.into(),
-            formula: formula.into(),
-            substitution,
-            value,
-            dimension,
-            clause: clause.into(),
-            ..Step::default()
-        })
+        let line = || Step { formula: formula.into(), substitution, ..Step::default() };
+        self.push(symbol, name, value, dimension, clause, line)
     }
 
     /// Adds a value that no formula of the sheet gives: one from a table, a figure, a spectrum, a series, an iteration or
@@ -122,23 +99,25 @@ impl Sheet {
         dimension: Dimension,
         clause: &str,
     ) -> f64 {
-        if !LINES.get() {
-            return value;
-        }
-        self.push(Step {
-            symbol: symbol.into(),
-            name: name.into(),
-            look_up: source.into(),
-            value,
-            dimension,
-            clause: clause.into(),
-            ..Step::default()
-        })
+        let line = || Step { look_up: source.into(), ..Step::default() };
+        self.push(symbol, name, value, dimension, clause, line)
     }
 
-    fn push(&mut self, step: Step) -> f64 {
-        let value = step.value;
-        self.steps.push(Step { section: self.section.clone(), ..step });
+    /// Adds the rest of a line, where lines are kept. Returns the value.
+    fn push(
+        &mut self,
+        symbol: &str,
+        name: &str,
+        value: f64,
+        dimension: Dimension,
+        clause: &str,
+        line: impl FnOnce() -> Step,
+    ) -> f64 {
+        self.given(&[(symbol, value, dimension)]);
+        if LINES.get() {
+            let (symbol, name, clause, section) = (symbol.into(), name.into(), clause.into(), self.section.clone());
+            self.steps.push(Step { section, symbol, name, value, dimension, clause, ..line() });
+        }
         value
     }
 
@@ -166,7 +145,8 @@ mod tests {
             ("f(a)", "`f(a)`: no function `f` of 1 arguments"),
         ] {
             let mut sheet = Sheet::new();
-            let value = sheet.calc("x", "", formula, &[("a", 1.0, Dimension::Length)], Dimension::Length, "");
+            sheet.given(&[("a", 1.0, Dimension::Length)]);
+            let value = sheet.calc("x", "", formula, Dimension::Length, "");
             assert!(value.is_nan());
             let error = sheet.into_steps().unwrap_err().to_string();
             assert!(error.starts_with(fault), "{error}");
@@ -178,10 +158,9 @@ mod tests {
     fn without_lines_the_values_are_the_same() {
         let compute = |formula: &str| {
             let mut sheet = Sheet::new();
-            let a = sheet.input("a", "", 2.0, Dimension::Length, "tank");
-            let b = sheet.look_up("b", "", "table 1", 3.0, Dimension::Length, "");
-            let terms = [("a", a, Dimension::Length), ("b", b, Dimension::Length)];
-            let c = sheet.calc("c", "", formula, &terms, Dimension::Length, "");
+            sheet.input("a", "", 2.0, Dimension::Length, "tank");
+            sheet.look_up("b", "", "table 1", 3.0, Dimension::Length, "");
+            let c = sheet.calc("c", "", formula, Dimension::Length, "");
             (c, sheet.into_steps())
         };
         let (with, lines) = compute("a·b");
@@ -192,6 +171,18 @@ mod tests {
         assert_eq!(compute("a·b").1.unwrap().len(), 3);
     }
 
+    /// The last line that gives a symbol counts, and a given value like a line.
+    #[test]
+    fn the_latest_value_counts() {
+        let mut sheet = Sheet::new();
+        sheet.input("t", "", 2.0, Dimension::Length, "course 1");
+        let first = sheet.calc("d", "", "2·t", Dimension::Length, "");
+        sheet.given(&[("t", 3.0, Dimension::Length)]);
+        let second = sheet.calc("d", "", "2·t", Dimension::Length, "");
+        let third = sheet.calc("e", "", "d/t", Dimension::Dimensionless, "");
+        assert_eq!((first, second, third), (4.0, 6.0, 2.0));
+    }
+
     #[test]
     fn kinds_of_lines() {
         let mut sheet = Sheet::new();
@@ -199,8 +190,7 @@ mod tests {
         let a = sheet.input("a", "", 2.0, Dimension::Length, "tank");
         sheet.section("second");
         let b = sheet.look_up("b", "", "table 1", 3.0, Dimension::Length, "");
-        let terms = [("a", a, Dimension::Length), ("b", b, Dimension::Length)];
-        let c = sheet.calc("c", "", "a + b", &terms, Dimension::Length, "");
+        let c = sheet.calc("c", "", "a + b", Dimension::Length, "");
         let steps = sheet.into_steps().unwrap();
         assert_eq!((a, b, c), (2.0, 3.0, 5.0));
         let kinds: Vec<_> = steps

@@ -77,11 +77,7 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
     let r = radius + case.tank.bottom.as_ref().map_or(0.0, |bottom| bottom.projection);
     let (rho, nu) = (foundation.soil_density, foundation.soil_poisson_ratio);
     inputs(sheet, [r, velocity, rho, nu]);
-    let mut terms = vec![
-        ("r", r, Length),
-        ("V_s", velocity, Velocity),
-        ("ρ_s", rho, Density),
-        ("ν_s", nu, Dimensionless),
+    sheet.given(&[
         ("m_i", m_i, Mass),
         ("h_i′", h_i, Length),
         ("m_w", m_w, Mass),
@@ -89,7 +85,7 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
         ("m_r", m_r, Mass),
         ("h_r", h_r, Length),
         ("T_i", period, Time),
-    ];
+    ]);
     let mut values = Vec::new();
     for (symbol, name, formula, dimension) in [
         ("G", "shear modulus of the soil", "ρ_s·V_s²", Stress),
@@ -100,8 +96,7 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
         ("k_e", "its stiffness on a fixed base", "m_e·(2·π/T_i)²", LineForce),
         ("T_e0", "its period on static springs", "T_i·√(1 + k_e/K_x·(1 + K_x·h_e²/K_θ))", Time),
     ] {
-        let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
-        terms.push((symbol, value, dimension));
+        let value = sheet.calc(symbol, name, formula, dimension, clause);
         values.push(value);
     }
     let [_, k_x, k_theta, mass, height, k, on_springs] = values[..] else {

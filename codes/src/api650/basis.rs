@@ -127,14 +127,7 @@ impl<'a> Basis<'a> {
 
     /// Line for the weight of shell and roof per length of shell; returns it [N/m].
     pub fn weight_line(&self, sheet: &mut Sheet, clause: &str) -> f64 {
-        sheet.calc(
-            "w_t",
-            "weight of shell and roof per length of shell",
-            "(W_s + W_r)/(π·D)",
-            &[("W_s", self.w_s, Force), ("W_r", self.w_r, Force), ("D", self.d, Length)],
-            LineForce,
-            clause,
-        )
+        sheet.calc("w_t", "weight of shell and roof per length of shell", "(W_s + W_r)/(π·D)", LineForce, clause)
     }
 
     /// Assumptions common to both editions.
@@ -193,22 +186,15 @@ impl<'a> Basis<'a> {
         use tank::units::Dimension::Stress;
         let f_ty = self.shell_yield();
         let material = &self.case.tank.courses[0].material;
-        let terms = [
-            ("t_s", self.t_s, Length),
-            ("D", self.d, Length),
-            ("G", self.g, Dimensionless),
-            ("H", self.h, Length),
-            ("F_ty", f_ty.unwrap_or(0.0), Stress),
-            ("E", material.youngs_modulus, Stress),
-        ];
+        sheet.given(&[("F_ty", f_ty.unwrap_or(0.0), Stress), ("E", material.youngs_modulus, Stress)]);
         let (ratio, name) = ("G·H·D²/t_s²", "pressure parameter of the shell, D and H in m, t_s in mm");
-        let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
+        let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, Dimensionless, clause);
         let scaled = scales && softer(material);
         let Some(formula) = hold_down::allowable(ratio, f_ty.is_some(), scaled) else {
             return Err(format!("materials.{}.yield_strength", material.name));
         };
         let name = "allowable shell compression";
-        Ok(sheet.calc(symbol, name, formula, &terms, Stress, clause))
+        Ok(sheet.calc(symbol, name, formula, Stress, clause))
     }
 
     /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines, and how the limit state ends: a check, or the reason
@@ -229,14 +215,8 @@ impl<'a> Basis<'a> {
             return Err((CheckStatus::NotChecked, "tank.anchors".into()));
         };
         let n = f64::from(anchors.count);
-        let tension = sheet.calc(
-            "P_AB",
-            "tension of an anchor",
-            &format!("{symbol}·π·D/n_A"),
-            &[(symbol, w_ab, LineForce), ("D", self.d, Length), ("n_A", n, Dimensionless)],
-            Force,
-            clause,
-        );
+        sheet.given(&[("n_A", n, Dimensionless)]);
+        let tension = sheet.calc("P_AB", "tension of an anchor", &format!("{symbol}·π·D/n_A"), Force, clause);
         let capacity = anchors.capacity.ok_or((CheckStatus::NotChecked, "tank.anchors.capacity".to_string()))?;
         let name = "Tension of an anchor";
         Ok(Check::new(ANCHORS.id, name, tension, capacity, Force, clause, note))

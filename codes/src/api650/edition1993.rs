@@ -22,7 +22,7 @@ use crate::base_state::BaseState;
 use crate::lifted;
 use crate::limit_state::LimitStateDef;
 use crate::procedure::{CodeError, Label, Procedure};
-use crate::sheet::{Sheet, Term};
+use crate::sheet::Sheet;
 use tank::assessment::{Assessment, CheckStatus, Excitation, NotApplicable};
 use tank::case::{Case, Combination};
 use tank::factor::Factor;
@@ -123,10 +123,9 @@ impl Procedure for Api6501993 {
         let masses = masses(&basis, &mut sheet, &mut out);
         let period = masses.period;
         let c = coefficients(&basis, excitation, period, &mut sheet, &mut out)?;
-        let moment = moment(&basis, &masses, &c, shell_height, &mut sheet);
-        let terms = [("M", moment, Moment), ("D", basis.d, Length), ("t_s", basis.t_s, Length)];
+        let moment = moment(&c, &mut sheet);
         let name = "axial membrane stress of the moment, linear over the section";
-        let axial = sheet.calc("σ_M", name, "1.273·M/D²/t_s", &terms, Stress, E5_2);
+        let axial = sheet.calc("σ_M", name, "1.273·M/D²/t_s", Stress, E5_2);
         resistance(&basis, moment, &mut sheet, &mut out);
 
         let g = case.gravity;
@@ -157,22 +156,19 @@ struct Masses {
 
 /// Effective masses and sloshing period with their lines.
 fn masses(basis: &Basis, sheet: &mut Sheet, out: &mut Assessment) -> Masses {
-    let Basis { d, h, w_p, .. } = *basis;
-    let terms = [("D", d, Length), ("H", h, Length), ("W_p", w_p, Force)];
+    let Basis { d, h, .. } = *basis;
     let charts = charts(d / h);
     sheet.section("Effective masses");
-    let w_1 = sheet.calc("W_1", "impulsive weight", charts.w_i, &terms, Force, E3_2);
-    let w_2 = sheet.calc("W_2", "convective weight", charts.w_c, &terms, Force, E3_2);
-    let x_1 = sheet.calc("X_1", "height of W_1", charts.x_i, &terms, Length, E3_2);
+    let w_1 = sheet.calc("W_1", "impulsive weight", charts.w_i, Force, E3_2);
+    let w_2 = sheet.calc("W_2", "convective weight", charts.w_c, Force, E3_2);
+    let x_1 = sheet.calc("X_1", "height of W_1", charts.x_i, Length, E3_2);
     let name = "argument of the sloshing mode";
-    let u = sheet.calc("u", name, ARGUMENT, &terms, Dimensionless, E3_2);
-    let terms = [("u", u, Dimensionless), ("H", h, Length), ("D", d, Length)];
-    let x_2 = sheet.calc("X_2", "height of W_2", charts.x_c, &terms, Length, E3_2);
+    sheet.calc("u", name, ARGUMENT, Dimensionless, E3_2);
+    let x_2 = sheet.calc("X_2", "height of W_2", charts.x_c, Length, E3_2);
     let (name, figure) = ("sloshing coefficient", "API 650:1993 E.3.3, figure E-4");
-    let k = sheet.calc("k", name, COEFFICIENT_1993, &terms, Dimensionless, figure);
-    let terms = [("k", k, Dimensionless), ("D", d, Length)];
+    sheet.calc("k", name, COEFFICIENT_1993, Dimensionless, figure);
     let name = "period of the first sloshing mode";
-    let period = sheet.calc("T", name, PERIOD_1993, &terms, Time, E3_3);
+    let period = sheet.calc("T", name, PERIOD_1993, Time, E3_3);
     out.assumptions
         .push("The 9th edition has the masses as charts; the closed forms are those of the current annex.".into());
     Masses { impulsive: (w_1, x_1), convective: (w_2, x_2), period }
@@ -242,9 +238,8 @@ fn coefficients(
             ] {
                 sheet.input(symbol, name, value, Dimensionless, &format!("{EDITION} {table}"));
             }
-            let terms = [("S", s, Dimensionless), ("T", period, Time)];
             let name = "lateral force coefficient, convective";
-            let c_2 = sheet.calc("C_2", name, convective_formula(period), &terms, Dimensionless, E3_3);
+            let c_2 = sheet.calc("C_2", name, convective_formula(period), Dimensionless, E3_3);
             if ![0.0, 0.075, 0.15, 0.20, 0.30, 0.40].contains(&z) {
                 out.notes
                     .push(format!("Z = {z} is not a zone factor of table E-2 (0, 0.075, 0.15, 0.20, 0.30, 0.40)."));
@@ -292,38 +287,23 @@ fn ingredients(
 }
 
 /// Overturning moment [N·m].
-fn moment(basis: &Basis, masses: &Masses, c: &Coefficients, shell_height: f64, sheet: &mut Sheet) -> f64 {
-    let ((w_1, x_1), (w_2, x_2)) = (masses.impulsive, masses.convective);
+fn moment(c: &Coefficients, sheet: &mut Sheet) -> f64 {
     sheet.section("Overturning moment");
-    let terms = [
-        ("a_1", c.impulsive, Dimensionless),
-        ("a_2", c.convective, Dimensionless),
-        ("W_s", basis.w_s, Force),
-        ("X_s", basis.x_s, Length),
-        ("W_r", basis.w_r, Force),
-        ("H_t", shell_height, Length),
-        ("W_1", w_1, Force),
-        ("X_1", x_1, Length),
-        ("W_2", w_2, Force),
-        ("X_2", x_2, Length),
-    ];
+    sheet.given(&[("a_1", c.impulsive, Dimensionless), ("a_2", c.convective, Dimensionless)]);
     let name = "moment of shell, roof and impulsive liquid; a_1 = Z·I·C_1 or A_1";
-    let impulsive = sheet.calc("M_1", name, IMPULSIVE_MOMENT, &terms, Moment, E3_1);
+    sheet.calc("M_1", name, IMPULSIVE_MOMENT, Moment, E3_1);
     let name = "moment of the convective liquid; a_2 = Z·I·C_2 or A_2";
-    let convective = sheet.calc("M_2", name, CONVECTIVE_MOMENT, &terms, Moment, E3_1);
-    let terms = [("M_1", impulsive, Moment), ("M_2", convective, Moment)];
-    sheet.calc("M", "overturning moment at the bottom of the shell", "M_1 + M_2", &terms, Moment, E3_1)
+    sheet.calc("M_2", name, CONVECTIVE_MOMENT, Moment, E3_1);
+    sheet.calc("M", "overturning moment at the bottom of the shell", "M_1 + M_2", Moment, E3_1)
 }
 
 /// Hold-down, stability, shell compression, anchors.
 fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessment) {
-    let Basis { d, t_s, .. } = *basis;
     sheet.section("Resistance");
     let w_t = basis.weight_line(sheet, E4);
-    let linear = [("w_t", w_t, LineForce), ("M", moment, Moment), ("D", d, Length)];
     let b = if basis.anchored() {
         let name = "compression at the bottom of the shell, anchored";
-        Some(sheet.calc("b", name, LINEAR, &linear, LineForce, E5_2))
+        Some(sheet.calc("b", name, LINEAR, LineForce, E5_2))
     } else {
         match basis.bottom() {
             Ok((thickness, f_by)) => self_anchored(basis, (moment, w_t), thickness, f_by, sheet, out),
@@ -333,10 +313,9 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
             }
         }
     };
-    if let Some(b) = b {
-        let terms = [("b", b, LineForce), ("t_s", t_s, Length)];
+    if b.is_some() {
         let name = "compressive stress of the bottom course";
-        let f = sheet.calc("f", name, "b/t_s", &terms, Stress, E5_3);
+        let f = sheet.calc("f", name, "b/t_s", Stress, E5_3);
         match basis.allowable_compression(sheet, "F_a", E5_3, false) {
             Ok(allowable) => out.checks.push(COMPRESSION.check().of(f, allowable, E5_3, "")),
             Err(missing) => out.notes.push(format!("{E5_3}, shell compression: not checked, `{missing}` is missing.")),
@@ -344,7 +323,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
     }
     if basis.anchored() {
         let name = "uplift per length that the anchors resist";
-        let uplift = sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, LineForce, E6);
+        let uplift = sheet.calc("w_AB", name, "1.273·M/D² - w_t", LineForce, E6);
         match basis.anchors(sheet, uplift, "w_AB", E6, "Internal pressure is not added.") {
             Ok(check) => out.checks.push(check),
             Err((CheckStatus::NotChecked, input)) => {
@@ -364,24 +343,21 @@ fn self_anchored(
     sheet: &mut Sheet,
     out: &mut Assessment,
 ) -> Option<f64> {
-    let Basis { d, h, g, t_s, .. } = *basis;
+    let Basis { t_s, .. } = *basis;
     // E.4.2: not more than the larger of 6 mm and the bottom course.
     let t_b = thickness.min(t_s.max(0.006));
     let name = "thickness of the bottom plate that counts (at most the larger of 6 mm and t_s)";
     sheet.input("t_b", name, t_b, Length, "API 650:1993 E.4.2");
     sheet.input("F_by", "yield strength of the bottom plate", f_by, Stress, "tank.bottom");
-    let terms =
-        [("t_b", t_b, Length), ("F_by", f_by, Stress), ("G", g, Dimensionless), ("H", h, Length), ("D", d, Length)];
     let name = "hold-down force of the bottom strip per length";
-    let w_l = sheet.calc("w_L", name, hd::HOLD_DOWN_1993, &terms, LineForce, E4);
-    let terms = [("M", moment, Moment), ("D", d, Length), ("w_t", w_t, LineForce), ("w_L", w_l, LineForce)];
+    sheet.calc("w_L", name, hd::HOLD_DOWN_1993, LineForce, E4);
     let (name, formula) = ("ratio of moment and hold-down", "M/(D²·(w_t + w_L))");
-    let x = sheet.calc("x", name, formula, &terms, Dimensionless, E5_1);
+    let x = sheet.calc("x", name, formula, Dimensionless, E5_1);
     let last = 1.0 / 0.637;
     let note = "1.57 as printed; the formula above 1.5 is undefined from 1/0.637 = 1.5699 on.";
     let stability = limit_states::STABILITY.named("Stability of the unanchored tank");
     out.checks.push(stability.check().of(x, last, E5_1, note));
-    let b = compression(sheet, x, &terms);
+    let b = compression(sheet, x);
     match b {
         None => out.notes.push(format!("{E5_1}: unstable at x = {x:.3}; anchor the tank or thicken the bottom plate.")),
         Some(_) if x > hd::NO_UPLIFT => out.notes.push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
@@ -400,23 +376,21 @@ const LINEAR: &str = "w_t + 1.273·M/D²";
 /// Lines of the shell compression b of an unanchored tank; returns it [N/m]. `None` if the tank is not stable
 /// (x ≥ 1/0.637 = 1.5699).
 ///
+/// * `sheet`: with M, D, the weight w_t and the hold-down w_L per length, and `x`
 /// * `x`: M/(D² (w_t + w_L))
-/// * `terms`: M, D, the weight w_t and the hold-down w_L per length
-pub(super) fn compression(sheet: &mut Sheet, x: f64, terms: &[Term]) -> Option<f64> {
+pub(super) fn compression(sheet: &mut Sheet, x: f64) -> Option<f64> {
     let name = "compression at the bottom of the shell";
     if x <= hd::NO_UPLIFT {
-        return Some(sheet.calc("b", name, LINEAR, terms, LineForce, E5_1));
+        return Some(sheet.calc("b", name, LINEAR, LineForce, E5_1));
     }
-    let y = if x <= 1.5 {
+    if x <= 1.5 {
         let (what, source) = ("(b + w_L)/(w_t + w_L)", "figure E-5, from equilibrium of the bearing arc");
-        sheet.look_up("y", what, source, hd::figure_e5(x)?, Dimensionless, E5_1)
+        sheet.look_up("y", what, source, hd::figure_e5(x)?, Dimensionless, E5_1);
     } else if hd::has_tail(x) {
         let what = "(b + w_L)/(w_t + w_L) above x = 1.5";
-        let terms = [("x", x, Dimensionless)];
-        sheet.calc("y", what, hd::TAIL, &terms, Dimensionless, E5_1)
+        sheet.calc("y", what, hd::TAIL, Dimensionless, E5_1);
     } else {
         return None;
-    };
-    let terms = [terms, &[("y", y, Dimensionless)]].concat();
-    Some(sheet.calc("b", name, "y·(w_t + w_L) - w_L", &terms, LineForce, E5_1))
+    }
+    Some(sheet.calc("b", name, "y·(w_t + w_L) - w_L", LineForce, E5_1))
 }

@@ -74,8 +74,8 @@ pub struct Api6502020;
 /// Width of the bottom plate that holds the shell down.
 #[derive(Clone, Debug)]
 enum HoldDown {
-    /// It [m].
-    Width(f64),
+    /// That of the sheet's line L.
+    Width,
     /// The weight alone holds the shell down.
     Needless,
     /// Why it is not known; the missing input.
@@ -250,8 +250,8 @@ impl Procedure for Api6502020 {
         basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()));
         let periods = run.periods();
         let a = run.accelerations(&periods)?;
-        let forces = run.forces(&a);
-        let delta = run.sloshing(&a);
+        let forces = run.forces();
+        let delta = run.sloshing();
         let hoop = run.hoop(&a);
         let axial = run.resistance(&a, &forces);
         run.upper_courses(&a, &forces);

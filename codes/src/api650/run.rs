@@ -220,15 +220,14 @@ fn compression(sheet: &mut Sheet, case: &Case, radius: f64, course: &Course, pre
     let depth = pressure.max(0.0) / (density * case.gravity);
     let source = format!("{} of interior pressure there and then", with_unit(pressure, Stress));
     sheet.look_up("H", "depth with that pressure", &source, depth, Length, clause);
-    let terms = [
+    sheet.given(&[
         ("t_s", course.net_thickness(), Length),
         ("D", 2.0 * radius, Length),
         ("G", density / 1000.0, Dimensionless),
-        ("H", depth, Length),
         ("F_ty", course.material.yield_strength.unwrap_or_default(), Stress),
-    ];
+    ]);
     let name = "pressure parameter of the shell, D and H in m, t_s in mm";
-    let ratio = sheet.calc("G·H·D²/t_s²", name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
+    let ratio = sheet.calc("G·H·D²/t_s²", name, hold_down::SLENDERNESS, Dimensionless, clause);
     let formula = hold_down::allowable(ratio, true, false).unwrap_or_default();
-    sheet.calc("F_C", "allowable shell compression", formula, &terms, Stress, clause)
+    sheet.calc("F_C", "allowable shell compression", formula, Stress, clause)
 }

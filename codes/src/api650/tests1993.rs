@@ -22,7 +22,7 @@ use tank::assessment::{Assessment, Excitation};
 use tank::case::Case;
 use tank::formula::evaluate;
 use tank::quantity::Quantity;
-use tank::units::Dimension::{Length, LineForce, Moment};
+use tank::units::Dimension::{Dimensionless, Length, LineForce, Moment};
 use tank::{Anchors, Shape, Support};
 
 fn assess(case: &Case, excitation: Excitation) -> Assessment {
@@ -31,8 +31,16 @@ fn assess(case: &Case, excitation: Excitation) -> Assessment {
 
 /// b of an unanchored tank with D = 1 m.
 fn compression(w_t: f64, w_l: f64, x: f64) -> Option<f64> {
-    let terms = [("M", x * (w_t + w_l), Moment), ("D", 1.0, Length), ("w_t", w_t, LineForce), ("w_L", w_l, LineForce)];
-    edition1993::compression(&mut Sheet::new(), x, &terms)
+    let terms = [
+        ("M", x * (w_t + w_l), Moment),
+        ("D", 1.0, Length),
+        ("w_t", w_t, LineForce),
+        ("w_L", w_l, LineForce),
+        ("x", x, Dimensionless),
+    ];
+    let mut sheet = Sheet::new();
+    sheet.given(&terms);
+    edition1993::compression(&mut sheet, x)
 }
 
 #[test]

@@ -58,9 +58,9 @@ pub(crate) fn layout(sheet: &mut Sheet, tank: &Tank, anchors: &Anchors, pulls: b
     };
     let (name, source) = ("least number of anchors", "4, and 6 where the earthquake governs");
     let least = sheet.look_up("n_min", name, source, least, Dimensionless, of_count);
-    let terms = [("U", tank.perimeter(), Length), ("n_A", count, Dimensionless)];
+    sheet.given(&[("U", tank.perimeter(), Length)]);
     let name = "spacing of the anchors along the wall";
-    let spacing = sheet.calc("a_A", name, "U/n_A", &terms, Length, of_spacing);
+    let spacing = sheet.calc("a_A", name, "U/n_A", Length, of_spacing);
     let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
     let largest = sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, of_spacing);
     let name = "Least number of anchors over that given";

@@ -27,7 +27,7 @@ use self::toe::Toe;
 use super::limit_states::BEARING;
 use super::work::Work;
 use crate::base_state::BaseState;
-use crate::sheet::{Sheet, Term, number};
+use crate::sheet::{Sheet, number};
 use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -118,25 +118,20 @@ pub(crate) enum Bears {
     },
 }
 
-/// Lines of eccentricity and pressure under a normal force N_b [N].
+/// Lines of eccentricity and pressure under a normal force N_b [N], below the line that gives it.
 ///
-/// * second of `eccentricity`: the terms of its formula, N_b among them
-pub(crate) fn base_lines(
-    sheet: &mut Sheet,
-    shape: Shape,
-    normal: f64,
-    (formula, mut terms): (&str, Vec<Term>),
-) -> Bears {
+/// * `formula`: of the eccentricity
+pub(crate) fn base_lines(sheet: &mut Sheet, shape: Shape, normal: f64, formula: &str) -> Bears {
     let half = match shape {
         Shape::Cylinder { radius } => ("R", radius, Length),
         Shape::Rectangle { length, .. } => ("L", 0.5 * length, Length),
     };
-    terms.push(half);
+    sheet.given(&[half]);
     if let Shape::Rectangle { breadth, .. } = shape {
-        terms.push(("b", breadth, Length));
+        sheet.given(&[("b", breadth, Length)]);
     }
     let eccentricity = match normal > 0.0 {
-        true => sheet.calc("e", "eccentricity", formula, &terms, Length, CLAUSE),
+        true => sheet.calc("e", "eccentricity", formula, Length, CLAUSE),
         false => f64::INFINITY,
     };
     let ratio = eccentricity / half.1;
@@ -145,7 +140,6 @@ pub(crate) fn base_lines(
         let limit = normal.max(0.0) * half.1;
         return Bears::Leaves { limit };
     }
-    terms.push(("e", eccentricity, Length));
     let formula = match shape {
         Shape::Cylinder { .. } if ratio <= 0.25 => "N_b/(π·R²)·(1 + 4·e/R)",
         Shape::Cylinder { .. } => {
@@ -153,13 +147,12 @@ pub(crate) fn base_lines(
                 ("pressure σ R²/N of the segment in contact", "plane pressure without tension, solved for e/R");
             let value = circle(ratio);
             sheet.look_up("κ_b", name, source, value, Dimensionless, "statics");
-            terms.push(("κ_b", value, Dimensionless));
             "κ_b·N_b/R²"
         }
         Shape::Rectangle { .. } if ratio <= 1.0 / 3.0 => "N_b/(2·L·b)·(1 + 3·e/L)",
         Shape::Rectangle { .. } => "2·N_b/(3·b·(L - e))",
     };
-    Bears::Pressure(sheet.calc("σ_b,max", "largest pressure", formula, &terms, Stress, CLAUSE))
+    Bears::Pressure(sheet.calc("σ_b,max", "largest pressure", formula, Stress, CLAUSE))
 }
 
 /// One combination of horizontal and vertical motion, vertical positive downwards.
@@ -195,15 +188,12 @@ pub(super) fn assess(work: &mut Work, at_toe: f64) {
 fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_toe): (f64, f64, f64)) {
     let case = work.case;
     let shape = case.tank.shape;
-    let mut terms: Vec<Term> = vec![
-        ("M′", moment, Moment),
-        ("m_t", mass, Mass),
-        ("g", case.gravity, Acceleration),
+    let sheet = &mut work.sheet;
+    sheet.given(&[
         ("A_v", work.demand.vertical_ground(), Acceleration),
         ("E_x", x, Dimensionless),
         ("E_z", v, Dimensionless),
-    ];
-    let sheet = &mut work.sheet;
+    ]);
     sheet.section("Bearing of the ground");
     sheet.input("m_t", "mass of liquid, wall and roof", mass, Mass, "definition");
     sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
@@ -211,8 +201,7 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
         true => ("weight with the vertical motion", "m_t·(g + E_z·A_v)"),
         false => ("weight", "m_t·g"),
     };
-    let normal = sheet.calc("N_b", name, formula, &terms, Force, CLAUSE);
-    terms.push(("N_b", normal, Force));
+    let normal = sheet.calc("N_b", name, formula, Force, CLAUSE);
     let name = "Pressure under a rigid base";
     let note = match work.demand.vertical {
         true => format!(
@@ -224,7 +213,7 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance, at_to
     };
     let anchored = case.tank.support == Support::Anchored;
     let sheet = &mut work.sheet;
-    let bears = base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms));
+    let bears = base_lines(sheet, shape, normal, "E_x·M′/N_b");
     match (bears, work.base.clone()) {
         (Bears::Pressure(pressure), BaseState::Unknown(reason)) if pressure <= resistance => {
             work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, None);

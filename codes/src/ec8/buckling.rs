@@ -17,7 +17,7 @@
 //! σ_m is the largest vertical membrane compression. The formulas are recalled and checked against a worked example.
 //! They stand once, as the lines of a sheet; a limit alone is their value.
 
-use crate::sheet::{Sheet, Term, without_lines};
+use crate::sheet::{Sheet, without_lines};
 use tank::units::Dimension::{Dimensionless, Length, Stress};
 
 /// A wall for the lines of A.10.
@@ -37,18 +37,16 @@ pub(crate) struct Wall {
 
 /// Lines of A.10.2 at one place under the smallest interior pressure [Pa]; returns the limit [Pa].
 pub(crate) fn elastic_lines(sheet: &mut Sheet, wall: &Wall, p_min: f64, clause: &str) -> f64 {
-    let mut terms: Vec<Term> = vec![
+    sheet.given(&[
         ("E", wall.youngs_modulus, Stress),
         ("s", wall.thickness, Length),
         ("R", wall.radius, Length),
         ("a", wall.quality, Dimensionless),
         ("f_y", wall.yield_strength, Stress),
         ("p_min", p_min.max(0.0), Stress),
-    ];
+    ]);
     let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
-        let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
-        terms.push((symbol, value, dimension));
-        value
+        sheet.calc(symbol, name, formula, dimension, clause)
     };
     line("σ_c1", "ideal buckling stress", "0.6·E·s/R", Stress);
     let name = "imperfection δ/s, a = quality of construction";
@@ -74,18 +72,16 @@ pub fn exponent(r: f64) -> f64 {
 
 /// Lines of A.10.3 at one place under the largest interior pressure [Pa]; returns the limit [Pa].
 pub(crate) fn collapse_lines(sheet: &mut Sheet, wall: &Wall, p_max: f64, clause: &str) -> f64 {
-    let mut terms = vec![
+    sheet.given(&[
         ("E", wall.youngs_modulus, Stress),
         ("s", wall.thickness, Length),
         ("R", wall.radius, Length),
         ("f_y", wall.yield_strength, Stress),
         ("p_max", p_max.max(0.0), Stress),
-    ];
+    ]);
     let name = "radius to thickness over 400";
-    let r = sheet.calc("r", name, "R/s/400", &terms, Dimensionless, clause);
-    let name = "ideal buckling stress";
-    let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, clause);
-    terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
+    let r = sheet.calc("r", name, "R/s/400", Dimensionless, clause);
+    sheet.calc("σ_c1", "ideal buckling stress", "0.6·E·s/R", Stress, clause);
     let hoop = p_max * wall.radius / (wall.thickness * wall.yield_strength);
     let formula = format!("σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^{}))·(r + f_y/250 MPa)/(r + 1)", exponent(r));
     let (name, formula) = match hoop < 1.0 {
@@ -94,7 +90,7 @@ pub(crate) fn collapse_lines(sheet: &mut Sheet, wall: &Wall, p_max: f64, clause:
             ("limit of elastic-plastic collapse: the hoop stress of the largest interior pressure reaches f_y", "0 MPa")
         }
     };
-    sheet.calc("σ_lim", name, formula, &terms, Stress, clause)
+    sheet.calc("σ_lim", name, formula, Stress, clause)
 }
 
 /// A limit alone [Pa]: by the formulas of its lines.

@@ -23,23 +23,21 @@ pub(super) const LARGE: f64 = 300.0;
 
 /// Fills the sheet of a cylinder.
 pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
-    let case = work.case;
     let edition = work.edition;
     let gamma = work.tank("R", "inner radius", radius);
     work.demand.describe(&mut work.sheet);
 
     let rigid = rigid_tank(work, gamma);
-    let [t_c1, t_c2] = [1, 2].map(|n| sloshing_period(work, n, radius, gamma));
+    let [t_c1, t_c2] = [1, 2].map(|n| sloshing_period(work, n));
 
     let row = table_row(work, gamma);
     let (t_i, mode, wall) = impulsive_period(work, radius, gamma, row)?;
     let t_con = row.map(|row| {
-        let terms = [("C_c", row.convective_period, Dimensionless), ("R", radius, Length)];
+        work.sheet.given(&[("C_c", row.convective_period, Dimensionless)]);
         work.sheet.calc(
             "T_con",
             "convective period of table A.2, C_c in s/√m",
             "C_c·√R",
-            &terms,
             Time,
             &edition.clause("3.2.2"),
         )
@@ -52,13 +50,12 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let a_c = t_con.map_or(s_1, |t| work.convective("S_e(T_con)", t));
     let wave = work.wave("R", ["0.84", "0.07"], "2.1.4", s_1, s_2);
     if t_con.is_some() {
-        let terms = [("R", radius, Length), ("S_e", a_c, Acceleration), ("g", case.gravity, Acceleration)];
+        work.sheet.given(&[("S_e", a_c, Acceleration)]);
         let name = "wave height of the simplified procedure (all sloshing mass in one mode)";
         let clause = edition.clause("3.2.2");
-        let simplified = work.sheet.calc("d", name, "R·S_e/g", &terms, Length, &clause);
-        let terms = [("d_max", wave, Length), ("d", simplified, Length)];
+        work.sheet.calc("d", name, "R·S_e/g", Length, &clause);
         let name = "wave height that the freeboard has to hold, the larger of both clauses";
-        let larger = work.sheet.calc("d_f", name, "max(d_max, d)", &terms, Length, &clause);
+        let larger = work.sheet.calc("d_f", name, "max(d_max, d)", Length, &clause);
         let other =
             "the larger of A.2.1.4 and A.3.2.2; the sloshing height compared with other methods is that of A.2.1.4";
         work.freeboard(larger, "3.2.2", if larger > wave { other } else { "" });
@@ -73,8 +70,8 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let clause = edition.clause(if row.is_some() { "3.2.2" } else { "2.1" });
     let moment = work.resultants(&masses, a_i, a_c, &clause);
     sliding::assess(work);
-    if let Some(mode) = &mode {
-        alternatives(work, mode, &rigid, a_i, a_c);
+    if mode.is_some() {
+        alternatives(work, a_i, a_c);
     }
     soil::assess(work, &masses, t_i);
     let values = &mut work.out.values;
@@ -84,7 +81,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let motion = Motion { impulsive: (t_i, a_i), convective: (t_con.unwrap_or(t_c1), a_c), sloshing: (t_c1, s_1) };
     ingredients::record(work, &masses, &rigid, &motion, &wall);
 
-    let vertical = cylinder_vertical::assess(work, radius, gamma)?;
+    let vertical = cylinder_vertical::assess(work, gamma)?;
     let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, vertical);
     let vertical = vertical.is_some();
     let stresses = state.ingredients(vertical);
@@ -124,9 +121,8 @@ fn rigid_tank(work: &mut Work, gamma: f64) -> Masses {
     let clause = work.edition.clause("2.1.2");
     let impulsive = work.rigid_part(rigid, series, &clause);
 
-    let height = ("H", work.case.liquid.fill_height, Length);
     let clause = work.edition.clause("2.1.3");
-    let [m_c1, _] = [1, 2].map(|n| sloshing_mass(work, n, gamma, &clause));
+    let [m_c1, _] = [1, 2].map(|n| sloshing_mass(work, n, &clause));
     let [h_c1, h_c1b] =
         [("h_c1", "lever of sloshing mode 1, wall only", 1), ("h_c1′", "lever of sloshing mode 1, wall and base", 2)]
             .map(|(symbol, name, constant)| {
@@ -135,36 +131,28 @@ fn rigid_tank(work: &mut Work, gamma: f64) -> Masses {
                 } else {
                     "H·(1 - 1/(λ_1·γ))".into()
                 };
-                let terms = [height, ("γ", gamma, Dimensionless), ("λ_1", eigenvalue(Plan::Circle, 1), Dimensionless)];
-                work.sheet.calc(symbol, name, &formula, &terms, Length, &clause)
+                work.sheet.calc(symbol, name, &formula, Length, &clause)
             });
     let convective = Lumped { mass: m_c1, lever: h_c1, lever_with_base: h_c1b };
     Masses { impulsive, convective }
 }
 
 /// Mass of a sloshing mode [kg].
-fn sloshing_mass(work: &mut Work, n: usize, gamma: f64, clause: &str) -> f64 {
+fn sloshing_mass(work: &mut Work, n: usize, clause: &str) -> f64 {
     let (symbol, lambda) = (format!("m_c{n}"), format!("λ_{n}"));
     let zero = eigenvalue(Plan::Circle, n);
     work.sheet.input(&lambda, "zero of J₁′", zero, Dimensionless, clause);
     let formula = format!("m·2·tanh({lambda}·γ)/(γ·{lambda}·({lambda}² - 1))");
-    let terms = [("m", work.mass, Mass), ("γ", gamma, Dimensionless), (lambda.as_str(), zero, Dimensionless)];
     let name = format!("mass of sloshing mode {n}");
-    work.sheet.calc(&symbol, &name, &formula, &terms, Mass, clause)
+    work.sheet.calc(&symbol, &name, &formula, Mass, clause)
 }
 
-fn sloshing_period(work: &mut Work, n: usize, radius: f64, gamma: f64) -> f64 {
-    let terms = [
-        ("g", work.case.gravity, Acceleration),
-        ("λ", eigenvalue(Plan::Circle, n), Dimensionless),
-        ("R", radius, Length),
-        ("γ", gamma, Dimensionless),
-    ];
+fn sloshing_period(work: &mut Work, n: usize) -> f64 {
+    work.sheet.given(&[("λ", eigenvalue(Plan::Circle, n), Dimensionless)]);
     work.sheet.calc(
         &format!("T_c{n}"),
         &format!("period of sloshing mode {n}"),
         "2·π/√(g·λ·tanh(λ·γ)/R)",
-        &terms,
         Time,
         &work.edition.clause("2.1.3"),
     )
@@ -185,22 +173,14 @@ fn impulsive_period(
     let third = tank.course_at(depth / 3.0);
     let clause = work.edition.clause("3.1");
     let formula = (LIMITS.0..=LIMITS.1).contains(&gamma).then(|| {
-        let terms = [("γ", gamma, Dimensionless)];
         let (name, formula) = ("coefficient of the period", COEFFICIENT);
-        let g_gamma = work.sheet.calc("g_γ", name, formula, &terms, Dimensionless, &clause);
-        let terms = [
-            ("R", radius, Length),
-            ("ρ", liquid.density, Density),
-            ("H", depth, Length),
-            ("E", third.material.youngs_modulus, Stress),
-            ("s_⅓", third.thickness, Length),
-            ("g_γ", g_gamma, Dimensionless),
-        ];
+        work.sheet.calc("g_γ", name, formula, Dimensionless, &clause);
+        work.sheet.given(&[("E", third.material.youngs_modulus, Stress), ("s_⅓", third.thickness, Length)]);
         let name = "impulsive period by the approximate formula, s_⅓ at z = H/3";
-        work.sheet.calc("T_f", name, PERIOD, &terms, Time, &clause)
+        work.sheet.calc("T_f", name, PERIOD, Time, &clause)
     });
     if let Some(row) = row {
-        let (period, uniform) = table_period(work, radius, row);
+        let (period, uniform) = table_period(work, row);
         return Ok((period, None, uniform));
     }
     if let (Edition::Env1998, FlexibleImpulsive::Simplified, Some(period)) =
@@ -240,24 +220,17 @@ fn impulsive_period(
 }
 
 /// `T_imp` of the simplified procedure, and its uniform wall.
-fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Wall) {
+fn table_period(work: &mut Work, row: Row) -> (f64, Wall) {
     let case = work.case;
     let depth = case.liquid.fill_height;
     let clause = work.edition.clause("3.2.2");
     let name = "mean thickness of the wetted wall, weighted with the distance from the surface";
     let thickness = simplified::mean_thickness(&mut work.sheet, "s", name, &case.tank, depth, &clause);
     let young = simplified::weighted_mean(&case.tank, depth, |c| c.thickness * c.material.youngs_modulus) / thickness;
-    let terms = [
-        ("C_i", row.impulsive_period, Dimensionless),
-        ("ρ", case.liquid.density, Density),
-        ("H", depth, Length),
-        ("s", thickness, Length),
-        ("R", radius, Length),
-        ("E", young, Stress),
-    ];
+    work.sheet.given(&[("E", young, Stress)]);
     let (name, source) = ("coefficient of the impulsive period", "table A.2 at H/R");
     work.sheet.look_up("C_i", name, source, row.impulsive_period, Dimensionless, &clause);
-    let period = work.sheet.calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause);
+    let period = work.sheet.calc("T_imp", "impulsive period", simplified::PERIOD, Time, &clause);
     let uniform = Wall::Uniform { thickness, modulus: young };
     (period, uniform)
 }
@@ -293,19 +266,12 @@ fn table_masses(work: &mut Work, row: Row) -> Masses {
 }
 
 /// Base shear and moment by the other two combinations of rigid and flexible parts, for information.
-fn alternatives(work: &mut Work, flexible: &Lumped, rigid: &Masses, a_i: f64, a_c: f64) {
-    let (i, c) = (rigid.impulsive, rigid.convective);
-    let terms = [
-        ("m_i", i.mass, Mass),
-        ("h_i", i.lever, Length),
-        ("m_f", flexible.mass, Mass),
-        ("h_f", flexible.lever, Length),
-        ("m_c1", c.mass, Mass),
-        ("h_c1", c.lever, Length),
+fn alternatives(work: &mut Work, a_i: f64, a_c: f64) {
+    work.sheet.given(&[
         ("A_g", work.demand.ground(), Acceleration),
         ("A_i", a_i, Acceleration),
         ("A_c", a_c, Acceleration),
-    ];
+    ]);
     let clause = work.edition.clause("3.1");
     let method = work.case.procedures.ec8_combination;
     work.sheet.section("Other combinations of rigid and flexible parts (information)");
@@ -322,7 +288,7 @@ fn alternatives(work: &mut Work, flexible: &Lumped, rigid: &Masses, a_i: f64, a_
             };
             let symbol = format!("{symbol}_{index}");
             let name = format!("{name}, without wall and roof");
-            work.sheet.calc(&symbol, &name, &formula, &terms, dimension, &clause);
+            work.sheet.calc(&symbol, &name, &formula, dimension, &clause);
         }
     }
 }

@@ -18,15 +18,11 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     let clause = work.edition.clause("9");
     work.sheet.section("Anchorage");
     let name = "uplift at the base of an anchored wall";
-    let terms = [
+    work.sheet.given(&[
         ("n_z", state.axial(0.0), LineForce),
         ("N_0", state.weight(0.0), LineForce),
         ("A_v", work.demand.vertical_ground(), Acceleration),
-        ("g", state.gravity, Acceleration),
-        ("p_g", state.tank.pressure.internal, Stress),
-        ("R", state.radius, Length),
-        ("c_v", work.demand.beside_vertical(), Dimensionless),
-    ];
+    ]);
     // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z; c_v of two horizontal components.
     let mut formula = String::from(if vertical && work.demand.components == Components::HundredThirty {
         "max(n_z - N_0·(1 - 0.3·A_v/g), c_v·n_z - N_0·(1 - A_v/g))"
@@ -38,7 +34,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     if state.tank.pressure.internal > 0.0 {
         formula += " + p_g·R/2";
     }
-    let largest = work.sheet.calc("n_a", name, &formula, &terms, LineForce, &clause);
+    let largest = work.sheet.calc("n_a", name, &formula, LineForce, &clause);
     let anchors = state.tank.anchors.and_then(|a| a.capacity.map(|capacity| (a.count, capacity)));
     match anchors {
         Some((count, capacity)) => {
@@ -97,13 +93,7 @@ fn missing(state: &State) -> Option<String> {
 /// w_t: weight of wall and roof per length, less what lifts them [N/m].
 fn weight(work: &mut Work, state: &State, clause: &str) -> f64 {
     let name = "weight of wall and roof";
-    let terms = [
-        ("N_0", state.weight(0.0), LineForce),
-        ("A_v", work.demand.vertical_ground(), Acceleration),
-        ("g", state.gravity, Acceleration),
-        ("p_g", state.tank.pressure.internal, Stress),
-        ("R", state.radius, Length),
-    ];
+    work.sheet.given(&[("N_0", state.weight(0.0), LineForce), ("A_v", work.demand.vertical_ground(), Acceleration)]);
     let (mut name, mut formula) = (String::from(name), String::from("N_0"));
     if work.demand.vertical {
         name += ", less 0.3 of the vertical motion";
@@ -115,30 +105,23 @@ fn weight(work: &mut Work, state: &State, clause: &str) -> f64 {
     }
     match formula.as_str() {
         "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, clause),
-        formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, clause),
+        formula => work.sheet.calc("w_t", &name, formula, LineForce, clause),
     }
 }
 
 /// The compression with uplift over that of an anchored tank.
 ///
 /// * `toe`: compression at the toe by strips of the bottom plate [N/m]
-fn amplification(
-    work: &mut Work,
-    state: &State,
-    [weight, compression]: [f64; 2],
-    toe: Option<f64>,
-    clause: &str,
-) -> f64 {
-    let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
+fn amplification(work: &mut Work, state: &State, toe: Option<f64>, clause: &str) -> f64 {
+    work.sheet.given(&[("n_z", state.axial(0.0), LineForce)]);
     let name = "the same if anchored";
-    let anchored = work.sheet.calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
-    let terms =
-        [("N_u", compression, LineForce), ("n_t", toe.unwrap_or_default(), LineForce), ("N_a", anchored, LineForce)];
+    work.sheet.calc("N_a", name, "w_t + n_z", LineForce, "membrane theory");
+    work.sheet.given(&[("n_t", toe.unwrap_or_default(), LineForce)]);
     let (name, formula) = match toe {
         Some(_) => ("amplification, the larger of both estimates", "max(N_u, n_t)/N_a"),
         None => ("amplification", "N_u/N_a"),
     };
-    work.sheet.calc("N_u/N_a", name, formula, &terms, Dimensionless, clause)
+    work.sheet.calc("N_u/N_a", name, formula, Dimensionless, clause)
 }
 
 /// What the base does, and the factor by which uplift raises the compression there, estimated by equilibrium.
@@ -160,18 +143,13 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         work.base = BaseState::Unknown(reason);
         return Amplification::Missing(input);
     }
-    let hold_down = hold_down(work, state, diameter, &clause);
-    let mut terms = vec![
-        ("M", state.base_moment, Moment),
-        ("D", diameter, Length),
-        ("w_t", weight, LineForce),
-        ("w_L", hold_down, LineForce),
-    ];
+    hold_down(work, state, diameter, &clause);
+    work.sheet.given(&[("D", diameter, Length)]);
     let (name, formula) = ("overturning ratio", "M/(D²·(w_t + w_L))");
-    let x = work.sheet.calc("x", name, formula, &terms, Dimensionless, "equilibrium");
+    let x = work.sheet.calc("x", name, formula, Dimensionless, "equilibrium");
     let name = "moment that weight and bottom plate hold, all of the wall lifted but its toe";
     let formula = "π/2·D²·(w_t + w_L)";
-    let limit = work.sheet.calc("M_Rd", name, formula, &terms, Moment, "equilibrium");
+    let limit = work.sheet.calc("M_Rd", name, formula, Moment, "equilibrium");
     let note = match state.tank.is_metal() {
         true => "equilibrium of a ring without the code's diagrams; beyond it the ring overturns",
         false => "equilibrium of wall and roof alone, without the liquid on the bottom; beyond it they overturn",
@@ -187,15 +165,14 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let compression = match how {
         Compression::Linear => {
             let formula = "w_t + 4·M/(π·D²)";
-            work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium of a ring, all of which bears")
+            work.sheet.calc("N_u", name, formula, LineForce, "equilibrium of a ring, all of which bears")
         }
         Compression::Arc(y) => {
             let (what, source) =
                 ("(N_u + w_L)/(w_t + w_L)", "equilibrium of the bearing arc at x, solved for its angle");
             work.sheet.look_up("y", what, source, y, Dimensionless, "equilibrium");
-            terms.push(("y", y, Dimensionless));
             let formula = "y·(w_t + w_L) - w_L";
-            work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium")
+            work.sheet.calc("N_u", name, formula, LineForce, "equilibrium")
         }
     };
     let strips = strips(work, state, weight);
@@ -205,7 +182,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     };
     work.base = standing(how, compression, strips);
     work.rim = Some(compression);
-    Amplification::Factor(amplification(work, state, [weight, compression], toe, &clause))
+    Amplification::Factor(amplification(work, state, toe, &clause))
 }
 
 /// Strips of the bottom plate; none under a wall of concrete, whose slab turns as a whole.
@@ -235,11 +212,11 @@ fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64
             .push(format!("{clause}: no bottom plate of metal is given; only the weight of wall and roof holds down."));
         return work.sheet.input("w_L", name, 0.0, LineForce, "no bottom plate of metal");
     };
-    let terms = [
+    work.sheet.given(&[
         ("t_b", thickness, Length),
         ("p", state.pressure_hydrostatic(0.0), Stress),
         ("f_y", f_y, Stress),
         ("D", diameter, Length),
-    ];
-    work.sheet.calc("w_L", name, uplift::HOLD_DOWN, &terms, LineForce, "plastic bottom strip")
+    ]);
+    work.sheet.calc("w_L", name, uplift::HOLD_DOWN, LineForce, "plastic bottom strip")
 }

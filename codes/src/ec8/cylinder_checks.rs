@@ -194,10 +194,9 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let clause = work.edition.clause("10.3");
     work.sheet.section("Hoop stress with the static state");
     pressure_line(work, state, &place, "p_max");
-    let terms =
-        [("p_max", place.p_max, Stress), ("R", state.radius, Length), ("s", place.course.net_thickness(), Length)];
+    work.sheet.given(&[("p_max", place.p_max, Stress), ("s", place.course.net_thickness(), Length)]);
     let name = format!("largest hoop stress, {}", place.describe(vertical));
-    let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
+    let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", Stress, &clause);
     let note = format!("p R/(s f_y) < 1 with γ_M = 1, {}", place.describe(vertical));
     let name = "Hoop stress below yield";
     work.check(HOOP.named(name), stress, capacity, &clause, &note);
@@ -211,29 +210,22 @@ fn pressure_line(work: &mut Work, state: &State, place: &Place, symbol: &str) {
         "p_max" => ("+", "largest interior pressure"),
         _ => ("-", "smallest interior pressure"),
     };
-    let terms = [
-        ("γ_F", 1.0, Dimensionless),
+    work.sheet.given(&[
         ("p_0", state.pressure_hydrostatic(z), Stress),
         ("p_g", place.gas, Stress),
         ("E_x", place.factors.0, Dimensionless),
         ("p_h", state.pressure_horizontal(z), Stress),
         ("E_z", place.factors.1, Dimensionless),
         ("p_v", state.pressure_vertical(z), Stress),
-    ];
+    ]);
     let gas = if place.gas == 0.0 { "" } else { " + γ_F·p_g" };
     let formula = format!("γ_F·p_0{gas} {sign} E_x·p_h {sign} E_z·p_v");
-    work.sheet.calc(symbol, name, &formula, &terms, Stress, SITUATION);
+    work.sheet.calc(symbol, name, &formula, Stress, SITUATION);
 }
 
 /// Lines of the compression; returns it [Pa].
-fn compression_lines(work: &mut Work, place: &Place, radius: f64, clause: &str) -> f64 {
-    let terms = [
-        ("n_z", place.axial, LineForce),
-        ("N_0", place.weight, LineForce),
-        ("p_g", place.gas, Stress),
-        ("R", radius, Length),
-        ("s", place.course.net_thickness(), Length),
-    ];
+fn compression_lines(work: &mut Work, place: &Place, clause: &str) -> f64 {
+    work.sheet.given(&[("p_g", place.gas, Stress), ("s", place.course.net_thickness(), Length)]);
     work.sheet.input("n_z", "seismic axial compression", place.axial, LineForce, clause);
     work.sheet.input("N_0", "axial compression of the weight above", place.weight, LineForce, clause);
     let (name, formula) = if place.gas == 0.0 {
@@ -241,7 +233,7 @@ fn compression_lines(work: &mut Work, place: &Place, radius: f64, clause: &str) 
     } else {
         ("vertical membrane compression with the pressure above the liquid", "(n_z + N_0 - p_g·R/2)/s")
     };
-    work.sheet.calc("σ_m", name, formula, &terms, Stress, clause)
+    work.sheet.calc("σ_m", name, formula, Stress, clause)
 }
 
 fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
@@ -254,7 +246,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     };
     let clause = work.edition.clause("10.2");
     work.sheet.section(&format!("Elastic buckling, {}", place.describe(vertical)));
-    let compression = compression_lines(work, &place, radius, &clause);
+    let compression = compression_lines(work, &place, &clause);
     pressure_line(work, state, &place, "p_min");
     let wall = place.wall(radius, quality);
     let limit = elastic_lines(&mut work.sheet, &wall, place.p_min, &clause);
@@ -282,7 +274,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     };
     let clause = work.edition.clause("10.3");
     work.sheet.section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
-    let compression = compression_lines(work, &place, radius, &clause);
+    let compression = compression_lines(work, &place, &clause);
     pressure_line(work, state, &place, "p_max");
     let limit = collapse_lines(&mut work.sheet, &place.wall(radius, 1.0), place.p_max, &clause);
     let note = place.describe(vertical);

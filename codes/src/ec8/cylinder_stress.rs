@@ -311,30 +311,24 @@ pub(super) fn assess<'a>(
 
 fn base_pressures(work: &mut Work, state: &State) {
     work.sheet.section("Pressures on the wall at its base");
-    let liquid = state.liquid;
-    let mut terms = vec![
-        ("ρ", liquid.density, Density),
-        ("g", state.gravity, Acceleration),
-        ("H", liquid.fill_height, Length),
-        ("R", state.radius, Length),
+    work.sheet.given(&[
         ("A_i", state.a_i, Acceleration),
         ("A_c1", state.a_c, Acceleration),
         ("C", state.impulsive.wall(0.0), Dimensionless),
         ("c_1", state.convective.wall(0.0), Dimensionless),
-    ];
+    ]);
     let [impulsive, convective] = ["2.1.2", "2.1.3"].map(|n| work.edition.clause(n));
     let sheet = &mut work.sheet;
-    sheet.calc("p_0", "hydrostatic", "ρ·g·H", &terms, Stress, "definition");
+    sheet.calc("p_0", "hydrostatic", "ρ·g·H", Stress, "definition");
     let name = "impulsive, C = C_i(ξ = 1, ζ = 0)";
-    let p_i = sheet.calc("p_i", name, "ρ·H·C·A_i", &terms, Stress, &impulsive);
-    let p_c = sheet.calc("p_c", "convective, mode 1", "ρ·R·c_1·A_c1", &terms, Stress, &convective);
-    terms.extend([("p_i", p_i, Stress), ("p_c", p_c, Stress)]);
+    sheet.calc("p_i", name, "ρ·H·C·A_i", Stress, &impulsive);
+    sheet.calc("p_c", "convective, mode 1", "ρ·R·c_1·A_c1", Stress, &convective);
     let formula = match state.combination {
         Combination::Abs => "p_i + p_c",
         Combination::Srss => "√(p_i² + p_c²)",
     };
     let clause = work.edition.clause("2.1");
-    work.sheet.calc("p", "horizontal motion", formula, &terms, Stress, &clause);
+    work.sheet.calc("p", "horizontal motion", formula, Stress, &clause);
 }
 
 /// Profiles and lines of the membrane stresses; returns the height of the largest hoop stress [m].
@@ -358,22 +352,21 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
             (at, largest) = (z, hoop);
         }
     }
-    let terms = [
+    work.sheet.given(&[
         ("p", state.pressure_seismic(at, vertical), Stress),
-        ("R", state.radius, Length),
         ("s", state.tank.course_at(at).net_thickness(), Length),
-    ];
+    ]);
     let name = format!("largest hoop stress, at z = {}", with_unit(at, Length));
     let largest = match &state.shell {
         Some(_) => {
             let source = "shell on its joint with the base, pressure of the meridian all around";
             work.sheet.look_up("σ_θ", &name, source, largest, Stress, "theory of shells")
         }
-        None => work.sheet.calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory"),
+        None => work.sheet.calc("σ_θ", &name, "p·R/s", Stress, "membrane theory"),
     };
-    let terms = [("M", state.base_moment, Moment), ("R", state.radius, Length), ("s", base.net_thickness(), Length)];
+    work.sheet.given(&[("s", base.net_thickness(), Length)]);
     let (name, formula) = ("axial membrane stress at the base", "M/(π·R²·s)");
-    let sigma = work.sheet.calc("σ_z", name, formula, &terms, Stress, "membrane theory");
+    let sigma = work.sheet.calc("σ_z", name, formula, Stress, "membrane theory");
     work.out.values.insert(Quantity::HoopStress, largest);
     work.out.values.insert(Quantity::AxialMembraneStress, sigma);
     at

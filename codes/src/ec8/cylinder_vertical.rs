@@ -18,7 +18,7 @@ pub(super) struct VerticalMotion {
 }
 
 /// Vertical motion, if considered.
-pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<VerticalMotion>, CodeError> {
+pub(super) fn assess(work: &mut Work, gamma: f64) -> Result<Option<VerticalMotion>, CodeError> {
     if !work.demand.vertical {
         return Ok(None);
     }
@@ -37,42 +37,29 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
     work.sheet.section("Vertical motion");
     let third = case.tank.course_at(depth / 3.0);
     let material = &third.material;
-    let terms = [("γ", gamma, Dimensionless)];
     let name = "argument of the Bessel functions";
-    let gamma_1 = work.sheet.calc("γ1", name, "π/(2·γ)", &terms, Dimensionless, &clause);
-    let terms = [
-        ("R", radius, Length),
+    let gamma_1 = work.sheet.calc("γ1", name, "π/(2·γ)", Dimensionless, &clause);
+    work.sheet.given(&[
         ("E", material.youngs_modulus, Stress),
         ("s", third.thickness, Length),
-        ("ρ", case.liquid.density, Density),
-        ("H", depth, Length),
         ("ν", material.poisson_ratio, Dimensionless),
-        ("γ1", gamma_1, Dimensionless),
-    ];
+    ]);
     let name = "frequency of the breathing mode, s at z = H/3";
     let formula = vertical::frequency(gamma_1);
-    let frequency = work.sheet.calc("f_vd", name, formula, &terms, Frequency, &clause);
-    let terms = [("f_vd", frequency, Frequency), ("γ", gamma, Dimensionless)];
-    let period = work.sheet.calc("T_vd", "its period", "1/f_vd", &terms, Time, &clause);
+    work.sheet.calc("f_vd", name, formula, Frequency, &clause);
+    let period = work.sheet.calc("T_vd", "its period", "1/f_vd", Time, &clause);
     let name =
         if gamma < 0.8 { "factor of the breathing pressure, γ < 0.8" } else { "factor of the breathing pressure" };
-    let factor = work.sheet.calc("f", name, factor, &terms, Dimensionless, &clause);
+    let factor = work.sheet.calc("f", name, factor, Dimensionless, &clause);
     let breathing = work.demand.breathing(&mut work.sheet, period);
     let ground = work.demand.vertical_ground();
-    let terms = [
-        ("ρ", case.liquid.density, Density),
-        ("H", depth, Length),
-        ("A_v", ground, Acceleration),
-        ("A_vf", breathing, Acceleration),
-        ("f", factor, Dimensionless),
-    ];
+    work.sheet.given(&[("A_v", ground, Acceleration), ("A_vf", breathing, Acceleration)]);
     let rigid_clause = work.edition.clause("2.2");
     let name = "rigid pressure at the base";
-    let rigid = work.sheet.calc("p_vr", name, "ρ·H·A_v", &terms, Stress, &rigid_clause);
+    work.sheet.calc("p_vr", name, "ρ·H·A_v", Stress, &rigid_clause);
     let (name, formula) = ("breathing pressure at the base", "0.815·f·ρ·H·A_vf");
-    let flexible = work.sheet.calc("p_vf", name, formula, &terms, Stress, &clause);
-    let terms = [("p_vr", rigid, Stress), ("p_vf", flexible, Stress)];
+    work.sheet.calc("p_vf", name, formula, Stress, &clause);
     let (name, formula) = ("vertical part at the base", "√(p_vr² + p_vf²)");
-    work.sheet.calc("p_v", name, formula, &terms, Stress, &clause);
+    work.sheet.calc("p_v", name, formula, Stress, &clause);
     Ok(Some(VerticalMotion { ground, breathing, factor }))
 }

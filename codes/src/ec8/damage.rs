@@ -46,9 +46,9 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     work.sheet.section("Damage limitation");
     let name = "reduction factor of the seismic action";
     work.sheet.input("ν", name, reduction, Dimensionless, REDUCTION);
-    let terms = [("ν", reduction, Dimensionless), ("d_f", wave, Length)];
+    work.sheet.given(&[("d_f", wave, Length)]);
     let name = "wave height, damage limitation";
-    let height = work.sheet.calc("d_DL", name, "ν·d_f", &terms, Length, &clause);
+    let height = work.sheet.calc("d_DL", name, "ν·d_f", Length, &clause);
     let freeboard = work.case.freeboard();
     work.part((DAMAGE, DAMAGE_FREEBOARD), height, freeboard, "");
     // The part of other walls is in `walls`.
@@ -105,7 +105,7 @@ fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
 /// * `(reduction, q)`: reduction factor ν, behaviour factor of the impulsive part
 fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, f64), clause: &str) -> f64 {
     let z = place.z;
-    let mut terms = vec![
+    sheet.given(&[
         ("p_0", state.pressure_hydrostatic(z), Stress),
         ("p_g", state.tank.pressure.internal, Stress),
         ("p_i", state.pressure_impulsive(z), Stress),
@@ -117,7 +117,7 @@ fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, 
         ("q", q, Dimensionless),
         ("R", state.radius, Length),
         ("s", place.course.net_thickness(), Length),
-    ];
+    ]);
     let formula = match state.combination {
         Combination::Abs => "p_0 + ν·(E_x·(q·p_i + p_c) + E_z·p_v)",
         Combination::Srss => "p_0 + ν·(E_x·√((q·p_i)² + p_c²) + E_z·p_v)",
@@ -127,9 +127,8 @@ fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, 
         false => formula.to_string(),
     };
     let name = format!("largest pressure, q = 1, at z = {}", with_unit(z, Length));
-    let pressure = sheet.calc("p_DL", &name, &formula, &terms, Stress, clause);
-    terms.push(("p_DL", pressure, Stress));
-    sheet.calc("σ_DL", "hoop stress", "p_DL·R/s", &terms, Stress, clause)
+    sheet.calc("p_DL", &name, &formula, Stress, clause);
+    sheet.calc("σ_DL", "hoop stress", "p_DL·R/s", Stress, clause)
 }
 
 #[cfg(test)]

@@ -209,11 +209,11 @@ impl<'a> Demand<'a> {
             }
             Source::En(s) => {
                 let vertical = ("k_v·a_g", ("k_v", s.vertical_ratio, Dimension::Dimensionless), EN_VERTICAL);
-                self.describe_site(sheet, (s.ag, s.soil, s.corners), EN_HORIZONTAL, vertical);
+                self.describe_site(sheet, (s.soil, s.corners), EN_HORIZONTAL, vertical);
             }
             Source::Env(s) => {
                 let vertical = ("0.7·a_g·S", ("S", s.soil, Dimension::Dimensionless), ENV_VERTICAL);
-                self.describe_site(sheet, (s.ag, s.soil, s.corners), ENV_HORIZONTAL, vertical);
+                self.describe_site(sheet, (s.soil, s.corners), ENV_HORIZONTAL, vertical);
             }
             Source::Table(s) => {
                 s.describe(sheet, self.vertical);
@@ -226,12 +226,12 @@ impl<'a> Demand<'a> {
 
     /// Lines of a design spectrum.
     ///
-    /// * a_g [m/s²], soil factor, control periods [s], and their clause
+    /// * soil factor, control periods [s], and their clause
     /// * formula of the vertical ground acceleration, its factor and its clause
     fn describe_site(
         &self,
         sheet: &mut Sheet,
-        (ag, soil, corners): (f64, f64, [f64; 3]),
+        (soil, corners): (f64, [f64; 3]),
         clause: &str,
         (formula, factor, vertical_clause): (&str, Term, &str),
     ) {
@@ -242,8 +242,7 @@ impl<'a> Demand<'a> {
         };
         sheet.input("a_gR", "reference ground acceleration", ground, Dimension::Acceleration, &given);
         sheet.input("γ_I", "importance factor", site.importance, Dimension::Dimensionless, &given);
-        let terms = [("γ_I", site.importance, Dimension::Dimensionless), ("a_gR", ground, Dimension::Acceleration)];
-        sheet.calc("a_g", "design ground acceleration", "γ_I·a_gR", &terms, Dimension::Acceleration, clause);
+        sheet.calc("a_g", "design ground acceleration", "γ_I·a_gR", Dimension::Acceleration, clause);
         sheet.input("S", "soil factor", soil, Dimension::Dimensionless, clause);
         for (symbol, value) in ["T_B", "T_C", "T_D"].into_iter().zip(corners) {
             sheet.input(symbol, "control period", value, Dimension::Time, clause);
@@ -251,9 +250,9 @@ impl<'a> Demand<'a> {
         let q = self.behaviour_factor;
         sheet.input("q", "behaviour factor of the impulsive part", q, Dimension::Dimensionless, &given);
         if self.vertical {
-            let terms = [factor, ("a_g", ag, Dimension::Acceleration)];
+            sheet.given(&[factor]);
             let name = "vertical ground acceleration";
-            sheet.calc("a_vg", name, formula, &terms, Dimension::Acceleration, vertical_clause);
+            sheet.calc("a_vg", name, formula, Dimension::Acceleration, vertical_clause);
         }
     }
 
@@ -272,9 +271,7 @@ impl<'a> Demand<'a> {
         let of_design = symbol.replace("S_e", "S_d");
         let design = match &self.source {
             Source::En(s) => design_spectrum::line(sheet, s, &of_design, period, q),
-            Source::Table(s) if s.clause == EN_HORIZONTAL => {
-                design_spectrum::table_line(sheet, s, &of_design, period, q)
-            }
+            Source::Table(s) if s.clause == EN_HORIZONTAL => design_spectrum::table_line(sheet, s, &of_design, period),
             Source::Table(_) | Source::Env(_) | Source::Record { .. } => {
                 return directions::line(sheet, self.components, "impulsive", elastic);
             }
@@ -355,7 +352,7 @@ impl<'a> Demand<'a> {
             Branch::AnnexA => "S_De·(2·π/T)²",
         };
         let formula = if q == 1.0 { formula.to_string() } else { format!("{formula}/q") };
-        let mut terms = vec![
+        sheet.given(&[
             ("a_g", ag, Dimension::Acceleration),
             ("S", soil, Dimension::Dimensionless),
             ("η", eta, Dimension::Dimensionless),
@@ -364,13 +361,12 @@ impl<'a> Demand<'a> {
             ("T_D", corners[2], Dimension::Time),
             ("T", period, Dimension::Time),
             ("q", q, Dimension::Dimensionless),
-        ];
+        ]);
         if let (Source::En(s), Branch::AnnexA) = (&self.source, branch) {
-            let displacement = long_displacement(sheet, s, part, &mut terms);
-            terms.push(("S_De", displacement, Dimension::Length));
+            long_displacement(sheet, s, part, period);
         }
         let name = format!("{part} spectral acceleration, ξ = {percent} %, {}", branch.describe());
-        let value = sheet.calc(symbol, &name, &formula, &terms, Dimension::Acceleration, clause);
+        let value = sheet.calc(symbol, &name, &formula, Dimension::Acceleration, clause);
         if let (Source::En(s), true) = (&self.source, period > LONGEST_PERIOD) {
             notes.push(format!(
                 "{symbol}: T = {} lies beyond the 4 s of EN 1998-1:2004 3.2.2.2; {}: {} (the 1/T² branch continued: {}).",
@@ -413,11 +409,10 @@ impl<'a> Demand<'a> {
     }
 }
 
-/// Line of the displacement spectrum of annex A beyond 4 s; returns it [m]. Adds T_E and T_F to the terms.
-fn long_displacement(sheet: &mut Sheet, s: &ElasticSpectrum, part: &str, terms: &mut Vec<Term>) -> f64 {
+/// Line of the displacement spectrum of annex A beyond 4 s, at a period [s].
+fn long_displacement(sheet: &mut Sheet, s: &ElasticSpectrum, part: &str, period: f64) {
     let [t_e, t_f] = s.long_corners.unwrap_or_default();
-    terms.extend([("T_E", t_e, Dimension::Time), ("T_F", t_f, Dimension::Time)]);
-    let period = terms.iter().find(|t| t.0 == "T").map_or(0.0, |t| t.1);
+    sheet.given(&[("T_E", t_e, Dimension::Time), ("T_F", t_f, Dimension::Time)]);
     let (formula, piece) = if period <= t_e {
         ("0.025·a_g·S·T_C·T_D·2.5·η", "T ≤ T_E")
     } else if period <= t_f {
@@ -427,5 +422,5 @@ fn long_displacement(sheet: &mut Sheet, s: &ElasticSpectrum, part: &str, terms: 
     };
     let name = format!("{part} spectral displacement, {piece}");
     let clause = "EN 1998-1:2004 annex A";
-    sheet.calc("S_De", &name, formula, terms, Dimension::Length, clause)
+    sheet.calc("S_De", &name, formula, Dimension::Length, clause);
 }

@@ -13,7 +13,7 @@
 
 use super::spectrum::{Branch, ElasticSpectrum};
 use super::tabulated::Tabulated;
-use crate::sheet::{Sheet, Term, number};
+use crate::sheet::{Sheet, number};
 use tank::units::Dimension::{Acceleration, Dimensionless, Time};
 
 /// Clause of the design spectrum.
@@ -32,7 +32,7 @@ pub(super) fn line(sheet: &mut Sheet, s: &ElasticSpectrum, symbol: &str, period:
             ("max(a_g·S·2.5/q·T_C·T_D/T², β·a_g)", "T ≥ T_D")
         }
     };
-    let terms: [Term; 8] = [
+    sheet.given(&[
         ("a_g", s.ag, Acceleration),
         ("S", s.soil, Dimensionless),
         ("T_B", s.corners[0], Time),
@@ -41,21 +41,16 @@ pub(super) fn line(sheet: &mut Sheet, s: &ElasticSpectrum, symbol: &str, period:
         ("T", period, Time),
         ("q", q, Dimensionless),
         ("β", BETA, Dimensionless),
-    ];
+    ]);
     let name = format!("impulsive part by the design spectrum (5 % damping), {piece}");
-    sheet.calc(symbol, &name, formula, &terms, Acceleration, CLAUSE)
+    sheet.calc(symbol, &name, formula, Acceleration, CLAUSE)
 }
 
 /// Line `symbol` of S_d [m/s²] of a table.
-pub(super) fn table_line(sheet: &mut Sheet, s: &Tabulated, symbol: &str, period: f64, q: f64) -> f64 {
-    let terms = [
-        ("S_5", s.horizontal(period, 0.05), Acceleration),
-        ("q", q, Dimensionless),
-        ("β", BETA, Dimensionless),
-        ("a_g", s.peak(), Acceleration),
-    ];
+pub(super) fn table_line(sheet: &mut Sheet, s: &Tabulated, symbol: &str, period: f64) -> f64 {
+    sheet.given(&[("S_5", s.horizontal(period, 0.05), Acceleration), ("β", BETA, Dimensionless)]);
     let name = "impulsive part by the design spectrum, S_5: the user's spectrum at 5 % damping";
-    sheet.calc(symbol, name, "max(S_5/q, β·a_g)", &terms, Acceleration, CLAUSE)
+    sheet.calc(symbol, name, "max(S_5/q, β·a_g)", Acceleration, CLAUSE)
 }
 
 /// Line of the larger one of S_e/q and S_d [m/s²]; names it.
@@ -69,6 +64,6 @@ pub(super) fn governing(sheet: &mut Sheet, elastic: f64, design: f64, damping: f
         format!("S_e/q at ξ = {} % governs", number(100.0 * damping))
     };
     let name = format!("impulsive acceleration, larger of S_i = S_e/q and S_d: {which}");
-    let terms = [("S_i", elastic, Acceleration), ("S_d", design, Acceleration)];
-    sheet.calc("A_i", &name, "max(S_i, S_d)", &terms, Acceleration, CLAUSE)
+    sheet.given(&[("S_i", elastic, Acceleration), ("S_d", design, Acceleration)]);
+    sheet.calc("A_i", &name, "max(S_i, S_d)", Acceleration, CLAUSE)
 }

@@ -41,11 +41,10 @@ pub(super) fn describe(sheet: &mut Sheet, components: Components, vertical: bool
         return;
     }
     let name = "two horizontal components E_x + 0.3·E_y at the worst angle";
-    let c_h = sheet.calc("c_h", name, BOTH, &[], Dimensionless, CLAUSE);
+    sheet.calc("c_h", name, BOTH, Dimensionless, CLAUSE);
     if vertical {
         let name = "share of both beside E_z, 0.3·E_x + 0.3·E_y at the worst angle";
-        let terms = [("c_h", c_h, Dimensionless)];
-        sheet.calc("c_v", name, "0.3·√(2)/c_h", &terms, Dimensionless, CLAUSE);
+        sheet.calc("c_v", name, "0.3·√(2)/c_h", Dimensionless, CLAUSE);
     }
 }
 
@@ -56,9 +55,9 @@ pub(super) fn line(sheet: &mut Sheet, components: Components, part: &str, accele
     if components == Components::One {
         return acceleration;
     }
-    let terms = [("c_h", factor(components), Dimensionless), ("A_x", acceleration, Acceleration)];
+    sheet.given(&[("A_x", acceleration, Acceleration)]);
     let name = format!("{part} acceleration of two horizontal components");
-    sheet.calc("A_xy", &name, "c_h·A_x", &terms, Acceleration, CLAUSE)
+    sheet.calc("A_xy", &name, "c_h·A_x", Acceleration, CLAUSE)
 }
 
 /// What is assumed about the directions.

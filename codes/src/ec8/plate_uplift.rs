@@ -21,7 +21,7 @@ use super::limit_states::{UPLIFT, UPLIFT_EQUILIBRIUM, UPLIFT_MEMBRANE, UPLIFT_RO
 use super::work::Work;
 use crate::base_state::Lift;
 use crate::lifted::{self, Ground};
-use crate::sheet::{Term, with_unit};
+use crate::sheet::with_unit;
 use tank::Bottom;
 use tank::assessment::CheckStatus;
 use tank::units::Dimension::*;
@@ -52,7 +52,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
     let mut rims = Vec::new();
     for ground in &grounds {
         if let Some(stand) = lifted::under(&ground.base, state.base_moment, weight) {
-            rims.push(ground_lines(work, state, ground, &stand));
+            rims.push(ground_lines(work, ground, &stand));
         } else if ground.decides {
             no_equilibrium(work, state, &ground.base, weight);
             return Err("the lifted rim has no equilibrium".into());
@@ -87,7 +87,7 @@ struct Rim {
     compression: f64,
 }
 
-fn ground_lines(work: &mut Work, state: &State, ground: &Ground, stand: &Stand) -> Rim {
+fn ground_lines(work: &mut Work, ground: &Ground, stand: &Stand) -> Rim {
     let modulus = ground.modulus();
     let aside = if ground.decides { "" } else { ", for information" };
     let source = format!("strips of the bottom plate side by side, subgrade modulus {modulus}{aside}");
@@ -117,9 +117,8 @@ fn ground_lines(work: &mut Work, state: &State, ground: &Ground, stand: &Stand) 
         work.sheet.look_up(symbol, name, &source, value, dimension, own);
     }
     if lifts {
-        let terms = [("w", rim.uplift, Length), ("L", rim.length, Length), ("R", state.radius, Length)];
         let name = format!("rotation of the joint on {}{aside}", rim.modulus);
-        rim.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
+        rim.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", Angle, &clause);
     }
     rim
 }
@@ -172,19 +171,15 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
     ));
     let material = &bottom.material;
     let length = longest.length;
-    let mut terms: Vec<Term> = vec![
+    work.sheet.given(&[
         ("p", state.pressure_hydrostatic(0.0), Stress),
-        ("p_g", state.tank.pressure.internal, Stress),
         ("E", material.youngs_modulus, Stress),
         ("ν", material.poisson_ratio, Dimensionless),
         ("s_b", bottom.net_thickness(), Length),
-        ("R", state.radius, Length),
         ("L", length, Length),
-    ];
+    ]);
     let mut line = |symbol: &'static str, name: &str, formula: &str, dimension, clause: &str| {
-        let value = work.sheet.calc(symbol, name, formula, &terms, dimension, clause);
-        terms.push((symbol, value, dimension));
-        value
+        work.sheet.calc(symbol, name, formula, dimension, clause)
     };
     line("μ", "bearing part of the radius, with the largest L", "(2·R - L)/(2·R)", Dimensionless, &clause);
     let name = "radial membrane stress of the plate, fixed at the rim; (1 - ν²) below, as plane strain asks";

@@ -27,7 +27,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.sheet.input("b", "breadth across the shaking", breadth, Length, "input");
     work.demand.describe(&mut work.sheet);
 
-    let (masses, t_c1) = lines(work, gamma, half);
+    let (masses, t_c1) = lines(work, gamma);
     let t_c2 = 2.0 * PI / sloshing_omega(Plan::Rectangle, 2, half, case.liquid.fill_height, case.gravity);
     let t_i = wall_period(work, breadth, strip, &masses);
 
@@ -48,7 +48,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     ingredients::record(work, &masses, &masses, &motion, &ingredients::Wall::Plate);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
-    stability::assess(work, half, breadth);
+    stability::assess(work);
     wall_checks(work, gamma, (length, breadth), strip, (a_i, a_c));
     bearing::assess(work, 0.0);
     pipes::assess(work);
@@ -90,8 +90,7 @@ fn wall_checks(work: &mut Work, gamma: f64, plan: (f64, f64), strip: bool, (a_i,
 }
 
 /// Masses and levers of the rigid box, and its first sloshing period [s].
-fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
-    let case = work.case;
+fn lines(work: &mut Work, gamma: f64) -> (Masses, f64) {
     let clause = work.edition.clause("4.1");
     let rigid = impulsive(Plan::Rectangle, gamma);
     let series = [
@@ -101,19 +100,11 @@ fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
     ];
     let impulsive = work.rigid_part(rigid, series, &clause);
 
-    let mut terms = vec![
-        ("m", work.mass, Mass),
-        ("H", case.liquid.fill_height, Length),
-        ("γ", gamma, Dimensionless),
-        ("L", half, Length),
-        ("g", case.gravity, Acceleration),
-    ];
     let sheet = &mut work.sheet;
     let name = "eigenvalue of sloshing mode 1";
-    let lambda = sheet.calc("λ", name, "π/2", &[], Dimensionless, &clause);
-    terms.push(("λ", lambda, Dimensionless));
+    let lambda = sheet.calc("λ", name, "π/2", Dimensionless, &clause);
     let (name, formula) = ("mass of sloshing mode 1", "m·2·tanh(λ·γ)/(λ³·γ)");
-    let m_c = sheet.calc("m_c1", name, formula, &terms, Mass, &clause);
+    let m_c = sheet.calc("m_c1", name, formula, Mass, &clause);
     let [h_c, h_cb] = [("h_c1", "its lever, wall only", 1), ("h_c1′", "its lever, wall and base", 2)].map(
         |(symbol, name, constant)| {
             let formula = if lambda * gamma < LARGE {
@@ -121,11 +112,11 @@ fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
             } else {
                 "H·(1 - 1/(λ·γ))".into()
             };
-            sheet.calc(symbol, name, &formula, &terms, Length, &clause)
+            sheet.calc(symbol, name, &formula, Length, &clause)
         },
     );
     let formula = "2·π/√(g·λ·tanh(λ·γ)/L)";
-    let period = sheet.calc("T_c1", "its period", formula, &terms, Time, &clause);
+    let period = sheet.calc("T_c1", "its period", formula, Time, &clause);
     let convective = Lumped { mass: m_c, lever: h_c, lever_with_base: h_cb };
     (Masses { impulsive, convective }, period)
 }
@@ -143,23 +134,16 @@ fn wall_period(work: &mut Work, breadth: f64, strip: bool, masses: &Masses) -> f
     let clause = work.edition.clause("4.2");
     let sides = if strip { Sides::Strip } else { Sides::Clamped { half_width: 0.5 * breadth } };
     work.sheet.section("Flexible wall");
-    let terms = [
-        ("m_i", masses.impulsive.mass, Mass),
-        ("m_wall", mass_of_one_wall(case, breadth), Mass),
-        ("g", case.gravity, Acceleration),
-        ("b", breadth, Length),
-        ("H", depth, Length),
-    ];
+    work.sheet.given(&[("m_wall", mass_of_one_wall(case, breadth), Mass)]);
     let name = "uniform load of half the impulsive mass and one wall across the motion";
     let formula = "(m_i/2 + m_wall)·g/(b·H)";
-    let load = work.sheet.calc("q", name, formula, &terms, Stress, &clause);
+    let load = work.sheet.calc("q", name, formula, Stress, &clause);
     let how = if strip { "cantilever in plane strain" } else { "plate clamped at base and sides, free at the top" };
     let d_f = deflection(&case.tank.courses, sides, load, depth, masses.impulsive.lever);
     let name = "deflection on the centre line at z = h_i under q";
     let source = format!("plate theory, {how}");
-    let d_f = work.sheet.look_up("d_f", name, &source, d_f, Length, &clause);
-    let terms = [("d_f", d_f, Length), ("g", case.gravity, Acceleration)];
-    work.sheet.calc("T_f", "impulsive period", "2·π·√(d_f/g)", &terms, Time, &clause)
+    work.sheet.look_up("d_f", name, &source, d_f, Length, &clause);
+    work.sheet.calc("T_f", "impulsive period", "2·π·√(d_f/g)", Time, &clause)
 }
 
 fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c: f64) {
@@ -184,29 +168,25 @@ fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c:
 
     work.sheet.section("Pressures on the wall at its base");
     let clause = work.edition.clause("4.1");
-    let mut terms = vec![
-        ("ρ", rho, Density),
-        ("H", depth, Length),
-        ("L", half, Length),
+    let sheet = &mut work.sheet;
+    sheet.given(&[
         ("A_i", a_i, Acceleration),
         ("A_c1", a_c, Acceleration),
         ("C", field_i.wall(0.0), Dimensionless),
         ("q_c1", field_c.wall(0.0), Dimensionless),
         ("A_v", ground, Acceleration),
-    ];
-    let sheet = &mut work.sheet;
-    let i = sheet.calc("p_i", "impulsive, q_0 = γ·C", "ρ·H·C·A_i", &terms, Stress, &clause);
-    let c = sheet.calc("p_c", "convective, mode 1", "ρ·L·q_c1·A_c1", &terms, Stress, &clause);
-    terms.extend([("p_i", i, Stress), ("p_c", c, Stress)]);
+    ]);
+    sheet.calc("p_i", "impulsive, q_0 = γ·C", "ρ·H·C·A_i", Stress, &clause);
+    sheet.calc("p_c", "convective, mode 1", "ρ·L·q_c1·A_c1", Stress, &clause);
     let formula = match method {
         Combination::Abs => "p_i + p_c",
         Combination::Srss => "√(p_i² + p_c²)",
     };
     let combination = work.edition.clause("2.1");
-    sheet.calc("p", "horizontal motion", formula, &terms, Stress, &combination);
+    sheet.calc("p", "horizontal motion", formula, Stress, &combination);
     if work.demand.vertical {
         let (name, clause) = ("vertical motion, rigid", work.edition.clause("2.2"));
-        sheet.calc("p_v", name, "ρ·H·A_v", &terms, Stress, &clause);
+        sheet.calc("p_v", name, "ρ·H·A_v", Stress, &clause);
     }
     if strip {
         bending(work, &field_i, &field_c, a_i, a_c);
@@ -224,12 +204,12 @@ fn bending(work: &mut Work, field_i: &ImpulsiveField, field_c: &ConvectiveField,
     let convective = scale * field_c.moment_above(0.0) * a_c;
     let moment = combined(case.procedures.ec8_combination, impulsive, convective);
     let thickness = case.tank.courses[0].net_thickness();
-    let terms = [("m_z", moment, LineMoment), ("s", thickness, Length)];
+    work.sheet.given(&[("s", thickness, Length)]);
     work.sheet.section("Bending of the wall (seismic part)");
     let (name, source) = ("clamping moment of one wall, cantilever", "moment of the pressures over the height");
     work.sheet.look_up("m_z", name, source, moment, LineMoment, "statics");
     let name = "bending stress at the base";
-    let stress = work.sheet.calc("σ_b", name, "6·m_z/s²", &terms, Stress, "statics");
+    let stress = work.sheet.calc("σ_b", name, "6·m_z/s²", Stress, "statics");
     work.out.values.insert(Quantity::BendingStress, stress);
 }
 

@@ -97,9 +97,9 @@ pub(crate) fn mean_thickness(
         values.push((format!("y_{}", k + 1), depth - f64::min(top, depth)));
         parts.push(format!("{thickness}_{k}·(y_{k}² - y_{}²)", k + 1));
     }
-    let terms: Vec<Term> = values.iter().map(|(s, v)| (s.as_str(), *v, Length)).collect();
+    sheet.given(&values.iter().map(|(s, v)| (s.as_str(), *v, Length)).collect::<Vec<Term>>());
     let formula = format!("({})/H²", parts.join(" + "));
-    sheet.calc(symbol, name, &formula, &terms, Length, clause)
+    sheet.calc(symbol, name, &formula, Length, clause)
 }
 
 /// Mean over the wetted height, weighted with the distance H − z from the surface, of a value that is constant in each

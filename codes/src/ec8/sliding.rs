@@ -32,19 +32,10 @@ pub(super) fn assess(work: &mut Work) {
         work.without_comparison(SLIDING.id, CheckStatus::NotChecked, &reason, Some(FRICTION));
         return;
     };
-    let case = work.case;
     work.sheet.section("Sliding");
     let name = "design friction of the foundation, tan δ/γ_M";
     work.sheet.input("μ", name, friction, Dimensionless, FRICTION);
-    let mut terms = vec![
-        ("m", work.mass, Mass),
-        ("m_w", case.tank.wall_mass(), Mass),
-        ("m_r", case.tank.roof.mass, Mass),
-        ("g", case.gravity, Acceleration),
-        ("A_v", work.demand.vertical_ground(), Acceleration),
-        ("μ", friction, Dimensionless),
-        ("c_v", work.demand.beside_vertical(), Dimensionless),
-    ];
+    work.sheet.given(&[("A_v", work.demand.vertical_ground(), Acceleration)]);
     // 0.3 E_x + E_z meets 0.3 Q only; divided by 0.3, its weight is compared with the whole of Q.
     let (name, formula) = if work.demand.vertical && work.demand.components == Components::HundredThirty {
         (
@@ -59,9 +50,8 @@ pub(super) fn assess(work: &mut Work) {
     } else {
         ("weight of liquid, wall and roof", "(m + m_w + m_r)·g")
     };
-    let normal = work.sheet.calc("N_Ed", name, formula, &terms, Force, CLAUSE);
-    terms.push(("N_Ed", normal, Force));
-    let capacity = work.sheet.calc("V_Rd", "sliding resistance", "μ·N_Ed", &terms, Force, CLAUSE);
+    work.sheet.calc("N_Ed", name, formula, Force, CLAUSE);
+    let capacity = work.sheet.calc("V_Rd", "sliding resistance", "μ·N_Ed", Force, CLAUSE);
     let note = "without the weight of bottom plate and foundation and without earth pressure";
     work.check(SLIDING, shear, capacity, CLAUSE, note);
 }

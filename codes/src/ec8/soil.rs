@@ -51,15 +51,7 @@ pub(super) fn assess(work: &mut Work, masses: &Masses, period: f64) {
         found = 0.5 * (found + flexible(slab.factors(found)));
     }
     let [[a_x, b_x], [a_theta, b_theta]] = slab.factors(found);
-    let mut terms = vec![
-        ("K_x", slab.ground[0], LineForce),
-        ("K_θ", slab.ground[1], Moment),
-        ("m_e", structure.mass, Mass),
-        ("h_e", structure.height, Length),
-        ("k_e", slab.k, LineForce),
-        ("T_i", period, Time),
-        ("ξ_i", structure.damping, Dimensionless),
-    ];
+    work.sheet.given(&[("T_i", period, Time)]);
     let source = "impedance of a rigid disc (Veletsos and Verbic) over its static stiffness, iterated at T_e";
     for (symbol, name, value) in [
         ("α_x", "translation, real part", a_x),
@@ -68,13 +60,8 @@ pub(super) fn assess(work: &mut Work, masses: &Masses, period: f64) {
         ("β_θ", "rocking, imaginary part", b_theta),
     ] {
         work.sheet.look_up(symbol, name, source, value, Dimensionless, &clause);
-        terms.push((symbol, value, Dimensionless));
     }
-    let mut line = |symbol, name, formula, dimension| {
-        let value = work.sheet.calc(symbol, name, formula, &terms, dimension, &clause);
-        terms.push((symbol, value, dimension));
-        value
-    };
+    let mut line = |symbol, name, formula, dimension| work.sheet.calc(symbol, name, formula, dimension, &clause);
     let formula = "T_i·√(1 + k_e/(α_x·K_x)·(1 + α_x·K_x·h_e²/(α_θ·K_θ)))";
     let period = line("T_e", "impulsive period on the soil", formula, Time);
     let formula = "m_e/2·(2·π/T_e)²·(β_x/(α_x²·K_x) + β_θ·h_e²/(α_θ²·K_θ))";

@@ -21,8 +21,8 @@ use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 
-/// Writes the check of a box with the half length L and the breadth b [m]. Needs the resultants.
-pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
+/// Writes the check of a box. Needs the resultants.
+pub(super) fn assess(work: &mut Work) {
     let tank = &work.case.tank;
     let solid = (tank.bottom.as_ref()).is_some_and(|bottom| !bottom.material.is_metal());
     let monolithic = solid && !tank.is_metal();
@@ -35,13 +35,10 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
     };
     let clause = work.edition.main("4.5.1.2");
     work.sheet.section("Overturning");
-    let terms = [
+    work.sheet.given(&[
         ("m", if monolithic { work.mass } else { 0.0 }, Mass),
-        ("m_w", tank.wall_mass(), Mass),
-        ("m_r", tank.roof.mass, Mass),
-        ("g", work.case.gravity, Acceleration),
         ("A_v", work.demand.vertical_ground(), Acceleration),
-    ];
+    ]);
     let name = match monolithic {
         true => "effective weight of liquid, walls and roof",
         false => "effective weight of walls and roof (the bottom is not one with the walls)",
@@ -51,10 +48,9 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
         true => "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
         false => "(m + m_w + m_r)·g",
     };
-    let weight = work.sheet.calc("W_Ed", name, formula, &terms, Force, &clause);
-    let terms = [("W_Ed", weight, Force), ("L", half, Length)];
+    work.sheet.calc("W_Ed", name, formula, Force, &clause);
     let name = "moment about the toe that the weight resists";
-    let resisted = work.sheet.calc("M_Rd", name, "W_Ed·L", &terms, Moment, &clause);
+    let resisted = work.sheet.calc("M_Rd", name, "W_Ed·L", Moment, &clause);
     match tank.support {
         Support::Unanchored => {
             let note = "rigid body about the toe of the wall, without the weight of the bottom";
@@ -76,14 +72,14 @@ pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
             work.without_comparison(ANCHORS.id, CheckStatus::NotApplicable, &reason, None);
         }
         Support::Anchored => {
-            anchors(work, (half, breadth), moment, resisted);
+            anchors(work, moment, resisted);
             work.base = BaseState::on_anchors(&work.out.checks);
         }
     }
 }
 
 /// Anchors of a box that would overturn without them.
-fn anchors(work: &mut Work, (half, breadth): (f64, f64), moment: f64, resisted: f64) {
+fn anchors(work: &mut Work, moment: f64, resisted: f64) {
     let clause = work.edition.main("4.5.1.3");
     let given = work.case.tank.anchors;
     let Some((count, capacity)) = given.and_then(|a| a.capacity.map(|capacity| (a.count, capacity))) else {
@@ -98,17 +94,10 @@ fn anchors(work: &mut Work, (half, breadth): (f64, f64), moment: f64, resisted: 
         );
         return work.without_comparison(ANCHORS.id, CheckStatus::NotChecked, &reason, Some(input));
     };
-    let terms = [
-        ("M", moment, Moment),
-        ("M_Rd", resisted, Moment),
-        ("L", half, Length),
-        ("b", breadth, Length),
-        ("P", work.case.tank.perimeter(), Length),
-        ("n", f64::from(count), Dimensionless),
-    ];
+    work.sheet.given(&[("P", work.case.tank.perimeter(), Length), ("n", f64::from(count), Dimensionless)]);
     let name = "tension of an anchor of the wall that lifts";
     let formula = "(M - M_Rd)/(2·L)/(n·b/P)";
-    let force = work.sheet.calc("F_a", name, formula, &terms, Force, &clause);
+    let force = work.sheet.calc("F_a", name, formula, Force, &clause);
     let note = "rigid body; the anchors of the wall across the shaking alone";
     work.check(ANCHORS.named("Tension of an anchor"), force, capacity, &clause, note);
 }

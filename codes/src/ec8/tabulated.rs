@@ -1,7 +1,7 @@
 //! Accelerations from the user's table with their lines: another damping by η, importance by γ_I ([`crate::hazard`]).
 
 use crate::hazard::{CLAUSE, ordinate, scaled};
-use crate::sheet::{Sheet, Term, number, with_unit};
+use crate::sheet::{Sheet, number, with_unit};
 use tank::hazard::SpectrumTable;
 use tank::units::Dimension::{self, Acceleration, Dimensionless, Time};
 
@@ -66,31 +66,25 @@ impl Tabulated<'_> {
         let table = self.horizontal;
         let rows = format!("{} rows up to {}", table.rows().len(), with_unit(table.longest(), Time));
         let name = "ground acceleration of the table, T = 0";
-        let ground = sheet.look_up("S_0", name, &rows, table.peak(), Acceleration, CLAUSE);
+        sheet.look_up("S_0", name, &rows, table.peak(), Acceleration, CLAUSE);
         let name = "damping ratio of the table";
         sheet.input("ξ_t", name, self.damping, Dimensionless, CLAUSE);
         let name = "importance factor";
         sheet.input("γ_I", name, self.importance, Dimensionless, "site.ec8.importance");
-        let terms = [
-            ("γ_I", self.importance, Dimensionless),
-            ("S_0", ground, Acceleration),
-            ("k_v", self.vertical_ratio, Dimensionless),
-        ];
         let name = "peak ground acceleration, on the ground of the site";
-        let peak = sheet.calc("a_g", name, "γ_I·S_0", &terms, Acceleration, CLAUSE);
+        sheet.calc("a_g", name, "γ_I·S_0", Acceleration, CLAUSE);
         match self.vertical {
             _ if !vertical => {}
             Some(table) => {
                 let name = "vertical ground acceleration of the table, T = 0";
-                let value = sheet.look_up("S_v0", name, "vertical rows", table.peak(), Acceleration, CLAUSE);
-                let terms = [("γ_I", self.importance, Dimensionless), ("S_v0", value, Acceleration)];
+                sheet.look_up("S_v0", name, "vertical rows", table.peak(), Acceleration, CLAUSE);
                 let name = "vertical ground acceleration";
-                sheet.calc("a_vg", name, "γ_I·S_v0", &terms, Acceleration, CLAUSE);
+                sheet.calc("a_vg", name, "γ_I·S_v0", Acceleration, CLAUSE);
             }
             None => {
-                let terms = [("k_v", self.vertical_ratio, Dimensionless), ("a_g", peak, Acceleration)];
+                sheet.given(&[("k_v", self.vertical_ratio, Dimensionless)]);
                 let name = "vertical ground acceleration";
-                sheet.calc("a_vg", name, "k_v·a_g", &terms, Acceleration, "site.spectrum.vertical_ratio");
+                sheet.calc("a_vg", name, "k_v·a_g", Acceleration, "site.spectrum.vertical_ratio");
             }
         }
     }
@@ -109,29 +103,21 @@ impl Tabulated<'_> {
         let at = with_unit(period, Time);
         let name = format!("{part} ordinate of the table at T = {at}");
         let source = "linear between the rows of the table";
-        let value = sheet.look_up("S_t", &name, source, ordinate(table, period), Acceleration, CLAUSE);
-        let mut terms: Vec<Term> = vec![
-            ("γ_I", self.importance, Dimensionless),
-            ("S_t", value, Acceleration),
-            ("ξ", 100.0 * damping, Dimensionless),
-            ("ξ_t", 100.0 * self.damping, Dimensionless),
-            ("q", q, Dimensionless),
-        ];
+        sheet.look_up("S_t", &name, source, ordinate(table, period), Acceleration, CLAUSE);
+        sheet.given(&[("ξ", 100.0 * damping, Dimensionless), ("ξ_t", 100.0 * self.damping, Dimensionless)]);
         let [wanted, given] = ["ξ", "ξ_t"].map(|symbol| self.correction_formula.replace('%', symbol));
         let formula = format!("{wanted}/{given}");
         let name = "from the damping of the table to that of the part, ξ in per cent";
-        let ratio = sheet.calc("η′", name, &formula, &terms, Dimensionless, self.clause);
-        terms.push(("η′", ratio, Dimensionless));
+        sheet.calc("η′", name, &formula, Dimensionless, self.clause);
         let (largest_at, largest) = table.largest();
         let formula = if period >= largest_at {
             "γ_I·S_t·η′"
         } else {
-            terms.push(("S_p", largest, Acceleration));
-            terms.push(("S_0", table.peak(), Acceleration));
+            sheet.given(&[("S_p", largest, Acceleration)]);
             "γ_I·(S_t + (η′ - 1)·S_p·max(S_t - S_0, 0)/(S_p - S_0))"
         };
         let formula = if q == 1.0 { formula.to_string() } else { format!("{formula}/q") };
         let name = format!("{part} spectral acceleration, ξ = {} %", number(100.0 * damping));
-        sheet.calc(symbol, &name, &formula, &terms, Dimension::Acceleration, self.clause)
+        sheet.calc(symbol, &name, &formula, Dimension::Acceleration, self.clause)
     }
 }

@@ -69,21 +69,15 @@ impl Work<'_> {
         sheet.section("Tank and liquid");
         sheet.input(symbol, name, half_length, Length, "input");
         sheet.input("H", "depth of the liquid", depth, Length, "input");
-        let terms = [("H", depth, Length), (symbol, half_length, Length)];
         let formula = format!("H/{symbol}");
-        let gamma = sheet.calc("γ", "slenderness", &formula, &terms, Dimensionless, "definition");
+        let gamma = sheet.calc("γ", "slenderness", &formula, Dimensionless, "definition");
         sheet.input("ρ", "density of the liquid", case.liquid.density, Density, "input");
         let (formula, breadth) = match case.tank.shape {
             Shape::Cylinder { .. } => ("ρ·π·R²·H", 0.0),
             Shape::Rectangle { breadth, .. } => ("ρ·2·L·b·H", breadth),
         };
-        let terms = [
-            ("ρ", case.liquid.density, Density),
-            (symbol, half_length, Length),
-            ("b", breadth, Length),
-            ("H", depth, Length),
-        ];
-        self.mass = sheet.calc("m", "mass of the liquid", formula, &terms, Mass, "definition");
+        sheet.given(&[("b", breadth, Length)]);
+        self.mass = sheet.calc("m", "mass of the liquid", formula, Mass, "definition");
         sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
         sheet.input("h_w", "height of its centre", case.tank.wall_centroid(), Length, "input");
         sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
@@ -127,8 +121,7 @@ impl Work<'_> {
         let Ratio { symbol: share, source, value } = ratio;
         self.sheet.look_up(share, &what, source, value, Dimensionless, clause);
         let formula = format!("{of}·{share}");
-        let terms = [whole, (share, value, Dimensionless)];
-        self.sheet.calc(symbol, name, &formula, &terms, dimension, clause)
+        self.sheet.calc(symbol, name, &formula, dimension, clause)
     }
 
     /// Lines of the impulsive part of a rigid tank: mass, and levers without and with the base. `series` are the sources of
@@ -152,22 +145,16 @@ impl Work<'_> {
     ///
     /// * `factors`: c of the first and the second mode, as written
     pub(super) fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) -> f64 {
-        let half_length = self.case.tank.shape.half_length();
         let clause = self.edition.clause(clause);
         self.sheet.section("Wave height");
-        let terms = [
-            (symbol, half_length, Length),
-            ("S_1", s_1, Acceleration),
-            ("S_2", s_2, Acceleration),
-            ("g", self.case.gravity, Acceleration),
-        ];
+        self.sheet.given(&[("S_1", s_1, Acceleration), ("S_2", s_2, Acceleration)]);
         let [first, second] = factors;
         let name = "wave height, S_1 = S_e(T_c1)";
         let formula = format!("{first}·{symbol}·S_1/g");
-        let height = self.sheet.calc("d_max", name, &formula, &terms, Length, &clause);
+        let height = self.sheet.calc("d_max", name, &formula, Length, &clause);
         let name = "wave height with the second mode, for information";
         let formula = format!("{symbol}·√(({first}·S_1/g)² + ({second}·S_2/g)²)");
-        self.sheet.calc("d_2", name, &formula, &terms, Length, &clause);
+        self.sheet.calc("d_2", name, &formula, Length, &clause);
         self.out.values.insert(Quantity::SloshingHeight, height);
         height
     }
@@ -192,25 +179,16 @@ impl Work<'_> {
     /// Base shear and moments; adds lines and quantities. Returns the moment just above the base plate [N·m].
     pub(super) fn resultants(&mut self, masses: &Masses, a_i: f64, a_c: f64, clause: &str) -> f64 {
         let case = self.case;
-        let (m_w, h_w) = (case.tank.wall_mass(), case.tank.wall_centroid());
-        let (m_r, h_r) = (case.tank.roof.mass, case.tank.roof_height());
         let (i, c) = (masses.impulsive, masses.convective);
         let method = case.procedures.ec8_combination;
         let combination = self.edition.clause("2.1");
-        let terms = [
-            ("m_i", i.mass, Mass),
-            ("m_w", m_w, Mass),
-            ("m_r", m_r, Mass),
+        self.sheet.given(&[
             ("m_c", c.mass, Mass),
-            ("h_i", i.lever, Length),
-            ("h_i′", i.lever_with_base, Length),
-            ("h_w", h_w, Length),
-            ("h_r", h_r, Length),
             ("h_c", c.lever, Length),
             ("h_c′", c.lever_with_base, Length),
             ("A_i", a_i, Acceleration),
             ("A_c", a_c, Acceleration),
-        ];
+        ]);
         self.sheet.section("Base shear and moments");
         let mut moment = 0.0;
         for (symbol, name, quantity, dimension, impulsive, convective) in [
@@ -234,16 +212,15 @@ impl Work<'_> {
         ] {
             let mut part = |index: &str, what: &str, formula: &str| {
                 let (symbol, name) = (format!("{symbol}_{index}"), format!("{name}, {what}"));
-                let value = self.sheet.calc(&symbol, &name, formula, &terms, dimension, clause);
-                (symbol, value)
+                self.sheet.calc(&symbol, &name, formula, dimension, clause);
+                symbol
             };
             let (i, c) = (part("i", "impulsive", impulsive), part("c", "convective", convective));
             let formula = match method {
-                Combination::Abs => format!("{} + {}", i.0, c.0),
-                Combination::Srss => format!("√({}² + {}²)", i.0, c.0),
+                Combination::Abs => format!("{i} + {c}"),
+                Combination::Srss => format!("√({i}² + {c}²)"),
             };
-            let parts = [(i.0.as_str(), i.1, dimension), (c.0.as_str(), c.1, dimension)];
-            let value = self.sheet.calc(symbol, name, &formula, &parts, dimension, &combination);
+            let value = self.sheet.calc(symbol, name, &formula, dimension, &combination);
             self.out.values.insert(quantity, value);
             if quantity == Quantity::BaseMoment {
                 moment = value;

@@ -17,7 +17,7 @@ use tank::Shape;
 use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
 use tank::case::{Case, ConvectiveCoefficient};
 use tank::quantity::Quantity;
-use tank::units::Dimension::{Length, Moment, Stress};
+use tank::units::Dimension::{Length, Stress};
 
 /// Housner's procedure for upright circular and rectangular tanks with rigid walls.
 #[derive(Clone, Copy, Debug)]
@@ -105,45 +105,37 @@ impl Run<'_> {
     }
 
     fn stresses(&self, sheet: &mut Sheet, out: &mut Assessment) {
-        let moment = self.totals.moment;
         let thickness = self.case.tank.course_at(0.0).thickness;
         sheet.section("Stresses");
         sheet.input("s", "wall thickness at the base", thickness, Length, "input");
         match self.case.tank.shape {
-            Shape::Cylinder { radius } => {
-                let terms = [("R", radius, Length)];
-                let diameter = sheet.calc("D", "diameter", "2·R", &terms, Length, "input");
-                let terms = [("D", diameter, Length), ("s", thickness, Length), ("M", moment, Moment)];
+            Shape::Cylinder { .. } => {
+                sheet.calc("D", "diameter", "2·R", Length, "input");
                 let name = "axial membrane stress at the base";
-                let sigma = sheet.calc("σ_x", name, "M/(π·D²·s/4)", &terms, Stress, STRESS);
+                let sigma = sheet.calc("σ_x", name, "M/(π·D²·s/4)", Stress, STRESS);
                 out.values.insert(Quantity::AxialMembraneStress, sigma);
-                let sigma = self.largest_hoop(sheet, radius);
+                let sigma = self.largest_hoop(sheet);
                 out.values.insert(Quantity::HoopStress, sigma);
             }
             Shape::Rectangle { breadth, .. } => {
-                let terms = [("M", moment, Moment), ("b", breadth, Length), ("s", thickness, Length)];
                 sheet.input("b", "breadth across the motion", breadth, Length, "input");
                 let clause = "Brüggemann 2002 8.4.2: each wall carries half the moment as a cantilever";
                 let name = "bending stress at the base";
-                let sigma = sheet.calc("σ_b", name, "M/2/(b·s²/6)", &terms, Stress, clause);
+                let sigma = sheet.calc("σ_b", name, "M/2/(b·s²/6)", Stress, clause);
                 out.values.insert(Quantity::BendingStress, sigma);
             }
         }
     }
 
     /// Lines of the largest hoop stress over the height; returns it [Pa].
-    fn largest_hoop(&self, sheet: &mut Sheet, radius: f64) -> f64 {
+    fn largest_hoop(&self, sheet: &mut Sheet) -> f64 {
         let highest = self.hoop_place();
         let (name, source) = ("height of the largest hoop stress", "largest of the profile over the height");
         sheet.look_up("z", name, source, highest, Length, "profile");
         let (name, source) = ("dynamic pressure there", "impulsive and convective profile at z");
-        let pressure = sheet.look_up("p", name, source, self.pressure(highest), Stress, "Housner 1957");
-        let terms = [
-            ("R", radius, Length),
-            ("p", pressure, Stress),
-            ("s", self.case.tank.course_at(highest).thickness, Length),
-        ];
-        sheet.calc("σ_φ", "largest hoop stress", "p·R/s", &terms, Stress, "membrane theory")
+        sheet.look_up("p", name, source, self.pressure(highest), Stress, "Housner 1957");
+        sheet.given(&[("s", self.case.tank.course_at(highest).thickness, Length)]);
+        sheet.calc("σ_φ", "largest hoop stress", "p·R/s", Stress, "membrane theory")
     }
 
     /// Height of the largest hoop stress [m].

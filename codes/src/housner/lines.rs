@@ -23,7 +23,7 @@
 
 use super::model::{Input, InputError, Response, Resultant, SLENDER_LIMIT, Wave, check, not_negative};
 use crate::mechanical::Plan;
-use crate::sheet::{Sheet, Term};
+use crate::sheet::Sheet;
 use tank::case::Combination;
 use tank::units::Dimension::{
     self, Acceleration, Angle, AngularFrequency, Dimensionless, Force, Length, Mass, Moment, Time, Velocity,
@@ -59,9 +59,7 @@ pub(super) struct Lines<'a> {
     /// Whether the convective constants are the exact ones.
     pub(super) exact: bool,
     combination: Combination,
-    sheet: &'a mut Sheet,
-    /// The values of the lines so far.
-    known: Vec<Term<'static>>,
+    pub(super) sheet: &'a mut Sheet,
 }
 
 /// Wave, forces and moments of an angle, a depth and the impulsive part.
@@ -81,7 +79,7 @@ struct Convective {
 impl<'a> Lines<'a> {
     /// Lines with the printed constants; [`Lines::exact`] switches to the exact ones.
     pub(super) fn new(input: &'a Input, plan: Plan, combination: Combination, sheet: &'a mut Sheet) -> Lines<'a> {
-        Lines { input, plan, exact: false, combination, sheet, known: Vec::new() }
+        Lines { input, plan, exact: false, combination, sheet }
     }
 
     /// All lines of the model.
@@ -100,7 +98,7 @@ impl<'a> Lines<'a> {
         let split = self.split();
         let impulsive = self.impulsive();
         let convective = self.convective(ordinate)?;
-        let wave = self.wave();
+        let wave = self.wave(convective.angle > 0.0);
         let (resultants, totals) = self.resultants();
         let response = Response {
             slender: self.slender(),
@@ -166,25 +164,6 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// A line with a formula of the lines above.
-    pub(super) fn line(
-        &mut self,
-        symbol: &'static str,
-        name: &str,
-        formula: &str,
-        dimension: Dimension,
-        clause: &str,
-    ) -> f64 {
-        let value = self.sheet.calc(symbol, name, formula, &self.known, dimension, clause);
-        self.known.push((symbol, value, dimension));
-        value
-    }
-
-    fn given(&mut self, symbol: &'static str, name: &str, value: f64, dimension: Dimension, source: &str) {
-        self.sheet.input(symbol, name, value, dimension, source);
-        self.known.push((symbol, value, dimension));
-    }
-
     fn inputs(&mut self, ground: &str) {
         let a = self.length();
         let Input { half_length, depth, mass, ground_acceleration, gravity, .. } = *self.input;
@@ -193,34 +172,35 @@ impl<'a> Lines<'a> {
             Plan::Circle => "inner radius",
             Plan::Rectangle => "half length in the direction of motion",
         };
-        self.given(a, what, half_length, Length, "input");
-        self.given("H", "liquid depth", depth, Length, "input");
-        self.given("m", "liquid mass", mass, Mass, "input");
-        self.given("g", "acceleration of free fall", gravity, Acceleration, "input");
+        self.sheet.input(a, what, half_length, Length, "input");
+        self.sheet.input("H", "liquid depth", depth, Length, "input");
+        self.sheet.input("m", "liquid mass", mass, Mass, "input");
+        self.sheet.input("g", "acceleration of free fall", gravity, Acceleration, "input");
         let name = "peak ground acceleration";
-        self.given("a_B", name, ground_acceleration, Acceleration, ground);
+        self.sheet.input("a_B", name, ground_acceleration, Acceleration, ground);
         let ratio = match self.plan {
             Plan::Circle => "H/R",
             Plan::Rectangle => "H/L",
         };
-        self.line(ratio, "slenderness; squat up to 1.5", ratio, Dimensionless, SLENDER);
+        self.sheet.calc(ratio, "slenderness; squat up to 1.5", ratio, Dimensionless, SLENDER);
     }
 
     /// The impulsive part of a response; the rest of it is zero.
     fn impulsive(&mut self) -> Response {
         let (a, h, m, source) = (self.length(), self.depth(), self.mass(), self.source());
         self.sheet.section("Impulsive part");
-        let q = self.line("q", "argument", &format!("√3·{a}/{h}"), Dimensionless, source);
-        let r = self.line("r", "impulsive share", "tanh(q)/q", Dimensionless, source);
-        let impulsive_mass = self.line("m_i", "impulsive mass", &format!("{m}·r"), Mass, source);
-        let impulsive_force = self.line("P_i", "impulsive force", "a_B·m_i", Force, source);
+        let q = self.sheet.calc("q", "argument", &format!("√3·{a}/{h}"), Dimensionless, source);
+        let r = self.sheet.calc("r", "impulsive share", "tanh(q)/q", Dimensionless, source);
+        let impulsive_mass = self.sheet.calc("m_i", "impulsive mass", &format!("{m}·r"), Mass, source);
+        let impulsive_force = self.sheet.calc("P_i", "impulsive force", "a_B·m_i", Force, source);
         let formula = format!("3/8·{h}");
-        let impulsive_lever = self.line("h_i", "its lever, wall pressure only", &formula, Length, source);
+        let impulsive_lever = self.sheet.calc("h_i", "its lever, wall pressure only", &formula, Length, source);
         let formula = format!("{h}·(1/(2·r) − 1/8)");
-        let impulsive_lever_with_base = self.line("h_i′", "its lever with base pressure", &formula, Length, source);
+        let impulsive_lever_with_base =
+            self.sheet.calc("h_i′", "its lever with base pressure", &formula, Length, source);
         let rigid_force = if self.slender() {
             let name = "force of the constrained part, at H_r/2";
-            self.line("P_r", name, "a_B·m_r", Force, SLENDER)
+            self.sheet.calc("P_r", name, "a_B·m_r", Force, SLENDER)
         } else {
             0.0
         };
@@ -240,63 +220,61 @@ impl<'a> Lines<'a> {
         let (a, h, m, source) = (self.length(), self.depth(), self.mass(), self.source());
         let (c, constants) = (self.input.coefficients, self.constants());
         self.sheet.section("Convective part");
-        self.given("k", "frequency constant", c.frequency, Dimensionless, constants);
-        self.given("c_m", "mass constant", c.mass, Dimensionless, constants);
-        self.given("c_t", "angle constant", c.angle, Dimensionless, PRINTED);
+        self.sheet.input("k", "frequency constant", c.frequency, Dimensionless, constants);
+        self.sheet.input("c_m", "mass constant", c.mass, Dimensionless, constants);
+        self.sheet.input("c_t", "angle constant", c.angle, Dimensionless, PRINTED);
         if self.exact {
-            self.line("c_p", "force constant", "k/c_t", Dimensionless, "P_k = m_k·S_a");
+            self.sheet.calc("c_p", "force constant", "k/c_t", Dimensionless, "P_k = m_k·S_a");
         } else {
-            self.given("c_p", "force constant", c.force, Dimensionless, constants);
+            self.sheet.input("c_p", "force constant", c.force, Dimensionless, constants);
         }
-        let x = self.line("x", "argument", &format!("k·{h}/{a}"), Dimensionless, source);
+        let x = self.sheet.calc("x", "argument", &format!("k·{h}/{a}"), Dimensionless, source);
         let formula = format!("√(k·g/{a}·tanh(x))");
-        let omega = self.line("ω", "sloshing frequency", &formula, AngularFrequency, source);
-        let period = self.line("T", "sloshing period", "2·π/ω", Time, source);
+        let omega = self.sheet.calc("ω", "sloshing frequency", &formula, AngularFrequency, source);
+        let period = self.sheet.calc("T", "sloshing period", "2·π/ω", Time, source);
         let formula = format!("{m}·c_m·{a}/{h}·tanh(x)");
-        let mass = self.line("m_k", "convective mass", &formula, Mass, source);
+        let mass = self.sheet.calc("m_k", "convective mass", &formula, Mass, source);
         let read = ordinate(omega, period);
         not_negative("the spectral acceleration", read.value)?;
         let name = "pseudo-acceleration at T";
         let acceleration = self.sheet.look_up("S_a", name, &read.look_up, read.value, Acceleration, &read.clause);
-        self.known.push(("S_a", acceleration, Acceleration));
-        self.line("S_v", "pseudo-velocity", "S_a/ω", Velocity, source);
-        let displacement = self.line("A_1", "spectral displacement", "S_v/ω", Length, source);
+        self.sheet.calc("S_v", "pseudo-velocity", "S_a/ω", Velocity, source);
+        let displacement = self.sheet.calc("A_1", "spectral displacement", "S_v/ω", Length, source);
         let formula = format!("c_t·A_1/{a}·tanh(x)");
-        let angle = self.line("θ_h", "angle of the surface", &formula, Angle, source);
-        let force = self.line("P_k", "convective force", "c_p·m_k·g·θ_h", Force, source);
+        let angle = self.sheet.calc("θ_h", "angle of the surface", &formula, Angle, source);
+        let force = self.sheet.calc("P_k", "convective force", "c_p·m_k·g·θ_h", Force, source);
         // Table D.1 of [B02] prints 1.47 m for its tank; its own formula gives 0.884 m.
         let name = "its lever, wall pressure only";
         let formula = format!("{h}·(1 − (cosh(x) − 1)/(x·sinh(x)))");
-        let lever = self.line("h_k", name, &formula, Length, source);
+        let lever = self.sheet.calc("h_k", name, &formula, Length, source);
         let name = "its lever with base pressure";
         let formula = format!("{h}·(1 − (cosh(x) − 2)/(x·sinh(x)))");
-        let lever_with_base = self.line("h_k′", name, &formula, Length, "Housner 1957; constant 2 exact");
+        let lever_with_base = self.sheet.calc("h_k′", name, &formula, Length, "Housner 1957; constant 2 exact");
         Ok(Convective { x, omega, period, mass, acceleration, displacement, angle, force, lever, lever_with_base })
     }
 
-    fn wave(&mut self) -> Wave {
+    /// * `moves`: without a wave there is no angle, and no limit to it
+    fn wave(&mut self, moves: bool) -> Wave {
         let (a, source, c) = (self.length(), self.source(), self.input.coefficients);
         self.sheet.section("Wave at the wall");
         let linear_source = if self.exact { "potential flow, first mode" } else { "c_d·c_t of TID-7024 (1963)" };
-        self.given("w", "linear wave factor", c.wave_linear, Dimensionless, linear_source);
+        self.sheet.input("w", "linear wave factor", c.wave_linear, Dimensionless, linear_source);
         let formula = format!("w·{a}·S_a/g");
-        let linear = self.line("d_lin", "linear value", &formula, Length, linear_source);
-        // Without a wave there is no angle, and no limit to it.
-        let moves = self.known.iter().any(|t| t.0 == "θ_h" && t.1 > 0.0);
+        let linear = self.sheet.calc("d_lin", "linear value", &formula, Length, linear_source);
         let ratio = if moves {
             let name = "must exceed 1 for the formula to hold";
-            self.line("κ", name, &format!("g/(ω²·θ_h·{a})"), Dimensionless, source)
+            self.sheet.calc("κ", name, &format!("g/(ω²·θ_h·{a})"), Dimensionless, source)
         } else {
             f64::INFINITY
         };
-        self.given("c_d", "wave constant", c.wave, Dimensionless, PRINTED);
+        self.sheet.input("c_d", "wave constant", c.wave, Dimensionless, PRINTED);
         let finite = if ratio > 1.0 {
             let name = "largest rise, with the finite-angle term";
             let formula = format!("c_d·{a}/tanh(x)/(g/(ω²·θ_h·{a}) − 1)");
-            Some(self.line("d_max", name, &formula, Length, source))
+            Some(self.sheet.calc("d_max", name, &formula, Length, source))
         } else {
             let name = "largest rise: sloshing amplitude outside Housner's theory, linear value";
-            self.line("d_max", name, "d_lin", Length, linear_source);
+            self.sheet.calc("d_max", name, "d_lin", Length, linear_source);
             None
         };
         Wave { ratio, finite, linear }
@@ -321,18 +299,18 @@ impl<'a> Lines<'a> {
         };
         let total = if slender { "P_i + P_r" } else { "P_i" };
         self.sheet.section("Forces and moments at the base");
-        let q_i = self.line("Q_i", "impulsive base shear", total, Force, clause);
-        let q_k = self.line("Q_k", "convective base shear", "P_k", Force, clause);
+        let q_i = self.sheet.calc("Q_i", "impulsive base shear", total, Force, clause);
+        let q_k = self.sheet.calc("Q_k", "convective base shear", "P_k", Force, clause);
         let shear = self.combined("Q", "base shear", ["Q_i", "Q_k"], Force, clause);
         let name = "impulsive moment above the base";
-        let m_i = self.line("M_i", name, &impulsive("h_i"), Moment, clause);
+        let m_i = self.sheet.calc("M_i", name, &impulsive("h_i"), Moment, clause);
         let name = "convective moment above the base";
-        let m_k = self.line("M_k", name, &convective("h_k"), Moment, clause);
+        let m_k = self.sheet.calc("M_k", name, &convective("h_k"), Moment, clause);
         let moment = self.combined("M", "moment above the base", ["M_i", "M_k"], Moment, clause);
         let name = "impulsive moment below the base plate";
-        let m_ib = self.line("M_i′", name, &impulsive("h_i′"), Moment, with_base);
+        let m_ib = self.sheet.calc("M_i′", name, &impulsive("h_i′"), Moment, with_base);
         let name = "convective moment below the base plate";
-        let m_kb = self.line("M_k′", name, &convective("h_k′"), Moment, with_base);
+        let m_kb = self.sheet.calc("M_k′", name, &convective("h_k′"), Moment, with_base);
         let overturning = self.combined("M′", "overturning moment", ["M_i′", "M_k′"], Moment, with_base);
         let part = |force, wall_moment, base_moment| Resultant { force, wall_moment, base_moment };
         let totals = Totals { shear, moment, overturning };
@@ -352,6 +330,6 @@ impl<'a> Lines<'a> {
             Combination::Abs => (format!("{i} + {k}"), "sum of absolute values"),
             Combination::Srss => (format!("√({i}² + {k}²)"), "SRSS"),
         };
-        self.line(symbol, &format!("{name}, {rule}"), &formula, dimension, clause)
+        self.sheet.calc(symbol, &format!("{name}, {rule}"), &formula, dimension, clause)
     }
 }

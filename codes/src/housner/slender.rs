@@ -43,11 +43,11 @@ impl Lines<'_> {
         }
         let depth = format!("{SLENDER_LIMIT}·{}", self.length());
         Split {
-            sloshing_depth: self.line("H_b", "depth that can slosh", &depth, Length, SLENDER),
-            sloshing_mass: self.line("m_b", "its mass", "m·H_b/H", Mass, SLENDER),
-            rigid_depth: self.line("H_r", "constrained depth below", "H − H_b", Length, SLENDER),
+            sloshing_depth: self.sheet.calc("H_b", "depth that can slosh", &depth, Length, SLENDER),
+            sloshing_mass: self.sheet.calc("m_b", "its mass", "m·H_b/H", Mass, SLENDER),
+            rigid_depth: self.sheet.calc("H_r", "constrained depth below", "H − H_b", Length, SLENDER),
             // By proportion: the difference m − m_b could round to a negative mass.
-            rigid_mass: self.line("m_r", "its mass, moves as a solid", "m·H_r/H", Mass, SLENDER),
+            rigid_mass: self.sheet.calc("m_r", "its mass, moves as a solid", "m·H_r/H", Mass, SLENDER),
         }
     }
 }

@@ -81,19 +81,14 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let clause = work.clause(ANCHORS.id);
     work.sheet.section(&format!("Anchors: {}", moment.words()));
     work.sheet.input("n_a", "largest pull at the base, static and seismic", pull, LineForce, "the run of the engine");
-    let terms = [
-        ("n_a", pull, LineForce),
-        ("R", radius, tank::units::Dimension::Length),
-        ("n_A", f64::from(count), Dimensionless),
-    ];
+    work.sheet.given(&[("R", radius, tank::units::Dimension::Length), ("n_A", f64::from(count), Dimensionless)]);
     let name = "tension of an anchor";
-    let of_wall = work.sheet.calc("F_a", name, "n_a·2·π·R/n_A", &terms, Force, &clause);
+    let of_wall = work.sheet.calc("F_a", name, "n_a·2·π·R/n_A", Force, &clause);
     let (mut force, mut place) = (of_wall, (moment.time, moment.theta));
     if let Some(anchor) = spring {
         let title = "largest force of an anchor, of one that yields as if it stayed elastic";
         work.sheet.input("F_s", title, anchor.value, Force, "the run of the engine");
-        let terms = [("F_a", of_wall, Force), ("F_s", anchor.value, Force)];
-        force = work.sheet.calc("F_A", name, "max(F_a, F_s)", &terms, Force, &clause);
+        force = work.sheet.calc("F_A", name, "max(F_a, F_s)", Force, &clause);
         if anchor.value > of_wall {
             place = (anchor.time, anchor.theta);
         }
@@ -196,14 +191,9 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         work.sheet.input("V", "base shear", demand, Force, "the run of the engine");
         let name = "vertical acceleration of the ground then, upwards";
         work.sheet.input("a_v", name, upwards, Acceleration, "record");
-        let terms = [
-            ("μ", friction, Dimensionless),
-            ("M", mass, Mass),
-            ("g", case.gravity, Acceleration),
-            ("a_v", upwards, Acceleration),
-        ];
+        work.sheet.given(&[("μ", friction, Dimensionless), ("M", mass, Mass), ("g", case.gravity, Acceleration)]);
         let name = "friction under the weight of liquid, wall and roof then";
-        let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, clause);
+        let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", Force, clause);
         let found = Found { utilisation, demand, rest: 0.0, capacity, instant: k, direction: (1.0, 0.0) };
         let error = work.error(&[Quantity::BaseShear], &found);
         let note = match slides {

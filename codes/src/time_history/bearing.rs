@@ -144,15 +144,14 @@ fn lines(work: &mut Work<'_>, at: &At, resistance: f64) -> Bears {
     let sheet = &mut work.sheet;
     sheet.section(&format!("Bearing of the ground: t = {}", with_unit(time, Time)));
     let run = "the run of the engine";
-    let moment = sheet.input("M′", "moment below the base plate", at.moment, Moment, run);
+    sheet.input("M′", "moment below the base plate", at.moment, Moment, run);
     sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
     let name = "vertical acceleration of the ground then, upwards";
     sheet.input("a_v", name, at.upwards, Acceleration, "record");
-    let terms = [("M", at.mass, Mass), ("g", gravity, Acceleration), ("a_v", at.upwards, Acceleration)];
+    sheet.given(&[("M", at.mass, Mass), ("g", gravity, Acceleration)]);
     let name = "weight of liquid, wall and roof then";
-    let normal = sheet.calc("N_b", name, "M·(g + a_v)", &terms, Force, &clause);
-    let terms = vec![("M′", moment, Moment), ("N_b", normal, Force)];
-    base_lines(sheet, shape, normal, ("M′/N_b", terms))
+    let normal = sheet.calc("N_b", name, "M·(g + a_v)", Force, &clause);
+    base_lines(sheet, shape, normal, "M′/N_b")
 }
 
 #[cfg(test)]

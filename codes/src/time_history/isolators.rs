@@ -50,9 +50,8 @@ pub(super) fn assess(work: &mut Work<'_>) {
             work.sheet.input("d_b", name, displacement, Length, run);
             work.sheet.input("γ_x", "magnification of the displacement", factor, Dimensionless, &clause);
             work.sheet.input("d_R", "displacement they have room for", capacity, Length, CAPACITY);
-            let terms = [("γ_x", factor, Dimensionless), ("d_b", displacement, Length)];
             let name = "displacement to be provided for";
-            let demand = work.sheet.calc("d_x", name, "γ_x·d_b", &terms, Length, &clause);
+            let demand = work.sheet.calc("d_x", name, "γ_x·d_b", Length, &clause);
             let note = format!("{} times the largest displacement of the run", number(factor));
             let check = ISOLATORS.check().of(demand, capacity, &clause, &note);
             let peak = found.displacement;
@@ -65,9 +64,8 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let clause = work.clause(TENSION.id);
     let name = "smallest force of the outermost bearing over that at rest";
     work.sheet.input("n_b", name, share.value, Dimensionless, run);
-    let terms = [("n_b", share.value, Dimensionless)];
     let name = "part of its force at rest that the bearing loses";
-    let lost = work.sheet.calc("n_l", name, "1 − n_b", &terms, Dimensionless, &clause);
+    let lost = work.sheet.calc("n_l", name, "1 − n_b", Dimensionless, &clause);
     let note = "bearings of equal load under the whole plan; beyond 1 the outermost one is in tension";
     let check = TENSION.check().of(lost, 1.0, &clause, note);
     work.checks.push(check.at(Some(share.time), None, Some(share.theta)));

@@ -173,9 +173,9 @@ fn shell(case: &Case) -> [WallLimit<'_>; 2] {
             stress: WallStress::RangeAtBase,
             missing,
             limit: Box::new(move |sheet, course, _| {
-                let terms = [("f_y", strength(course), Stress)];
+                sheet.given(&[("f_y", strength(course), Stress)]);
                 let name = "limit of the range, beyond which the wall yields in every cycle";
-                sheet.calc("Δσ_Rd", name, "2·f_y", &terms, Stress, BENDING.clause)
+                sheet.calc("Δσ_Rd", name, "2·f_y", Stress, BENDING.clause)
             }),
         },
     ]

@@ -105,6 +105,11 @@ impl Formula {
         &self.tree
     }
 
+    /// The symbols in the order of the text, each as often as it stands there.
+    pub fn symbols(&self) -> impl Iterator<Item = &str> {
+        self.symbols.iter().map(|place| &self.text[place.at.clone()])
+    }
+
     /// The value in SI.
     ///
     /// Errors: [`FormulaError::NoValue`] and [`FormulaError::NoFunction`].

@@ -3,10 +3,10 @@
 use crate::ec8::simplified::mean_thickness;
 use crate::ordinates::{plateau, psa};
 use crate::procedure::CodeError;
-use crate::sheet::{Sheet, Term};
+use crate::sheet::Sheet;
 use tank::assessment::Excitation;
 use tank::case::{Api650Site, SiteClass};
-use tank::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
+use tank::units::Dimension::{Density, Dimensionless, Stress, Time};
 
 use super::super::ground_motion::DesignSpectrum;
 use super::super::masses::{COEFFICIENT, IMPULSIVE_PERIOD, PERIOD, impulsive_coefficient};
@@ -67,28 +67,23 @@ fn acceleration_lines(
     t_c: f64,
     anchored: bool,
 ) -> Result<Accelerations, CodeError> {
-    let mut terms = site_lines(sheet, site, spectrum, anchored)?;
-    terms.push(("T_c", t_c, Time));
-    let mut line = |sheet: &mut Sheet, symbol: &'static str, name: &str, formula: &str, clause: &str| {
-        let value = sheet.calc(symbol, name, formula, &terms, Dimensionless, clause);
-        terms.push((symbol, value, Dimensionless));
-        value
-    };
-    line(sheet, "S_DS", "design acceleration, short periods [g]", "Q·F_a·S_s", E4);
-    line(sheet, "S_D1", "design acceleration, one second [g]", "Q·F_v·S_1", E4);
+    site_lines(sheet, site, spectrum, anchored)?;
+    sheet.given(&[("T_c", t_c, Time)]);
+    sheet.calc("S_DS", "design acceleration, short periods [g]", "Q·F_a·S_s", Dimensionless, E4);
+    sheet.calc("S_D1", "design acceleration, one second [g]", "Q·F_v·S_1", Dimensionless, E4);
     let soft = matches!(site.site_class, SiteClass::E | SiteClass::F);
     let plateau = if site.s0.is_some() { "max(S_DS, 2.5·Q·F_a·S_0)·I/R_wi" } else { "S_DS·I/R_wi" };
     let floor = if soft { ", 0.5·S_1·I/R_wi, 0.007)" } else { ", 0.007)" };
-    let a_i = line(sheet, "A_i", "impulsive acceleration [g]", &format!("max({plateau}{floor}"), E4_6);
+    let a_i = sheet.calc("A_i", "impulsive acceleration [g]", &format!("max({plateau}{floor}"), Dimensionless, E4_6);
     let formula =
         if t_c <= spectrum.t_l { "min(K·S_D1/T_c·I/R_wc, A_i)" } else { "min(K·S_D1·T_L/T_c²·I/R_wc, A_i)" };
-    let a_c = line(sheet, "A_c", "convective acceleration [g]", formula, E4_6);
+    let a_c = sheet.calc("A_c", "convective acceleration [g]", formula, Dimensionless, E4_6);
     let a_v = match site.av {
         Some(a_v) => {
             let name = "vertical acceleration as specified [g]";
             sheet.input("A_v", name, a_v, Dimensionless, "site.api650.av")
         }
-        None => line(sheet, "A_v", "vertical acceleration [g]", "0.47·S_DS", E6_1_3),
+        None => sheet.calc("A_v", "vertical acceleration [g]", "0.47·S_DS", Dimensionless, E6_1_3),
     };
     let formula = match (site.sug, t_c <= 4.0, t_c <= spectrum.t_l) {
         (3, _, true) => "K·S_D1/T_c",
@@ -96,22 +91,21 @@ fn acceleration_lines(
         (_, true, _) => "K·S_D1·I/T_c",
         (_, false, _) => "K·S_D1·I·4 s/T_c²",
     };
-    let a_f = line(sheet, "A_f", "acceleration of the sloshing wave, not reduced [g]", formula, E7_2);
+    let a_f = sheet.calc("A_f", "acceleration of the sloshing wave, not reduced [g]", formula, Dimensionless, E7_2);
     Ok(Accelerations { a_i, a_c, a_v, a_f })
 }
 
-/// Lines of the site's data; returns them as terms.
+/// Lines of the site's data.
 fn site_lines(
     sheet: &mut Sheet,
     site: &Api650Site,
     spectrum: &DesignSpectrum,
     anchored: bool,
-) -> Result<Vec<Term<'static>>, CodeError> {
+) -> Result<(), CodeError> {
     let table = match (site.fa, site.fv) {
         (Some(_), Some(_)) => "site study".to_string(),
         _ => format!("ASCE 7-{:02} table 11.4, site class {:?}", site.asce7 % 100, site.site_class),
     };
-    let mut terms = Vec::new();
     for (symbol, name, value, source) in [
         ("S_s", "mapped acceleration at short periods [g]", site.ss, "site.api650.ss"),
         ("S_1", "mapped acceleration at one second [g]", site.s1, "site.api650.s1"),
@@ -124,14 +118,12 @@ fn site_lines(
         ("K", "factor from 5 % to 0.5 % damping", K, E4_6),
     ] {
         sheet.input(symbol, name, value, Dimensionless, source);
-        terms.push((symbol, value, Dimensionless));
     }
     sheet.input("T_L", "long-period transition", spectrum.t_l, Time, "site.api650.tl");
-    terms.push(("T_L", spectrum.t_l, Time));
     if let Some(s_0) = site.s0 {
-        terms.push(("S_0", s_0, Dimensionless));
+        sheet.given(&[("S_0", s_0, Dimensionless)]);
     }
-    Ok(terms)
+    Ok(())
 }
 
 impl Run<'_> {
@@ -149,15 +141,8 @@ impl Run<'_> {
         let impulsive = impulsive_coefficient(h / d).map(|c_i| {
             let (name, source) = ("coefficient of the impulsive period", "figure E.1 at H/D");
             sheet.look_up("C_i", name, source, c_i, Dimensionless, E4_5_1);
-            let terms = [
-                ("C_i", c_i, Dimensionless),
-                ("H", h, Length),
-                ("ρ", rho, Density),
-                ("t_u", t_u, Length),
-                ("D", d, Length),
-                ("E", e, Stress),
-            ];
-            sheet.calc("T_i", "impulsive period", IMPULSIVE_PERIOD, &terms, Time, E4_5_1)
+            sheet.given(&[("ρ", rho, Density), ("E", e, Stress)]);
+            sheet.calc("T_i", "impulsive period", IMPULSIVE_PERIOD, Time, E4_5_1)
         });
         if impulsive.is_none() {
             self.out.notes.push(format!(
@@ -165,12 +150,10 @@ impl Run<'_> {
                 h / d
             ));
         }
-        let terms = [("H", h, Length), ("D", d, Length)];
         let name = "sloshing coefficient";
-        let k_s = sheet.calc("K_s", name, COEFFICIENT, &terms, Dimensionless, E4_5_2);
-        let terms = [("K_s", k_s, Dimensionless), ("D", d, Length)];
+        sheet.calc("K_s", name, COEFFICIENT, Dimensionless, E4_5_2);
         let name = "period of the first sloshing mode (D in m)";
-        let t_c = sheet.calc("T_c", name, PERIOD, &terms, Time, E4_5_2);
+        let t_c = sheet.calc("T_c", name, PERIOD, Time, E4_5_2);
         Periods { impulsive, convective: t_c, thickness: t_u }
     }
 
@@ -245,9 +228,8 @@ impl Run<'_> {
                 sheet.input("A_v", name, 0.0, Dimensionless, E6_1_3)
             }
         };
-        let terms = [("A_c", a_c, Dimensionless)];
         let name = "acceleration of the sloshing wave [g]";
-        let a_f = sheet.calc("A_f", name, "A_c", &terms, Dimensionless, E7_2);
+        let a_f = sheet.calc("A_f", name, "A_c", Dimensionless, E7_2);
         self.out.assumptions.push(format!(
             "A_i and A_c are spectral accelerations of the record with the damping of the case, unreduced (R_w = 1, I = 1, K = 1), \
              to stand beside a linear time history; the annex's own spectrum has 5 % ({} % here) and 0.5 % ({} % here).",

@@ -8,7 +8,7 @@
 
 use tank::Anchors;
 use tank::assessment::CheckStatus;
-use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
+use tank::units::Dimension::{Dimensionless, Force, Length};
 
 use super::{Run, limit_states};
 use tank::assessment::Check;
@@ -49,37 +49,30 @@ impl Run<'_> {
                 return self.missing(limit_states::CONNECTIONS.id, input);
             }
         };
-        let terms =
-            [("w_AB", w_ab, LineForce), ("D", self.basis.d, Length), ("n_A", f64::from(anchors.count), Dimensionless)];
+        self.sheet.given(&[("n_A", f64::from(anchors.count), Dimensionless)]);
         let (name, formula) = ("design force of an attachment, 3 P_AB", "3·w_AB·π·D/n_A");
-        let mut force = self.sheet.calc("P_3", name, formula, &terms, Force, E6_2_1_2);
+        let mut force = self.sheet.calc("P_3", name, formula, Force, E6_2_1_2);
         let mut name = "Attachment of an anchor, 3 P_AB";
         let mut note = "or the anchor's yield force as built, where that is less";
         if let Some(yields) = anchors.yield_force {
             self.sheet.input("P_y", "yield force of an anchor", yields, Force, "tank.anchors.yield_force");
-            let terms = [("P_3", force, Force), ("P_y", yields, Force)];
             let title = "design force of an attachment, the lesser of both";
-            force = self.sheet.calc("P_t", title, "min(P_3, P_y)", &terms, Force, E6_2_1_2);
+            force = self.sheet.calc("P_t", title, "min(P_3, P_y)", Force, E6_2_1_2);
             (name, note) = ("Attachment of an anchor", "the lesser of 3 P_AB and the yield force of an anchor");
         }
         self.check(id, name, force, capacity, Force, E6_2_1_2, note);
-        self.anchor_connection(w_ab, &anchors, capacity);
+        self.anchor_connection(&anchors, capacity);
     }
 
     /// Connections of the anchors: four times the tension, or the yield force where that is less.
-    fn anchor_connection(&mut self, w_ab: f64, anchors: &Anchors, capacity: f64) {
-        let mut terms = vec![
-            ("w_AB", w_ab, LineForce),
-            ("D", self.basis.d, Length),
-            ("n_A", f64::from(anchors.count), Dimensionless),
-        ];
+    fn anchor_connection(&mut self, anchors: &Anchors, capacity: f64) {
+        self.sheet.given(&[("n_A", f64::from(anchors.count), Dimensionless)]);
         let (mut name, mut formula) = ("design force of a connection, 4 P_AB", "4·w_AB·π·D/n_A");
-        if let Some(yields) = anchors.yield_force {
-            terms.push(("P_y", yields, Force));
+        if anchors.yield_force.is_some() {
             (name, formula) =
                 ("design force of a connection, 4 P_AB or the yield force of an anchor", "min(4·w_AB·π·D/n_A, P_y)");
         }
-        let force = self.sheet.calc("P_4", name, formula, &terms, Force, E7_4);
+        let force = self.sheet.calc("P_4", name, formula, Force, E7_4);
         let name = "Connection of an anchor, 4 P_AB";
         let note = "or the yield force of an anchor, where that is given and less";
         self.check(limit_states::CONNECTIONS.id, name, force, capacity, Force, E7_4, note);
@@ -111,9 +104,9 @@ impl Run<'_> {
         let Some(anchors) = self.counted_anchors() else {
             return self.missing(id, "tank.anchors");
         };
-        let terms = [("D", self.basis.d, Length), ("n_A", f64::from(anchors.count), Dimensionless)];
+        self.sheet.given(&[("n_A", f64::from(anchors.count), Dimensionless)]);
         let name = "spacing of the anchors";
-        let spacing = self.sheet.calc("a_A", name, "π·D/n_A", &terms, Length, SPACING);
+        let spacing = self.sheet.calc("a_A", name, "π·D/n_A", Length, SPACING);
         let (name, source) = ("largest spacing", "the larger of its values in metres and in feet");
         let largest = self.sheet.look_up("a_max", name, source, LARGEST_SPACING, Length, SPACING);
         let name = "Spacing of the anchors";

@@ -9,7 +9,7 @@
 //! the public API agenda item 650-1003 (2013); the number that the clause got in the standard is not known here.
 
 use tank::assessment::{CheckStatus, Excitation};
-use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
+use tank::units::Dimension::{Dimensionless, Length, Stress};
 use tank::{BottomConnections, Joint, ShellSupport};
 
 use super::{HoldDown, Run, limit_states};
@@ -35,8 +35,7 @@ fn least_leg(thickness: f64) -> Option<f64> {
 impl Run<'_> {
     /// Shear stress of the welds between shell and bottom.
     ///
-    /// * `v_max`: largest tangential shear per length [N/m]
-    pub(super) fn shear_transfer(&mut self, v_max: f64) {
+    pub(super) fn shear_transfer(&mut self) {
         if self.excitation != Excitation::Site {
             return;
         }
@@ -56,7 +55,7 @@ impl Run<'_> {
         }
         const GIVEN: &str = "tank.bottom.shell_weld";
         let name = "leg of each of the two fillet welds between shell and bottom";
-        let leg = match b.case.tank.details.shell_weld {
+        match b.case.tank.details.shell_weld {
             Some(leg) => self.sheet.input("a_w", name, leg, Length, GIVEN),
             None => match least_leg(b.t_s) {
                 Some(leg) => {
@@ -66,11 +65,11 @@ impl Run<'_> {
                 None => return self.missing(id, GIVEN),
             },
         };
-        let terms = [("V_max", v_max, LineForce), ("a_w", leg, Length), ("F_y", weakest, Stress)];
+        self.sheet.given(&[("F_y", weakest, Stress)]);
         let name = "shear stress of the welds";
-        let tau = self.sheet.calc("τ_w", name, "V_max/(2·0.707·a_w)", &terms, Stress, E7_7);
+        let tau = self.sheet.calc("τ_w", name, "V_max/(2·0.707·a_w)", Stress, E7_7);
         let name = "80 % of the yield strength of the weaker plate";
-        let allowed = self.sheet.calc("τ_a", name, "0.8·F_y", &terms, Stress, E7_7);
+        let allowed = self.sheet.calc("τ_a", name, "0.8·F_y", Stress, E7_7);
         let name = "Shear of the weld between shell and bottom";
         self.check(id, name, tau, allowed, Stress, E7_7, "");
     }
@@ -167,11 +166,11 @@ impl Run<'_> {
             HoldDown::Unknown(reason, input) => {
                 return self.without_comparison(id, CheckStatus::NotChecked, &reason, input.as_deref());
             }
-            HoldDown::Width(width) => {
-                let terms = [("L", width, Length), ("c", CLEARANCE, Length)];
+            HoldDown::Width => {
+                self.sheet.given(&[("c", CLEARANCE, Length)]);
                 let name = "least distance of a reinforcement in the bottom from the shell, c = 300 mm";
                 self.sheet.section("Connections through the bottom");
-                self.sheet.calc("L_c", name, "L + c", &terms, Length, E7_4)
+                self.sheet.calc("L_c", name, "L + c", Length, E7_4)
             }
         };
         match given {

@@ -1,11 +1,9 @@
 //! Base shear, moments and sloshing wave (E.6.1, E.7.2).
 
-use crate::sheet::{Sheet, Term};
 use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, Moment};
 
 use super::super::masses::{ARGUMENT, charts};
-use super::accelerations::Accelerations;
 use super::{Run, limit_states};
 
 const E6_1: &str = "API 650:2020 E.6.1";
@@ -40,72 +38,53 @@ pub(super) struct Forces {
 
 impl Run<'_> {
     /// Weights, base shear and moments with their lines.
-    pub(super) fn forces(&mut self, a: &Accelerations) -> Forces {
+    pub(super) fn forces(&mut self) -> Forces {
         let b = self.basis;
         self.out.assumptions.push(match &b.case.tank.bottom {
             Some(_) => "The whole floor has the thickness of the bottom plate under the shell.".into(),
             None => "The floor's weight is left out of the base shear: `tank.bottom` is missing.".to_string(),
         });
         let sheet = &mut self.sheet;
-        let mut terms: Vec<Term> = vec![
-            ("D", b.d, Length),
-            ("H", b.h, Length),
-            ("W_p", b.w_p, Force),
-            ("A_i", a.a_i, Dimensionless),
-            ("A_c", a.a_c, Dimensionless),
-            ("W_s", b.w_s, Force),
-            ("W_r", b.w_r, Force),
-            ("W_f", b.w_f, Force),
-            ("X_s", b.x_s, Length),
-            ("X_r", b.case.tank.roof_height(), Length),
-        ];
         sheet.section("Effective masses");
-        let mut line = |sheet: &mut Sheet, symbol: &'static str, name: &str, formula: &str, dimension, clause: &str| {
-            let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
-            terms.push((symbol, value, dimension));
-            value
-        };
         let charts = charts(b.d / b.h);
-        let w_i = line(sheet, "W_i", "impulsive weight", charts.w_i, Force, E6_1_1);
-        let w_c = line(sheet, "W_c", "convective weight", charts.w_c, Force, E6_1_1);
+        let w_i = sheet.calc("W_i", "impulsive weight", charts.w_i, Force, E6_1_1);
+        let w_c = sheet.calc("W_c", "convective weight", charts.w_c, Force, E6_1_1);
         let name = "height of the impulsive force, ringwall";
-        let x_i = line(sheet, "X_i", name, charts.x_i, Length, E6_1_2_1);
+        let x_i = sheet.calc("X_i", name, charts.x_i, Length, E6_1_2_1);
         let name = "argument of the sloshing mode";
-        line(sheet, "u", name, ARGUMENT, Dimensionless, E6_1_2_1);
+        sheet.calc("u", name, ARGUMENT, Dimensionless, E6_1_2_1);
         let name = "height of the convective force, ringwall";
-        let x_c = line(sheet, "X_c", name, charts.x_c, Length, E6_1_2_1);
+        let x_c = sheet.calc("X_c", name, charts.x_c, Length, E6_1_2_1);
         let name = "height of the impulsive force, slab";
-        let x_is = line(sheet, "X_is", name, charts.x_is, Length, E6_1_2_2);
+        let x_is = sheet.calc("X_is", name, charts.x_is, Length, E6_1_2_2);
         let name = "height of the convective force, slab";
-        let x_cs = line(sheet, "X_cs", name, charts.x_cs, Length, E6_1_2_2);
+        let x_cs = sheet.calc("X_cs", name, charts.x_cs, Length, E6_1_2_2);
         sheet.input("W_f", "weight of the floor", b.w_f, Force, "tank.bottom");
 
         sheet.section("Base shear and moments");
         let formula = "A_i·(W_s + W_r + W_f + W_i)";
-        line(sheet, "V_i", "impulsive base shear", formula, Force, E6_1);
-        line(sheet, "V_c", "convective base shear", "A_c·W_c", Force, E6_1);
-        let v = line(sheet, "V", "base shear", "√(V_i² + V_c²)", Force, E6_1);
+        sheet.calc("V_i", "impulsive base shear", formula, Force, E6_1);
+        sheet.calc("V_c", "convective base shear", "A_c·W_c", Force, E6_1);
+        let v = sheet.calc("V", "base shear", "√(V_i² + V_c²)", Force, E6_1);
         let formula = "A_i·(W_i·X_i + W_s·X_s + W_r·X_r)";
-        line(sheet, "M_rwi", "impulsive ringwall moment", formula, Moment, E6_1_5);
+        sheet.calc("M_rwi", "impulsive ringwall moment", formula, Moment, E6_1_5);
         let formula = "A_c·W_c·X_c";
-        line(sheet, "M_rwc", "convective ringwall moment", formula, Moment, E6_1_5);
+        sheet.calc("M_rwc", "convective ringwall moment", formula, Moment, E6_1_5);
         let (name, formula) = ("ringwall moment, just above the bottom", "√(M_rwi² + M_rwc²)");
-        let m_rw = line(sheet, "M_rw", name, formula, Moment, E6_1_5);
+        let m_rw = sheet.calc("M_rw", name, formula, Moment, E6_1_5);
         let formula = "A_i·(W_i·X_is + W_s·X_s + W_r·X_r)";
-        line(sheet, "M_si", "impulsive slab moment", formula, Moment, E6_1_5);
+        sheet.calc("M_si", "impulsive slab moment", formula, Moment, E6_1_5);
         let formula = "A_c·W_c·X_cs";
-        line(sheet, "M_sc", "convective slab moment", formula, Moment, E6_1_5);
+        sheet.calc("M_sc", "convective slab moment", formula, Moment, E6_1_5);
         let (name, formula) = ("slab moment, with base pressure", "√(M_si² + M_sc²)");
-        let m_s = line(sheet, "M_s", name, formula, Moment, E6_1_5);
+        let m_s = sheet.calc("M_s", name, formula, Moment, E6_1_5);
         Forces { v, m_rw, m_s, w_i, w_c, x_i, x_c, x_is, x_cs }
     }
 
     /// Height of the sloshing wave [m] with its line, and the freeboard.
-    pub(super) fn sloshing(&mut self, a: &Accelerations) -> f64 {
-        let d = self.basis.d;
+    pub(super) fn sloshing(&mut self) -> f64 {
         self.sheet.section("Sloshing wave");
-        let terms = [("D", d, Length), ("A_f", a.a_f, Dimensionless)];
-        let delta = self.sheet.calc("δ_s", "height of the sloshing wave", "0.42·D·A_f", &terms, Length, E7_2);
+        let delta = self.sheet.calc("δ_s", "height of the sloshing wave", "0.42·D·A_f", Length, E7_2);
         let freeboard = self.basis.case.freeboard();
         let metres = |x| crate::sheet::with_unit(x, Length);
         let (Excitation::Site, Some(site)) = (self.excitation, self.site) else {

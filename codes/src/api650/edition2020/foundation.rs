@@ -32,33 +32,22 @@ const DERIVED: &str = "API 650:2020 E.6.1.5, derived";
 
 impl Run<'_> {
     /// Demands on the foundation: load of the shell on a ring wall with M_rw, pressure under a slab with M_s.
-    fn demands(&mut self, a: &Accelerations, forces: &Forces) {
+    fn demands(&mut self) {
         if self.excitation != Excitation::Site {
             return;
         }
-        let b = self.basis;
         let sheet = &mut self.sheet;
         sheet.section("Demands on the foundation");
-        if let Some(sigma) = self.compression {
-            let terms = [("σ_c", sigma, Stress), ("t_s", b.t_s, Length)];
+        if self.compression.is_some() {
             let name = "largest load of the shell on a ring wall per length, with M_rw";
-            sheet.calc("q_rw", name, "σ_c·t_s", &terms, LineForce, DERIVED);
+            sheet.calc("q_rw", name, "σ_c·t_s", LineForce, DERIVED);
         }
-        let terms = [
-            ("D", b.d, Length),
-            ("W_p", b.w_p, Force),
-            ("W_f", b.w_f, Force),
-            ("W_s", b.w_s, Force),
-            ("W_r", b.w_r, Force),
-            ("A_v", a.a_v, Dimensionless),
-            ("M_s", forces.m_s, Moment),
-        ];
         let name = "largest pressure under a slab of diameter D, linear";
         let formula = "(W_p + W_f + W_s + W_r)·(1 + 0.4·A_v)·4/(π·D²) + 32·M_s/(π·D³)";
-        sheet.calc("p_s", name, formula, &terms, Stress, DERIVED);
+        sheet.calc("p_s", name, formula, Stress, DERIVED);
         let name = "smallest pressure under it; negative: the slab lifts on one side without its own weight";
         let formula = "(W_p + W_f + W_s + W_r)·(1 - 0.4·A_v)·4/(π·D²) - 32·M_s/(π·D³)";
-        sheet.calc("p_s0", name, formula, &terms, Stress, DERIVED);
+        sheet.calc("p_s0", name, formula, Stress, DERIVED);
     }
 
     /// Pressure on the ground against the allowable one.
@@ -71,17 +60,7 @@ impl Run<'_> {
             return self.missing(id, "tank.foundation");
         };
         let own = self.site.and_then(|site| site.foundation_weight).unwrap_or(0.0);
-        let mut terms = vec![
-            ("D", b.d, Length),
-            ("W_p", b.w_p, Force),
-            ("W_f", b.w_f, Force),
-            ("W_s", b.w_s, Force),
-            ("W_r", b.w_r, Force),
-            ("W_fd", own, Force),
-            ("A_v", a.a_v, Dimensionless),
-            ("M_s", forces.m_s, Moment),
-            ("M_rw", forces.m_rw, Moment),
-        ];
+        self.sheet.given(&[("W_fd", own, Force)]);
         self.sheet.section("Pressure on the ground");
         self.sheet.input("p_a", "allowable pressure", allowed, Stress, "site.api650.bearing_capacity");
         let (pressure, note) = match foundation.kind {
@@ -93,7 +72,7 @@ impl Run<'_> {
                 let name = "largest pressure under a rigid slab of diameter D";
                 let pressure = if rests {
                     let formula = "((W_p + W_f + W_s + W_r)·(1 + 0.4·A_v) + W_fd)·4/(π·D²) + 32·M_s/(π·D³)";
-                    self.sheet.calc("p_g", name, formula, &terms, Stress, DERIVED)
+                    self.sheet.calc("p_g", name, formula, Stress, DERIVED)
                 } else {
                     let largest = |sign| largest_pressure(shape, under(sign), forces.m_s);
                     let source = "plane pressure without tension, the vertical motion up or down";
@@ -112,11 +91,11 @@ impl Run<'_> {
                 };
                 let name = "pressure of the liquid on the bottom, with that of the earthquake at its edge";
                 let formula = "(W_p + W_f)·(1 + 0.4·A_v)·4/(π·D²) + 32·(M_s - M_rw)/(π·D³)";
-                let inside = self.sheet.calc("p_i", name, formula, &terms, Stress, DERIVED);
-                terms.extend([("q_rw", sigma * b.t_s, LineForce), ("b_f", width, Length), ("p_i", inside, Stress)]);
+                self.sheet.calc("p_i", name, formula, Stress, DERIVED);
+                self.sheet.given(&[("q_rw", sigma * b.t_s, LineForce), ("b_f", width, Length)]);
                 let name = "pressure under the ring wall or pad, the larger of that and of the pressure within it";
                 let formula = "max(q_rw/b_f + 0.5·p_i + W_fd/(π·D·b_f), p_i)";
-                let pressure = self.sheet.calc("p_g", name, formula, &terms, Stress, DERIVED);
+                let pressure = self.sheet.calc("p_g", name, formula, Stress, DERIVED);
                 (pressure, "the shell on the middle of the ring wall or pad")
             }
         };
@@ -125,8 +104,7 @@ impl Run<'_> {
 
     /// Overturning of tank and foundation about the toe; not checked without the weight of the foundation.
     pub(super) fn foundation(&mut self, a: &Accelerations, forces: &Forces) {
-        let b = self.basis;
-        self.demands(a, forces);
+        self.demands();
         if self.excitation == Excitation::Site {
             self.bearing(a, forces);
         }
@@ -137,22 +115,12 @@ impl Run<'_> {
         sheet.section("Overturning of the foundation");
         let name = "weight of the foundation and of the soil on it, W_fd + W_g";
         sheet.input("W_fd", name, weight, Force, "site.api650.foundation_weight");
-        let mut terms = vec![
-            ("D", b.d, Length),
-            ("W_p", b.w_p, Force),
-            ("W_f", b.w_f, Force),
-            ("W_s", b.w_s, Force),
-            ("W_r", b.w_r, Force),
-            ("W_fd", weight, Force),
-            ("M_s", forces.m_s, Moment),
-        ];
         let name = "resisting moment of all weights about the edge of the tank";
         let formula = "0.5·D·(W_p + W_f + W_s + W_r + W_fd)";
-        let resisting = sheet.calc("M_R", name, formula, &terms, Moment, E6_2_3);
-        terms.push(("M_R", resisting, Moment));
+        let resisting = sheet.calc("M_R", name, formula, Moment, E6_2_3);
         let name = "twice the slab moment";
-        let demand = sheet.calc("M_2", name, "2·M_s", &terms, Moment, E6_2_3);
-        let ratio = sheet.calc("S", "stability ratio", "M_R/M_s", &terms, Dimensionless, E6_2_3);
+        let demand = sheet.calc("M_2", name, "2·M_s", Moment, E6_2_3);
+        let ratio = sheet.calc("S", "stability ratio", "M_R/M_s", Dimensionless, E6_2_3);
         let note = format!("stability ratio {ratio:.2}, at least 2 is required");
         let (id, name) = (limit_states::FOUNDATION.id, "Overturning of the foundation");
         self.check(id, name, demand, resisting, Moment, E6_2_3, &note);

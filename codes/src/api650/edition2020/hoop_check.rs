@@ -3,12 +3,12 @@
 //! Where a design pressure P is given, its hoop force N_P = P D/2 is added for a check of its own, also above the liquid. The
 //! combination asks for F_p P, the operating pressure, which is at least 0.4 P; the whole P is on the safe side.
 
-use crate::sheet::{Term, with_unit};
+use crate::sheet::with_unit;
 use tank::Material;
 use tank::assessment::Profile;
 use tank::case::Combination;
 use tank::ingredients::Vertical;
-use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
+use tank::units::Dimension::{Length, LineForce, Stress};
 
 use super::super::hoop::{HoopForces, hoop_forces};
 use super::accelerations::Accelerations;
@@ -265,20 +265,9 @@ impl Run<'_> {
         let depth = format!("depth below the surface of the {name}");
         sheet.input("Y", &depth, y, Length, E6_1_4);
         sheet.input("t", "thickness there", s.t, Length, "tank.courses");
-        let mut terms: Vec<Term> = vec![
-            ("A_i", a.a_i, Dimensionless),
-            ("A_c", a.a_c, Dimensionless),
-            ("A_v", a.a_v, Dimensionless),
-            ("G", b.g, Dimensionless),
-            ("D", d, Length),
-            ("H", h, Length),
-            ("Y", y, Length),
-            ("t", s.t, Length),
-            ("P", pressure, Stress),
-        ];
+        sheet.given(&[("P", pressure, Stress)]);
         let mut force = |symbol: &'static str, name: &str, formula: &str| {
-            let value = sheet.calc(symbol, name, formula, &terms, LineForce, E6_1_4);
-            terms.push((symbol, value, LineForce));
+            sheet.calc(symbol, name, formula, LineForce, E6_1_4);
         };
         if part == Part::Pressure {
             force("N_P", "hoop force of the design pressure", N_P);
@@ -288,7 +277,7 @@ impl Run<'_> {
         }
         force("N_i", "impulsive hoop force", n_i);
         force("N_c", "convective hoop force", n_c);
-        sheet.calc(symbol, name, formula, &terms, Stress, E6_1_4)
+        sheet.calc(symbol, name, formula, Stress, E6_1_4)
     }
 
     /// Lines above the liquid, where only the design pressure acts.
@@ -296,10 +285,9 @@ impl Run<'_> {
         let pressure = self.pressure();
         let sheet = &mut self.sheet;
         sheet.input("t", "thickness there, above the liquid", s.t, Length, "tank.courses");
-        let terms = [("P", pressure, Stress), ("D", self.basis.d, Length)];
+        sheet.given(&[("P", pressure, Stress)]);
         let force = "hoop force of the design pressure";
-        let n_p = sheet.calc("N_P", force, N_P, &terms, LineForce, E6_1_4);
-        let terms = [("N_P", n_p, LineForce), ("t", s.t, Length)];
-        sheet.calc(symbol, name, "N_P/t", &terms, Stress, E6_1_4)
+        sheet.calc("N_P", force, N_P, LineForce, E6_1_4);
+        sheet.calc(symbol, name, "N_P/t", Stress, E6_1_4)
     }
 }

@@ -1,7 +1,7 @@
 //! Resistance to overturning, shell compression, anchors, sliding and uplift (E.6.2, E.7).
 
 use tank::assessment::{CheckStatus, Excitation};
-use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
+use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Stress};
 
 use super::super::basis::softer;
 use super::super::hold_down as hd;
@@ -38,14 +38,13 @@ impl Run<'_> {
         let m_rw = forces.m_rw;
         self.sheet.section("Shell compression and overturning");
         let w_t = b.weight_line(&mut self.sheet, E6_2_1_1);
-        let terms = [("M_rw", m_rw, Moment), ("D", b.d, Length), ("t_s", b.t_s, Length)];
         let name = "axial membrane stress of the ringwall moment, linear over the section";
         let formula = "1.273·M_rw/D²/t_s";
-        let axial = self.sheet.calc("σ_M", name, formula, &terms, Stress, E6_2_2);
+        let axial = self.sheet.calc("σ_M", name, formula, Stress, E6_2_2);
         let load = Load { a_v: a.a_v, m_rw, w_t };
         if b.anchored() {
-            self.compression_linear(&load);
-            self.anchor_uplift(&load);
+            self.compression_linear();
+            self.anchor_uplift();
             self.base = BaseState::on_anchors(&self.out.checks);
         } else {
             match b.bottom() {
@@ -60,7 +59,7 @@ impl Run<'_> {
                 Err(_) => {}
             }
         }
-        self.sliding(a, forces);
+        self.sliding(forces);
         axial
     }
 
@@ -72,24 +71,16 @@ impl Run<'_> {
         if load.m_rw > 0.0 && (resisting <= 0.0 || load.m_rw / (d * d * resisting) > hd::NO_UPLIFT) {
             return false;
         }
-        let w_int = self.pressure_uplift();
-        let terms = [
-            ("M_rw", load.m_rw, Moment),
-            ("D", d, Length),
-            ("w_t", load.w_t, LineForce),
-            ("A_v", load.a_v, Dimensionless),
-            ("w_int", w_int, LineForce),
-            ("F_p", self.f_p(), Dimensionless),
-        ];
+        self.pressure_uplift();
         let (name, formula) = match load.m_rw > 0.0 {
             true => ("anchorage ratio of the weight alone, w_a = 0", hd::WEIGHT_ALONE),
             false => ("anchorage ratio: no moment", "0"),
         };
-        let j = self.sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
+        let j = self.sheet.calc("J", name, formula, Dimensionless, E6_2_1_1);
         let note = "J ≤ 0.785 with w_a = 0: the weight alone keeps the shell down; the bottom plate is not needed";
         let (id, limit) = (limit_states::ANCHORAGE.id, hd::NOT_SELF_ANCHORED);
         self.check(id, "Anchorage ratio J", j, limit, Dimensionless, E6_2_1_1, note);
-        self.compression_linear(load);
+        self.compression_linear();
         let reason = "the weight alone keeps the shell down (J ≤ 0.785): w_a is not needed";
         self.without_comparison(limit_states::ANNULUS.id, CheckStatus::NotApplicable, reason, None);
         true
@@ -97,9 +88,9 @@ impl Run<'_> {
 
     /// Line of the uplift of the design pressure; returns it [N/m].
     fn pressure_uplift(&mut self) -> f64 {
-        let terms = [("P", self.pressure(), Stress), ("D", self.basis.d, Length)];
+        self.sheet.given(&[("P", self.pressure(), Stress)]);
         let name = "uplift of the design pressure per length";
-        self.sheet.calc("w_int", name, "P·D/4", &terms, LineForce, E6_2_1_1)
+        self.sheet.calc("w_int", name, "P·D/4", LineForce, E6_2_1_1)
     }
 
     /// Leaves everything open where the vertical acceleration A_v [g] takes the weight away.
@@ -115,46 +106,29 @@ impl Run<'_> {
     /// Anchorage ratio, compression and annulus of a self-anchored tank.
     fn self_anchored(&mut self, load: &Load, thickness: f64, f_y: f64) {
         let b = self.basis;
-        let (d, h) = (b.d, b.h);
+        let h = b.h;
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
             return self.weightless(a_v);
         }
         let sheet = &mut self.sheet;
-        let terms = [("G", b.g, Dimensionless), ("A_v", a_v, Dimensionless)];
         let (name, formula) = ("effective specific gravity", "G·(1 - 0.4·A_v)");
-        let g_e = sheet.calc("G_e", name, formula, &terms, Dimensionless, E6_2_1_1);
+        let g_e = sheet.calc("G_e", name, formula, Dimensionless, E6_2_1_1);
         let t_a = thickness.min(b.t_s);
         let name = "thickness of the annulus that counts (at most t_s)";
         sheet.input("t_a", name, t_a, Length, E6_2_1_1_2);
         sheet.input("F_y", "yield strength of the annulus", f_y, Stress, "tank.bottom");
-        let terms = [
-            ("t_a", t_a, Length),
-            ("F_y", f_y, Stress),
-            ("H", h, Length),
-            ("G_e", g_e, Dimensionless),
-            ("D", d, Length),
-        ];
         let name = "hold-down force of the annulus per length";
-        let w_a = sheet.calc("w_a", name, hd::HOLD_DOWN, &terms, LineForce, E6_2_1_1);
+        let w_a = sheet.calc("w_a", name, hd::HOLD_DOWN, LineForce, E6_2_1_1);
         let w_int = self.pressure_uplift();
         let f_p = self.f_p();
         let sheet = &mut self.sheet;
-        let terms = [
-            ("M_rw", m_rw, Moment),
-            ("D", d, Length),
-            ("w_t", w_t, LineForce),
-            ("A_v", a_v, Dimensionless),
-            ("w_a", w_a, LineForce),
-            ("w_int", w_int, LineForce),
-            ("F_p", f_p, Dimensionless),
-        ];
         let (name, formula) = hd::anchorage(m_rw, w_t * (1.0 - 0.4 * a_v) + w_a - f_p * w_int);
-        let j = sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
+        let j = sheet.calc("J", name, formula, Dimensionless, E6_2_1_1);
         let weight_alone = w_t * (1.0 - 0.4 * a_v) - f_p * w_int;
         let held = if weight_alone > 0.0 {
             let name = "the same without w_a";
-            sheet.calc("J_0", name, hd::WEIGHT_ALONE, &terms, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
+            sheet.calc("J_0", name, hd::WEIGHT_ALONE, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
         } else {
             false
         };
@@ -172,9 +146,9 @@ impl Run<'_> {
             self.out.notes.push(format!("{E6_2_1_1}, J = {j:.3} with the unreduced moment: {state}"));
         }
         if j <= hd::NO_UPLIFT {
-            self.compression_linear(load);
+            self.compression_linear();
         } else if j <= hd::NOT_SELF_ANCHORED {
-            self.compression_lifting(load, w_a, j);
+            self.compression_lifting();
         } else {
             self.base = BaseState::Unknown("the tank is not stable, J is above 1.54".into());
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
@@ -186,12 +160,12 @@ impl Run<'_> {
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.
             let t_w = t_a * (w_a / hd::plate_force(t_a, f_y, g_e, h)).min(1.0);
-            let width = self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
+            let width = self.annulus(t_w, j > hd::NO_UPLIFT);
             if held {
                 let reason = "the weight alone keeps the shell down (J_0 ≤ 0.785): w_a is not needed";
                 self.without_comparison(limit_states::ANNULUS.id, CheckStatus::NotApplicable, reason, None);
             } else {
-                self.hold_down = HoldDown::Width(width);
+                self.hold_down = HoldDown::Width;
                 self.annulus_width(width);
             }
         }
@@ -209,26 +183,19 @@ impl Run<'_> {
     }
 
     /// Width of the annulus that w_a needs [m], and uplift.
-    fn annulus(&mut self, f_y: f64, g_e: f64, t_a: f64, t_w: f64, lifts: bool) -> f64 {
-        let (d, h) = (self.basis.d, self.basis.h);
-        let terms =
-            [("t", t_w, Length), ("F_y", f_y, Stress), ("H", h, Length), ("G_e", g_e, Dimensionless), ("D", d, Length)];
+    fn annulus(&mut self, t_w: f64, lifts: bool) -> f64 {
+        self.sheet.given(&[("t", t_w, Length)]);
         let name = "width of the annulus inside the shell that w_a needs (t gives w_a)";
-        let width = self.sheet.calc("L", name, hd::ANNULUS, &terms, Length, E6_2_1_1_2);
+        let width = self.sheet.calc("L", name, hd::ANNULUS, Length, E6_2_1_1_2);
         if lifts {
             let plate = self.basis.case.tank.bottom.as_ref().map(|plate| &plate.material);
-            let terms = [
-                ("F_y", f_y, Stress),
-                ("L", width, Length),
-                ("t_a", t_a, Length),
-                ("E", plate.map_or(0.0, |material| material.youngs_modulus), Stress),
-            ];
+            self.sheet.given(&[("E", plate.map_or(0.0, |material| material.youngs_modulus), Stress)]);
             let formula = match plate.is_some_and(softer) {
                 true => hd::UPLIFT_ALUMINIUM,
                 false => hd::UPLIFT,
             };
             let name = "uplift of the shell for the flexibility of piping";
-            let uplift = self.sheet.calc("y_u", name, formula, &terms, Length, E7_3);
+            let uplift = self.sheet.calc("y_u", name, formula, Length, E7_3);
             let toe = self.compression.unwrap_or_default() * self.basis.t_s;
             self.base = BaseState::Lifts(Lift { uplift, toe });
         }
@@ -253,31 +220,17 @@ impl Run<'_> {
     }
 
     /// Compression where the whole ring bears: no uplift, or anchored.
-    fn compression_linear(&mut self, load: &Load) {
-        let terms = [
-            ("w_t", load.w_t, LineForce),
-            ("A_v", load.a_v, Dimensionless),
-            ("M_rw", load.m_rw, Moment),
-            ("D", self.basis.d, Length),
-            ("t_s", self.basis.t_s, Length),
-        ];
+    fn compression_linear(&mut self) {
         let name = "compression of the bottom course";
         let formula = "(w_t·(1 + 0.4·A_v) + 1.273·M_rw/D²)/t_s";
-        let sigma = self.sheet.calc("σ_c", name, formula, &terms, Stress, E6_2_2);
+        let sigma = self.sheet.calc("σ_c", name, formula, Stress, E6_2_2);
         self.compression_check(sigma);
     }
 
     /// Compression of a self-anchored tank that lifts.
-    fn compression_lifting(&mut self, load: &Load, w_a: f64, j: f64) {
-        let terms = [
-            ("w_t", load.w_t, LineForce),
-            ("A_v", load.a_v, Dimensionless),
-            ("w_a", w_a, LineForce),
-            ("J", j, Dimensionless),
-            ("t_s", self.basis.t_s, Length),
-        ];
+    fn compression_lifting(&mut self) {
         let name = "compression of the bottom course";
-        let sigma = self.sheet.calc("σ_c", name, hd::LIFTING, &terms, Stress, E6_2_2);
+        let sigma = self.sheet.calc("σ_c", name, hd::LIFTING, Stress, E6_2_2);
         self.compression_check(sigma);
     }
 
@@ -294,19 +247,13 @@ impl Run<'_> {
     }
 
     /// Anchors of a mechanically anchored tank.
-    fn anchor_uplift(&mut self, load: &Load) {
+    fn anchor_uplift(&mut self) {
         let b = self.basis;
         self.sheet.section("Anchors");
-        let terms = [
-            ("M_rw", load.m_rw, Moment),
-            ("D", b.d, Length),
-            ("w_t", load.w_t, LineForce),
-            ("A_v", load.a_v, Dimensionless),
-            ("P", self.pressure(), Stress),
-        ];
+        self.sheet.given(&[("P", self.pressure(), Stress)]);
         let formula = "1.273·M_rw/D² - w_t·(1 - 0.4·A_v) + P·D/4";
         let name = "uplift per length";
-        let w_ab = self.sheet.calc("w_AB", name, formula, &terms, LineForce, E6_2_1_2);
+        let w_ab = self.sheet.calc("w_AB", name, formula, LineForce, E6_2_1_2);
         if self.excitation == Excitation::Site {
             let note = "Attachment and embedment: the lesser of 3 P_AB and the anchor's yield force (E.7.1 has 4 times for \
                         connections; the texts differ).";
@@ -322,14 +269,13 @@ impl Run<'_> {
     }
 
     /// Sliding resistance and local shear.
-    fn sliding(&mut self, a: &Accelerations, forces: &Forces) {
+    fn sliding(&mut self, forces: &Forces) {
         let b = self.basis;
         let v = forces.v;
         self.sheet.section("Sliding");
-        let terms = [("V", v, Force), ("D", b.d, Length)];
         let name = "largest tangential shear at the base per length";
-        let v_max = self.sheet.calc("V_max", name, "2·V/(π·D)", &terms, LineForce, E7_7);
-        self.shear_transfer(v_max);
+        self.sheet.calc("V_max", name, "2·V/(π·D)", LineForce, E7_7);
+        self.shear_transfer();
         let Some(site) = self.site else {
             return;
         };
@@ -337,17 +283,10 @@ impl Run<'_> {
         if site.friction > 0.4 {
             self.out.notes.push(format!("{E7_6}: friction {} is taken as 0.4, the largest allowed.", site.friction));
         }
-        let terms = [
-            ("μ", mu, Dimensionless),
-            ("W_s", b.w_s, Force),
-            ("W_r", b.w_r, Force),
-            ("W_f", b.w_f, Force),
-            ("W_p", b.w_p, Force),
-            ("A_v", a.a_v, Dimensionless),
-        ];
+        self.sheet.given(&[("μ", mu, Dimensionless)]);
         let formula = "μ·(W_s + W_r + W_f + W_p)·(1 - 0.4·A_v)";
         let name = "sliding resistance";
-        let v_s = self.sheet.calc("V_s", name, formula, &terms, Force, E7_6);
+        let v_s = self.sheet.calc("V_s", name, formula, Force, E7_6);
         if b.anchored() {
             self.out
                 .notes

@@ -62,21 +62,10 @@ impl Run<'_> {
         let s_max = self.ordinate(own, "S_a,max", at);
         let s_ac = self.ordinate(own, "S_a(T_c)", t_c);
         let soft = own.mapped.is_some() && matches!(site.site_class, SiteClass::E | SiteClass::F);
-        let mut terms = vec![
-            ("I", i, Dimensionless),
-            ("R_wi", r_wi, Dimensionless),
-            ("R_wc", R_WC, Dimensionless),
-            ("K", K, Dimensionless),
-            ("S_1", site.s1, Dimensionless),
-            ("S_02", s_02, Dimensionless),
-            ("S_max", s_max, Dimensionless),
-            ("S_ac", s_ac, Dimensionless),
-        ];
         let sheet = &mut self.sheet;
+        sheet.given(&[("S_02", s_02, Dimensionless), ("S_max", s_max, Dimensionless), ("S_ac", s_ac, Dimensionless)]);
         let mut line = |symbol: &'static str, name: &str, formula: &str, clause: &str| {
-            let value = sheet.calc(symbol, name, formula, &terms, Dimensionless, clause);
-            terms.push((symbol, value, Dimensionless));
-            value
+            sheet.calc(symbol, name, formula, Dimensionless, clause)
         };
         let name = "design acceleration, short periods [g]";
         line("S_DS", name, "max(S_02, 0.9·S_max)", SHORT);
@@ -129,15 +118,14 @@ impl Run<'_> {
         let given = sheet.look_up("S_u", &name, source, own.own(period), Dimensionless, E4_6_2);
         if own.mapped.is_none() {
             let name = format!("acceleration at T = {at} [g]");
-            return sheet.calc(symbol, &name, "S_u", &[("S_u", given, Dimensionless)], Dimensionless, E4_6_2);
+            return sheet.calc(symbol, &name, "S_u", Dimensionless, E4_6_2);
         }
         let name = format!("spectrum of the mapped values at T = {at} [g]");
         let source = "Q·F_a·S_s and Q·F_v·S_1 with the shape of ASCE 7 11.4.5";
         let mapped = sheet.look_up("S_m", &name, source, own.mapped(period), Dimensionless, "API 650:2020 E.4.4");
-        let terms = [("S_u", given, Dimensionless), ("S_m", mapped, Dimensionless)];
         let which =
             if given >= 0.8 * mapped { "the user's spectrum governs" } else { "80 % of the mapped spectrum govern" };
         let name = format!("acceleration at T = {at} [g]: {which}");
-        sheet.calc(symbol, &name, "max(S_u, 0.8·S_m)", &terms, Dimensionless, FLOOR)
+        sheet.calc(symbol, &name, "max(S_u, 0.8·S_m)", Dimensionless, FLOOR)
     }
 }

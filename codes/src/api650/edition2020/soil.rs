@@ -15,7 +15,7 @@ use super::Run;
 use super::accelerations::Periods;
 use super::forces::Forces;
 use crate::slab;
-use tank::units::Dimension::{Dimensionless, Time};
+use tank::units::Dimension::Dimensionless;
 
 const ASCE: &str = "ASCE 7-16 19.2, 19.3";
 const E6_1_6: &str = "API 650:2020 E.6.1.6";
@@ -45,23 +45,19 @@ impl Run<'_> {
         let Some(effective) = slab.effective() else {
             return;
         };
-        let mut terms = vec![("T_e0", slab.period, Time), ("T_i", period, Time), ("β", BETA, Dimensionless)];
+        sheet.given(&[("β", BETA, Dimensionless)]);
         let name = "ratio of the periods";
-        let ratio = sheet.calc("κ", name, "T_e0/T_i", &terms, Dimensionless, ASCE);
-        terms.push(("κ", ratio, Dimensionless));
+        sheet.calc("κ", name, "T_e0/T_i", Dimensionless, ASCE);
         let name = "damping ratio by radiation into the soil";
         let source = "complex stiffness of a rigid disc (Veletsos and Verbic) and the wall, less the share of the wall";
         let radiated = slab.on.foundation_damping(effective).max(0.0);
         sheet.look_up("β_f", name, source, radiated, Dimensionless, ASCE);
-        terms.push(("β_f", radiated, Dimensionless));
         let name = "damping ratio of tank and soil, not above 0.20";
-        let damping = sheet.calc("β_0", name, "min(β_f + β/κ², 0.2)", &terms, Dimensionless, ASCE);
-        terms.push(("β_0", damping, Dimensionless));
+        sheet.calc("β_0", name, "min(β_f + β/κ², 0.2)", Dimensionless, ASCE);
         let name = "factor of damping";
-        let factor = sheet.calc("B_SSI", name, "4/(5.6 - ln(100·β_0))", &terms, Dimensionless, ASCE);
-        terms.push(("B_SSI", factor, Dimensionless));
+        sheet.calc("B_SSI", name, "4/(5.6 - ln(100·β_0))", Dimensionless, ASCE);
         let name = "factor by which A_i might be reduced, not below 0.80";
-        sheet.calc("f_SSI", name, "max(1/B_SSI, 0.8)", &terms, Dimensionless, E6_1_6);
+        sheet.calc("f_SSI", name, "max(1/B_SSI, 0.8)", Dimensionless, E6_1_6);
         self.out.notes.push(format!(
             "{E6_1_6}: the interaction with the soil is for information, forces and checks of this sheet do not contain it."
         ));

@@ -22,7 +22,7 @@ use super::accelerations::Accelerations;
 use super::forces::Forces;
 use super::{Run, limit_states};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
-use crate::sheet::{Sheet, Term, with_unit};
+use crate::sheet::{Sheet, with_unit};
 
 const E6_2_2: &str = "API 650:2020 E.6.2.2, derived";
 const E6_2_2_3: &str = "API 650:2020 E.6.2.2.3, local thickness and depth";
@@ -124,25 +124,19 @@ impl Run<'_> {
         sheet.input("W_a", "weight of shell and roof above z", weight, Force, "tank");
         let arm = if mass > 0.0 { moment / mass } else { 0.0 };
         sheet.input("X_a", "height of its centre above z", arm, Length, "tank");
-        let mut terms: Vec<Term> = vec![
+        sheet.given(&[
             ("A_i", a.a_i, Dimensionless),
             ("A_c", a.a_c, Dimensionless),
             ("A_v", a.a_v, Dimensionless),
             ("W_i", forces.w_i, Force),
             ("X_i", forces.x_i, Length),
-            ("χ_i", chi_i, Dimensionless),
             ("W_c", forces.w_c, Force),
             ("X_c", forces.x_c, Length),
-            ("χ_c", chi_c, Dimensionless),
-            ("W_a", weight, Force),
-            ("X_a", arm, Length),
             ("D", b.d, Length),
             ("t", edge.course.net_thickness(), Length),
-        ];
+        ]);
         let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
-            let value = sheet.calc(symbol, name, formula, &terms, dimension, E6_2_2);
-            terms.push((symbol, value, dimension));
-            value
+            sheet.calc(symbol, name, formula, dimension, E6_2_2)
         };
         let formula = "A_i·(W_i·X_i·χ_i + W_a·X_a)";
         line("M_zi", "impulsive moment at z", formula, Moment);
@@ -158,20 +152,20 @@ impl Run<'_> {
         let b = self.basis;
         let f_ty = edge.course.material.yield_strength;
         let depth = (b.h - edge.z).max(0.0);
-        let terms = [
+        sheet.given(&[
             ("t", edge.course.net_thickness(), Length),
             ("D", b.d, Length),
             ("G", b.g, Dimensionless),
             ("H_z", depth, Length),
             ("F_ty", f_ty.unwrap_or(0.0), Stress),
             ("E", edge.course.material.youngs_modulus, Stress),
-        ];
+        ]);
         let local = |formula: &str| formula.replace("t_s", "t").replace('H', "H_z");
         let name = "pressure parameter with the depth H_z above z, D and H_z in m, t in mm";
         let slenderness = local(hd::SLENDERNESS);
-        let ratio = sheet.calc("G·H_z·D²/t²", name, &slenderness, &terms, Dimensionless, E6_2_2_3);
+        let ratio = sheet.calc("G·H_z·D²/t²", name, &slenderness, Dimensionless, E6_2_2_3);
         let formula = local(hd::allowable(ratio, f_ty.is_some(), softer(&edge.course.material))?);
         let name = "allowable compression of the course";
-        Some(sheet.calc("F_Cz", name, &formula, &terms, Stress, E6_2_2_3))
+        Some(sheet.calc("F_Cz", name, &formula, Stress, E6_2_2_3))
     }
 }

@@ -103,21 +103,13 @@ fn inputs(work: &mut Work, toe: Toe) {
 
 fn on_ring(work: &mut Work, toe: Toe, resistance: f64, (width, height): (f64, f64)) {
     inputs(work, toe);
-    let terms = [
-        ("n_T", toe.force, LineForce),
-        ("b_R", width, Length),
-        ("p_T", toe.pressure, Stress),
-        ("ρ_c", CONCRETE, Density),
-        ("g", work.case.gravity, Acceleration),
-        ("h_R", height, Length),
-    ];
     let sheet = &mut work.sheet;
     sheet.input("b_R", "width of the ring wall", width, Length, "tank.foundation.width");
     sheet.input("h_R", "height of the ring wall", height, Length, "tank.foundation.thickness");
     sheet.input("ρ_c", "density of concrete", CONCRETE, Density, "assumption");
     let name = "pressure under the ring wall at the toe";
     let formula = "n_T/b_R + p_T + ρ_c·g·h_R";
-    let demand = sheet.calc("σ_T", name, formula, &terms, Stress, CLAUSE);
+    let demand = sheet.calc("σ_T", name, formula, Stress, CLAUSE);
     let note = match toe.lifts {
         true => "the wall lifts; the wall in the middle of the ring, the liquid on its whole width",
         false => "the wall in the middle of the ring, the liquid on its whole width",
@@ -137,25 +129,22 @@ fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
     if toe.pressure >= resistance {
         return work.part((BEARING, BEARING_TOE), toe.force, 0.0, note);
     }
-    let mut terms = vec![
-        ("R_d", resistance, Stress),
-        ("p_T", toe.pressure, Stress),
+    let sheet = &mut work.sheet;
+    sheet.given(&[
         ("s_b", thickness, Length),
         ("f_y", f_y, Stress),
         ("c_P", projection, Length),
         ("s", course.net_thickness(), Length),
-    ];
-    let sheet = &mut work.sheet;
+    ]);
     for (symbol, title, formula) in [
         ("c_i", "spread inside the wall", "s_b·√(f_y/(3·(R_d - p_T)))"),
         ("c_o", "spread outside the wall", "min(c_P, s_b·√(f_y/(3·R_d)))"),
     ] {
-        let spread = sheet.calc(symbol, title, formula, &terms, Length, PLATE);
-        terms.push((symbol, spread, Length));
+        sheet.calc(symbol, title, formula, Length, PLATE);
     }
     let title = "force of the toe that the ground bears";
     let formula = "(R_d - p_T)·c_i + R_d·(s + c_o)";
-    let capacity = sheet.calc("n_Rd", title, formula, &terms, LineForce, CLAUSE);
+    let capacity = sheet.calc("n_Rd", title, formula, LineForce, CLAUSE);
     work.part((BEARING, BEARING_TOE), toe.force, capacity, note);
 }
 

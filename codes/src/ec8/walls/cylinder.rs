@@ -155,9 +155,8 @@ fn along_the_joint(work: &mut Work, state: &State, (flow, friction): (f64, Optio
     let demand = sheet.look_up("n_zθ", "shear along the joint", source, flow, LineForce, STATICS);
     sheet.input("μ", "friction of the joint", friction, Dimensionless, "tank.wall_base");
     let source = "wall and roof, 1 - 0.3 A_v/g";
-    let n = sheet.look_up("n", "force on the joint", source, weight, LineForce, STATICS);
-    let terms = [("μ", friction, Dimensionless), ("n", n, LineForce)];
-    let capacity = sheet.calc("v_Rd", "friction of the joint", "μ·n", &terms, LineForce, STATICS);
+    sheet.look_up("n", "force on the joint", source, weight, LineForce, STATICS);
+    let capacity = sheet.calc("v_Rd", "friction of the joint", "μ·n", LineForce, STATICS);
     let name = "Shear along the joint at the base";
     let check = Check::new(WALL_JOINT.id, name, demand, capacity, LineForce, STATICS, "");
     work.out.checks.push(check.of(WALL_SHEAR.id));

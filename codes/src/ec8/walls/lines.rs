@@ -6,7 +6,7 @@ use crate::ec8::work::Work;
 use crate::en1992::crack::{self, Width};
 use crate::en1992::section::{Face, Section};
 use crate::en1992::shear::{RESISTANCE, Shear};
-use crate::sheet::{Sheet, Term};
+use crate::sheet::Sheet;
 use tank::BarDirection;
 use tank::assessment::Check;
 use tank::units::Dimension::*;
@@ -37,13 +37,13 @@ impl Governing<'_> {
         let source = "procedures.concrete; EN 1998-1:2004 5.2.4";
         sheet.input("γ_c", "partial factor of concrete", gamma_c, Dimensionless, source);
         sheet.input("γ_s", "partial factor of bars", gamma_s, Dimensionless, source);
-        let terms = [("f_ck", s.strength, Stress), ("γ_c", gamma_c, Dimensionless)];
+        sheet.given(&[("f_ck", s.strength, Stress)]);
         let clause = "EN 1992-1-1:2004 3.1.6";
-        sheet.calc("f_cd", "strength of concrete", "f_ck/γ_c", &terms, Stress, clause);
+        sheet.calc("f_cd", "strength of concrete", "f_ck/γ_c", Stress, clause);
         for bars in &s.bars {
-            let terms = [("f_yk", bars.yield_strength, Stress), ("γ_s", gamma_s, Dimensionless)];
+            sheet.given(&[("f_yk", bars.yield_strength, Stress)]);
             let clause = "EN 1992-1-1:2004 3.2.7";
-            sheet.calc("f_yd", "strength of the bars", "f_yk/γ_s", &terms, Stress, clause);
+            sheet.calc("f_yd", "strength of the bars", "f_yk/γ_s", Stress, clause);
             sheet.input("a_s", "area of the bars", bars.area, LineArea, "input");
             sheet.input("d_i", "their distance from the inner face", bars.depth, Length, "input");
         }
@@ -98,8 +98,9 @@ pub(super) fn bending(work: &mut Work, governing: &Governing) {
     work.out.checks.push(check.of(WALL_BENDING.id));
 }
 
-fn shear_terms<'t>(section: &Section, terms: &Shear) -> [Term<'t>; 7] {
-    [
+/// Tells the values of [`RESISTANCE`].
+fn shear_terms(sheet: &mut Sheet, section: &Section, terms: &Shear) {
+    sheet.given(&[
         ("p", 1e6, Stress),
         ("l", 1.0, Length),
         ("γ_c", section.factors.0, Dimensionless),
@@ -107,13 +108,14 @@ fn shear_terms<'t>(section: &Section, terms: &Shear) -> [Term<'t>; 7] {
         ("d", terms.depth, Length),
         ("A_sl", terms.area, LineArea),
         ("σ_cp", terms.axial, Stress),
-    ]
+    ]);
 }
 
 /// V_Rd,c [N/m].
 pub(super) fn shear_resistance(section: &Section, terms: &Shear) -> f64 {
-    let terms = shear_terms(section, terms);
-    Sheet::new().calc("v_Rd,c", "", RESISTANCE, &terms, LineForce, SHEAR)
+    let mut sheet = Sheet::new();
+    shear_terms(&mut sheet, section, terms);
+    sheet.calc("v_Rd,c", "", RESISTANCE, LineForce, SHEAR)
 }
 
 /// Shear without links.
@@ -128,14 +130,16 @@ pub(super) fn shear(work: &mut Work, governing: &Governing, terms: Option<Shear>
     if let Some(terms) = terms {
         sheet.input("d", "effective depth of the bars in tension", terms.depth, Length, "input");
         sheet.input("A_sl", "area of the bars in tension", terms.area, LineArea, "input");
-        let axial = [("n_Ed", place.n, LineForce), ("h", section.thickness, Length)];
+        sheet.given(&[
+            ("n_Ed", place.n, LineForce),
+            ("h", section.thickness, Length),
+            ("f_cd", section.design_strength(), Stress),
+        ]);
         let name = "axial stress, compression positive, at most 0.2 f_cd";
-        let f_cd = ("f_cd", section.design_strength(), Stress);
-        let axial = [axial[0], axial[1], f_cd];
-        sheet.calc("σ_cp", name, "min(-n_Ed/h, 0.2·f_cd)", &axial, Stress, SHEAR);
-        let terms = shear_terms(section, &terms);
+        sheet.calc("σ_cp", name, "min(-n_Ed/h, 0.2·f_cd)", Stress, SHEAR);
+        shear_terms(sheet, section, &terms);
         let name = "resistance without links, p = 1 MPa, l = 1 m";
-        capacity = sheet.calc("v_Rd,c", name, RESISTANCE, &terms, LineForce, SHEAR);
+        capacity = sheet.calc("v_Rd,c", name, RESISTANCE, LineForce, SHEAR);
     }
     let (name, note) = ("Shear of the wall without links", place.describe());
     work.check(WALL_SHEAR.named(name), demand, capacity, SHEAR, &note);
@@ -159,34 +163,32 @@ pub(super) fn crack(
     sheet.look_up("σ_s", "stress of the bars", "cracked elastic section", width.stress, Stress, CRACK);
     sheet.look_up("h_c,ef", "effective height", "min(2.5 (h - d), (h - x)/3, h/2)", width.effective, Length, CRACK);
     if width.stress > 0.0 {
-        let terms = [
+        sheet.given(&[
             ("c", width.cover, Length),
             ("k_2", width.distribution, Dimensionless),
             ("φ", width.diameter, Length),
             ("ρ_p", width.ratio, Dimensionless),
-        ];
+        ]);
         let close = 3.4 * width.cover + 0.34 * width.distribution * width.diameter / width.ratio;
         if (width.spacing - close).abs() <= 1e-9 * close {
             let formula = "3.4·c + 0.425·0.8·k_2·φ/ρ_p";
-            sheet.calc("s_r", "largest crack spacing", formula, &terms, Length, CRACK);
+            sheet.calc("s_r", "largest crack spacing", formula, Length, CRACK);
         } else {
             let source = "1.3 (h - x), bars wider apart than 5 (c + φ/2)";
             sheet.look_up("s_r", "largest crack spacing", source, width.spacing, Length, CRACK);
         }
-        let terms = [
-            ("σ_s", width.stress, Stress),
+        sheet.given(&[
             ("k_t", duration, Dimensionless),
             ("f_ct", crack::tensile_strength(section.strength), Stress),
             ("ρ_p", width.ratio, Dimensionless),
             ("E_s", steel, Stress),
             ("E_cm", section.modulus, Stress),
-        ];
+        ]);
         let name = "mean strain of bars less that of concrete";
         let formula = "max(σ_s - k_t·f_ct/ρ_p·(1 + E_s/E_cm·ρ_p), 0.6·σ_s)/E_s";
-        sheet.calc("ε_m", name, formula, &terms, Dimensionless, CRACK);
+        sheet.calc("ε_m", name, formula, Dimensionless, CRACK);
     }
-    let terms = [("s_r", width.spacing, Length), ("ε_m", width.strain, Dimensionless)];
-    let demand = sheet.calc("w_k", "crack width", "s_r·ε_m", &terms, Length, CRACK);
+    let demand = sheet.calc("w_k", "crack width", "s_r·ε_m", Length, CRACK);
     let source = "tightness class; through cracks by h_D/h, otherwise 0.3 mm";
     sheet.look_up("w_k1", "its limit", source, limit, Length, LIMIT);
     let clause = format!("{CRACK}, {LIMIT}");

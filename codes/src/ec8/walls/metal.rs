@@ -36,9 +36,9 @@ fn one(work: &mut Work, places: &[Place], situation: Situation, state: &str) {
     let Some(place) = worst else { return };
     let clause = "elastic plate theory";
     work.sheet.section("Walls of metal: axial force and bending");
-    let terms = [("n", place.n, LineForce), ("m", place.m, LineMoment), ("s", place.course.thickness, Length)];
+    work.sheet.given(&[("n", place.n, LineForce), ("m", place.m, LineMoment), ("s", place.course.thickness, Length)]);
     let name = format!("largest stress, {}", place.describe());
-    let stress = work.sheet.calc("σ_Ed", &name, "max(n, -n)/s + 6·max(m, -m)/s²", &terms, Stress, clause);
+    let stress = work.sheet.calc("σ_Ed", &name, "max(n, -n)/s + 6·max(m, -m)/s²", Stress, clause);
     let id = if state == DAMAGE.id { DAMAGE_WALL.id } else { WALL_BENDING.id };
     let name = "Tension and bending of the wall below yield";
     let check = Check::new(id, name, stress, capacity(place), Stress, clause, &place.describe());
