@@ -325,38 +325,42 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
             crate::sheet::number(100.0 * case.damping.impulsive)
         ));
     }
-    if let Shape::Cylinder { .. } = case.tank.shape {
-        out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f (Veletsos).".into());
-        if (work.edition, case.procedures.ec8_impulsive) == (Edition::En2006, FlexibleImpulsive::Simplified) {
-            out.push(
-                "Freeboard: the larger of R S_e(T_con)/g (A.3.2.2) and 0.84 R S_e(T_c1)/g (A.2.1.4); the sloshing height compared with \
-                 other methods is the latter."
-                    .into(),
-            );
+    match case.tank.shape {
+        Shape::Cylinder { .. } => of_a_cylinder(case, work.edition, out),
+        Shape::Rectangle { .. } => {
+            out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f of the wall.".into());
         }
-        if case.tank.is_metal() {
-            out.push(
-                "Elastic-plastic collapse (A.10.3): of the exponents 1.15 (as the clause) and 1.5 (Rotter 1990, EN 1993-1-6) of R/(400 s) \
-                 the one with the smaller capacity: 1.15 from R/s = 400 on."
-                    .into(),
-            );
-        }
-        out.push(match (work.edition, case.procedures.ec8_impulsive) {
-            (Edition::En2006, FlexibleImpulsive::Simplified) => {
-                "Masses, levers and periods of table A.2 (A.3.2.2).".into()
-            }
-            (Edition::Env1998, FlexibleImpulsive::Simplified) => "T_f by the approximate formula of B.3.1.".to_string(),
-            (_, FlexibleImpulsive::Iterative) => "T_f of the coupled first mode of the clamped wall.".into(),
-        });
-        out.push(
-            "Membrane stresses; the bending of the wall near its base and at joints of courses is not included.".into(),
-        );
-    } else {
-        out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f of the wall.".into());
     }
     if work.demand.vertical {
-        work.out.assumptions.push(
+        out.push(
             "Horizontal and vertical motion: E_x + 0.3 E_z and 0.3 E_x + E_z; breathing mode at 3 % damping.".into(),
         );
     }
+}
+
+/// What is assumed of a cylinder alone.
+fn of_a_cylinder(case: &Case, edition: Edition, out: &mut Vec<String>) {
+    out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f (Veletsos).".into());
+    if (edition, case.procedures.ec8_impulsive) == (Edition::En2006, FlexibleImpulsive::Simplified) {
+        out.push(
+            "Freeboard: the larger of R S_e(T_con)/g (A.3.2.2) and 0.84 R S_e(T_c1)/g (A.2.1.4); the sloshing height compared with \
+             other methods is the latter."
+                .into(),
+        );
+    }
+    if case.tank.is_metal() {
+        out.push(
+            "Elastic-plastic collapse (A.10.3): of the exponents 1.15 (as the clause) and 1.5 (Rotter 1990, EN 1993-1-6) of R/(400 s) \
+             the one with the smaller capacity: 1.15 from R/s = 400 on."
+                .into(),
+        );
+    }
+    out.push(match (edition, case.procedures.ec8_impulsive) {
+        (Edition::En2006, FlexibleImpulsive::Simplified) => "Masses, levers and periods of table A.2 (A.3.2.2).".into(),
+        (Edition::Env1998, FlexibleImpulsive::Simplified) => "T_f by the approximate formula of B.3.1.".to_string(),
+        (_, FlexibleImpulsive::Iterative) => "T_f of the coupled first mode of the clamped wall.".into(),
+    });
+    out.push(
+        "Membrane stresses; the bending of the wall near its base and at joints of courses is not included.".into(),
+    );
 }

@@ -166,8 +166,7 @@ pub(super) fn assess(work: &mut Work, at_toe: f64) {
         return;
     };
     let Some(resistance) = work.demand.site.and_then(|site| site.bearing_capacity) else {
-        let reason = format!("`{RESISTANCE}` is missing");
-        work.without_comparison(BEARING.id, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
+        work.missing(BEARING.id, RESISTANCE);
         return;
     };
     let case = work.case;

@@ -9,7 +9,7 @@ use super::flexible::{COEFFICIENT, PERIOD, coupled_mode, equivalent_density_peri
 use super::ingredients::{self, Motion, Wall};
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
-use super::work::{Masses, Ratio, Work};
+use super::work::{DEPTH, MASS, Masses, Ratio, Work};
 use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding, soil, walls};
 use crate::mechanical::{Lumped, Plan, eigenvalue, impulsive};
 use crate::procedure::CodeError;
@@ -205,16 +205,15 @@ fn impulsive_period(
     let psi = mode.field.participation;
     work.sheet.look_up("ψ", name, source, psi, Dimensionless, &clause);
     let lumped = mode.field.lumped;
-    let (whole, height) = (("m", work.mass, Mass), ("H", depth, Length));
     let share = |symbol, source, value| Ratio { symbol, source, value };
     let mass = share("μ_f", "series ψ·γ·Σ (-1)ⁿ·d_n/ν_n", lumped.mass);
     let lever = share("χ_f", "Σ(moment of p_f)/Σ(force of p_f), wall", lumped.lever);
     let source = "Σ(moment of p_f)/Σ(force of p_f), wall and base";
     let lever_with_base = share("χ_f′", source, lumped.lever_with_base);
     let flexible = Lumped {
-        mass: work.share(("m_f", "flexible impulsive mass"), whole, mass, &clause),
-        lever: work.share(("h_f", "its lever, wall only"), height, lever, &clause),
-        lever_with_base: work.share(("h_f′", "its lever, wall and base"), height, lever_with_base, &clause),
+        mass: work.share(("m_f", "flexible impulsive mass"), MASS, mass, &clause),
+        lever: work.share(("h_f", "its lever, wall only"), DEPTH, lever, &clause),
+        lever_with_base: work.share(("h_f′", "its lever, wall and base"), DEPTH, lever_with_base, &clause),
     };
     Ok((period, Some(flexible), Wall::Shell))
 }
@@ -239,21 +238,19 @@ fn table_period(work: &mut Work, row: Row) -> (f64, Wall) {
 fn table_masses(work: &mut Work, row: Row) -> Masses {
     work.sheet.section("Masses and levers of table A.2");
     let clause = work.edition.clause("3.2.2");
-    let whole = ("m", work.mass, Mass);
-    let height = ("H", work.case.liquid.fill_height, Length);
     let mut line = |symbol, name, whole, share, value| {
         let ratio = Ratio { symbol: share, source: "table A.2 at H/R", value };
         work.share((symbol, name), whole, ratio, &clause)
     };
-    let m_i = line("m_i", "impulsive mass", whole, "μ_i", row.impulsive_mass);
+    let m_i = line("m_i", "impulsive mass", MASS, "μ_i", row.impulsive_mass);
     let name = "convective mass, all modes";
-    let m_c = line("m_c", name, whole, "μ_c", row.convective_mass);
-    let h_i = line("h_i", "impulsive lever, wall only", height, "χ_i", row.impulsive_lever);
-    let h_c = line("h_c", "convective lever, wall only", height, "χ_c", row.convective_lever);
+    let m_c = line("m_c", name, MASS, "μ_c", row.convective_mass);
+    let h_i = line("h_i", "impulsive lever, wall only", DEPTH, "χ_i", row.impulsive_lever);
+    let h_c = line("h_c", "convective lever, wall only", DEPTH, "χ_c", row.convective_lever);
     let (name, value) = ("impulsive lever, wall and base", row.impulsive_lever_with_base);
-    let h_ib = line("h_i′", name, height, "χ_i′", value);
+    let h_ib = line("h_i′", name, DEPTH, "χ_i′", value);
     let (name, value) = ("convective lever, wall and base", row.convective_lever_with_base);
-    let h_cb = line("h_c′", name, height, "χ_c′", value);
+    let h_cb = line("h_c′", name, DEPTH, "χ_c′", value);
     work.out.notes.push(
         "Base shear and moments follow table A.2, whose m_c lumps all sloshing modes; pressures, stresses over the height and the \
          wave follow the exact fields A.2.1 with the first sloshing mode."

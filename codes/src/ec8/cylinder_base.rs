@@ -6,7 +6,7 @@ use super::cylinder_stress::State;
 use super::limit_states::{ANCHORS, OVERTURNING};
 use super::plate_uplift;
 use super::uplift::{self, Compression};
-use super::work::Work;
+use super::work::{Work, missing_input};
 use crate::base_state::{BaseState, Lift};
 use crate::sheet::with_unit;
 use tank::assessment::CheckStatus;
@@ -137,10 +137,9 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     let weight = weight(work, state, &clause);
     work.out.hold_down = Some(weight);
     if let Some(input) = missing(state) {
-        let reason = format!("`{input}` is missing");
-        work.without_comparison(OVERTURNING.id, CheckStatus::NotChecked, &reason, Some(&input));
+        work.missing(OVERTURNING.id, &input);
         let _ = strips(work, state, weight);
-        work.base = BaseState::Unknown(reason);
+        work.base = BaseState::Unknown(missing_input(&input));
         return Amplification::Missing(input);
     }
     hold_down(work, state, diameter, &clause);

@@ -16,7 +16,6 @@ use super::limit_states::{DAMAGE, DAMAGE_FREEBOARD, DAMAGE_HOOP};
 use super::work::Work;
 use crate::sheet::{Sheet, number, with_unit};
 use tank::Course;
-use tank::assessment::CheckStatus;
 use tank::case::Combination;
 use tank::units::Dimension::*;
 
@@ -39,8 +38,7 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
         return;
     };
     let Some(reduction) = work.demand.site.and_then(|site| site.reduction_factor) else {
-        let reason = format!("`{REDUCTION}` is missing");
-        return work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(REDUCTION));
+        return work.missing(DAMAGE.id, REDUCTION);
     };
     let clause = work.edition.main("2.1.3");
     work.sheet.section("Damage limitation");
@@ -70,8 +68,7 @@ fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
     let missing = state.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
     if let Some(course) = missing {
         let input = format!("materials.{}.yield_strength", course.material.name);
-        let reason = format!("`{input}` is missing");
-        return work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(&input));
+        return work.missing(DAMAGE.id, &input);
     }
     let q = work.demand.behaviour_factor;
     let mut governing: Option<(f64, Place)> = None;

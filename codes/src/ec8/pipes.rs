@@ -25,21 +25,17 @@ const ALLOWED: &str = "tank.pipes.allowable_displacement";
 
 /// Writes the check, or what is missing. Needs the uplift.
 pub(super) fn assess(work: &mut Work) {
-    let missing = |work: &mut Work, input: &str| {
-        let reason = format!("`{input}` is missing");
-        work.without_comparison(PIPES.id, CheckStatus::NotChecked, &reason, Some(input));
-    };
     let Some(pipes) = work.case.tank.pipes else {
-        return missing(work, PATH);
+        return work.missing(PIPES.id, PATH);
     };
     let Some(distance) = pipes.support_distance else {
-        return missing(work, DISTANCE);
+        return work.missing(PIPES.id, DISTANCE);
     };
     let Some(allowed) = pipes.allowable_displacement else {
-        return missing(work, ALLOWED);
+        return work.missing(PIPES.id, ALLOWED);
     };
     let Some((factor, clause, [ag, soil, t_c, t_d])) = ground(work) else {
-        return missing(work, "site.ec8");
+        return work.missing(PIPES.id, "site.ec8");
     };
     let uplift = match work.base.uplift() {
         Ok(uplift) => uplift,

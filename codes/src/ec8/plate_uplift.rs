@@ -18,7 +18,7 @@ use ::base::{Base, Stand};
 
 use super::cylinder_stress::State;
 use super::limit_states::{UPLIFT, UPLIFT_EQUILIBRIUM, UPLIFT_MEMBRANE, UPLIFT_ROTATION, UPLIFT_WIDTH};
-use super::work::Work;
+use super::work::{Work, missing_input};
 use crate::base_state::Lift;
 use crate::lifted::{self, Ground};
 use crate::sheet::with_unit;
@@ -33,9 +33,8 @@ pub const ROTATION: f64 = 0.20;
 /// * `weight`: of wall and roof, less overpressure and vertical motion [N/m]
 pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift, String> {
     let missing = |work: &mut Work, input: &str| {
-        let reason = format!("`{input}` is missing");
-        work.without_comparison(UPLIFT.id, CheckStatus::NotChecked, &reason, Some(input));
-        Err(reason)
+        work.missing(UPLIFT.id, input);
+        Err(missing_input(input))
     };
     let Some(bottom) = &state.tank.bottom else {
         return missing(work, "tank.bottom");

@@ -12,7 +12,6 @@
 
 use super::limit_states::SLIDING;
 use super::work::Work;
-use tank::assessment::CheckStatus;
 use tank::case::Components;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -28,8 +27,7 @@ pub(super) fn assess(work: &mut Work) {
         return;
     };
     let Some(friction) = work.demand.site.and_then(|site| site.friction) else {
-        let reason = format!("`{FRICTION}` is missing");
-        work.without_comparison(SLIDING.id, CheckStatus::NotChecked, &reason, Some(FRICTION));
+        work.missing(SLIDING.id, FRICTION);
         return;
     };
     work.sheet.section("Sliding");

@@ -6,7 +6,7 @@ use crate::base_state::BaseState;
 use crate::limit_state::{LimitStateDef, Part};
 use crate::mechanical::Lumped;
 use crate::procedure::CodeError;
-use crate::sheet::{Sheet, Term};
+use crate::sheet::Sheet;
 use crate::{corrosion, roof};
 use tank::Shape;
 use tank::assessment::{Assessment, Check, CheckStatus, Profile};
@@ -55,6 +55,18 @@ pub(super) fn combined(method: Combination, impulsive: f64, convective: f64) -> 
         Combination::Srss => impulsive.hypot(convective),
     }
 }
+
+/// Why a limit state is not checked.
+pub(super) fn missing_input(input: &str) -> String {
+    format!("`{input}` is missing")
+}
+
+/// What a ratio is a share of: symbol and dimension.
+pub(super) type Whole = (&'static str, Dimension);
+/// The mass of the liquid.
+pub(super) const MASS: Whole = ("m", Mass);
+/// The depth of the liquid.
+pub(super) const DEPTH: Whole = ("H", Length);
 
 impl Work<'_> {
     /// Section on tank and liquid; `symbol` is R or L. Returns the slenderness γ.
@@ -115,8 +127,8 @@ impl Work<'_> {
     }
 
     /// A line for a ratio that is looked up and one for its product with `whole`. Returns the product.
-    pub(super) fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
-        let (of, _, dimension) = whole;
+    pub(super) fn share(&mut self, (symbol, name): (&str, &str), whole: Whole, ratio: Ratio, clause: &str) -> f64 {
+        let (of, dimension) = whole;
         let what = format!("{name}, share of {of}");
         let Ratio { symbol: share, source, value } = ratio;
         self.sheet.look_up(share, &what, source, value, Dimensionless, clause);
@@ -128,16 +140,15 @@ impl Work<'_> {
     /// their ratios to liquid mass and depth.
     pub(super) fn rigid_part(&mut self, rigid: Lumped, series: [&str; 3], clause: &str) -> Lumped {
         self.sheet.section("Liquid in a rigid tank");
-        let (mass, depth) = (("m", self.mass, Mass), ("H", self.case.liquid.fill_height, Length));
         let [m, lever, lever_with_base] = series;
         let ratio = |symbol, source, value| Ratio { symbol, source, value };
         let m = ratio("μ_i", m, rigid.mass);
         let lever = ratio("χ_i", lever, rigid.lever);
         let lever_with_base = ratio("χ_i′", lever_with_base, rigid.lever_with_base);
         Lumped {
-            mass: self.share(("m_i", "impulsive mass"), mass, m, clause),
-            lever: self.share(("h_i", "impulsive lever, wall only"), depth, lever, clause),
-            lever_with_base: self.share(("h_i′", "impulsive lever, wall and base"), depth, lever_with_base, clause),
+            mass: self.share(("m_i", "impulsive mass"), MASS, m, clause),
+            lever: self.share(("h_i", "impulsive lever, wall only"), DEPTH, lever, clause),
+            lever_with_base: self.share(("h_i′", "impulsive lever, wall and base"), DEPTH, lever_with_base, clause),
         }
     }
 
@@ -249,6 +260,11 @@ impl Work<'_> {
         if let Some(state) = states.iter().find(|state| state.id == id) {
             self.out.checks.push(Check::without_comparison(state, status, reason, input));
         }
+    }
+
+    /// A limit state whose `input` is missing.
+    pub(super) fn missing(&mut self, id: &str, input: &str) {
+        self.without_comparison(id, CheckStatus::NotChecked, &missing_input(input), Some(input));
     }
 
     /// Adds a profile over the heights `z`.

@@ -37,8 +37,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let resistance = match codes.find_map(|code| code.bearing_resistance(work.case)) {
         Some(Ok(resistance)) => resistance,
         Some(Err(input)) => {
-            let reason = format!("`{input}` is missing");
-            return work.without(BEARING.id, CheckStatus::NotChecked, &reason, Some(input));
+            return work.missing(BEARING.id, input);
         }
         None => return,
     };
@@ -53,20 +52,12 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     let normal = |k: usize| mass * (case.gravity + upwards(k));
     let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment(k) * (1.0 + more));
-    // Under a constant weight the pressure grows with the moment. Of several instants whose resultant leaves the base, that with the
-    // largest moment.
-    let all = 0..moments.len();
-    let pressures: Option<Vec<f64>> =
-        (ready.vertical.as_ref()).map(|_| all.clone().map(|k| pressure(k, 0.0)).collect());
-    let worse = |&i: &usize, &j: &usize| {
-        let by_moment = moment(i).total_cmp(&moment(j));
-        let by_pressure = pressures.as_ref().map_or(by_moment, |p| p[i].total_cmp(&p[j]));
-        by_pressure.then(by_moment).then(j.cmp(&i))
-    };
-    let Some(k) = all.max_by(worse) else {
+    let all: Vec<f64> = (0..moments.len()).map(moment).collect();
+    let pressures = ready.vertical.as_ref().map(|_| (0..moments.len()).map(|k| pressure(k, 0.0)).collect());
+    let Some(k) = governing(&all, pressures) else {
         return;
     };
-    let at = At { instant: k, moment: moment(k), mass, upwards: upwards(k) };
+    let at = At { instant: k, moment: all[k], mass, upwards: upwards(k) };
     let bears = lines(work, &at, resistance);
     let found = Found {
         utilisation: 0.0,
@@ -81,26 +72,9 @@ pub(super) fn assess(work: &mut Work<'_>) {
         Bears::Pressure(now) => (pressure(k, more) / now - 1.0).min(LARGEST_ERROR),
         Bears::Leaves { .. } => more,
     });
-    if work.case.tank.support == Support::Anchored && matches!(bears, Bears::Leaves { .. }) {
-        return work.without(BEARING.id, CheckStatus::NotChecked, ON_ANCHORS, None);
-    }
-    if let Bears::Pressure(pressure) = bears {
-        let lifts = work.demands.base.as_ref().is_some_and(|base| base.lifts);
-        let kind = case.tank.foundation.map(|f| f.kind);
-        let narrow = match kind {
-            // A slab spreads the toe.
-            Some(FoundationKind::Slab) => None,
-            _ if lifts => Some(LIFTS),
-            Some(FoundationKind::RingWall) => Some(ON_A_RING),
-            _ => None,
-        };
-        if let (true, Some(reason)) = (pressure <= resistance, narrow) {
-            return work.without(BEARING.id, CheckStatus::NotChecked, reason, None);
-        }
-        let leaves = leaves_kern(case.tank.shape, normal(k), moment(k));
-        if pressure > resistance && leaves && case.tank.support == Support::Anchored {
-            return work.without(BEARING.id, CheckStatus::NotChecked, BEYOND_KERN, None);
-        }
+    if let Some(reason) = unlike_a_rigid_base(work, &bears, resistance, leaves_kern(case.tank.shape, normal(k), all[k]))
+    {
+        return work.without(BEARING.id, CheckStatus::NotChecked, reason, None);
     }
     let clause = work.clause(BEARING.id);
     let note = "rigid base without tension, weight of the same instant, without bottom plate and foundation";
@@ -123,6 +97,38 @@ pub(super) fn assess(work: &mut Work<'_>) {
     };
     let time = work.demands.times.get(k).copied();
     work.checks.push(check.at(time, Some(0.0), Some(theta)).with_error(error));
+}
+
+/// The governing instant: under a constant weight the pressure grows with the moment. Of several instants whose resultant leaves the
+/// base, that with the largest moment.
+///
+/// * `pressures`: of every instant [Pa], under a weight that changes
+fn governing(moments: &[f64], pressures: Option<Vec<f64>>) -> Option<usize> {
+    let worse = |&i: &usize, &j: &usize| {
+        let by_moment = moments[i].total_cmp(&moments[j]);
+        let by_pressure = pressures.as_ref().map_or(by_moment, |p| p[i].total_cmp(&p[j]));
+        by_pressure.then(by_moment).then(j.cmp(&i))
+    };
+    (0..moments.len()).max_by(worse)
+}
+
+/// Why a rigid base without tension does not speak of this tank: a wall on anchors, on a ring, or one that lifts.
+fn unlike_a_rigid_base(work: &Work<'_>, bears: &Bears, resistance: f64, leaves_kern: bool) -> Option<&'static str> {
+    let tank = &work.case.tank;
+    let anchored = tank.support == Support::Anchored;
+    let Bears::Pressure(pressure) = *bears else {
+        return anchored.then_some(ON_ANCHORS);
+    };
+    if pressure > resistance {
+        return (leaves_kern && anchored).then_some(BEYOND_KERN);
+    }
+    match tank.foundation.map(|f| f.kind) {
+        // A slab spreads the toe.
+        Some(FoundationKind::Slab) => None,
+        _ if work.demands.base.as_ref().is_some_and(|base| base.lifts) => Some(LIFTS),
+        Some(FoundationKind::RingWall) => Some(ON_A_RING),
+        _ => None,
+    }
 }
 
 /// The governing instant.

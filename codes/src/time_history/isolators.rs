@@ -11,7 +11,7 @@
 //!
 //! Source: EN 1998-1:2004 10.3(2), 10.8, 10.10; ASCE 7-16 17.2.4.6, 17.2.8, 17.5.3; recalled.
 
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::Check;
 use tank::units::Dimension::{Dimensionless, Length};
 
 use super::limit_states::{ISOLATORS, TENSION};
@@ -41,8 +41,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     match (factor, isolators.displacement_capacity) {
         (None, _) => {}
         (Some(_), None) => {
-            let reason = format!("`{CAPACITY}` is missing");
-            work.without(ISOLATORS.id, CheckStatus::NotChecked, &reason, Some(CAPACITY));
+            work.missing(ISOLATORS.id, CAPACITY);
         }
         (Some(factor), Some(capacity)) => {
             let clause = work.clause(ISOLATORS.id);

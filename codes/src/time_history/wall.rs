@@ -1,7 +1,6 @@
 //! Stresses of a metal shell against yield and buckling, course by course.
 
 use tank::Course;
-use tank::assessment::CheckStatus;
 use tank::case::Case;
 use tank::quantity::Quantity;
 use tank::units::Dimension::Stress;
@@ -149,8 +148,7 @@ fn limits<'a>(work: &mut Work<'a>, radius: f64) -> Vec<WallLimit<'a>> {
     let (known, unknown): (Vec<_>, Vec<_>) = all.partition(|limit| limit.missing.is_none());
     for limit in unknown {
         let input = limit.missing.unwrap_or_default();
-        let reason = format!("`{input}` is missing");
-        work.without(limit.state.id, CheckStatus::NotChecked, &reason, Some(&input));
+        work.missing(limit.state.id, &input);
     }
     known
 }

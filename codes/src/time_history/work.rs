@@ -82,6 +82,11 @@ impl<'a> Work<'a> {
         }
     }
 
+    /// A limit state whose `input` is missing.
+    pub(super) fn missing(&mut self, id: &str, input: &str) {
+        self.without(id, CheckStatus::NotChecked, &format!("`{input}` is missing"), Some(input));
+    }
+
     /// Clause of a limit state.
     pub(super) fn clause(&self, id: &str) -> String {
         let state = self.states.iter().find(|state| state.id == id);

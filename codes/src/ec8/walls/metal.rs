@@ -3,7 +3,7 @@
 use super::place::{Place, Situation};
 use crate::ec8::limit_states::{DAMAGE, DAMAGE_WALL, WALL_BENDING};
 use crate::ec8::work::Work;
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::Check;
 use tank::units::Dimension::*;
 
 /// Writes the checks: |n|/s + 6 |m|/s² ≤ f_y in each direction.
@@ -11,10 +11,9 @@ pub(super) fn assess(work: &mut Work, places: &[Place], damage: bool) {
     let courses = &work.case.tank.courses;
     if let Some(course) = courses.iter().find(|c| c.material.yield_strength.is_none()) {
         let input = format!("materials.{}.yield_strength", course.material.name);
-        let reason = format!("`{input}` is missing");
-        work.without_comparison(WALL_BENDING.id, CheckStatus::NotChecked, &reason, Some(&input));
+        work.missing(WALL_BENDING.id, &input);
         if damage {
-            work.without_comparison(DAMAGE.id, CheckStatus::NotChecked, &reason, Some(&input));
+            work.missing(DAMAGE.id, &input);
         }
         return;
     }
