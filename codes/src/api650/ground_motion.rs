@@ -12,7 +12,7 @@
 //!
 //! All accelerations in g, at 5 % damping. Q = 2/3 scales the mapped motion to the design level; Q = 1 where the site is
 //! not covered by ASCE 7 and the input is the design peak ground acceleration S_p, from which
-//! `S_s = 2.5 S_p, S_1 = 1.25 S_p` ([`mapped_from_peak`]).
+//! `S_s = 2.5 S_p, S_1 = 1.25 S_p` (API 650, 12th edition, E.4.3; T_L = 4 s unless given).
 //!
 //! Site coefficients: ASCE 7-05 and 7-10 tables 11.4-1, 11.4-2 (those inside annex E), and ASCE 7-16; linear between the
 //! columns, constant outside. Where ASCE 7-16 asks for a site study (class E above S_s = 0.75 g or S_1 = 0.1 g, class F)
@@ -126,17 +126,6 @@ fn coefficient(
         };
         CodeError::Data { clause, reason: format!("{limit}: give fa and fv of a site study in site.api650") }
     })
-}
-
-/// S_s and S_1 [g] for a site that ASCE 7 does not cover, from the design peak ground acceleration S_p [g].
-///
-/// ```text
-/// S_s = 2.5 S_p      S_1 = 1.25 S_p      (and Q = 1, T_L = 4 s unless given)
-/// ```
-///
-/// Source: API 650, 12th edition, E.4.3.
-pub fn mapped_from_peak(sp: f64) -> (f64, f64) {
-    (2.5 * sp, 1.25 * sp)
 }
 
 /// Design spectrum of ASCE 7 as annex E uses it, 5 % damping, accelerations in g.
@@ -332,7 +321,7 @@ pub(crate) mod tests {
     /// F_v = 2.35, S_DS = 0.360, S_D1 = 0.265 (0.2644 unrounded), T_S = 0.73 s, T_0 = 0.15 s; as printed.
     #[test]
     fn site_without_asce_maps() {
-        let (ss, s1) = mapped_from_peak(0.09);
+        let (ss, s1) = (2.5 * 0.09, 1.25 * 0.09);
         let s = DesignSpectrum::new(&Api650Site { ss, s1, q: 1.0, tl: 4.0, ..site() }).unwrap();
         for (value, printed, digits) in [
             (ss, 0.225, 5e-4),

@@ -24,27 +24,9 @@
 //! Sources: API 650, 12th edition, E.4.5, E.6.1.1, E.6.1.2; 9th edition, figures E-2, E-3, E-4.
 
 use crate::ec8::simplified;
-use tank::formula::evaluate;
 
 /// Ratio D/H that parts squat from slender tanks.
 pub const SQUAT: f64 = 1.333;
-
-/// Effective weights over the product weight and heights over the liquid level (module description).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EffectiveMasses {
-    /// Impulsive weight W_i/W_p.
-    pub w_i: f64,
-    /// Convective weight W_c/W_p.
-    pub w_c: f64,
-    /// Height X_i/H of the impulsive force on the wall.
-    pub x_i: f64,
-    /// Height X_c/H of the convective force on the wall.
-    pub x_c: f64,
-    /// Height X_is/H of the impulsive force with base pressure.
-    pub x_is: f64,
-    /// Height X_cs/H of the convective force with base pressure.
-    pub x_cs: f64,
-}
 
 /// Formulas of weights [N] and heights [m] with D, H, W_p and, for the convective part, `u = 3.67 H/D`.
 #[derive(Clone, Copy, Debug)]
@@ -76,23 +58,6 @@ pub(super) fn charts(d_over_h: f64) -> Charts {
     Charts { w_i, w_c: "W_p·0.23·D/H·tanh(3.67·H/D)", x_i, x_c, x_is, x_cs }
 }
 
-/// Effective weights and heights for the ratio D/H > 0.
-pub fn effective_masses(d_over_h: f64) -> EffectiveMasses {
-    let of = |text| {
-        let u = evaluate(ARGUMENT, &[("D", d_over_h), ("H", 1.0)]);
-        evaluate(text, &[("D", d_over_h), ("H", 1.0), ("W_p", 1.0), ("u", u)])
-    };
-    let charts = charts(d_over_h);
-    EffectiveMasses {
-        w_i: of(charts.w_i),
-        w_c: of(charts.w_c),
-        x_i: of(charts.x_i),
-        x_c: of(charts.x_c),
-        x_is: of(charts.x_is),
-        x_cs: of(charts.x_cs),
-    }
-}
-
 /// Sloshing coefficient k of the 9th edition, with u.
 pub(super) const COEFFICIENT_1993: &str = "0.578/√(tanh(u))";
 /// Sloshing period of the 9th edition [s], with k and D: `1.811 k √D`.
@@ -114,28 +79,6 @@ pub(super) const PERIOD: &str = "1.8·K_s·√(D)";
 /// lb/in³.
 pub(super) const IMPULSIVE_PERIOD: &str = "C_i·H·√(ρ)/√(2·t_u/D·E)";
 
-/// Sloshing coefficient k of the 9th edition (figure E-4), in `T = k √D` with D in feet.
-pub fn sloshing_coefficient_1993(d_over_h: f64) -> f64 {
-    evaluate(COEFFICIENT_1993, &[("u", 3.67 / d_over_h)])
-}
-
-/// Sloshing period of the 9th edition [s]: `T = k √(D/0.3048 m)`.
-pub fn sloshing_period_1993(diameter: f64, d_over_h: f64) -> f64 {
-    let k = sloshing_coefficient_1993(d_over_h);
-    evaluate(PERIOD_1993, &[("k", k), ("D", diameter)])
-}
-
-/// Sloshing coefficient K_s of the current annex (E.4.5.2).
-pub fn sloshing_coefficient(d_over_h: f64) -> f64 {
-    evaluate(COEFFICIENT, &[("H", 1.0), ("D", d_over_h)])
-}
-
-/// Sloshing period of the current annex [s]: `T_c = 1.8 K_s √D`, D in metres.
-pub fn sloshing_period(diameter: f64, d_over_h: f64) -> f64 {
-    let k_s = sloshing_coefficient(d_over_h);
-    evaluate(PERIOD, &[("K_s", k_s), ("D", diameter)])
-}
-
 /// Coefficient C_i of the impulsive period (figure E.1) for H/D, linear between H/D = 0.15 and 1.5; `None` outside.
 ///
 /// Figure E.1 is the curve of EN 1998-4:2006 table A.2, which has it in numbers.
@@ -149,18 +92,10 @@ pub fn impulsive_coefficient(h_over_d: f64) -> Option<f64> {
     simplified::table(gamma.clamp(first, last)).map(|row| row.impulsive_period)
 }
 
-/// Impulsive period T_i [s], `None` outside figure E.1.
-pub fn impulsive_period(diameter: f64, depth: f64, density: f64, thickness: f64, modulus: f64) -> Option<f64> {
-    let terms = [
-        ("C_i", impulsive_coefficient(depth / diameter)?),
-        ("H", depth),
-        ("ρ", density),
-        ("t_u", thickness),
-        ("D", diameter),
-        ("E", modulus),
-    ];
-    Some(evaluate(IMPULSIVE_PERIOD, &terms))
-}
+#[cfg(test)]
+mod values;
+#[cfg(test)]
+pub(crate) use values::*;
 
 #[cfg(test)]
 mod tests {

@@ -185,7 +185,15 @@ fn procedure(
                 clause,
                 "internal pressure at the base is credited; without it the capacity falls to 9.8 MPa",
             ),
-            Check::new("sliding", "sliding on the ground", factor * values[5].1, 0.7 * mass * G * 0.4, Force, clause, ""),
+            Check::new(
+                "sliding",
+                "sliding on the ground",
+                factor * values[5].1,
+                0.7 * mass * G * 0.4,
+                Force,
+                clause,
+                "",
+            ),
         ],
         profiles: vec![
             profile("pressure_impulsive", "Impulsive pressure", factor * 5.9e3, &|x| 1.0 - x * x),

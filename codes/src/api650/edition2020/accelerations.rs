@@ -46,21 +46,11 @@ pub struct Accelerations {
     pub a_f: f64,
 }
 
-/// Design accelerations of a site (E.4.6.1, E.6.1.3, E.7.2), reduced by R_w except A_f.
+/// Lines of the design accelerations of a site (E.4.6.1, E.6.1.3, E.7.2), reduced by R_w except A_f.
 ///
 /// S_0, where given, enters through the second form `2.5 Q F_a S_0 I/R_wi` of A_i; the larger counts.
 /// Errors: a seismic use group other than 1 to 3.
-pub fn design_accelerations(
-    site: &Api650Site,
-    spectrum: &DesignSpectrum,
-    t_c: f64,
-    anchored: bool,
-) -> Result<Accelerations, CodeError> {
-    acceleration_lines(&mut Sheet::new(), site, spectrum, t_c, anchored)
-}
-
-/// Lines of [`design_accelerations`].
-fn acceleration_lines(
+pub(crate) fn acceleration_lines(
     sheet: &mut Sheet,
     site: &Api650Site,
     spectrum: &DesignSpectrum,

@@ -14,9 +14,10 @@ use super::super::ground_motion::DesignSpectrum;
 use super::super::ground_motion::tests::site;
 use super::super::hold_down::plate_force;
 use super::Api6502020;
-use super::accelerations::design_accelerations;
+use super::accelerations::acceleration_lines;
 use super::factors::importance;
 use crate::procedure::{CodeError, Procedure};
+use crate::sheet::Sheet;
 use tank::assessment::{Assessment, CheckStatus, Excitation};
 use tank::case::{Api650Site, Case, SiteClass};
 use tank::quantity::Quantity;
@@ -133,7 +134,7 @@ fn worked_example_anchored() {
 #[test]
 fn accelerations_and_their_bounds() {
     let a = |site: &Api650Site, t_c: f64| {
-        design_accelerations(site, &DesignSpectrum::new(site).unwrap(), t_c, false).unwrap()
+        acceleration_lines(&mut Sheet::new(), site, &DesignSpectrum::new(site).unwrap(), t_c, false).unwrap()
     };
     let s = site();
     // Continuous at T_L; A_f for SUG II at 4 s, for SUG III at T_L.
@@ -164,7 +165,7 @@ fn published_sloshing_wave() {
     close(a_f, 0.524483, 5e-7, "A_f by hand");
     let s =
         Api650Site { ss: 2.5 * 0.23, s1: 1.25 * 0.23, fa: Some(1.4), fv: Some(1.8), q: 1.0, sug: 2, tl: 4.0, ..site() };
-    let a = design_accelerations(&s, &DesignSpectrum::new(&s).unwrap(), 2.220045, false).unwrap();
+    let a = acceleration_lines(&mut Sheet::new(), &s, &DesignSpectrum::new(&s).unwrap(), 2.220045, false).unwrap();
     // SUG II has I = 1.25.
     close(a.a_f * 1.5 / 1.25, 0.524483, 5e-7, "A_f");
     close(0.42 * 4.5 * a.a_f * 1.5 / 1.25, 0.991272, 5e-7, "δ_s");
