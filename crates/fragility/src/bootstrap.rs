@@ -116,7 +116,7 @@ mod tests {
         assert!((at.low - wanted(0.95)).abs() < 1e-12 && (at.high - wanted(0.05)).abs() < 1e-12);
         assert!((at.middle - wanted(0.5)).abs() < 1e-12);
         assert_eq!(envelope(&[], 1.0), None);
-        // Of 202 samples half identified a curve, of 203 fewer.
+        // Half of 202 samples identified a curve, and fewer than half of 203.
         assert_eq!(summary(&found, 202).unwrap().not_identified, 101);
         assert_eq!(summary(&found, 203), None);
     }

@@ -1,8 +1,7 @@
 //! Tables of extremes of both signs and at both sides.
 
 use crate::number::{Scale, fixed, significant};
-use crate::table::{Column, Table};
-use crate::words::labels;
+use crate::table::{Column, Table, columns};
 use results::nonlinear::{At, TwoSided};
 
 /// A table of one run, or of several with their scales; empty without extremes.
@@ -16,14 +15,9 @@ pub(crate) fn table<'a>(runs: impl Iterator<Item = (Option<f64>, &'a [TwoSided])
     if scaled {
         columns.push(Column::numbers("Scale", ""));
     }
-    columns.extend([
-        Column::words("Quantity"),
-        Column::words("Unit"),
-        Column::numbers("At rest", ""),
-        Column::numbers("Smallest", ""),
-        Column::numbers(labels::SMALLEST_TIME, "s"),
-        Column::numbers("Largest", ""),
-        Column::numbers(labels::LARGEST_TIME, "s"),
+    columns.extend(columns![
+        "Quantity", "Unit", "At rest" => "", "Smallest" => "", "Time of the smallest" => "s", "Largest" => "",
+        "Time of the largest" => "s",
     ]);
     let mut table = Table::new(columns);
     for (factor, list) in runs {

@@ -71,6 +71,34 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A figure without caption, which takes the room of its width.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        (size, markup): ((f64, f64), String),
+        table: Table,
+    ) -> Figure {
+        let room = match size.0 {
+            wide if wide > HALF => Room::Wide,
+            HALF => Room::Half,
+            _ => Room::Third,
+        };
+        let (caption, description) = (String::new(), String::new());
+        Figure { id: id.into(), title: title.into(), caption, description, size, markup, table, room }
+    }
+
+    /// With the rest of the caption.
+    #[must_use]
+    pub fn captioned(self, caption: impl Into<String>) -> Figure {
+        Figure { caption: caption.into(), ..self }
+    }
+
+    /// With the text alternative of the drawing.
+    #[must_use]
+    pub fn described(self, description: impl Into<String>) -> Figure {
+        Figure { description: description.into(), ..self }
+    }
+
     /// The figure as an element for the page.
     pub fn inline(&self) -> String {
         self.element("", "")

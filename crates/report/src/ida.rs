@@ -6,12 +6,12 @@ use tera::Context;
 use super::Report;
 use super::sections::{self, FigureView};
 use super::template::Templates;
-use crate::figure::chart::{Axis, Chart, Line, Mark};
-use crate::figure::{Figure, HALF, Room};
+use crate::figure::chart::{Axis, Chart};
+use crate::figure::{Figure, HALF};
 use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::style;
-use crate::table::{Column, Table};
+use crate::table::{Rows, Table, columns};
 use crate::words::ida as words;
 use crate::words::ida::heads;
 use crate::words::sections::{heading, sentences};
@@ -65,28 +65,15 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
     let with_zero = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> { values.chain([0.0]).collect() };
     let x = Axis::linear(words::PGA, Dimension::Acceleration, with_zero(&mut runs.iter().map(|r| r.pga)), 6);
     let y = Axis::linear("", dimension, with_zero(&mut runs.iter().map(value)), 5);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
-    chart.lines = vec![Line {
-        points: runs.iter().map(|r| (r.pga, value(r))).collect(),
-        class: "k-fe".into(),
-        label: String::new(),
-    }];
+    let mut chart = Chart::new(HALF, x, y);
+    chart.line(runs.iter().map(|r| (r.pga, value(r))).collect(), "k-fe", "");
     // Only the first and the last of neighbours with the same label have it: the others would lie over each other.
     let label = |i: usize| runs.get(i).map(words::mark);
-    chart.marks = (0..)
-        .zip(runs)
-        .map(|(i, r)| Mark {
-            at: (r.pga, value(r)),
-            label: match i > 0 && label(i - 1) == label(i) && label(i + 1) == label(i) {
-                true => String::new(),
-                false => words::mark(r).into(),
-            },
-            class: "k-fe".into(),
-        })
-        .collect();
-    let chart = chart.with_plot_height(170.0);
-    let mut table =
-        Table::new(vec![Column::numbers("Scale", ""), Column::numbers(words::PGA_HEAD, "m/s²"), Column::words(title)]);
+    for (i, r) in runs.iter().enumerate() {
+        let between = i > 0 && label(i - 1) == label(i) && label(i + 1) == label(i);
+        chart.mark((r.pga, value(r)), if between { "" } else { words::mark(r) }, "k-fe");
+    }
+    let mut table = Table::new(columns!["Scale" => "", words::PGA_HEAD => "m/s²", title]);
     for run in runs {
         table.row(vec![
             significant(run.scale, 4),
@@ -94,42 +81,11 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
             words::value(run, &with_unit(value(run), dimension)),
         ]);
     }
-    Ok(Figure {
-        id: id.into(),
-        title: title.into(),
-        caption: words::caption(ida),
-        description: words::description(title, runs.len()),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
-}
-
-/// One line a run.
-pub fn table(ida: &Ida) -> Table {
-    let (heads, cells): (Vec<Column>, Vec<Cell>) = columns(ida).into_iter().unzip();
-    let mut table = Table::new(heads);
-    for run in &ida.runs {
-        table.row(cells.iter().map(|text| text(run)).collect());
-    }
-    table
-}
-
-/// The text of a column for a run.
-type Cell = Box<dyn Fn(&IdaRun) -> String>;
-
-/// Columns of a table.
-struct Columns(Vec<(Column, Cell)>);
-
-impl Columns {
-    fn numbers(&mut self, title: &str, unit: &str, text: impl Fn(&IdaRun) -> String + 'static) {
-        self.0.push((Column::numbers(title, unit), Box::new(text)));
-    }
-
-    fn words(&mut self, title: &str, text: fn(&IdaRun) -> String) {
-        self.0.push((Column::words(title), Box::new(text)));
-    }
+    Ok(chart
+        .with_plot_height(170.0)
+        .figure(id, title, table)?
+        .captioned(words::caption(ida))
+        .described(words::description(title, runs.len())))
 }
 
 /// The text of a value that not every run has.
@@ -137,29 +93,27 @@ fn dash<T>(value: Option<T>, text: impl Fn(T) -> String) -> String {
     value.map_or("–".to_owned(), text)
 }
 
-/// The columns of every tank, and others of which a run has something.
-fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
+/// One line a run: the columns of every tank, and others of which a run has something.
+pub fn table(ida: &Ida) -> Table {
     let of = |dimension, value: fn(&IdaRun) -> f64| Scale::of(dimension, ida.runs.iter().map(value));
     let any = |has: fn(&IdaRun) -> bool| ida.runs.iter().any(has);
     let wave = of(Dimension::Length, |r| r.wave);
     let displacement = of(Dimension::Length, |r| r.wall_displacement);
     let moment = of(ida.moment, |r| r.base_moment);
     let stress = of(Dimension::Stress, |r| r.bar_stress);
-    let mut all = Columns(Vec::new());
+    let mut all = Rows::of(&ida.runs);
     all.numbers("Scale", "", |r| significant(r.scale, 4));
     all.numbers("PGA", "m/s²", |r| significant(r.pga, 4));
     all.words("End", words::end);
-    all.numbers("Wave", wave.symbol(), move |r| wave.text(r.wave));
-    all.numbers("Wall displacement", displacement.symbol(), move |r| displacement.text(r.wall_displacement));
-    all.numbers("Base moment", moment.symbol(), move |r| moment.text(r.base_moment));
+    all.numbers("Wave", wave.symbol(), |r| wave.text(r.wave));
+    all.numbers("Wall displacement", displacement.symbol(), |r| displacement.text(r.wall_displacement));
+    all.numbers("Base moment", moment.symbol(), |r| moment.text(r.base_moment));
     if any(|r| r.section_moment.is_some()) {
-        all.numbers(heads::SECTION, moment.symbol(), move |r| dash(r.section_moment, |m| moment.text(m)));
+        all.numbers(heads::SECTION, moment.symbol(), |r| dash(r.section_moment, |m| moment.text(m)));
     }
     if any(|r| r.first_crack.is_some()) {
         all.numbers(heads::FIRST_CRACK[0], "s", |r| dash(r.first_crack, |c| fixed(c.time, 2)));
-        all.numbers(heads::FIRST_CRACK[1], moment.symbol(), move |r| {
-            dash(r.first_crack, |c| moment.text(c.base_moment))
-        });
+        all.numbers(heads::FIRST_CRACK[1], moment.symbol(), |r| dash(r.first_crack, |c| moment.text(c.base_moment)));
         all.numbers("Highest crack", "m", |r| fixed(r.highest_crack, 2));
     }
     if any(|r| r.parting.is_some()) {
@@ -169,13 +123,13 @@ fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
         all.numbers(heads::SEPARATION[2], "m", |r| dash(r.parting, |p| fixed(p.height, 2)));
     }
     if any(|r| r.bar_stress > 0.0) {
-        all.numbers("Bar stress", stress.symbol(), move |r| stress.text(r.bar_stress));
+        all.numbers("Bar stress", stress.symbol(), |r| stress.text(r.bar_stress));
     }
     if any(|r| r.plastic_strain > 0.0) {
         all.numbers("Plastic strain", "", |r| significant(r.plastic_strain, 2));
     }
     if any(|r| r.open_share.is_some()) {
-        all.numbers(heads::OPEN, "%", |r| dash(r.open_share, |share| significant(100.0 * share, 3)));
+        all.numbers("Open share", "%", |r| dash(r.open_share, |share| significant(100.0 * share, 3)));
     }
     if any(|r| !r.limits.is_empty()) {
         all.words(heads::OUTSIDE, words::exceeded);
@@ -183,7 +137,7 @@ fn columns(ida: &Ida) -> Vec<(Column, Cell)> {
     all.numbers(heads::DAMPING, "%", |r| significant(100.0 * r.wall_damping, 3));
     all.numbers("Halved steps", "", |r| r.halvings.to_string());
     all.numbers("Energy residual", "", |r| format!("{:.0e}", r.energy_residual));
-    all.0
+    all.table
 }
 
 /// A table as two of the same rows: the second has the first column and the last three, how a run was computed.
@@ -255,15 +209,12 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     }
     body.provenance(&ida.files, &ida.format, &ida.volatile)?;
     let css = templates.css("figure.css");
-    let html = Page {
+    let page = Page {
         name: &ida.name,
         running: words::cover::RUNNING,
         project: ida.project.as_ref(),
         parts: &body.parts,
         css,
-    }
-    .html(&templates)?;
-    let drawn = body.figures.iter().chain(&figures);
-    let drawn = drawn.map(|f| (format!("{}.svg", f.id), f.standalone(css)));
-    Ok(Report::new(&html, drawn.collect()))
+    };
+    Report::of(&page, body.figures.iter().chain(&figures), &templates)
 }

@@ -63,7 +63,7 @@ use files::text::visible;
 use number::{fixed, percent, with_unit};
 use results::{self, EngineId, Fact, Results, Series, describe, put};
 use sections::Source;
-use table::{Column, Table};
+use table::{Table, columns};
 use tank::units::Dimension;
 use template::Templates;
 
@@ -107,6 +107,18 @@ pub fn render(folder: &Path, templates: Option<&Path>, level: Level) -> Result<P
 }
 
 impl Report {
+    /// A page with its figures.
+    ///
+    /// Errors: a template that fails.
+    pub(crate) fn of<'f>(
+        page: &frame::Page<'_>,
+        figures: impl IntoIterator<Item = &'f Figure>,
+        templates: &Templates,
+    ) -> Result<Report, Error> {
+        let figures = figures.into_iter().map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(page.css)));
+        Ok(Report::new(&page.html(templates)?, figures.collect()))
+    }
+
     /// A page and its figures, in the language and units of [`style`]. Text of the user cannot act on the page or on a terminal that
     /// shows it, see [`files::text`].
     pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
@@ -137,7 +149,7 @@ impl Report {
 
 /// Numbers of a model, one a row.
 fn facts(model: &[Fact]) -> Table {
-    let mut table = Table::new(vec![Column::words("Property"), Column::words("Value")]);
+    let mut table = Table::new(columns!["Property", "Value"]);
     for fact in model {
         let value = match fact.kind.is_damping() {
             true => percent(fact.value),
@@ -147,7 +159,7 @@ fn facts(model: &[Fact]) -> Table {
             }
             false => with_unit(fact.value, fact.dimension),
         };
-        table.row(vec![words::facts::name(fact.kind).into(), value]);
+        table.row(vec![fact.kind.name().into(), value]);
     }
     table
 }
@@ -191,14 +203,12 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
     }
     let page = frame::Page {
         name: &results.name,
-        running: words::summary::RUNNING,
+        running: "seismic verification",
         project: results.project.as_ref(),
         parts: &views,
         css: &css,
     };
-    let html = page.html(templates)?;
-    let figures = figures.iter().map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css))).collect();
-    Ok(Report::new(&html, figures))
+    Report::of(&page, &figures, templates)
 }
 
 /// Whether markup has neither text nor figure.

@@ -6,12 +6,12 @@ use tera::Context;
 use super::Report;
 use super::sections::{self, FigureView};
 use super::template::Templates;
-use crate::figure::chart::{Axis, Chart, Line, Mark};
-use crate::figure::{Figure, HALF, Room, map};
+use crate::figure::chart::{Axis, Chart};
+use crate::figure::{Figure, HALF, map};
 use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::style;
-use crate::table::{Column, Table, spread};
+use crate::table::{Table, columns, spread};
 use crate::words::capital;
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
@@ -31,18 +31,10 @@ pub fn summary(push: &Push) -> Table {
     let stress = of(Dimension::Stress, |s| s.capacity.beam);
     let hoop = of(Dimension::Stress, |s| s.capacity.hoop);
     let pressure = of(Dimension::Stress, |s| s.capacity.pressure);
-    let mut table = Table::new(vec![
-        Column::words("Shell"),
-        Column::words("Capacity"),
-        Column::numbers("Base shear", shear.symbol()),
-        Column::numbers("Overturning moment", moment.symbol()),
-        Column::numbers("Buckle at", "m"),
-        Column::numbers(heads::ANGLE, "°"),
-        Column::numbers(heads::COMPRESSION, stress.symbol()),
-        Column::numbers(heads::BEAM, stress.symbol()),
-        Column::numbers("Hoop stress", hoop.symbol()),
-        Column::numbers("Pressure", pressure.symbol()),
-        Column::numbers("Plastic strain", "%"),
+    let mut table = Table::new(columns![
+        "Shell", "Capacity", "Base shear" => shear.symbol(), "Overturning moment" => moment.symbol(),
+        "Buckle at" => "m", heads::ANGLE => "°", heads::COMPRESSION => stress.symbol(), heads::BEAM => stress.symbol(),
+        "Hoop stress" => hoop.symbol(), "Pressure" => pressure.symbol(), "Plastic strain" => "%",
     ]);
     for shell in &push.shells {
         let c = &shell.capacity;
@@ -71,16 +63,9 @@ pub fn base(push: &Push) -> Option<Table> {
         return None;
     }
     let moment = Scale::of(Dimension::Moment, states.iter().map(|s| s.1.moment));
-    let mut table = Table::new(vec![
-        Column::numbers("Acceleration", "g"),
-        Column::numbers("Rotation", "mrad"),
-        Column::numbers("Moment", moment.symbol()),
-        Column::numbers(heads::STRIPS, moment.symbol()),
-        Column::numbers("Uplift", "mm"),
-        Column::numbers("Toe", "mm"),
-        Column::numbers("Lifted width", "m"),
-        Column::numbers("Lifted angle", "°"),
-        Column::numbers("Plastic rotation", "rad"),
+    let mut table = Table::new(columns![
+        "Acceleration" => "g", "Rotation" => "mrad", "Moment" => moment.symbol(), heads::STRIPS => moment.symbol(),
+        "Uplift" => "mm", "Toe" => "mm", "Lifted width" => "m", "Lifted angle" => "°", "Plastic rotation" => "rad",
     ]);
     for i in spread(states.len(), BASE_STATES) {
         let (acceleration, base) = &states[i];
@@ -107,15 +92,9 @@ pub fn strips(push: &Push) -> Option<Table> {
         return None;
     }
     let stress = Scale::of(Dimension::Stress, states.iter().map(|s| s.0.toe_stress));
-    let mut table = Table::new(vec![
-        Column::numbers("Rotation", "mrad"),
-        Column::numbers("Uplift", "mm"),
-        Column::numbers(heads::OF_STRIPS, "mm"),
-        Column::numbers("Toe stress", stress.symbol()),
-        Column::numbers(heads::OF_STRIPS, stress.symbol()),
-        Column::numbers(heads::PLATE, "rad"),
-        Column::numbers(heads::OF_STRIPS, "rad"),
-        Column::numbers(heads::WALL, "rad"),
+    let mut table = Table::new(columns![
+        "Rotation" => "mrad", "Uplift" => "mm", heads::OF_STRIPS => "mm", "Toe stress" => stress.symbol(),
+        heads::OF_STRIPS => stress.symbol(), heads::PLATE => "rad", heads::OF_STRIPS => "rad", heads::WALL => "rad",
     ]);
     for i in spread(states.len(), BASE_STATES) {
         let (base, strip) = &states[i];
@@ -136,18 +115,12 @@ pub fn strips(push: &Push) -> Option<Table> {
 /// The formulas, one line each.
 pub fn limits(push: &Push) -> Table {
     let stress = Scale::of(Dimension::Stress, push.limits.iter().map(|l| l.stress));
-    let mut table = Table::new(vec![
-        Column::words("Formula"),
-        Column::words("Source"),
-        Column::words("Reached at"),
-        Column::numbers("Course", ""),
-        Column::numbers("Limit", stress.symbol()),
-    ]);
+    let mut table = Table::new(columns!["Formula", "Source", "Reached at", "Course" => "", "Limit" => stress.symbol()]);
     for limit in &push.limits {
         table.row(vec![
             limit.name.clone(),
             limit.source.clone(),
-            limit.acceleration.map_or(words::BEYOND.into(), |a| format!("{} g", significant(a / push.gravity, 3))),
+            limit.acceleration.map_or("beyond 10 g".into(), |a| format!("{} g", significant(a / push.gravity, 3))),
             limit.course.to_string(),
             stress.text(limit.stress),
         ]);
@@ -208,38 +181,24 @@ fn path_figure(
     let x = Axis::linear(title, dimension, zero_and(points().map(value)), 5);
     let y =
         Axis::linear("acceleration [g]", Dimension::Dimensionless, zero_and(points().map(|p| p.acceleration / g)), 6);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
-    let mut table =
-        Table::new(vec![Column::words("Shell"), Column::numbers("Acceleration", "g"), Column::words(title)]);
+    let mut chart = Chart::new(HALF, x, y);
+    let mut table = Table::new(columns!["Shell", "Acceleration" => "g", title]);
     for (shell, class) in push.shells.iter().zip(CLASSES.iter().cycle()) {
-        chart.lines.push(Line {
-            points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
-            class: (*class).into(),
-            // The capacity is in the legend: points of shells that are alike lie side by side, and their labels over each other.
-            label: words::capacity(push, shell),
-        });
+        // The capacity is in the legend: points of shells that are alike lie side by side, and their labels over each other.
+        let path = shell.path.iter().map(|p| (value(p), p.acceleration / g));
+        chart.line(path.collect(), *class, words::capacity(push, shell));
         let best = &shell.capacity.state;
-        chart.marks.push(Mark {
-            at: (value(best), best.acceleration / g),
-            label: String::new(),
-            class: (*class).into(),
-        });
+        chart.mark((value(best), best.acceleration / g), "", *class);
         for i in spread(shell.path.len(), 12) {
             let p = &shell.path[i];
             table.row(vec![shell_name(shell), significant(p.acceleration / g, 4), with_unit(value(p), dimension)]);
         }
     }
-    let chart = chart.with_plot_height(190.0);
-    Ok(Figure {
-        id: id.into(),
-        title: capital(title),
-        caption: words::PATH.into(),
-        description: words::path(title),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(190.0)
+        .figure(id, capital(title), table)?
+        .captioned(words::PATH)
+        .described(words::path(title)))
 }
 
 /// Deformed meridians of one shell near the base.
@@ -251,9 +210,8 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
     let shown = || shell.meridians.iter().flat_map(|m| m.z.iter().zip(&m.w).filter(|(z, _)| below(**z)));
     let x = Axis::linear("radial displacement", Dimension::Length, zero_and(shown().map(|(_, w)| *w)), 5);
     let y = Axis::exact("height", Dimension::Length, (0.0, part), 6);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
-    let mut table =
-        Table::new(vec![Column::words("State"), Column::words("Height"), Column::words("Radial displacement")]);
+    let mut chart = Chart::new(HALF, x, y);
+    let mut table = Table::new(columns!["State", "Height", "Radial displacement"]);
     for (meridian, class) in shell.meridians.iter().zip(["k-static", "k-fe", "k-s2"]) {
         let points: Vec<(f64, f64)> =
             meridian.z.iter().zip(&meridian.w).filter(|(z, _)| below(**z)).map(|(z, w)| (*w, *z)).collect();
@@ -264,23 +222,17 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
                 with_unit(points[i].0, Dimension::Length),
             ]);
         }
-        chart.lines.push(Line {
+        chart.line(
             points,
-            class: class.into(),
-            label: format!("{}, {} g", meridian.title, significant(meridian.acceleration / push.gravity, 3)),
-        });
+            class,
+            format!("{}, {} g", meridian.title, significant(meridian.acceleration / push.gravity, 3)),
+        );
     }
-    let chart = chart.with_plot_height(240.0);
-    Ok(Figure {
-        id: format!("push_meridian_{number}"),
-        title: words::meridian(shell),
-        caption: words::MERIDIAN.into(),
-        description: words::MERIDIAN_DESCRIPTION.into(),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(240.0)
+        .figure(format!("push_meridian_{number}"), words::meridian(shell), table)?
+        .captioned(words::MERIDIAN)
+        .described(words::MERIDIAN_DESCRIPTION))
 }
 
 fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
@@ -356,15 +308,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
         }
     }
     body.provenance(&push.files, &push.format, &push.volatile)?;
-    let html = Page {
-        name: &push.name,
-        running: words::RUNNING,
-        project: push.project.as_ref(),
-        parts: &body.parts,
-        css: &css,
-    }
-    .html(&templates)?;
-    let drawn = body.figures.iter().chain(&figures);
-    let drawn = drawn.map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(&html, drawn.collect()))
+    let project = push.project.as_ref();
+    let page = Page { name: &push.name, running: "pushover", project, parts: &body.parts, css: &css };
+    Report::of(&page, body.figures.iter().chain(&figures), &templates)
 }

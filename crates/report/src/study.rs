@@ -13,7 +13,7 @@ use crate::sections::FigureView;
 use crate::style;
 use crate::table::Table;
 use crate::template::Templates;
-use crate::words::study::{self as words, captions};
+use crate::words::study as words;
 use files::error::Error;
 use results::{Study, VerdictStatus};
 use tank::units::{Preferred, Unit};
@@ -51,7 +51,7 @@ struct Builder {
 }
 
 impl Builder {
-    fn section(&mut self, (id, title): (&'static str, &'static str)) {
+    fn section(&mut self, id: &'static str, title: &'static str) {
         self.sections.push(SectionView { id, title, blocks: Vec::new() });
     }
 
@@ -140,10 +140,8 @@ pub fn report(study: &Study) -> Result<Report, Error> {
             html: templates.render("study.html", &context)?,
         });
     }
-    let html =
-        Page { name: &study.name, running: words::RUNNING, project, parts: &parts, css: &css }.html(&templates)?;
-    let drawn = page.figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(&html, drawn.collect()))
+    let whole = Page { name: &study.name, running: "seismic study", project, parts: &parts, css: &css };
+    Report::of(&whole, &page.figures, &templates)
 }
 
 /// The verdict of the farm is that of its worst tank; a tank without a result is not a tank that holds.
@@ -166,25 +164,25 @@ fn facts(study: &Study) -> Vec<Pair> {
 }
 
 fn tanks(study: &Study, page: &mut Builder) {
-    page.section(words::TANKS);
+    page.section("tanks", "Tanks and governing checks");
     page.text(words::tanks(study));
-    page.table(captions::TANKS, tables::tanks(study));
+    page.table("Tanks under their own design spectra", tables::tanks(study));
     page.items(words::open(study));
-    page.table(captions::GIVEN, tables::given(study));
+    page.table("Further values of the table of tanks, as given", tables::given(study));
     page.items(words::not_given(&tables::not_given(study)));
 }
 
 fn states(study: &Study, page: &mut Builder) {
-    page.section(words::STATES);
+    page.section("states", "Damage states");
     page.text(words::ABOUT_STATES);
-    page.table(captions::STATES, tables::states(study));
+    page.table("Damage states, the demands that lead into them, and their sources", tables::states(study));
 }
 
 fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
-    page.section(words::CURVES);
+    page.section("fragility", "Fragility");
     page.text(words::curves::method(study));
     page.text(words::curves::bands(study));
-    page.table(captions::CURVES, tables::curves(study, &study.curves));
+    page.table("Fragility curves of the tanks", tables::curves(study, &study.curves));
     page.items(words::curves::gaps(study));
     page.items(words::curves::remarks(&study.curves));
     let drawn = figures::tanks(study, DRAWN)?;
@@ -196,51 +194,51 @@ fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
 }
 
 fn losses(study: &Study, page: &mut Builder) -> Result<(), Error> {
-    page.section(words::LOSSES);
+    page.section("losses", "Losses of the farm");
     if let Some(reason) = &study.no_losses {
         page.text(words::no_losses(reason));
         return Ok(());
     }
     page.text(words::ABOUT_LOSSES);
     page.figures(figures::losses(study)?);
-    page.table(captions::LOSSES, tables::losses(study));
+    page.table("Losses of the farm by intensity", tables::losses(study));
     page.items(words::never_judged(study));
     if !study.system.is_empty() {
-        page.heading(words::SYSTEM);
+        page.heading("At least one tank");
         page.text(words::about_system(study));
-        page.table(captions::SYSTEM, tables::curves(study, &study.system));
+        page.table("Fragility curves of the farm", tables::curves(study, &study.system));
         page.items(words::curves::remarks(&study.system));
     }
     Ok(())
 }
 
 fn records(study: &Study, page: &mut Builder) -> Result<(), Error> {
-    page.section(words::RECORDS);
+    page.section("records", "Records");
     match &study.rule {
         Some(rule) => {
             page.text(words::rule(rule));
-            page.table(captions::RULE, tables::rule(rule));
+            page.table("Mean spectrum of the records against the target", tables::rule(rule));
         }
         None => page.text(words::NO_RULE),
     }
-    page.heading(words::SINGLE);
+    page.heading("Single records");
     page.text(words::ABOUT_RECORDS);
-    page.table(captions::RECORDS, tables::records(study));
+    page.table("Records", tables::records(study));
     page.figures(figures::traces(study)?);
     Ok(())
 }
 
 fn faults(study: &Study, page: &mut Builder) {
-    page.section(words::FAULTS);
+    page.section("faults", "What failed and what was not checked");
     page.text(words::basis::faults(study));
-    page.table(captions::FAULTS, tables::faults(study));
-    page.table(captions::GAPS, tables::gaps(study));
+    page.table("Rows without a finished run", tables::faults(study));
+    page.table("Demands of the damage states that were not checked, at least in some rows", tables::gaps(study));
 }
 
 fn basis(study: &Study, page: &mut Builder) {
-    page.section(words::BASIS);
+    page.section("basis", "Basis and cost");
     page.items(words::basis::stands_on(study));
-    page.table(captions::COST, tables::cost(study));
+    page.table("Tasks and rows", tables::cost(study));
 }
 
 #[cfg(test)]

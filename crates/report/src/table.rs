@@ -39,6 +39,25 @@ impl Column {
     }
 }
 
+/// Columns by title: `"Quantity"` of words, `"Time" => "s"` of numbers with their unit.
+macro_rules! columns {
+    ($($title:expr $(=> $unit:expr)?),* $(,)?) => {
+        vec![$($crate::table::column!($title $(, $unit)?)),*]
+    };
+}
+
+/// One of [`columns`].
+macro_rules! column {
+    ($title:expr) => {
+        $crate::table::Column::words($title)
+    };
+    ($title:expr, $unit:expr) => {
+        $crate::table::Column::numbers($title, $unit)
+    };
+}
+
+pub(crate) use {column, columns};
+
 impl Table {
     /// An empty table with these columns.
     pub fn new(columns: Vec<Column>) -> Table {
@@ -48,6 +67,37 @@ impl Table {
     /// Appends a row.
     pub fn row(&mut self, cells: Vec<String>) {
         self.rows.push(cells);
+    }
+}
+
+/// A table that is made of items column by column, an item a row.
+pub struct Rows<'a, T> {
+    items: &'a [T],
+    /// The table so far.
+    pub table: Table,
+}
+
+impl<'a, T> Rows<'a, T> {
+    /// A table without columns yet.
+    pub fn of(items: &'a [T]) -> Rows<'a, T> {
+        Rows { items, table: Table { rows: vec![Vec::new(); items.len()], ..Table::default() } }
+    }
+
+    /// Adds a column of words.
+    pub fn words(&mut self, title: &str, cell: impl Fn(&T) -> String) {
+        self.column(Column::words(title), cell);
+    }
+
+    /// Adds a column of numbers with their unit.
+    pub fn numbers(&mut self, title: &str, unit: &str, cell: impl Fn(&T) -> String) {
+        self.column(Column::numbers(title, unit), cell);
+    }
+
+    fn column(&mut self, column: Column, cell: impl Fn(&T) -> String) {
+        for (row, item) in self.table.rows.iter_mut().zip(self.items) {
+            row.push(cell(item));
+        }
+        self.table.columns.push(column);
     }
 }
 

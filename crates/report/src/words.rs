@@ -27,7 +27,6 @@ pub mod apart;
 pub mod base;
 pub mod differences;
 pub mod factors;
-pub mod facts;
 pub mod figures;
 pub mod ida;
 pub mod internal_forces;
@@ -46,31 +45,9 @@ pub mod workbook;
 
 use tank::Quantity;
 
-/// A quantity within a sentence, without its symbol.
-pub fn quantity(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::SloshingPeriod => "sloshing period",
-        Quantity::SloshingHeight => "sloshing height",
-        Quantity::ImpulsivePeriod => "impulsive period",
-        Quantity::ImpulsiveMass => "impulsive mass of the liquid",
-        Quantity::WallMass => "wall mass in the impulsive part",
-        Quantity::RoofMass => "roof mass in the impulsive part",
-        Quantity::ConvectiveMass => "convective mass",
-        Quantity::BaseShear => "base shear",
-        Quantity::BaseMoment => "base moment",
-        Quantity::OverturningMoment => "overturning moment",
-        Quantity::HoopStress => "hoop stress",
-        Quantity::RimHoopStress => "rim hoop stress",
-        Quantity::AxialMembraneStress => "axial membrane stress at the base",
-        Quantity::BendingStress => "bending stress at the base",
-        Quantity::Uplift => "uplift of the rim",
-        Quantity::BaseRotation => "base rotation",
-        Quantity::PlasticRotation => "plastic rotation of the bottom joint",
-        Quantity::ToeAxialStress => "toe axial stress",
-        Quantity::Slip => "slip on the ground",
-        Quantity::AnchorForce => "anchor force",
-        Quantity::IsolatorDisplacement => "isolator displacement",
-    }
+/// A quantity within a sentence: its title without what is said of it beside the name.
+pub fn quantity(quantity: Quantity) -> String {
+    quantity.title().split([',', '(']).next().unwrap_or_default().trim().to_lowercase()
 }
 
 /// First letter in upper case.

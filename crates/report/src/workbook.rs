@@ -129,7 +129,7 @@ fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
     book.set_properties(&DocProperties::new().set_title(shown(&results.name)).set_creation_datetime(&created));
     let mut names = Vec::new();
-    overview(&mut page(&mut book, words::sheets::OVERVIEW, &mut names)?, results)?;
+    overview(&mut page(&mut book, "Overview", &mut names)?, results)?;
     quantities(&mut page(&mut book, words::sheets::QUANTITIES, &mut names)?, results)?;
     checks(&mut page(&mut book, words::sheets::CHECKS, &mut names)?, results)?;
     for method in results.methods.iter().filter(|m| !m.steps.is_empty()) {
@@ -140,7 +140,7 @@ fn write(results: &Results, series: &Series) -> Result<Vec<u8>, XlsxError> {
         profiles(&mut page(&mut book, words::sheets::PROFILES, &mut names)?, results)?;
     }
     if !series.columns.is_empty() {
-        histories(&mut page(&mut book, words::sheets::HISTORIES, &mut names)?, results, series)?;
+        histories(&mut page(&mut book, "Histories", &mut names)?, results, series)?;
     }
     book.save_to_buffer()
 }
@@ -324,7 +324,7 @@ fn histories(page: &mut Page, results: &Results, series: &Series) -> Result<(), 
             unit => format!("{title} [{unit}]"),
         })
         .collect();
-    let time = format!("{} [s]", words::TIME);
+    let time = "Time [s]".to_owned();
     let heads: Vec<&str> = [time.as_str()].into_iter().chain(heads.iter().map(String::as_str)).collect();
     page.head(&heads, 1)?;
     for column in 0..columns.len() {

@@ -1,6 +1,7 @@
 //! Numbers of a model, each with its kind: the report names them.
 
 use serde::{Deserialize, Serialize};
+use tank::listed;
 use tank::units::Dimension;
 
 /// A number of a model.
@@ -15,48 +16,52 @@ pub struct Fact {
     pub dimension: Dimension,
 }
 
-/// Kind of a number of a model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FactKind {
+listed! {
+    /// Kind of a number of a model.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum FactKind {
+        /// Name of the number.
+        name: &'static str,
+    }
     /// Elements over the height of a wall of a strip.
-    ElementsOverWall,
+    ElementsOverWall: "elements over a wall";
     /// Fibres in a section of a wall.
-    SectionFibres,
+    SectionFibres: "fibres in a section";
     /// Shell elements around a cylinder, or its half.
-    ShellsAround,
+    ShellsAround: "shells around";
     /// Shell elements over its height.
-    ShellsOverHeight,
+    ShellsOverHeight: "shells over the height";
     /// Sloshing modes of the liquid.
-    SloshingModes,
+    SloshingModes: "sloshing modes of the liquid";
     /// Unknowns of the model.
-    Unknowns,
+    Unknowns: "unknowns";
     /// Circular frequency of the first sloshing mode [rad/s].
-    FirstSloshing,
+    FirstSloshing: "first sloshing mode";
     /// Damping ratio of the first sloshing mode.
-    SloshingDamping,
+    SloshingDamping: "damping of the first sloshing mode";
     /// Circular frequency of the first mode of wall and liquid [rad/s].
-    FirstWall,
+    FirstWall: "first mode of wall and liquid";
     /// Damping ratio of that mode.
-    WallDamping,
+    WallDamping: "damping of the first mode of wall and liquid";
     /// Longest time step [s].
-    LongestStep,
+    LongestStep: "longest time step";
     /// R/t of the lowest course.
-    RadiusOverThickness,
+    RadiusOverThickness: "R/t of the lowest course";
     /// Elements over the height of a pushover.
-    ElementsOverHeight,
+    ElementsOverHeight: "elements over the height";
     /// Elements around its half.
-    ElementsAround,
+    ElementsAround: "elements around the half";
     /// Height of the lowest element over √(R t).
-    LowestElement,
+    LowestElement: "lowest element over √(R t)";
     /// Smallest element along the circumference over √(R t).
-    SmallestAround,
+    SmallestAround: "smallest element along the circumference over √(R t)";
     /// Impulsive mass of the liquid [kg].
-    ImpulsiveMass,
+    ImpulsiveMass: "impulsive mass of the liquid";
     /// Its height [m].
-    ImpulsiveHeight,
+    ImpulsiveHeight: "its height";
     /// Mass of wall and roof [kg].
-    WallAndRoofMass,
+    WallAndRoofMass: "mass of wall and roof";
 }
 
 impl FactKind {

@@ -1,47 +1,30 @@
 //! Parts of the results that a run leaves out where nothing that was selected needs them.
 
 use serde::{Deserialize, Serialize};
+use tank::listed;
 
 use crate::{Check, Results, Verdict};
 
-/// A part that can be left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Omittable {
+listed! {
+    /// A part that can be left out.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Omittable {
+        /// Its name in a list.
+        name: &'static str,
+        /// What its absence means.
+        text: &'static str,
+    }
     /// The second mesh, and what it says of values and checks.
-    MeshError,
+    MeshError: "mesh error",
+        "The discretisation error is not estimated: checks have no `error`, none is marked as within it, and no value as unusable.";
     /// Envelopes over the height.
-    Envelopes,
+    Envelopes: "envelopes over the height", "Envelopes of stresses, forces and pressure over the height are left out.";
     /// Time histories.
-    Histories,
+    Histories: "time histories", "Time histories and series.csv are left out.";
     /// A base that lifts on softer and on harder ground.
-    Grounds,
-}
-
-impl Omittable {
-    /// Its name in a list.
-    pub fn name(self) -> &'static str {
-        match self {
-            Omittable::MeshError => "mesh error",
-            Omittable::Envelopes => "envelopes over the height",
-            Omittable::Histories => "time histories",
-            Omittable::Grounds => "softer and harder ground",
-        }
-    }
-
-    /// What its absence means.
-    fn text(self) -> &'static str {
-        match self {
-            Omittable::MeshError => {
-                "The discretisation error is not estimated: checks have no `error`, none is marked as within it, and no value as unusable."
-            }
-            Omittable::Envelopes => "Envelopes of stresses, forces and pressure over the height are left out.",
-            Omittable::Histories => "Time histories and series.csv are left out.",
-            Omittable::Grounds => {
-                "The base was not run on softer and harder ground. It was run under slightly weaker and stronger motions, so that checks know whether it repeats."
-            }
-        }
-    }
+    Grounds: "softer and harder ground",
+        "The base was not run on softer and harder ground. It was run under slightly weaker and stronger motions, so that checks know whether it repeats.";
 }
 
 /// A part that was left out, in words.

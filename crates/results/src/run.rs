@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use tank::listed;
 use tank::units::Dimension;
 
 use crate::around::Around;
@@ -17,49 +18,31 @@ use crate::part::Part;
 /// Id of the first engine's column in the comparison, the reference of all ratios.
 pub const FE: &str = "fe";
 
-/// A finite-element engine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum EngineId {
+listed! {
+    /// A finite-element engine.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum EngineId {
+        /// Id in input and results.
+        id: &'static str,
+        /// Name within sentences ("the nonlinear run").
+        name: &'static str,
+        /// Title of its column in the comparison.
+        title: &'static str,
+        /// Id of its column in the comparison as a further engine; that of the first one is [`FE`].
+        beside: &'static str,
+        /// Prefix of its columns in `series.csv` as a further engine; empty for the first one.
+        prefix: &'static str,
+    }
     /// One Fourier harmonic at a time.
-    Harmonic,
+    Harmonic: "harmonic", "harmonic", "Finite elements, time history", "fe-harmonic", "harmonic_";
     /// Three-dimensional elements.
-    Solid,
+    Solid: "solid", "three-dimensional", "Finite elements in three dimensions, time history", "fe-solid", "solid_";
     /// Walls that yield and crack, in large rotations.
-    Nonlinear,
+    Nonlinear: "nonlinear", "nonlinear", "Finite elements, nonlinear, time history", "fe-nonlinear", "nonlinear_";
 }
 
 impl EngineId {
-    /// All engines.
-    pub const ALL: [EngineId; 3] = [EngineId::Harmonic, EngineId::Solid, EngineId::Nonlinear];
-
-    /// Id in input and results.
-    pub fn id(self) -> &'static str {
-        match self {
-            EngineId::Harmonic => "harmonic",
-            EngineId::Solid => "solid",
-            EngineId::Nonlinear => "nonlinear",
-        }
-    }
-
-    /// Name within sentences ("the nonlinear run").
-    pub fn name(self) -> &'static str {
-        match self {
-            EngineId::Harmonic => "harmonic",
-            EngineId::Solid => "three-dimensional",
-            EngineId::Nonlinear => "nonlinear",
-        }
-    }
-
-    /// Title of its column in the comparison.
-    pub fn title(self) -> &'static str {
-        match self {
-            EngineId::Harmonic => "Finite elements, time history",
-            EngineId::Solid => "Finite elements in three dimensions, time history",
-            EngineId::Nonlinear => "Finite elements, nonlinear, time history",
-        }
-    }
-
     /// Short label of its column in the comparison as the run `number` from 0.
     pub fn label(self, number: usize) -> &'static str {
         match (number, self) {
@@ -80,29 +63,11 @@ impl EngineId {
         }
     }
 
-    /// Id of its column in the comparison as a further engine; that of the first one is [`FE`].
-    pub fn beside(self) -> &'static str {
-        match self {
-            EngineId::Harmonic => "fe-harmonic",
-            EngineId::Solid => "fe-solid",
-            EngineId::Nonlinear => "fe-nonlinear",
-        }
-    }
-
     /// Id of its column in the comparison as the run `number` from 0.
     pub fn column(self, number: usize) -> &'static str {
         match number {
             0 => FE,
             _ => self.beside(),
-        }
-    }
-
-    /// Prefix of its columns in `series.csv` as a further engine; empty for the first one.
-    pub fn prefix(self) -> &'static str {
-        match self {
-            EngineId::Harmonic => "harmonic_",
-            EngineId::Solid => "solid_",
-            EngineId::Nonlinear => "nonlinear_",
         }
     }
 }

@@ -10,23 +10,28 @@
 use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::check::TankPart;
+use tank::listed;
 
 use crate::Method;
 use crate::compare::Incomplete;
 
-/// What the checks of the deciding methods amount to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum VerdictStatus {
+listed! {
+    /// What the checks of the deciding methods amount to.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum VerdictStatus {
+        /// As in `results.json`.
+        id: &'static str,
+    }
     /// Everything required was checked and holds.
-    Holds,
+    Holds: "holds";
     /// A limit state fails.
-    Fails,
+    Fails: "fails";
     /// Nothing fails, and something required was not checked.
-    Incomplete,
+    Incomplete: "incomplete";
     /// Nothing was checked.
     #[default]
-    NotAssessed,
+    NotAssessed: "not_assessed";
 }
 
 /// A method under an excitation.

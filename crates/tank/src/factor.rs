@@ -2,123 +2,87 @@
 
 use serde::{Deserialize, Serialize};
 
-/// An ingredient whose exchange has a factor. The order of the variants is the order of exchange.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Factor {
+use crate::listed;
+
+listed! {
+    /// An ingredient whose exchange has a factor. The order of the variants is the order of exchange.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Factor {
+        /// Name of its exchange in tables, figures and sentences.
+        name: &'static str,
+    }
     /// The base that lifts and slides is exchanged for the wall held down.
-    Uplift,
+    Uplift: "wall held down for uplift";
     /// The slab that moves on isolators is exchanged for a fixed base.
-    Isolators,
+    Isolators: "fixed base for isolators";
     /// The slab that moves on soil is exchanged for a fixed base.
-    Soil,
+    Soil: "fixed base for soil";
     /// The history is exchanged for the maxima of its modes, combined by SRSS.
-    TimeHistory,
+    TimeHistory: "modal maxima for the history";
     /// All modes are exchanged for the structural mode of the largest mass and the first sloshing mode; in the rows of
     /// masses, the structural mode for all structural modes.
-    Modes,
+    Modes: "number of modes";
     /// Impulsive mass of an engine that does not separate liquid, wall and roof.
-    ImpulsiveMass,
+    ImpulsiveMass: "impulsive mass";
     /// Liquid of the impulsive part.
-    LiquidMass,
+    LiquidMass: "impulsive liquid";
     /// Wall in the impulsive part.
-    WallMass,
+    WallMass: "wall mass";
     /// Roof in the impulsive part.
-    RoofMass,
+    RoofMass: "roof mass";
     /// Floor in the impulsive part.
-    FloorMass,
+    FloorMass: "floor mass";
     /// Mass of the sloshing mode.
-    ConvectiveMass,
+    ConvectiveMass: "sloshing mass";
     /// Heights of the masses.
-    LeverArm,
+    LeverArm: "lever arms";
     /// Stress of the impulsive part per acceleration (hoop) or per moment (axial).
-    ImpulsiveStress,
+    ImpulsiveStress: "impulsive stress formula";
     /// Stress of the convective part per acceleration (hoop) or per moment (axial).
-    ConvectiveStress,
+    ConvectiveStress: "sloshing stress formula";
     /// The height of the engine's largest hoop stress is exchanged for that of the procedure's.
-    Place,
+    Place: "height of the largest hoop stress";
     /// The impulsive part moves with the ground (period zero).
-    RigidWall,
+    RigidWall: "rigid wall";
     /// The impulsive part has the largest ordinate of a range of periods.
-    Plateau,
+    Plateau: "plateau for the period";
     /// Period of the impulsive part.
-    ImpulsivePeriod,
+    ImpulsivePeriod: "impulsive period";
     /// Period of the sloshing mode.
-    SloshingPeriod,
+    SloshingPeriod: "sloshing period";
     /// Damping ratios.
-    Damping,
+    Damping: "damping";
     /// Spectrum of the record against that of the site: the hazard.
-    Spectrum,
+    Spectrum: "spectrum of the site";
     /// Factor of a code from the damping of its spectrum to that of sloshing.
-    DampingCorrection,
+    DampingCorrection: "code's damping factor";
     /// The branch of long periods, beyond T_D or T_L, against the branch of 1/T.
-    LongPeriod,
+    LongPeriod: "long-period branch";
     /// Importance factor.
-    Importance,
+    Importance: "importance factor";
     /// Behaviour factor 1/q or response modification 1/R_w.
-    BehaviourFactor,
+    BehaviourFactor: "behaviour factor";
     /// Least and largest values that a code sets to an acceleration.
-    Bounds,
+    Bounds: "bounds of the code";
     /// Rise of the surface per acceleration of the sloshing mode, with the accelerations of the procedure.
-    WaveFormula,
+    WaveFormula: "wave formula";
     /// Rule by which impulsive and convective maxima are combined.
-    Combination,
+    Combination: "combination rule";
     /// Stress of the vertical motion, as the procedure combines it with the horizontal one.
-    Vertical,
+    Vertical: "vertical motion";
     /// Potential flow in a rigid tank, exact.
-    RigidTank,
+    RigidTank: "rigid tank";
     /// All sloshing modes as one mass.
-    AllSloshingModes,
+    AllSloshingModes: "all sloshing modes as one";
     /// Depth of the liquid that can slosh.
-    LiquidDepth,
+    LiquidDepth: "depth that sloshes";
     /// Clamped shell of the same courses with its liquid, without roof.
-    ShellModel,
+    ShellModel: "shell without roof";
     /// The wall has no mass.
-    WeightlessWall,
+    WeightlessWall: "weightless wall";
     /// The wall has one thickness and one modulus.
-    UniformWall,
+    UniformWall: "uniform wall";
     /// Formula, table or printed constant of the procedure.
-    Formula,
-}
-
-impl Factor {
-    /// All of them in the order of exchange.
-    pub const ALL: [Factor; 36] = [
-        Factor::Uplift,
-        Factor::Isolators,
-        Factor::Soil,
-        Factor::TimeHistory,
-        Factor::Modes,
-        Factor::ImpulsiveMass,
-        Factor::LiquidMass,
-        Factor::WallMass,
-        Factor::RoofMass,
-        Factor::FloorMass,
-        Factor::ConvectiveMass,
-        Factor::LeverArm,
-        Factor::ImpulsiveStress,
-        Factor::ConvectiveStress,
-        Factor::Place,
-        Factor::RigidWall,
-        Factor::Plateau,
-        Factor::ImpulsivePeriod,
-        Factor::SloshingPeriod,
-        Factor::Damping,
-        Factor::Spectrum,
-        Factor::DampingCorrection,
-        Factor::LongPeriod,
-        Factor::Importance,
-        Factor::BehaviourFactor,
-        Factor::Bounds,
-        Factor::WaveFormula,
-        Factor::Combination,
-        Factor::Vertical,
-        Factor::RigidTank,
-        Factor::AllSloshingModes,
-        Factor::LiquidDepth,
-        Factor::ShellModel,
-        Factor::WeightlessWall,
-        Factor::UniformWall,
-        Factor::Formula,
-    ];
+    Formula: "procedure's formula";
 }

@@ -4,6 +4,7 @@
 //! | module | idea |
 //! |---|---|
 //! | [`keys`](mod@keys), [`words`](mod@words) | declaration of the keys of a tank file, and of choices of words |
+//! | [`listed!`] | enums as tables |
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
 //! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
 //! | [`case`] | input of a procedure or an engine for one verification |
@@ -31,6 +32,7 @@ pub mod hazard;
 pub mod imperfection;
 pub mod ingredients;
 pub mod keys;
+mod listed;
 pub mod options;
 pub mod outside;
 mod project;

@@ -21,176 +21,72 @@ pub use system::{Preferred, Scope, System};
 pub use table::{UNITS, Unit};
 pub use text::converted;
 
-/// Physical dimension of a value that is stored in SI.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Dimension {
+use crate::listed;
+
+listed! {
+    /// Physical dimension of a value that is stored in SI.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Dimension {
+        /// SI symbol as written to `results.json`, e.g. `m`, `Pa`, `N*m`.
+        si_symbol: &'static str,
+        /// The dimension in words with its article ("a length").
+        noun: &'static str,
+        /// An example as in an input file, without quotes.
+        example: &'static str,
+    }
     /// A bare number.
-    Dimensionless,
+    Dimensionless: "1", "a number without a unit", "0.02";
     /// m
-    Length,
+    Length: "m", "a length", "1.83 m";
     /// s
-    Time,
+    Time: "s", "a time", "0.02 s";
     /// kg
-    Mass,
+    Mass: "kg", "a mass", "500 kg";
     /// kg/m³
-    Density,
+    Density: "kg/m3", "a density", "1000 kg/m3";
     /// m/s
-    Velocity,
+    Velocity: "m/s", "a velocity", "0.8 m/s";
     /// m/s²
-    Acceleration,
+    Acceleration: "m/s2", "an acceleration", "0.5 g";
     /// Hz
-    Frequency,
+    Frequency: "Hz", "a frequency", "1.2 Hz";
     /// rad/s
-    AngularFrequency,
+    AngularFrequency: "rad/s", "a circular frequency", "3.0 rad/s";
     /// rad
-    Angle,
+    Angle: "rad", "an angle", "30 deg";
     /// N
-    Force,
+    Force: "N", "a force", "120 kN";
     /// N·m
-    Moment,
+    Moment: "N*m", "a moment", "35 kNm";
     /// Pa (stress, pressure, modulus)
-    Stress,
+    Stress: "Pa", "a stress", "210 GPa";
     /// N/m
-    LineForce,
+    LineForce: "N/m", "a force per length", "25 kN/m";
     /// N·m/m
-    LineMoment,
+    LineMoment: "N*m/m", "a moment per length", "3 kNm/m";
     /// J
-    Energy,
+    Energy: "J", "an energy", "5 kJ";
     /// m²/m
-    LineArea,
+    LineArea: "m2/m", "an area per length", "7.0 cm2/m";
     /// 1/m
-    Curvature,
+    Curvature: "rad/m", "a curvature", "0.01 rad/m";
     /// N/m³
-    Subgrade,
+    Subgrade: "N/m3", "a subgrade modulus", "100 MN/m3";
     /// N·m/rad (spring against rotation)
-    RotationalStiffness,
+    RotationalStiffness: "N*m/rad", "a rotational stiffness", "200 kNm/rad";
     /// N·s/m (viscous force per velocity)
-    Dashpot,
+    Dashpot: "N*s/m", "a dashpot coefficient", "5 kNs/m";
     /// N·m·s/rad (viscous moment per angular velocity)
-    RotationalDashpot,
+    RotationalDashpot: "N*m*s/rad", "a rotational dashpot coefficient", "5 kNms/rad";
     /// kg·m² (moment of inertia of a mass)
-    RotationalInertia,
+    RotationalInertia: "kg*m2", "a moment of inertia", "500 kgm2";
 }
 
 impl Dimension {
-    /// All dimensions.
-    pub const ALL: [Dimension; 23] = [
-        Dimension::Dimensionless,
-        Dimension::Length,
-        Dimension::Time,
-        Dimension::Mass,
-        Dimension::Density,
-        Dimension::Velocity,
-        Dimension::Acceleration,
-        Dimension::Frequency,
-        Dimension::AngularFrequency,
-        Dimension::Angle,
-        Dimension::Force,
-        Dimension::Moment,
-        Dimension::Stress,
-        Dimension::LineForce,
-        Dimension::LineMoment,
-        Dimension::Energy,
-        Dimension::LineArea,
-        Dimension::Curvature,
-        Dimension::Subgrade,
-        Dimension::RotationalStiffness,
-        Dimension::Dashpot,
-        Dimension::RotationalDashpot,
-        Dimension::RotationalInertia,
-    ];
-
     /// The dimension with this SI symbol.
     pub fn from_si_symbol(symbol: &str) -> Option<Dimension> {
         Dimension::ALL.into_iter().find(|d| d.si_symbol() == symbol)
-    }
-
-    /// SI symbol as written to `results.json`, e.g. `m`, `Pa`, `N*m`.
-    pub fn si_symbol(self) -> &'static str {
-        match self {
-            Dimension::Dimensionless => "1",
-            Dimension::Length => "m",
-            Dimension::Time => "s",
-            Dimension::Mass => "kg",
-            Dimension::Density => "kg/m3",
-            Dimension::Velocity => "m/s",
-            Dimension::Acceleration => "m/s2",
-            Dimension::Frequency => "Hz",
-            Dimension::AngularFrequency => "rad/s",
-            Dimension::Angle => "rad",
-            Dimension::Force => "N",
-            Dimension::Moment => "N*m",
-            Dimension::Stress => "Pa",
-            Dimension::LineForce => "N/m",
-            Dimension::LineMoment => "N*m/m",
-            Dimension::Energy => "J",
-            Dimension::LineArea => "m2/m",
-            Dimension::Curvature => "rad/m",
-            Dimension::Subgrade => "N/m3",
-            Dimension::RotationalStiffness => "N*m/rad",
-            Dimension::Dashpot => "N*s/m",
-            Dimension::RotationalDashpot => "N*m*s/rad",
-            Dimension::RotationalInertia => "kg*m2",
-        }
-    }
-
-    /// The dimension in words with its article ("a length").
-    pub fn noun(self) -> &'static str {
-        match self {
-            Dimension::Dimensionless => "a number without a unit",
-            Dimension::Length => "a length",
-            Dimension::Time => "a time",
-            Dimension::Mass => "a mass",
-            Dimension::Density => "a density",
-            Dimension::Velocity => "a velocity",
-            Dimension::Acceleration => "an acceleration",
-            Dimension::Frequency => "a frequency",
-            Dimension::AngularFrequency => "a circular frequency",
-            Dimension::Angle => "an angle",
-            Dimension::Force => "a force",
-            Dimension::Moment => "a moment",
-            Dimension::Stress => "a stress",
-            Dimension::LineForce => "a force per length",
-            Dimension::LineMoment => "a moment per length",
-            Dimension::Energy => "an energy",
-            Dimension::LineArea => "an area per length",
-            Dimension::Curvature => "a curvature",
-            Dimension::Subgrade => "a subgrade modulus",
-            Dimension::RotationalStiffness => "a rotational stiffness",
-            Dimension::Dashpot => "a dashpot coefficient",
-            Dimension::RotationalDashpot => "a rotational dashpot coefficient",
-            Dimension::RotationalInertia => "a moment of inertia",
-        }
-    }
-
-    /// An example as in an input file, without quotes.
-    pub fn example(self) -> &'static str {
-        match self {
-            Dimension::Dimensionless => "0.02",
-            Dimension::Length => "1.83 m",
-            Dimension::Time => "0.02 s",
-            Dimension::Mass => "500 kg",
-            Dimension::Density => "1000 kg/m3",
-            Dimension::Velocity => "0.8 m/s",
-            Dimension::Acceleration => "0.5 g",
-            Dimension::Frequency => "1.2 Hz",
-            Dimension::AngularFrequency => "3.0 rad/s",
-            Dimension::Angle => "30 deg",
-            Dimension::Force => "120 kN",
-            Dimension::Moment => "35 kNm",
-            Dimension::Stress => "210 GPa",
-            Dimension::LineForce => "25 kN/m",
-            Dimension::LineMoment => "3 kNm/m",
-            Dimension::Energy => "5 kJ",
-            Dimension::LineArea => "7.0 cm2/m",
-            Dimension::Curvature => "0.01 rad/m",
-            Dimension::Subgrade => "100 MN/m3",
-            Dimension::RotationalStiffness => "200 kNm/rad",
-            Dimension::Dashpot => "5 kNs/m",
-            Dimension::RotationalDashpot => "5 kNms/rad",
-            Dimension::RotationalInertia => "500 kgm2",
-        }
     }
 
     /// The units of this dimension, in the order of the table.

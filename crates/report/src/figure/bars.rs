@@ -2,13 +2,13 @@
 
 use tank::units::Dimension;
 
+use super::Figure;
 use super::chart::titled;
 use super::svg::{Anchor, Svg};
 use super::width::{FONT, text_width};
-use super::{Figure, Room};
 use crate::methods::Look;
 use crate::number::{Scale, ratio};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::{figures, labels};
 
 const ROW: f64 = 17.0;
@@ -57,11 +57,8 @@ pub fn bars(
 
     let mut svg = Svg::new();
     svg.text((0.0, 12.0), Anchor::Start, "ti", &titled(title, scale.symbol()));
-    let mut table = Table::new(vec![
-        Column::words("Method"),
-        Column::words("Excitation"),
-        Column::numbers(title, scale.symbol()),
-        Column::numbers(labels::RATIO_TO_ENGINE, ""),
+    let mut table = Table::new(columns![
+        "Method", "Excitation", title => scale.symbol(), labels::RATIO_TO_ENGINE => "",
     ]);
     for (i, bar) in bars.iter().enumerate() {
         let y = TOP + ROW * i as f64;
@@ -92,14 +89,9 @@ pub fn bars(
 
     let all: Vec<String> = bars.iter().map(|b| format!("{} {}", b.look.full_label(), scale.text(b.value))).collect();
     let description = figures::by_method(title, &all.join("; "), scale.symbol());
-    Some(Figure {
-        id: id.into(),
-        title: title.into(),
-        caption: figures::by_methods(bars.iter().any(|b| b.look.site), bars.iter().any(|b| b.overtops), divided),
-        description,
-        size: (WIDTH, height),
-        markup: svg.into_markup(),
-        table,
-        room: Room::Half,
-    })
+    Some(
+        Figure::new(id, title, ((WIDTH, height), svg.into_markup()), table)
+            .captioned(figures::by_methods(bars.iter().any(|b| b.look.site), bars.iter().any(|b| b.overtops), divided))
+            .described(description),
+    )
 }

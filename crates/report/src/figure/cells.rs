@@ -9,7 +9,7 @@ use super::svg::{Svg, n};
 use super::wall::{self, BAR, Layout, STEPS, TOP};
 use super::{Figure, ticks};
 use crate::number::{Scale, fixed, plain, significant};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, columns, spread};
 use crate::words::capital;
 use crate::words::figures::wall as words;
 use results::nonlinear::{CellMap, Columns, WallGrid};
@@ -102,16 +102,11 @@ pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
         }
         caption.push_str(&words::mark(&text, beyond, map.values.len()));
     }
-    Some(Figure {
-        id: id.into(),
-        title: capital(&map.title),
-        caption,
-        description: describe(grid, map, &shown),
-        size: layout.size,
-        markup: svg.into_markup(),
-        table: table(grid, map, &shown),
-        room: layout.room,
-    })
+    Some(
+        Figure::new(id, capital(&map.title), (layout.size, svg.into_markup()), table(grid, map, &shown))
+            .captioned(caption)
+            .described(describe(grid, map, &shown)),
+    )
 }
 
 /// A mark with its unit and without idle zeros.
@@ -181,7 +176,7 @@ fn table(grid: &WallGrid, map: &CellMap, shown: &Shown) -> Table {
         }
         Columns::Walls { names } => names[i].clone(),
     };
-    let mut columns = vec![Column::numbers("z", "m")];
+    let mut columns = columns!["z" => "m"];
     columns.extend(chosen.iter().map(|&i| Column::numbers(&title(i), shown.unit)));
     let mut table = Table::new(columns);
     for j in spread(grid.rows(), 21).into_iter().rev() {

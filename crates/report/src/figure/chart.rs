@@ -6,9 +6,13 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::axis::Span;
 pub use super::axis::{Axis, titled};
 use super::backend::{ClassBackend, GRID, ink};
+use super::decimate::decimate;
 use super::svg::{Anchor, Svg};
 use super::width::{FONT, text_width};
+use super::{Figure, WIDE};
+use crate::table::Table;
 use files::error::Error;
+use tank::units::Dimension;
 
 const LEGEND_LINE: f64 = 16.0;
 const SAMPLE: f64 = 24.0;
@@ -101,9 +105,39 @@ pub struct Frame {
 }
 
 impl Chart {
-    /// An empty chart.
-    pub fn new(size: (f64, f64), x: Axis, y: Axis) -> Chart {
-        Chart { size, x, y, bands: Vec::new(), lines: Vec::new(), rules: Vec::new(), marks: Vec::new() }
+    /// An empty chart of this width.
+    pub fn new(width: f64, x: Axis, y: Axis) -> Chart {
+        Chart { size: (width, 0.0), x, y, bands: Vec::new(), lines: Vec::new(), rules: Vec::new(), marks: Vec::new() }
+    }
+
+    /// An empty chart over the time up to `end` [s], as wide as the text.
+    pub fn over_time(start: f64, end: f64, y: Axis) -> Chart {
+        Chart::new(WIDE, Axis::exact("Time", Dimension::Time, (start, end), 8), y)
+    }
+
+    /// Adds a history from the start of `time`, thinned to what can be seen, with its classes and legend.
+    pub fn history(&mut self, time: &[f64], values: &[f64], class: impl Into<String>, label: impl Into<String>) {
+        self.line(decimate(&time[..values.len()], values, (WIDE - 60.0) as usize), class, label);
+    }
+
+    /// Adds a curve through points in SI, with its classes and legend.
+    pub fn line(&mut self, points: Vec<(f64, f64)>, class: impl Into<String>, label: impl Into<String>) {
+        self.lines.push(Line { points, class: class.into(), label: label.into() });
+    }
+
+    /// Adds an area with these corners in SI, with its classes and legend.
+    pub fn band(&mut self, points: Vec<(f64, f64)>, class: impl Into<String>, label: impl Into<String>) {
+        self.bands.push(Band { points, class: class.into(), label: label.into() });
+    }
+
+    /// Adds a point in SI with its label and classes.
+    pub fn mark(&mut self, at: (f64, f64), label: impl Into<String>, class: impl Into<String>) {
+        self.marks.push(Mark { at, label: label.into(), class: class.into() });
+    }
+
+    /// The figure of the chart.
+    pub fn figure(&self, id: impl Into<String>, title: impl Into<String>, table: Table) -> Result<Figure, Error> {
+        Ok(Figure::new(id, title, (self.size, self.draw()?), table))
     }
 
     /// Where the plot will stand.

@@ -16,7 +16,7 @@ use super::wall::{self, Cell, Layout};
 use super::width::{FONT, text_width};
 use super::{Figure, WIDE};
 use crate::number::{fixed, significant};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::figures::wall as words;
 use crate::words::{capital, labels};
 use results::nonlinear::{Columns, Crack, CrackPicture, WallGrid};
@@ -100,22 +100,22 @@ pub fn figure(id: &str, grid: &WallGrid, picture: &CrackPicture) -> Option<Figur
     let open = picture.cracks.iter().filter(|c| weight(c).is_some()).count();
     let widest = picture.cracks.iter().map(|c| c.width).fold(0.0, f64::max);
     let mirrored = matches!(grid.columns, Columns::Sectors { mirrored: true, .. });
-    Some(Figure {
-        id: id.into(),
-        title: format!("{}, {}", face(picture), when(picture)),
-        caption: words::cracks(open, picture.cracks.len() - open, &millimetres(widest), mirrored),
-        description: words::cracks_description(
+    Some(
+        Figure::new(
+            id,
+            format!("{}, {}", face(picture), when(picture)),
+            (layout.size, svg.into_markup()),
+            table(grid, picture),
+        )
+        .captioned(words::cracks(open, picture.cracks.len() - open, &millimetres(widest), mirrored))
+        .described(words::cracks_description(
             picture,
             &when(picture),
             open,
             grid.cells(),
             [reach(grid, picture, f64::min, 0), reach(grid, picture, f64::max, 1)],
-        ),
-        size: layout.size,
-        markup: svg.into_markup(),
-        table: table(grid, picture),
-        room: layout.room,
-    })
+        )),
+    )
 }
 
 /// Lowest or highest edge of the cracked cells [m].
@@ -203,12 +203,8 @@ fn draw_legend(svg: &mut Svg, entries: &[(usize, f64, f64, String)]) {
 fn table(grid: &WallGrid, picture: &CrackPicture) -> Table {
     let mut order: Vec<&Crack> = picture.cracks.iter().collect();
     order.sort_by(|a, b| b.width.total_cmp(&a.width).then(b.largest.total_cmp(&a.largest)));
-    let mut table = Table::new(vec![
-        Column::words("Where"),
-        Column::numbers(labels::CRACK_DIRECTION, "°"),
-        Column::numbers("Width", "mm"),
-        Column::numbers(labels::LARGEST_SO_FAR, "mm"),
-        Column::words("State"),
+    let mut table = Table::new(columns![
+        "Where", labels::CRACK_DIRECTION => "°", "Width" => "mm", labels::LARGEST_SO_FAR => "mm", "State",
     ]);
     if order.len() > LISTED {
         table.caption = words::widest(LISTED, order.len());

@@ -95,7 +95,7 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
         class: c.class.clone(),
         label: c.label.clone(),
     }));
-    let mut chart = Chart::new((10.0, 10.0), x, y);
+    let mut chart = Chart::new(0.0, x, y);
     chart.lines = lines;
     chart.rules = rules;
     let width = 12.0 + DECADE * (t.1 / t.0).log10();

@@ -9,9 +9,9 @@ use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg, n, path_data};
 use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
 use super::width::{FONT, text_width};
-use super::{Figure, Room, WIDE, ticks};
+use super::{Figure, WIDE, ticks};
 use crate::number::{Scale, fixed, plain, with_unit};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, columns, spread};
 use crate::words::figures::wall as words;
 use results::WallMap;
 
@@ -121,16 +121,11 @@ pub fn figure(id: &str, map: &WallMap, walls: Option<Perimeter>) -> Option<Figur
     }
     frame(&mut svg, &field, (x(theta.0), x(theta.1)), walls);
     wall::bar(&mut svg, WIDE, (TOP, bottom), (low, high), &levels, decimals, scale.symbol());
-    Some(Figure {
-        id: id.into(),
-        title: map.title.clone(),
-        caption: words::map(map.time, walls.is_some()),
-        description: describe(map, walls),
-        size: (WIDE, bottom + BELOW),
-        markup: svg.into_markup(),
-        table: table(map, &scale, walls),
-        room: Room::Wide,
-    })
+    Some(
+        Figure::new(id, map.title.clone(), ((WIDE, bottom + BELOW), svg.into_markup()), table(map, &scale, walls))
+            .captioned(words::map(map.time, walls.is_some()))
+            .described(describe(map, walls)),
+    )
 }
 
 /// Where on a line its number stands: the best place that covers no other number.
@@ -274,7 +269,7 @@ fn describe(map: &WallMap, walls: Option<Perimeter>) -> String {
 /// Values at some angles or positions (columns) and heights (rows).
 fn table(map: &WallMap, scale: &Scale, walls: Option<Perimeter>) -> Table {
     let angles = spread(map.theta.len(), 9);
-    let mut columns = vec![Column::numbers("z", "m")];
+    let mut columns = columns!["z" => "m"];
     columns.extend(angles.iter().map(|&i| Column::numbers(&direction(map.theta[i], walls, 1), scale.symbol())));
     let mut table = Table::new(columns);
     for j in spread(map.z.len(), 21).into_iter().rev() {

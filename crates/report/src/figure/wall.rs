@@ -6,7 +6,7 @@ use super::chart::titled;
 use super::perimeter::Perimeter;
 use super::svg::{Anchor, Svg};
 use super::width::{FONT, text_width};
-use super::{HALF, Room, WIDE, ticks};
+use super::{HALF, WIDE, ticks};
 use crate::number::{Scale, fixed, plain};
 use results::nonlinear::{Columns, WallGrid};
 
@@ -54,8 +54,6 @@ pub struct Layout<'a> {
     pub y: (f64, f64),
     /// Size of the figure.
     pub size: (f64, f64),
-    /// Room of the figure.
-    pub room: Room,
     /// User units a metre along the wall and upwards: they differ, directions are drawn accordingly.
     pub stretch: (f64, f64),
 }
@@ -68,10 +66,10 @@ impl<'a> Layout<'a> {
             return None;
         }
         let (z0, z1) = (grid.z[0], grid.z[grid.z.len() - 1]);
-        let (width, height, room) = match &grid.columns {
-            Columns::Sectors { .. } => (WIDE, PLOT, Room::Wide),
-            Columns::Walls { names } if names.len() > 2 => (WIDE, TALL, Room::Wide),
-            Columns::Walls { .. } => (HALF, TALL, Room::Half),
+        let (width, height) = match &grid.columns {
+            Columns::Sectors { .. } => (WIDE, PLOT),
+            Columns::Walls { names } if names.len() > 2 => (WIDE, TALL),
+            Columns::Walls { .. } => (HALF, TALL),
         };
         let (x, y) = ((LEFT, width - right), (top, top + height));
         let level = |z: f64| y.1 - (z - z0) / (z1 - z0) * height;
@@ -119,7 +117,7 @@ impl<'a> Layout<'a> {
                 mirrored,
             }));
         }
-        Some(Layout { grid, cells, x, y, size: (width, y.1 + BELOW), room, stretch: (along, upwards) })
+        Some(Layout { grid, cells, x, y, size: (width, y.1 + BELOW), stretch: (along, upwards) })
     }
 
     /// Edges of the separate parts of the plot: one around a tank, one a wall.

@@ -3,10 +3,10 @@
 
 use super::svg::{Anchor, Svg};
 use super::width::{FONT, text_width};
-use super::{Figure, HALF, Room};
+use super::{Figure, HALF};
 use crate::methods::Look;
 use crate::number::{ratio, significant};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::{factors, labels};
 
 const ROW: f64 = 13.0;
@@ -76,16 +76,11 @@ pub fn waterfall(id: &str, title: &str, falls: &[Fall]) -> Option<Figure> {
     }
     let ends: Vec<String> =
         falls.iter().map(|fall| format!("{} {}", fall.look.full_label(), ratio(fall.ratio))).collect();
-    Some(Figure {
-        id: id.into(),
-        title: title.into(),
-        caption: factors::CAPTION.into(),
-        description: factors::description(title, &ends.join("; ")),
-        size: (HALF, height),
-        markup: svg.into_markup(),
-        table: table(falls),
-        room: Room::Half,
-    })
+    Some(
+        Figure::new(id, title, ((HALF, height), svg.into_markup()), table(falls))
+            .captioned(factors::CAPTION)
+            .described(factors::description(title, &ends.join("; "))),
+    )
 }
 
 /// Rows of a fall: its larger factors, and the others as one.
@@ -104,12 +99,7 @@ fn rows(fall: &Fall) -> Vec<Row> {
 }
 
 fn table(falls: &[Fall]) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Method"),
-        Column::words(factors::FACTOR),
-        Column::numbers("Factor", ""),
-        Column::numbers(labels::RATIO_TO_ENGINE, ""),
-    ]);
+    let mut table = Table::new(columns!["Method", factors::FACTOR, "Factor" => "", labels::RATIO_TO_ENGINE => ""]);
     for fall in falls {
         let mut so_far = 1.0;
         for (name, factor) in &fall.steps {

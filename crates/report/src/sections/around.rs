@@ -7,10 +7,10 @@ use tank::units::Dimension;
 
 use super::section::FigureView;
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Band, Chart, Line};
-use crate::figure::{Figure, HALF, Room, WIDE, map};
+use crate::figure::chart::{Axis, Chart};
+use crate::figure::{Figure, HALF, WIDE, map};
 use crate::number::{Scale, fixed, ratio};
-use crate::table::{Column, Table, spread_with_extremes};
+use crate::table::{Column, Table, columns, spread_with_extremes};
 use crate::words::figures::around as words;
 use crate::words::labels;
 use files::error::Error;
@@ -65,13 +65,9 @@ fn table(around: &Around) -> Table {
     let displacement = Scale::of(Dimension::Length, around.waves.iter().map(|w| w.displacement));
     let stress = Scale::of(Dimension::Stress, around.waves.iter().filter_map(|w| w.stress));
     let stresses = around.waves.iter().any(|w| w.stress.is_some());
-    let mut columns = vec![
-        Column::numbers("n", ""),
-        Column::numbers("Deviation", deviation.symbol()),
-        Column::numbers("Radial displacement", displacement.symbol()),
-        Column::numbers("over n = 1", ""),
-        Column::numbers("at z", "m"),
-        Column::numbers("at t", "s"),
+    let mut columns = columns![
+        "n" => "", "Deviation" => deviation.symbol(), "Radial displacement" => displacement.symbol(),
+        "over n = 1" => "", "at z" => "m", "at t" => "s",
     ];
     if stresses {
         columns.push(Column::numbers(labels::BASE_STRESS, stress.symbol()));
@@ -127,31 +123,17 @@ fn bars(id: &str, title: &str, dimension: Dimension, values: &[(u32, f64)]) -> R
     let most = values.iter().map(|v| v.0).max().unwrap_or(1);
     let x = Axis::exact(words::WAVES, Dimension::Dimensionless, (-0.5, f64::from(most) + 0.5), 10);
     let y = Axis::linear(title, dimension, values.iter().map(|v| v.1).chain([0.0]), 5);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut chart = Chart::new(HALF, x, y);
     for &(n, value) in values {
         let n = f64::from(n);
-        chart.bands.push(Band {
-            points: vec![(n - BAR, 0.0), (n + BAR, 0.0), (n + BAR, value), (n - BAR, value)],
-            class: "k-fe".into(),
-            label: String::new(),
-        });
+        chart.band(vec![(n - BAR, 0.0), (n + BAR, 0.0), (n + BAR, value), (n - BAR, value)], "k-fe", "");
     }
-    let chart = chart.with_plot_height(PLOT);
     let scale = Scale::of(dimension, values.iter().map(|v| v.1));
-    let mut table = Table::new(vec![Column::numbers("n", ""), Column::numbers(title, scale.symbol())]);
+    let mut table = Table::new(columns!["n" => "", title => scale.symbol()]);
     for (n, value) in values {
         table.row(vec![n.to_string(), scale.text(*value)]);
     }
-    Ok(Figure {
-        id: id.into(),
-        title: title.into(),
-        caption: String::new(),
-        description: words::bars(title),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart.with_plot_height(PLOT).figure(id, title, table)?.described(words::bars(title)))
 }
 
 /// Range of the stress around the base, and that of the wave n = 1 alone.
@@ -164,12 +146,12 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
     };
     let x = Axis::around();
     let y = Axis::linear(words::STRESS, Dimension::Stress, ring.min.iter().chain(&ring.max).copied(), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::new(WIDE, x, y);
     let mut corners = side(&ring.max);
     corners.extend(side(&ring.min).into_iter().rev());
-    chart.bands.push(Band { points: corners, class: "k-fe".into(), label: words::RANGE.into() });
+    chart.band(corners, "k-fe", words::RANGE);
     for values in [&ring.max, &ring.min] {
-        chart.lines.push(Line { points: side(values), class: "k-fe thin".into(), label: String::new() });
+        chart.line(side(values), "k-fe thin", "");
     }
     if let Some(first) = first {
         for (sign, label) in [(1.0, words::FIRST), (-1.0, "")] {
@@ -177,31 +159,13 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
                 let theta = TAU * k as f64 / POINTS as f64;
                 (theta, sign * first * theta.cos().abs())
             };
-            chart.lines.push(Line {
-                points: (0..=POINTS).map(point).collect(),
-                class: "k-static".into(),
-                label: label.into(),
-            });
+            chart.line((0..=POINTS).map(point).collect(), "k-static", label);
         }
     }
-    let chart = chart.with_plot_height(PLOT);
     let scale = Scale::of(Dimension::Stress, ring.min.iter().chain(&ring.max).copied());
-    let mut table = Table::new(vec![
-        Column::numbers("θ", "°"),
-        Column::numbers("Smallest", scale.symbol()),
-        Column::numbers("Largest", scale.symbol()),
-    ]);
+    let mut table = Table::new(columns!["θ" => "°", "Smallest" => scale.symbol(), "Largest" => scale.symbol()]);
     for i in spread_with_extremes(ring.theta.len(), 36, &[&ring.min, &ring.max]) {
         table.row(vec![fixed(ring.theta[i].to_degrees(), 1), scale.text(ring.min[i]), scale.text(ring.max[i])]);
     }
-    Ok(Figure {
-        id: id.into(),
-        title: words::BASE.into(),
-        caption: String::new(),
-        description: words::base(ring),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    })
+    Ok(chart.with_plot_height(PLOT).figure(id, words::BASE, table)?.described(words::base(ring)))
 }

@@ -11,7 +11,7 @@ use crate::figure::waterfall::{Fall, waterfall};
 use crate::level::Level;
 use crate::methods::{figure_order, look};
 use crate::number::significant;
-use crate::table::{Column, Table};
+use crate::table::{Column, Table, columns};
 use crate::words::factors;
 use files::error::Error;
 use results::Method;
@@ -92,11 +92,7 @@ fn figure(quantity: Quantity, excitation: Excitation, columns: &[Attributed]) ->
         .iter()
         .map(|(method, attribution)| Fall {
             look: look(method),
-            steps: attribution
-                .steps
-                .iter()
-                .map(|step| (factors::name(step.factor_id).to_owned(), step.factor))
-                .collect(),
+            steps: attribution.steps.iter().map(|step| (step.factor_id.name().to_owned(), step.factor)).collect(),
             ratio: attribution.ratio,
         })
         .collect();
@@ -106,20 +102,20 @@ fn figure(quantity: Quantity, excitation: Excitation, columns: &[Attributed]) ->
 }
 
 fn short_title(quantity: Quantity, site: bool) -> String {
-    let name = crate::words::capital(crate::words::quantity(quantity));
+    let name = crate::words::capital(&crate::words::quantity(quantity));
     factors::short_title(&name, site)
 }
 
 /// Factors by method, in the order of exchange, and their product.
 fn table(columns: &[Attributed]) -> Table {
-    let mut heads = vec![Column::words(factors::FACTOR)];
+    let mut heads = columns![factors::FACTOR];
     heads.extend(columns.iter().map(|(method, _)| Column::numbers(&look(method).full_label(), "")));
     let mut table = Table::new(heads);
     for factor in Factor::ALL {
         let of = |a: &Attribution| a.steps.iter().find(|s| s.factor_id == factor).map(|s| s.factor);
         let cells: Vec<Option<f64>> = columns.iter().map(|(_, a)| of(a)).collect();
         if cells.iter().any(Option::is_some) {
-            let mut row = vec![factors::name(factor).to_owned()];
+            let mut row = vec![factor.name().to_owned()];
             row.extend(cells.iter().map(|c| c.map_or("1".into(), |f| significant(f, 4))));
             table.row(row);
         }

@@ -6,11 +6,11 @@ use tank::units::Dimension;
 
 use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line};
+use crate::figure::chart::{Axis, Chart};
 use crate::figure::rocking::{self, Elevation, Position};
-use crate::figure::{Figure, HALF, Room};
+use crate::figure::{Figure, HALF};
 use crate::number::{Scale, fixed, share, with_unit};
-use crate::table::{Column, Table, spread, spread_with_extremes};
+use crate::table::{Column, Table, columns, spread, spread_with_extremes};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::channel::Side;
@@ -62,7 +62,7 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
     let widest = run.lifted.iter().map(|p| p[1]).fold(0.0, f64::max);
     let (size, markup) = plan.draw();
     let scale = Scale::of(Dimension::Length, [widest]);
-    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::LIFTED, scale.symbol())]);
+    let mut table = Table::new(columns!["θ" => "°", "Lifted width" => scale.symbol()]);
     let ground = plan.ground.map(|ground| (ground, pressed(ground)));
     let pressure = Scale::of(Dimension::Stress, ground.iter().map(|(_, most)| most.value));
     if ground.is_some() {
@@ -85,15 +85,10 @@ fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
         sentence.push(' ');
         sentence.push_str(&words::pressed(ground.rest, most, rocking::highest_colour(ground)));
     }
-    (widest > 0.0).then(|| Figure {
-        id: "base_plan".into(),
-        title: words::FIGURES[4].into(),
-        caption: sentence.clone(),
-        description: sentence,
-        size,
-        markup,
-        table,
-        room: Room::Half,
+    (widest > 0.0).then(|| {
+        Figure::new("base_plan", words::FIGURES[4], (size, markup), table)
+            .captioned(sentence.clone())
+            .described(sentence)
     })
 }
 
@@ -175,27 +170,18 @@ fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
     let (size, markup) = rocking::positions(&elevation, &found, &width);
     let scale = Scale::of(Dimension::Length, found.iter().flat_map(|p| p.rim));
     let [when, right, left] = words::POSITIONS;
-    let mut table = Table::new(vec![
-        Column::numbers(when, "s"),
-        Column::numbers(right, scale.symbol()),
-        Column::numbers(left, scale.symbol()),
-    ]);
+    let mut table = Table::new(columns![when => "s", right => scale.symbol(), left => scale.symbol()]);
     for position in &found {
         let [front, back] = position.rim.map(|w| scale.text(w));
         table.row(vec![fixed(position.time, 3), front, back]);
     }
     let caption = words::cycle(rocking::factor(&elevation, &found));
     let description = words::description(words::FIGURES[5], Dimension::Length, found.iter().flat_map(|p| p.rim));
-    Some(Figure {
-        id: "base_positions".into(),
-        title: words::FIGURES[5].into(),
-        caption,
-        description,
-        size,
-        markup,
-        table,
-        room: Room::Wide,
-    })
+    Some(
+        Figure::new("base_positions", words::FIGURES[5], (size, markup), table)
+            .captioned(caption)
+            .described(description),
+    )
 }
 
 fn text(quantity: &Finding) -> String {
@@ -207,14 +193,8 @@ fn text(quantity: &Finding) -> String {
 
 fn values(run: &BaseRun) -> Table {
     let [name, with, time, angle, height, held, ratio] = words::VALUES;
-    let mut table = Table::new(vec![
-        Column::words(name),
-        Column::numbers(with, ""),
-        Column::numbers(time, "s"),
-        Column::numbers(angle, ""),
-        Column::numbers(height, ""),
-        Column::numbers(held, ""),
-        Column::numbers(ratio, ""),
+    let mut table = Table::new(columns![
+        name, with => "", time => "s", angle => "", height => "", held => "", ratio => "",
     ]);
     let none = || words::NONE.to_owned();
     for quantity in &run.quantities {
@@ -239,7 +219,7 @@ fn values(run: &BaseRun) -> Table {
 
 fn band(run: &BaseRun) -> Table {
     let [first, rest @ ..] = words::BAND;
-    let mut columns = vec![Column::words(first)];
+    let mut columns = columns![first];
     columns.extend(rest.map(|title| Column::numbers(title, "")));
     let mut table = Table::new(columns);
     let value = |id: &str| run.quantity(id).map_or(0.0, |q| q.value.value);
@@ -275,10 +255,8 @@ fn energy(run: &BaseRun) -> Table {
     let e = &run.energy;
     let all = [e.input, e.viscous, e.base_elastic, e.base_hysteretic, e.anchors, e.base_radiated, e.friction, e.body];
     let scale = Scale::of(Dimension::Energy, all);
-    let mut table = Table::new(vec![
-        Column::words(crate::words::labels::ENERGY_AT_END),
-        Column::numbers("Value", scale.symbol()),
-        Column::numbers(words::SHARE, ""),
+    let mut table = Table::new(columns![
+        crate::words::labels::ENERGY_AT_END, "Value" => scale.symbol(), words::SHARE => "",
     ]);
     for (i, (label, value)) in words::ENERGIES.into_iter().zip(all).enumerate() {
         if i == ANCHORS && run.anchors.is_none() {
@@ -289,27 +267,6 @@ fn energy(run: &BaseRun) -> Table {
     }
     table.caption = words::TABLES[2].into();
     table
-}
-
-/// A figure of a chart with the table of its points; `number` is that of its title.
-fn figure(
-    id: &str,
-    number: usize,
-    chart: Chart,
-    table: Table,
-    room: Room,
-    description: String,
-) -> Result<Figure, Error> {
-    Ok(Figure {
-        id: id.into(),
-        title: words::FIGURES[number].into(),
-        caption: String::new(),
-        description,
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room,
-    })
 }
 
 /// Curves over time; `None` without columns.
@@ -328,19 +285,19 @@ fn turning(run: &BaseRun) -> Result<Figure, Error> {
     let both = || backbone.iter().chain(&cycles);
     let x = Axis::linear(words::AXES[1], Dimension::Angle, both().map(|p| p.0), 5);
     let y = Axis::linear(words::AXES[2], Dimension::Moment, both().map(|p| p.1), 5);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut chart = Chart::new(HALF, x, y);
     let curves = [(cycles.clone(), "k-fe thin", words::LOOP[0]), (backbone.clone(), "k-other", words::LOOP[1])];
     for (points, class, label) in curves {
-        chart.lines.push(Line { points, class: class.into(), label: label.into() });
+        chart.line(points, class, label);
     }
     let scale = Scale::of(Dimension::Moment, run.backbone.iter().map(|p| p[1]));
-    let mut table =
-        Table::new(vec![Column::numbers(words::AXES[1], "rad"), Column::numbers(words::LOOP[1], scale.symbol())]);
+    let mut table = Table::new(columns![words::AXES[1] => "rad", words::LOOP[1] => scale.symbol()]);
     for i in spread(run.backbone.len(), 16) {
         table.row(vec![fixed(run.backbone[i][0], 6), scale.text(run.backbone[i][1])]);
     }
     let description = words::description(words::FIGURES[2], Dimension::Moment, cycles.iter().map(|p| p.1));
-    figure("base_moment_rotation", 2, chart.with_plot_height(PLOT), table, Room::Half, description)
+    let chart = chart.with_plot_height(PLOT);
+    Ok(chart.figure("base_moment_rotation", words::FIGURES[2], table)?.described(description))
 }
 
 /// Uplift around the circumference.
@@ -348,16 +305,16 @@ fn around(run: &BaseRun) -> Result<Figure, Error> {
     let points: Vec<(f64, f64)> = run.around.iter().map(|p| (p[0].to_radians(), p[1])).collect();
     let x = Axis::around();
     let y = Axis::linear(words::AXES[0], Dimension::Length, points.iter().map(|p| p.1).chain([0.0]), 5);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
-    chart.lines.push(Line { points: points.clone(), class: "k-fe".into(), label: String::new() });
+    let mut chart = Chart::new(HALF, x, y);
+    chart.line(points.clone(), "k-fe", "");
     let scale = Scale::of(Dimension::Length, points.iter().map(|p| p.1));
-    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::AXES[0], scale.symbol())]);
+    let mut table = Table::new(columns!["θ" => "°", words::AXES[0] => scale.symbol()]);
     let uplifts: Vec<f64> = points.iter().map(|p| p.1).collect();
     for i in spread_with_extremes(run.around.len(), 25, &[&uplifts]) {
         table.row(vec![fixed(run.around[i][0], 0), scale.text(run.around[i][1])]);
     }
     let description = words::description(words::FIGURES[3], Dimension::Length, points.iter().map(|p| p.1));
-    figure("base_around", 3, chart.with_plot_height(PLOT), table, Room::Half, description)
+    Ok(chart.with_plot_height(PLOT).figure("base_around", words::FIGURES[3], table)?.described(description))
 }
 
 /// Largest force of the anchors around the circumference, beside the force at which one yields; `None` without anchors.
@@ -372,19 +329,18 @@ fn bolts(run: &BaseRun) -> Result<Option<Figure>, Error> {
     let yields = [(0.0, anchors.yield_force), (TAU, anchors.yield_force)];
     let forces = points.iter().chain(&yields).map(|p| p.1).chain([0.0]);
     let y = Axis::linear(words::AXES[4], Dimension::Force, forces, 5);
-    let mut chart = Chart::new((HALF, 0.0), Axis::around(), y);
+    let mut chart = Chart::new(HALF, Axis::around(), y);
     let lines = [(points.clone(), "k-fe"), (yields.to_vec(), "k-other")];
     for ((points, class), label) in lines.into_iter().zip(words::BOLTS) {
-        chart.lines.push(Line { points, class: class.into(), label: label.into() });
+        chart.line(points, class, label);
     }
     let scale = Scale::of(Dimension::Force, anchors.forces.iter().map(|p| p[1]));
-    let mut table = Table::new(vec![Column::numbers("θ", "°"), Column::numbers(words::AXES[4], scale.symbol())]);
+    let mut table = Table::new(columns!["θ" => "°", words::AXES[4] => scale.symbol()]);
     let values: Vec<f64> = anchors.forces.iter().map(|p| p[1]).collect();
     for i in spread_with_extremes(anchors.forces.len(), 25, &[&values]) {
         let [angle, force] = anchors.forces[i];
         table.row(vec![fixed(angle, 0), scale.text(force)]);
     }
     let description = words::description(words::FIGURES[6], Dimension::Force, points.iter().map(|p| p.1));
-    let chart = chart.with_plot_height(PLOT);
-    figure("base_bolts", 6, chart, table, Room::Half, description).map(Some)
+    Ok(Some(chart.with_plot_height(PLOT).figure("base_bolts", words::FIGURES[6], table)?.described(description)))
 }

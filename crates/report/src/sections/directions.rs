@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Section, Source};
 use crate::number::{Scale, fixed, ratio};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::capital;
 use files::error::Error;
 use results::{Directional, Run};
@@ -39,16 +39,9 @@ fn name(number: usize, run: &Run) -> String {
 }
 
 fn table(all: &[Directional]) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Quantity"),
-        Column::words("Unit"),
-        Column::numbers("x", ""),
-        Column::numbers("y", ""),
-        Column::numbers("SRSS", ""),
-        Column::numbers("Resultant", ""),
-        Column::numbers("SRSS/resultant", ""),
-        Column::numbers("Direction", "°"),
-        Column::numbers("Time", "s"),
+    let mut table = Table::new(columns![
+        "Quantity", "Unit", "x" => "", "y" => "", "SRSS" => "", "Resultant" => "", "SRSS/resultant" => "",
+        "Direction" => "°", "Time" => "s",
     ]);
     for one in all {
         let scale = Scale::of(one.dimension, [one.resultant]);

@@ -6,7 +6,7 @@ use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::number::{Scale, percent, significant};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::{capital, labels, sections};
 use files::error::Error;
 use results::{MESH_ERROR_LIMIT, Run};
@@ -37,12 +37,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
     section.set("mesh", &pairs(&fe.mesh));
     section.set("integration", &pairs(&fe.integration));
 
-    let mut damping = Table::new(vec![
-        Column::numbers("ω", "rad/s"),
-        Column::words("Kind"),
-        Column::numbers("Resulting damping", ""),
-        Column::words("Remark"),
-    ]);
+    let mut damping = Table::new(columns!["ω" => "rad/s", "Kind", "Resulting damping" => "", "Remark"]);
     for row in &fe.damping_table {
         damping.row(vec![significant(row.omega, 4), row.kind.clone(), percent(row.ratio), row.note.clone()]);
     }
@@ -50,7 +45,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
     damping.caption = damped;
     section.set("damping", &damping);
 
-    let mut mesh_error = Table::new(vec![Column::words("Quantity"), Column::numbers(labels::MESH_ERROR, "")]);
+    let mut mesh_error = Table::new(columns!["Quantity", labels::MESH_ERROR => ""]);
     for (id, error) in &fe.mesh_error {
         let title = Quantity::from_id(id).map_or(id.as_str(), |q| q.title());
         let mark = if *error > MESH_ERROR_LIMIT { ", unusable" } else { "" };
@@ -59,7 +54,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
     mesh_error.caption = refined;
     section.set("mesh_error", &mesh_error);
 
-    let mut balance = Table::new(vec![Column::words("Balance"), Column::numbers("Relative error", "")]);
+    let mut balance = Table::new(columns!["Balance", "Relative error" => ""]);
     for row in &fe.mass_balance {
         balance.row(vec![capital(&row.label), percent(row.error)]);
     }
@@ -69,7 +64,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
     let mut energy = Table::default();
     if let Some(e) = &fe.energy {
         let scale = Scale::of(Dimension::Energy, [e.input, e.kinetic, e.elastic, e.damping]);
-        energy = Table::new(vec![Column::words(labels::ENERGY_AT_END), Column::numbers("Value", scale.symbol())]);
+        energy = Table::new(columns![labels::ENERGY_AT_END, "Value" => scale.symbol()]);
         let values = [e.input, e.kinetic, e.elastic, e.damping];
         for (label, value) in labels::ENERGIES.into_iter().zip(values) {
             energy.row(vec![label.into(), scale.text(value)]);

@@ -3,12 +3,11 @@
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line, Mark, Rule};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, Room, WIDE};
+use crate::figure::Figure;
+use crate::figure::chart::{Axis, Chart, Rule};
 use crate::level::Level;
 use crate::number::{Scale, fixed};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::{after_record, figures, labels, sections};
 use files::error::Error;
 use results::channel::{Ground, OnWall};
@@ -95,12 +94,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         let id = format!("history_{}", info.id);
         drawn.extend(history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?);
     }
-    let mut table = Table::new(vec![
-        Column::words("History"),
-        Column::words("Unit"),
-        Column::numbers(labels::LARGEST[0], ""),
-        Column::numbers("Time", "s"),
-        Column::numbers("Static value", ""),
+    let mut table = Table::new(columns![
+        "History", "Unit", labels::LARGEST[0] => "", "Time" => "s", "Static value" => "",
     ]);
     let listed = match source.level {
         Level::Full => infos.len(),
@@ -170,26 +165,15 @@ pub(super) fn history(
     };
     let scale = Scale::of(dimension, [peak]);
 
-    let points = decimate(time, values, (WIDE - 60.0) as usize);
     let extent = [values[lowest], values[highest], peak, 0.0].map(|v| 1.12 * v);
-    let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
     let y = Axis::linear(title, dimension, extent, 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
-    chart.lines.push(Line { points, class: format!("{class} hist"), label: String::new() });
+    let mut chart = Chart::over_time(time[0], time[n - 1], y);
+    chart.history(time, values, format!("{class} hist"), "");
     chart.rules = record_end(source, time[n - 1]).into_iter().collect();
     if chart.x.holds(time_of_peak) {
-        chart.marks.push(Mark {
-            at: (time_of_peak, peak),
-            label: figures::peak(peak, dimension, time_of_peak),
-            class: "peak".into(),
-        });
+        chart.mark((time_of_peak, peak), figures::peak(peak, dimension, time_of_peak), "peak");
     }
-    let chart = chart.with_plot_height(96.0);
-    let mut table = Table::new(vec![
-        Column::words("Extreme"),
-        Column::numbers(title, scale.symbol()),
-        Column::numbers("Time", "s"),
-    ]);
+    let mut table = Table::new(columns!["Extreme", title => scale.symbol(), "Time" => "s"]);
     for (label, value, at) in [
         ("largest sample", values[highest], time[highest]),
         ("smallest sample", values[lowest], time[lowest]),
@@ -199,20 +183,17 @@ pub(super) fn history(
     }
     let static_value = info.map_or(0.0, |i| i.static_value);
     let between = peak.abs() > 1.02 * values[sampled].abs();
-    Ok(Some(Figure {
-        id: id.into(),
-        title: title.into(),
-        caption: figures::history(static_value, dimension, between),
-        description: figures::history_description(
-            title,
-            dimension,
-            time[n - 1],
-            (values[highest], time[highest]),
-            (values[lowest], time[lowest]),
-        ),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    Ok(Some(
+        chart
+            .with_plot_height(96.0)
+            .figure(id, title, table)?
+            .captioned(figures::history(static_value, dimension, between))
+            .described(figures::history_description(
+                title,
+                dimension,
+                time[n - 1],
+                (values[highest], time[highest]),
+                (values[lowest], time[lowest]),
+            )),
+    ))
 }

@@ -4,11 +4,10 @@ use tank::units::Dimension;
 
 use super::histories::record_end;
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, Room, WIDE};
+use crate::figure::Figure;
+use crate::figure::chart::{Axis, Chart};
 use crate::number::{Scale, fixed, significant};
-use crate::table::{Column, Table};
+use crate::table::{Column, Table, columns};
 use crate::words::internal_forces as words;
 use files::error::Error;
 use results::channel::OnWall;
@@ -79,8 +78,7 @@ fn peaks(all: &[(&Run, Vec<Station>)]) -> Table {
         .iter()
         .map(|&what| Scale::of(what.dimension(), infos(what).flat_map(|i| [i.peak, i.static_value])))
         .collect();
-    let mut columns =
-        vec![Column::words("Engine"), Column::numbers("z", "m"), Column::numbers("θ", "°"), Column::words(words::PART)];
+    let mut columns = columns!["Engine", "z" => "m", "θ" => "°", words::PART];
     for (&what, scale) in OnWall::FORCES.iter().zip(&scales) {
         columns.push(Column::numbers(words::symbol(what), scale.symbol()));
     }
@@ -101,7 +99,7 @@ fn peaks(all: &[(&Run, Vec<Station>)]) -> Table {
                 table.row(row);
             };
             add(words::SEISMIC, |info| info.peak);
-            add(words::AT_REST, |info| info.static_value);
+            add("at rest", |info| info.static_value);
         }
     }
     table
@@ -123,34 +121,20 @@ fn figure(source: &Source, prefix: &str, station: &Station, part: &[OnWall]) -> 
     let dimension: Dimension = first.dimension();
     let [title, axis] = words::figure(dimension == Dimension::LineForce, station.place);
     let all = || curves.iter().flat_map(|(_, _, values)| values.iter().copied());
-    let x = Axis::exact("Time", Dimension::Time, (time[0], end), 8);
     let y = Axis::linear(&axis, dimension, all().chain([0.0]), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::over_time(time[0], end, y);
     let scale = Scale::of(dimension, all());
-    let mut table = Table::new(vec![
-        Column::words("Quantity"),
-        Column::numbers(words::SEISMIC, scale.symbol()),
-        Column::numbers("Time", "s"),
-    ]);
+    let mut table = Table::new(columns!["Quantity", words::SEISMIC => scale.symbol(), "Time" => "s"]);
     for ((what, info, values), class) in curves.iter().zip(CLASSES) {
-        chart.lines.push(Line {
-            points: decimate(&time[..values.len()], values, (WIDE - 60.0) as usize),
-            class: format!("{class} hist"),
-            label: words::symbol(*what).into(),
-        });
+        chart.history(time, values, format!("{class} hist"), words::symbol(*what));
         table.row(vec![info.title.clone(), scale.text(info.peak), fixed(info.time, 3)]);
     }
     chart.rules = record_end(source, end).into_iter().collect();
-    let chart = chart.with_plot_height(PLOT);
     let peak = curves.iter().map(|(_, info, _)| info.peak).fold(0.0, f64::max);
-    Ok(Some(Figure {
-        id: format!("forces_{}_{}_{}", station.place.0, station.place.1, first.id()),
-        description: words::description(&title, dimension, peak, end),
-        title,
-        caption: String::new(),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    Ok(Some(
+        chart
+            .with_plot_height(PLOT)
+            .figure(format!("forces_{}_{}_{}", station.place.0, station.place.1, first.id()), &title, table)?
+            .described(words::description(&title, dimension, peak, end)),
+    ))
 }

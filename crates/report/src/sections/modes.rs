@@ -3,10 +3,10 @@
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::{Figure, Room, shapes};
+use crate::figure::{Figure, shapes};
 use crate::number::{Scale, fixed, percent, significant};
-use crate::table::{Column, Table, spread};
-use crate::words::{self, capital, labels};
+use crate::table::{Column, Table, columns, spread};
+use crate::words::{self, capital};
 use files::error::Error;
 use results::{Mode, Run};
 
@@ -59,19 +59,12 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
     let grouped = groups.iter().any(Option::is_some);
     let mass = Scale::of(Dimension::Mass, modes.iter().map(|m| m.effective_mass));
     let height = Scale::of(Dimension::Length, modes.iter().map(|m| m.effective_height));
-    let mut columns = vec![
-        Column::numbers("m", ""),
-        Column::words("Kind"),
-        Column::numbers("No.", ""),
-        Column::numbers("Period", "s"),
-        Column::numbers("Frequency", "Hz"),
-        Column::numbers("Damping", ""),
-        Column::numbers("Effective mass", mass.symbol()),
-        Column::numbers("of liquid", ""),
-        Column::numbers("Effective height", height.symbol()),
+    let mut columns = columns![
+        "m" => "", "Kind", "No." => "", "Period" => "s", "Frequency" => "Hz", "Damping" => "",
+        "Effective mass" => mass.symbol(), "of liquid" => "", "Effective height" => height.symbol(),
     ];
     if grouped {
-        columns.push(Column::numbers(labels::GROUP, ""));
+        columns.push(Column::numbers("Closely spaced", ""));
     }
     let mut table = Table::new(columns);
     for (m, group) in modes.iter().zip(groups) {
@@ -106,11 +99,7 @@ fn drawn(fe: &Run) -> Vec<&Mode> {
 fn shape(source: &Source, mode: &Mode) -> Figure {
     let summary = &source.results.tank;
     let title = format!("{} mode {}", capital(&mode.kind), mode.number);
-    let mut table = Table::new(vec![
-        Column::words("Place"),
-        Column::numbers("at", "m"),
-        Column::numbers("Relative displacement", ""),
-    ]);
+    let mut table = Table::new(columns!["Place", "at" => "m", "Relative displacement" => ""]);
     for i in spread(mode.shape.r.len(), 9) {
         table.row(vec![
             "surface, radius".into(),
@@ -127,16 +116,9 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
     }
     let (size, markup) =
         shapes::draw(mode, summary.tank.shape.half_length(), summary.tank.wall_height(), summary.liquid.fill_height);
-    Figure {
-        id: format!("mode_{}_{}_{}", mode.harmonic, mode.kind, mode.number),
-        title,
-        caption: format!("T = {}\u{a0}s, {}\u{a0}Hz", significant(mode.period, 4), significant(1.0 / mode.period, 4)),
-        description: words::figures::mode(mode),
-        size,
-        markup,
-        table,
-        room: Room::Third,
-    }
+    Figure::new(format!("mode_{}_{}_{}", mode.harmonic, mode.kind, mode.number), title, (size, markup), table)
+        .captioned(format!("T = {}\u{a0}s, {}\u{a0}Hz", significant(mode.period, 4), significant(1.0 / mode.period, 4)))
+        .described(words::figures::mode(mode))
 }
 
 #[cfg(test)]

@@ -1,13 +1,11 @@
 //! Ground motion: acceleration, velocity, displacement, and the measures.
 
-use serde::Serialize;
-
 use super::histories::history;
 use super::{Section, Source};
 use crate::figure::Figure;
 use crate::level::Level;
 use crate::number::{count, fixed, significant};
-use crate::table::{Column, Table};
+use crate::table::{Column, Table, columns};
 use crate::words::{self, capital, labels};
 use files::error::Error;
 use results::channel::Ground;
@@ -15,13 +13,6 @@ use results::{Channel, RecordSummary};
 
 /// Direction of a second horizontal record.
 const ACROSS: &str = "horizontal, y";
-
-#[derive(Serialize)]
-struct Record {
-    direction: String,
-    name: String,
-    processing: Vec<String>,
-}
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
@@ -34,13 +25,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         figures.extend(curves(source, record)?);
     }
     let mut section = Section::new("motion");
-    let views: Vec<Record> = records
-        .iter()
-        .map(|r| Record { direction: r.direction.clone(), name: r.name.clone(), processing: r.processing.clone() })
-        .collect();
     let set = source.results.record_set.as_ref();
     section.set("one_of", &set.map_or_else(String::new, words::record_set::one_of));
-    section.set("records", &views);
+    section.set("records", records);
     section.set("measures", &measures(source));
     section.set_figures("figures", figures);
     Ok(Some(section))
@@ -68,7 +55,7 @@ fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error>
 fn measures(source: &Source) -> Table {
     let records = &source.results.records;
     let gravity = source.results.tank.gravity;
-    let mut columns = vec![Column::words("Measure"), Column::words("Unit")];
+    let mut columns = columns!["Measure", "Unit"];
     columns.extend(records.iter().map(|r| Column::numbers(&capital(&r.direction), "")));
     let mut table = Table::new(columns);
     let mut add = |label: &str, unit: &str, of: &dyn Fn(&RecordSummary) -> String| {

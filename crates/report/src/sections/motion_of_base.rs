@@ -1,14 +1,11 @@
 //! A motion of the base over time, of a tank that lifts, stands on soil or on isolators.
 
-use tank::units::Dimension;
-
 use super::Source;
 use super::histories::record_end;
-use crate::figure::chart::{Axis, Chart, Line};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, Room, WIDE};
+use crate::figure::Figure;
+use crate::figure::chart::{Axis, Chart};
 use crate::number::{Scale, fixed};
-use crate::table::{Column, Table, spread_with_extremes};
+use crate::table::{Column, Table, columns, spread_with_extremes};
 use crate::words::uplift as words;
 use files::error::Error;
 use results::Channel;
@@ -38,18 +35,13 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
     let dimension = channel.dimension();
     let all = || columns.iter().flat_map(|c| c.iter().copied());
     let end = time[first.len() - 1];
-    let x = Axis::exact(words::AXES[3], Dimension::Time, (time[0], end), 8);
     let y = Axis::linear(motion.axis, dimension, all().chain([0.0]), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::over_time(time[0], end, y);
     let scale = Scale::of(dimension, all());
-    let mut table = Table::new(vec![Column::numbers(words::AXES[3], "s")]);
+    let mut table = Table::new(columns![words::AXES[3] => "s"]);
     let looks = ["k-fe hist", "k-other hist"].into_iter().zip(motion.labels);
     for ((column, channel), (class, label)) in columns.iter().zip(motion.channels).zip(looks) {
-        chart.lines.push(Line {
-            points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
-            class: class.into(),
-            label: if columns.len() > 1 { label.into() } else { String::new() },
-        });
+        chart.history(time, column, class, if columns.len() > 1 { label } else { "" });
         table.columns.push(Column::numbers(&channel.title(), scale.symbol()));
     }
     chart.rules = record_end(source, end).into_iter().collect();
@@ -57,15 +49,9 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
         let values = columns.iter().map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v)));
         table.row(std::iter::once(fixed(time[k], 3)).chain(values).collect());
     }
-    let chart = chart.with_plot_height(110.0);
-    Ok(Some(Figure {
-        id: motion.id.into(),
-        title: motion.title.into(),
-        caption: String::new(),
-        description: words::description(motion.title, dimension, all()),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    Ok(Some(chart.with_plot_height(110.0).figure(motion.id, motion.title, table)?.described(words::description(
+        motion.title,
+        dimension,
+        all(),
+    ))))
 }

@@ -11,7 +11,7 @@ use super::{Section, Source, engine, histories};
 use crate::extremes;
 use crate::figure::{Figure, cells, cracks};
 use crate::number::{Scale, fixed, plain, ratio, significant};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::capital;
 use crate::words::verdict::LIQUID_PARTED;
 use crate::words::{after_record, labels, outcome};
@@ -96,7 +96,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
     let departures = || run.departures.iter().map(outcome::departure);
     let parted = || fe.parted().then(|| LIQUID_PARTED.to_owned());
     match &fe.end {
-        End::Completed if fe.incomplete => fail(outcome::INCOMPLETE.into(), vec![bounds()]),
+        End::Completed if fe.incomplete => fail("Incomplete".into(), vec![bounds()]),
         End::Completed => match run.departures.first() {
             Some(first) => {
                 let mut text = vec![outcome::BEYOND_MODEL.to_owned()];
@@ -137,15 +137,9 @@ fn moments(found: &[BaseMoment]) -> Table {
     let all = found.iter().flat_map(|m| [m.reaction, m.section, m.damping, m.inertia, m.load, m.largest_section]);
     let scale = Scale::of(Dimension::LineMoment, all);
     let unit = scale.symbol();
-    let mut table = Table::new(vec![
-        Column::words("Wall"),
-        Column::numbers("Time", "s"),
-        Column::numbers("Reaction", unit),
-        Column::numbers("Section", unit),
-        Column::numbers("Damping", unit),
-        Column::numbers("Inertia", unit),
-        Column::numbers(labels::STATIC_PRESSURE, unit),
-        Column::numbers(labels::LARGEST_OF_SECTION, unit),
+    let mut table = Table::new(columns![
+        "Wall", "Time" => "s", "Reaction" => unit, "Section" => unit, "Damping" => unit, "Inertia" => unit,
+        "Static pressure" => unit, labels::LARGEST_OF_SECTION => unit,
     ]);
     for m in found {
         table.row(vec![
@@ -169,13 +163,7 @@ fn marks(events: &[Event]) -> Vec<(f64, String)> {
 }
 
 fn events(events: &[Event]) -> Table {
-    let mut table = Table::new(vec![
-        Column::numbers("No.", ""),
-        Column::words("Event"),
-        Column::numbers("Time", "s"),
-        Column::words("Place"),
-        Column::words("Remark"),
-    ]);
+    let mut table = Table::new(columns!["No." => "", "Event", "Time" => "s", "Place", "Remark"]);
     for (i, event) in events.iter().enumerate() {
         table.row(vec![
             (i + 1).to_string(),
@@ -200,12 +188,8 @@ fn difference(source: &Source) -> (Table, bool) {
     };
     let run = results.beside(EngineId::Nonlinear);
     let bounds = run.is_some_and(|run| run.incomplete || run.end != End::Completed);
-    let mut table = Table::new(vec![
-        Column::words("Quantity"),
-        Column::words("Unit"),
-        Column::numbers("Linear", ""),
-        Column::numbers("Nonlinear", ""),
-        Column::numbers("Nonlinear / linear", ""),
+    let mut table = Table::new(columns![
+        "Quantity", "Unit", "Linear" => "", "Nonlinear" => "", "Nonlinear / linear" => "",
     ]);
     for row in &results.comparison.rows {
         let cell = |i: usize| row.cells.get(i).copied().flatten();
@@ -309,7 +293,7 @@ fn maps(run: &Nonlinear) -> Drawn {
 }
 
 fn cost(counts: &[Count]) -> Table {
-    let mut table = Table::new(vec![Column::words("Count"), Column::numbers("Number", ""), Column::words("Unit")]);
+    let mut table = Table::new(columns!["Count", "Number" => "", "Unit"]);
     for count in counts {
         let scale = Scale::of(count.dimension, [count.value]);
         let number = scale.convert(count.value);

@@ -1,13 +1,10 @@
 //! Histories of two runs drawn over each other.
 
-use tank::units::Dimension;
-
 use super::{Source, histories};
-use crate::figure::chart::{Axis, Chart, Line, Rule};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, Room, WIDE};
+use crate::figure::Figure;
+use crate::figure::chart::{Axis, Chart, Rule};
 use crate::number::Scale;
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::{figures as words, labels};
 use files::error::Error;
 use results::{Channel, SeriesInfo};
@@ -73,40 +70,31 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
     }
     let values = first[..end].iter().chain(&other[..run]).copied();
     let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
-    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end.max(run) - 1]), 8);
     let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::over_time(time[0], time[end.max(run) - 1], y);
     let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let mut both = [(first, end, "k-fe hist", second.names[0]), (other, run, second.class, second.names[1])];
     // The larger one behind: a dense history hides the one under it.
     both.sort_by(|a, b| peak(&b.0[..b.1]).total_cmp(&peak(&a.0[..a.1])));
     for (values, n, class, label) in both {
-        chart.lines.push(Line {
-            points: decimate(&time[..n], &values[..n], (WIDE - 60.0) as usize),
-            class: class.into(),
-            label: label.into(),
-        });
+        chart.history(time, &values[..n], class, label);
     }
     chart.rules = Rule::all(second.rules);
     chart.rules.extend(histories::record_end(source, time[end.max(run) - 1]));
-    let chart = chart.with_plot_height(96.0);
     let apart = (0..common).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
     let largest = peak(&first[..end]);
     let scale = Scale::of(info.dimension, [largest]);
-    let mut table = Table::new(vec![Column::words("Value"), Column::numbers(&info.title, scale.symbol())]);
+    let mut table = Table::new(columns!["Value", &info.title => scale.symbol()]);
     let [a, b] = second.names;
     table.row(vec![format!("largest sample, {a}"), scale.text(largest)]);
     table.row(vec![format!("largest sample, {b}"), scale.text(peak(&other[..run]))]);
     table.row(vec![labels::SAMPLE_DIFFERENCE.into(), scale.text(apart)]);
     let stopped = (run < end).then(|| time[run - 1]);
-    Ok(Some(Figure {
-        id: format!("{}_{}", second.id, info.id),
-        title: format!("{}, {}", info.title, second.title),
-        caption: words::overlay(apart / largest.max(f64::MIN_POSITIVE), b, stopped),
-        description: words::overlay_description(info, second.names, [largest, peak(&other[..run])]),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    Ok(Some(
+        chart
+            .with_plot_height(96.0)
+            .figure(format!("{}_{}", second.id, info.id), format!("{}, {}", info.title, second.title), table)?
+            .captioned(words::overlay(apart / largest.max(f64::MIN_POSITIVE), b, stopped))
+            .described(words::overlay_description(info, second.names, [largest, peak(&other[..run])])),
+    ))
 }

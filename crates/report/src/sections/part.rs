@@ -13,7 +13,7 @@ use super::section::FigureView;
 use super::{Section, Source};
 use crate::figure::chart::{self, Band, Rule};
 use crate::figure::decimate::decimate;
-use crate::figure::{self, Figure, HALF, WIDE};
+use crate::figure::{Figure, HALF, WIDE};
 use crate::message::{NONE, amount, caption, text, title};
 use crate::number::{self, fixed, percent, significant};
 use crate::table::{self, spread};
@@ -269,31 +269,25 @@ fn curves(part: &str, same: &[(&Engine, &Chart)]) -> Result<Figure, Error> {
         lines.iter().flat_map(|line| &line.points).chain(areas).map(of).collect::<Vec<f64>>()
     };
     let (x, y) = (all(|p| p.0), all(|p| p.1));
-    let (room, width, height) = match own.room {
-        Room::Half => (figure::Room::Half, HALF, 150.0),
-        Room::Tall => (figure::Room::Half, HALF, 185.0),
-        Room::Wide => (figure::Room::Wide, WIDE, 150.0),
+    let (width, height) = match own.room {
+        Room::Half => (HALF, 150.0),
+        Room::Tall => (HALF, 185.0),
+        Room::Wide => (WIDE, 150.0),
     };
     let data = points(part, own, [&titles[0], &titles[1]]);
-    let mut drawing = chart::Chart::new((width, 0.0), axis(&titles[0], &own.x, &x), axis(&titles[1], &own.y, &y));
+    let mut drawing = chart::Chart::new(width, axis(&titles[0], &own.x, &x), axis(&titles[1], &own.y, &y));
     (drawing.lines, drawing.bands, drawing.rules) = (lines, bands, Rule::all(&own.marks));
-    let drawing = drawing.with_plot_height(height);
     let values = own.lines.iter().flat_map(|line| &line.points);
     let described = match own.y.id.as_str() {
         // A value over the height.
         "height" => description(&shown, own.x.unit, values.map(|p| p[0])),
         _ => description(&shown, own.y.unit, values.map(|p| p[1])),
     };
-    Ok(Figure {
-        id: format!("{part}_{}", own.id),
-        description: described,
-        title: shown,
-        caption: own.caption.as_ref().map_or_else(String::new, text),
-        size: drawing.size,
-        markup: drawing.draw()?,
-        table: data,
-        room,
-    })
+    Ok(drawing
+        .with_plot_height(height)
+        .figure(format!("{part}_{}", own.id), shown, data)?
+        .captioned(own.caption.as_ref().map_or_else(String::new, text))
+        .described(described))
 }
 
 fn class_of(look: &Look) -> String {

@@ -6,12 +6,12 @@ use tank::assessment::Profile;
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Band, Chart, Line};
-use crate::figure::{Figure, HALF, Room};
+use crate::figure::chart::{Axis, Chart};
+use crate::figure::{Figure, HALF};
 use crate::level::Level;
 use crate::methods::{Look, figure_order, look};
 use crate::number::{Scale, fixed};
-use crate::table::{Column, Table, spread, spread_with_extremes};
+use crate::table::{Column, Table, columns, spread, spread_with_extremes};
 use crate::words::{figures as words, labels};
 use files::error::Error;
 use results::Envelope;
@@ -128,31 +128,24 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
     }
     let mut chart = chart(&title, dimension, values, height);
     if let Some(e) = envelope {
-        chart.bands.push(Band { points: band(e, false), class: "k-fe".into(), label: labels::ENGINE_RANGE.into() });
+        chart.band(band(e, false), "k-fe", labels::ENGINE_RANGE);
         for side in [&e.max, &e.min] {
-            chart.lines.push(Line { points: pairs(side, &e.z), class: "k-fe thin".into(), label: String::new() });
+            chart.line(pairs(side, &e.z), "k-fe thin", "");
         }
     }
     for (look, p) in profiles {
-        chart.lines.push(Line { points: pairs(&p.values, &p.z), class: look.line_class(), label: look.label.clone() });
+        chart.line(pairs(&p.values, &p.z), look.line_class(), look.label.clone());
     }
-    let chart = chart.with_plot_height(PLOT);
-    Ok(Figure {
-        id: format!("profile_{id}"),
-        title: words::seismic_part(&title),
-        caption: String::new(),
-        description: words::profiles(&title, envelope.is_some(), profiles.len()),
-        size: chart.size,
-        markup: chart.draw()?,
-        table: table(envelope, profiles, dimension),
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(PLOT)
+        .figure(format!("profile_{id}"), words::seismic_part(&title), table(envelope, profiles, dimension))?
+        .described(words::profiles(&title, envelope.is_some(), profiles.len())))
 }
 
 fn chart(title: &str, dimension: Dimension, values: Vec<f64>, height: f64) -> Chart {
     let x = Axis::linear(title, dimension, values, 5);
     let y = Axis::exact("Height z", Dimension::Length, (0.0, height), 5);
-    Chart::new((HALF, 0.0), x, y)
+    Chart::new(HALF, x, y)
 }
 
 /// Static state and static plus seismic range of the finite elements.
@@ -160,35 +153,22 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
     let corners = band(e, true);
     let values: Vec<f64> = corners.iter().map(|c| c.0).chain(e.static_.iter().copied()).chain([0.0]).collect();
     let mut chart = chart(&e.title, e.dimension, values, height);
-    chart.bands.push(Band { points: corners, class: "k-fe".into(), label: labels::COMBINED_RANGE.into() });
-    chart.lines.push(Line { points: pairs(&e.static_, &e.z), class: "k-static".into(), label: "static".into() });
+    chart.band(corners, "k-fe", labels::COMBINED_RANGE);
+    chart.line(pairs(&e.static_, &e.z), "k-static", "static");
     for side in [&e.max, &e.min] {
         let points = e.static_.iter().zip(side.iter()).map(|(s, v)| s + v).collect::<Vec<_>>();
-        chart.lines.push(Line { points: pairs(&points, &e.z), class: "k-fe thin".into(), label: String::new() });
+        chart.line(pairs(&points, &e.z), "k-fe thin", "");
     }
-    let chart = chart.with_plot_height(PLOT);
     let scale = Scale::of(e.dimension, e.static_.iter().chain(&e.min).chain(&e.max).copied());
-    let mut table = Table::new(vec![
-        Column::numbers("z", "m"),
-        Column::numbers("Static", scale.symbol()),
-        Column::numbers("Seismic min", scale.symbol()),
-        Column::numbers("Seismic max", scale.symbol()),
+    let mut table = Table::new(columns![
+        "z" => "m", "Static" => scale.symbol(), "Seismic min" => scale.symbol(), "Seismic max" => scale.symbol(),
     ]);
     for i in spread_with_extremes(e.z.len(), 24, &[&e.static_, &e.min, &e.max]) {
         let value = |v: &[f64]| v.get(i).map_or("–".into(), |v| scale.text(*v));
         table.row(vec![fixed(e.z[i], 3), value(&e.static_), value(&e.min), value(&e.max)]);
     }
     let [title, description] = words::combined(e);
-    Ok(Figure {
-        id: format!("envelope_{}", e.id),
-        title,
-        caption: String::new(),
-        description,
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart.with_plot_height(PLOT).figure(format!("envelope_{}", e.id), title, table)?.described(description))
 }
 
 /// Values at the stations of the first profile; others interpolated.
@@ -198,7 +178,7 @@ fn table(envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], dimension: 
         values.extend(e.min.iter().chain(&e.max));
     }
     let scale = Scale::of(dimension, values);
-    let mut columns = vec![Column::numbers("z", "m")];
+    let mut columns = columns!["z" => "m"];
     if envelope.is_some() {
         columns.push(Column::numbers(labels::ENGINE_EXTREMES[0], scale.symbol()));
         columns.push(Column::numbers(labels::ENGINE_EXTREMES[1], scale.symbol()));

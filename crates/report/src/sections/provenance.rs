@@ -9,13 +9,6 @@ use files::error::Error;
 use results::SourceFile;
 
 #[derive(Serialize)]
-struct File {
-    role: String,
-    name: String,
-    sha256: String,
-}
-
-#[derive(Serialize)]
 struct Volatile {
     version: String,
     created: String,
@@ -31,10 +24,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 
 /// The section of results in a format.
 pub(crate) fn of(files: &[SourceFile], written: &str, v: &results::Volatile) -> Section {
-    let files: Vec<File> =
-        files.iter().map(|f| File { role: f.role.clone(), name: f.name.clone(), sha256: f.sha256.clone() }).collect();
     let mut section = Section::new("provenance");
-    section.set("files", &files);
+    section.set("files", files);
     section.set("format", &format(written));
     section.set(
         "volatile",

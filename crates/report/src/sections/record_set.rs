@@ -3,11 +3,11 @@
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line, Mark, Rule};
-use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::figure::chart::{Axis, Chart, Mark, Rule};
+use crate::figure::{Figure, HALF, WIDE};
 use crate::level::Level;
 use crate::number::{Scale, count, fixed, percent, significant, utilisation};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, columns, spread};
 use crate::words::record_set::{self as words, captions, heads, legend};
 use files::error::Error;
 use results::{Compatibility, FE, RecordSet, SetPeriod, SetQuantity, SetRun, SetScatter};
@@ -78,43 +78,29 @@ fn quantity(set: &RecordSet, row: &SetQuantity) -> Result<Figure, Error> {
     let scatter = &row.scatter;
     let x = Axis::whole(heads::NUMBER, n);
     let y = Axis::linear("", row.dimension, values.iter().copied().chain([0.0, scatter.design]), 5);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut chart = Chart::new(HALF, x, y);
     let across = |value: f64| vec![(0.5, value), (n as f64 + 0.5, value)];
     if scatter.design > scatter.mean {
-        chart.lines.push(Line {
-            points: across(scatter.mean),
-            class: "k-s2 thin".into(),
-            label: legend::OF_RECORDS.into(),
-        });
+        chart.line(across(scatter.mean), "k-s2 thin", "mean");
     }
-    chart.lines.push(Line { points: across(scatter.design), class: "k-fe".into(), label: legend::DESIGN.into() });
+    chart.line(across(scatter.design), "k-fe", legend::DESIGN);
     chart.marks = values
         .iter()
         .enumerate()
         .filter(|(_, v)| v.is_finite())
         .map(|(i, v)| Mark { at: (i as f64 + 1.0, *v), label: String::new(), class: "own k-s3".into() })
         .collect();
-    let chart = chart.with_plot_height(150.0);
     let scale = Scale::of(row.dimension, values.iter().copied());
-    let mut table = Table::new(vec![
-        Column::numbers("No.", ""),
-        Column::words("Record"),
-        Column::numbers(&row.title, scale.symbol()),
-    ]);
+    let mut table = Table::new(columns!["No." => "", "Record", &row.title => scale.symbol()]);
     for (i, (run, value)) in set.records.iter().zip(&values).enumerate() {
         table.row(vec![count(i + 1), run.id.clone(), scale.text(*value)]);
     }
     let title = words::quantity_title(&row.title);
-    Ok(Figure {
-        id: format!("set_{}", row.quantity),
-        caption: words::quantity_caption(scatter.cov),
-        description: title.clone(),
-        title,
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(150.0)
+        .figure(format!("set_{}", row.quantity), &title, table)?
+        .captioned(words::quantity_caption(scatter.cov))
+        .described(title))
 }
 
 fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity: f64) -> Result<Figure, Error> {
@@ -129,25 +115,19 @@ fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity:
     let x = Axis::log("Period T", Dimension::Time, (period.range[0], period.range[1]));
     let mut y = Axis::log("", Dimension::Dimensionless, (0.8 * least, 1.25 * largest));
     y.title = heads::PSA.into();
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::new(WIDE, x, y);
     chart.rules.push(Rule { x: period.period, label: format!("T = {} s", significant(period.period, 3)) });
     for (i, record) in period.records.iter().enumerate() {
-        chart.lines.push(Line {
-            points: points(record, 1.0),
-            class: "k-ground hist".into(),
-            label: if i == 0 { legend::RECORD.into() } else { String::new() },
-        });
+        chart.line(points(record, 1.0), "k-ground hist", if i == 0 { "records" } else { "" });
     }
     for (values, factor, class, label) in [
-        (&period.target, 1.0, "k-s3", legend::TARGET.to_owned()),
+        (&period.target, 1.0, "k-s3", "target".to_owned()),
         (&period.target, found.share, "k-s3 thin dotted", words::share(found.share)),
         (&period.mean, 1.0, "k-fe", legend::MEAN.to_owned()),
     ] {
-        chart.lines.push(Line { points: points(values, factor), class: class.into(), label });
+        chart.line(points(values, factor), class, label);
     }
-    let chart = chart.with_plot_height(190.0);
-    let mut columns =
-        vec![Column::numbers("Period", "s"), Column::numbers("Target", "g"), Column::numbers("Mean", "g")];
+    let mut columns = columns!["Period" => "s", "Target" => "g", "Mean" => "g"];
     columns.extend(set.records.iter().map(|r| Column::numbers(&r.id, "g")));
     let mut table = Table::new(columns);
     for i in spread(period.periods.len(), 30) {
@@ -156,28 +136,16 @@ fn spectrum(set: &RecordSet, found: &Compatibility, period: &SetPeriod, gravity:
         row.extend(period.records.iter().map(cell));
         table.row(row);
     }
-    Ok(Figure {
-        id: format!("set_spectrum_{}", period.which),
-        title: words::spectrum_title(period),
-        caption: words::spectrum_caption(period, found.share),
-        description: words::spectrum_description(period),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    })
+    Ok(chart
+        .with_plot_height(190.0)
+        .figure(format!("set_spectrum_{}", period.which), words::spectrum_title(period), table)?
+        .captioned(words::spectrum_caption(period, found.share))
+        .described(words::spectrum_description(period)))
 }
 
 fn spectrum_table(found: &Compatibility) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Period"),
-        Column::numbers("T", "s"),
-        Column::numbers("Damping", ""),
-        Column::numbers("From", "s"),
-        Column::numbers("To", "s"),
-        Column::numbers(heads::RATIO, ""),
-        Column::numbers("At", "s"),
-        Column::words("Result"),
+    let mut table = Table::new(columns![
+        "Period", "T" => "s", "Damping" => "", "From" => "s", "To" => "s", heads::RATIO => "", "At" => "s", "Result",
     ]);
     table.caption = captions::SPECTRUM.into();
     for period in &found.periods {
@@ -201,16 +169,9 @@ fn cov(scatter: &SetScatter) -> String {
 
 /// Scatter of the method shown, or of all.
 fn quantities(set: &RecordSet, all: bool) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Quantity"),
-        Column::words("Method"),
-        Column::words("Unit"),
-        Column::numbers(heads::DESIGN, ""),
-        Column::numbers("Mean", ""),
-        Column::numbers(heads::COV, ""),
-        Column::numbers("Smallest", ""),
-        Column::numbers("Largest", ""),
-        Column::words(heads::LARGEST_UNDER),
+    let mut table = Table::new(columns![
+        "Quantity", "Method", "Unit", heads::DESIGN => "", "Mean" => "", heads::COV => "", "Smallest" => "",
+        "Largest" => "", heads::LARGEST_UNDER,
     ]);
     table.caption = captions::QUANTITIES.into();
     let (own, others): (Vec<_>, Vec<_>) = set.quantities.iter().partition(|q| q.method == FE);
@@ -234,14 +195,9 @@ fn quantities(set: &RecordSet, all: bool) -> Table {
 }
 
 fn checks(set: &RecordSet) -> Table {
-    let mut table = Table::new(vec![
-        Column::words("Check"),
-        Column::numbers(heads::DESIGN, ""),
-        Column::numbers("Mean", ""),
-        Column::numbers(heads::COV, ""),
-        Column::numbers("Smallest", ""),
-        Column::numbers("Largest", ""),
-        Column::words(heads::LARGEST_UNDER),
+    let mut table = Table::new(columns![
+        "Check", heads::DESIGN => "", "Mean" => "", heads::COV => "", "Smallest" => "", "Largest" => "",
+        heads::LARGEST_UNDER,
     ]);
     table.caption = captions::CHECKS.into();
     for check in &set.checks {
@@ -273,18 +229,13 @@ fn records(source: &Source, set: &RecordSet) -> Table {
     let usable = set.records.iter().any(|r| r.usable_period.is_some());
     let limits = set.records.iter().any(|r| !r.limits_exceeded.is_empty());
     let utilised = set.records.iter().any(|r| !r.utilisations.is_empty());
-    let mut columns = vec![
-        Column::numbers("No.", ""),
-        Column::words("Record"),
-        Column::numbers(heads::PGA, "g"),
-        Column::numbers(heads::DURATION, "s"),
-    ];
+    let mut columns = columns!["No." => "", "Record", "PGA" => "g", heads::DURATION => "s"];
     if usable {
         columns.push(Column::numbers(heads::USABLE, "s"));
     }
     columns.extend(shown.iter().zip(&scales).map(|(row, scale)| Column::numbers(&row.title, scale.symbol())));
     if utilised {
-        columns.push(Column::numbers(heads::UTILISATION, ""));
+        columns.push(Column::numbers("Largest utilisation", ""));
         columns.push(Column::words("Check"));
     }
     if limits {

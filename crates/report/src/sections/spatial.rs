@@ -7,9 +7,9 @@ use tank::units::Dimension;
 use super::{Section, Source, engine, overlay};
 use crate::figure::perimeter::Perimeter;
 use crate::figure::scene::{self, Face, Part};
-use crate::figure::{Figure, Room, map};
+use crate::figure::{Figure, map};
 use crate::number::{Scale, count, fixed, percent, ratio, significant};
-use crate::table::{Column, Table, spread};
+use crate::table::{Table, columns, spread};
 use crate::words::figures::spatial as words;
 use crate::words::{capital, labels};
 use files::error::Error;
@@ -74,13 +74,9 @@ fn difference(source: &Source) -> Table {
         return Table::default();
     };
     let error = |id: &str| results.beside(EngineId::Solid).and_then(|fe| fe.mesh_error.get(id));
-    let mut table = Table::new(vec![
-        Column::words("Quantity"),
-        Column::words("Unit"),
-        Column::numbers("Harmonic", ""),
-        Column::numbers("Three-dimensional", ""),
-        Column::numbers("Difference", ""),
-        Column::numbers(labels::SPATIAL_MESH_ERROR, ""),
+    let mut table = Table::new(columns![
+        "Quantity", "Unit", "Harmonic" => "", "Three-dimensional" => "", "Difference" => "",
+        labels::SPATIAL_MESH_ERROR => "",
     ]);
     for row in &results.comparison.rows {
         let cell = |i: usize| row.cells.get(i).copied().flatten();
@@ -164,21 +160,13 @@ fn largest(faces: &[[usize; 4]], displacement: &[[f64; 3]]) -> f64 {
 
 fn mesh(fields: &Fields) -> Figure {
     let (size, markup) = scene::draw(&faces(fields, None, 0.0, 0.0), &[], &[]);
-    let mut table = Table::new(vec![Column::words("Drawn"), Column::numbers("Number", "")]);
+    let mut table = Table::new(columns!["Drawn", "Number" => ""]);
     let numbers = [fields.nodes.len(), fields.wall.len(), fields.surface.len()];
     for (label, number) in labels::MESH.into_iter().zip(numbers) {
         table.row(vec![label.into(), count(number)]);
     }
-    Figure {
-        id: "mesh_spatial".into(),
-        title: words::MESH.into(),
-        caption: String::new(),
-        description: words::mesh(&scene::eye(), [fields.wall.len(), fields.surface.len()]),
-        size,
-        markup,
-        table,
-        room: Room::Half,
-    }
+    Figure::new("mesh_spatial", words::MESH, (size, markup), table)
+        .described(words::mesh(&scene::eye(), [fields.wall.len(), fields.surface.len()]))
 }
 
 fn mode(fields: &Fields, index: usize, (mode, round): (&Picture, bool)) -> Figure {
@@ -187,21 +175,19 @@ fn mode(fields: &Fields, index: usize, (mode, round): (&Picture, bool)) -> Figur
     let (size, markup) =
         scene::draw(&faces(fields, Some(&mode.displacement), factor, factor), &ghost(fields), &fields.nodes);
     let frequency = mode.omega / std::f64::consts::TAU;
-    Figure {
-        id: format!("mode_spatial_{}", index + 1),
-        title: capital(&mode.title),
-        caption: format!("{} Hz.", significant(frequency, 4)),
-        description: words::mode(
-            frequency,
-            round.then_some(mode.circumferential),
-            &scene::eye(),
-            [&fields.wall, &fields.surface].map(|f| largest(f, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
-        ),
-        size,
-        markup,
-        table: displacements(fields, &mode.displacement, None),
-        room: Room::Half,
-    }
+    Figure::new(
+        format!("mode_spatial_{}", index + 1),
+        capital(&mode.title),
+        (size, markup),
+        displacements(fields, &mode.displacement, None),
+    )
+    .captioned(format!("{} Hz.", significant(frequency, 4)))
+    .described(words::mode(
+        frequency,
+        round.then_some(mode.circumferential),
+        &scene::eye(),
+        [&fields.wall, &fields.surface].map(|f| largest(f, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
+    ))
 }
 
 fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
@@ -214,20 +200,18 @@ fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
     let (size, markup) =
         scene::draw(&faces(fields, Some(&moment.displacement), wall, surface), &ghost(fields), &fields.nodes);
     let factors = words::factors(&factor_text(wall), &factor_text(surface));
-    Figure {
-        id: format!("moment_{}", index + 1),
-        title: format!("{}, t = {} s", capital(&moment.title), fixed(moment.time, 3)),
-        caption: words::moment(&factors),
-        description: words::moment_description(
-            &scene::eye(),
-            &factors,
-            [&fields.wall, &fields.surface].map(|f| largest(f, &moment.displacement)),
-        ),
-        size,
-        markup,
-        table: displacements(fields, &moment.displacement, Some(Dimension::Length)),
-        room: Room::Half,
-    }
+    Figure::new(
+        format!("moment_{}", index + 1),
+        format!("{}, t = {} s", capital(&moment.title), fixed(moment.time, 3)),
+        (size, markup),
+        displacements(fields, &moment.displacement, Some(Dimension::Length)),
+    )
+    .captioned(words::moment(&factors))
+    .described(words::moment_description(
+        &scene::eye(),
+        &factors,
+        [&fields.wall, &fields.surface].map(|f| largest(f, &moment.displacement)),
+    ))
 }
 
 /// A round factor without idle digits.
@@ -242,13 +226,8 @@ fn factor_text(factor: f64) -> String {
 /// Displacements of some nodes; without a dimension they are relative.
 fn displacements(fields: &Fields, displacement: &[[f64; 3]], dimension: Option<Dimension>) -> Table {
     let scale = Scale::of(dimension.unwrap_or(Dimension::Dimensionless), displacement.iter().flatten().copied());
-    let mut table = Table::new(vec![
-        Column::numbers("x", "m"),
-        Column::numbers("y", "m"),
-        Column::numbers("z", "m"),
-        Column::numbers("u_x", scale.symbol()),
-        Column::numbers("u_y", scale.symbol()),
-        Column::numbers("u_z", scale.symbol()),
+    let mut table = Table::new(columns![
+        "x" => "m", "y" => "m", "z" => "m", "u_x" => scale.symbol(), "u_y" => scale.symbol(), "u_z" => scale.symbol(),
     ]);
     for i in spread(fields.nodes.len(), 24) {
         let place = fields.nodes[i].map(|x| fixed(x, 3));

@@ -3,11 +3,11 @@
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line, Rule};
+use crate::figure::chart::{Axis, Chart, Rule};
 use crate::figure::{Figure, Room, WIDE, fourway};
 use crate::level::Level;
 use crate::number::{Scale, percent, significant};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, columns, spread};
 use crate::words::figures::spectra as words;
 use files::error::Error;
 use results::{Mode, SpectrumCurve};
@@ -86,13 +86,12 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
     let x = Axis::exact("Period T", Dimension::Time, (0.0, end), 8);
     let mut y = Axis::linear("Pseudo-acceleration", Dimension::Dimensionless, values.into_iter().chain([0.0]), 5);
     y.title = "Pseudo-acceleration PSA [g]".into();
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::new(WIDE, x, y);
     chart.rules = rules(source);
     for (i, c) in curves.iter().enumerate() {
-        chart.lines.push(Line { points: shown(c), class: class(i), label: c.title.clone() });
+        chart.line(shown(c), class(i), c.title.clone());
     }
-    let chart = chart.with_plot_height(190.0);
-    let mut columns = vec![Column::numbers("Period", "s")];
+    let mut columns = columns!["Period" => "s"];
     columns.extend(curves.iter().map(|c| Column::numbers(&c.title, "g")));
     let mut table = Table::new(columns);
     let longest_curve = curves.iter().max_by_key(|c| c.period.len()).map_or(&[][..], |c| &c.period);
@@ -102,16 +101,11 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
         row.extend(curves.iter().map(|c| cell(at(&c.period, &c.psa, t).map(|a| a / gravity))));
         table.row(row);
     }
-    Ok(Figure {
-        id: "spectrum_linear".into(),
-        title: words::LINEAR.into(),
-        caption: words::LINEAR_CAPTION.into(),
-        description: words::linear(end, curves.len()),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    })
+    Ok(chart
+        .with_plot_height(190.0)
+        .figure("spectrum_linear", words::LINEAR, table)?
+        .captioned(words::LINEAR_CAPTION)
+        .described(words::linear(end, curves.len())))
 }
 
 fn cell(value: Option<f64>) -> String {
@@ -129,7 +123,7 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
         })
         .collect();
     let (size, markup) = fourway::draw(&drawn, rules(source), source.results.tank.gravity)?;
-    let mut columns = vec![Column::numbers("Period", "s")];
+    let mut columns = columns!["Period" => "s"];
     for c in curves {
         columns.push(Column::numbers(&format!("PSV, {}", c.title), "m/s"));
         columns.push(Column::numbers(&format!("Sd, {}", c.title), "mm"));
@@ -145,16 +139,11 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
         }
         table.row(row);
     }
-    Ok(Figure {
-        id: "spectrum_four_way".into(),
-        title: words::FOUR_WAY.into(),
-        caption: words::FOUR_WAY_CAPTION.into(),
-        description: words::four_way(curves.len()),
-        size,
-        markup,
-        table,
-        room: Room::Wide,
-    })
+    let figure = Figure::new("spectrum_four_way", words::FOUR_WAY, (size, markup), table);
+    // Its width is that of its decades.
+    Ok(Figure { room: Room::Wide, ..figure }
+        .captioned(words::FOUR_WAY_CAPTION)
+        .described(words::four_way(curves.len())))
 }
 
 /// Value of a curve at `t`, linear between its points; `None` outside.
@@ -172,7 +161,7 @@ fn at(period: &[f64], values: &[f64], t: f64) -> Option<f64> {
 /// Spectral values at the tank's periods.
 fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     let gravity = source.results.tank.gravity;
-    let mut columns = vec![Column::words("Spectrum"), Column::numbers("Damping", "")];
+    let mut columns = columns!["Spectrum", "Damping" => ""];
     let periods = periods(source);
     for p in &periods {
         let head = format!("PSA at T{}{} = {} s", p.letter, p.number, significant(p.value, 3));

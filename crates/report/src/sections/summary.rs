@@ -216,7 +216,7 @@ fn facts(source: &Source) -> Vec<Pair> {
     let mut facts = frame::tank(summary);
     let mut add = |label: &str, value: String| facts.push(Pair::new(label, value));
     if let Some(set) = &source.results.record_set {
-        add(words::summary::RECORDS, words::summary::records(set));
+        add("Records", words::summary::records(set));
     } else if let Some(record) = source.results.records.first() {
         add(words::summary::PEAK_GROUND_ACCELERATION, format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)));
     }

@@ -5,10 +5,10 @@ use tank::units::Dimension;
 use tank::{BarDirection, LayerKind, Shape, Support};
 
 use super::{Section, Source};
-use crate::figure::{Figure, Room, sketch};
+use crate::figure::{Figure, sketch};
 use crate::level::Level;
 use crate::number::{Scale, plain, significant};
-use crate::table::{Column, Table};
+use crate::table::{Table, columns};
 use crate::words::labels::tank as words;
 use crate::words::sections::deformability;
 use crate::words::{capital, figures};
@@ -25,16 +25,9 @@ struct Deformability {
 pub(crate) fn sketch(summary: &TankSummary) -> Figure {
     let (size, markup, exaggeration) = sketch::draw(summary);
     let (plan, support) = (plan(summary.tank.shape), support(summary.tank.support));
-    Figure {
-        id: "sketch".into(),
-        title: "Tank".into(),
-        caption: figures::sketch(exaggeration),
-        description: figures::sketch_description(plan, support, &summary.tank, &summary.liquid),
-        size,
-        markup,
-        table: courses(summary),
-        room: Room::Wide,
-    }
+    Figure::new("sketch", "Tank", (size, markup), courses(summary))
+        .captioned(figures::sketch(exaggeration))
+        .described(figures::sketch_description(plan, support, &summary.tank, &summary.liquid))
 }
 
 fn plan(shape: Shape) -> &'static str {
@@ -64,7 +57,7 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     let tank = &summary.tank;
     let mut section = Section::new("tank");
     let (plan, support) = (plan(tank.shape), support(tank.support));
-    let mut facts = Table::new(vec![Column::words("Property"), Column::numbers("Value", ""), Column::words("Unit")]);
+    let mut facts = Table::new(columns!["Property", "Value" => "", "Unit"]);
     let mut fact = |label: &str, value: f64, dimension| {
         let scale = Scale::of(dimension, [value]);
         facts.row(vec![label.into(), scale.given(value), scale.symbol().into()]);
@@ -121,15 +114,10 @@ fn courses(summary: &TankSummary) -> Table {
         [] => Scale::of(Dimension::Stress, [USUAL]),
         some => Scale::of(Dimension::Stress, some.iter().copied()),
     };
-    let mut table = Table::new(vec![
-        Column::numbers("Course", ""),
-        Column::numbers("Height", height.symbol()),
-        Column::numbers("Thickness", thickness.symbol()),
-        Column::words("Material"),
-        Column::numbers("Young’s modulus", modulus.symbol()),
-        Column::numbers("Poisson’s ratio", ""),
-        Column::numbers("Density", density.symbol()),
-        Column::numbers("Yield strength", strength.symbol()),
+    let mut table = Table::new(columns![
+        "Course" => "", "Height" => height.symbol(), "Thickness" => thickness.symbol(), "Material",
+        "Young’s modulus" => modulus.symbol(), "Poisson’s ratio" => "", "Density" => density.symbol(),
+        "Yield strength" => strength.symbol(),
     ]);
     for (i, c) in courses.iter().enumerate() {
         table.row(vec![
@@ -157,15 +145,9 @@ fn layers(summary: &TankSummary) -> Vec<Table> {
     let thickness = Scale::of(Dimension::Length, all().map(|(_, _, l)| l.thickness));
     let modulus = Scale::of(Dimension::Stress, all().map(|(_, _, l)| l.material.youngs_modulus));
     let density = Scale::of(Dimension::Density, all().map(|(_, _, l)| l.material.density));
-    let mut table = Table::new(vec![
-        Column::numbers("Course", ""),
-        Column::numbers("Layer", ""),
-        Column::words("Kind"),
-        Column::numbers("Thickness", thickness.symbol()),
-        Column::words("Material"),
-        Column::words("Behaviour"),
-        Column::numbers("Modulus", modulus.symbol()),
-        Column::numbers("Density", density.symbol()),
+    let mut table = Table::new(columns![
+        "Course" => "", "Layer" => "", "Kind", "Thickness" => thickness.symbol(), "Material", "Behaviour",
+        "Modulus" => modulus.symbol(), "Density" => density.symbol(),
     ]);
     for (course, layer, l) in all() {
         table.row(vec![
@@ -186,13 +168,9 @@ fn layers(summary: &TankSummary) -> Vec<Table> {
     let bars = || all().flat_map(|(i, j, l)| l.reinforcement.iter().map(move |b| (i, j, b)));
     let area = Scale::of(Dimension::LineArea, bars().map(|(_, _, b)| b.area));
     let depth = Scale::of(Dimension::Length, bars().map(|(_, _, b)| b.depth));
-    let mut steel = Table::new(vec![
-        Column::numbers("Course", ""),
-        Column::numbers("Layer", ""),
-        Column::words("Direction"),
-        Column::numbers("Area", area.symbol()),
-        Column::numbers(words::BAR_DEPTH, depth.symbol()),
-        Column::words("Material"),
+    let mut steel = Table::new(columns![
+        "Course" => "", "Layer" => "", "Direction", "Area" => area.symbol(), words::BAR_DEPTH => depth.symbol(),
+        "Material",
     ]);
     for (course, layer, b) in bars() {
         steel.row(vec![

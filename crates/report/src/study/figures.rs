@@ -2,10 +2,10 @@
 
 use tank::units::Dimension;
 
-use crate::figure::chart::{Axis, Band, Chart, Line, Mark};
-use crate::figure::{Figure, HALF, Room};
+use crate::figure::chart::{Axis, Chart, Line, Mark};
+use crate::figure::{Figure, HALF};
 use crate::number::{Scale, fixed, percent, significant};
-use crate::table::{Column, Table, spread};
+use crate::table::{Column, Table, columns, spread};
 use crate::words::study as words;
 use files::error::Error;
 use results::{Study, StudyCurve, StudyTrace};
@@ -26,7 +26,7 @@ fn class(state: usize) -> &'static str {
 }
 
 fn intensity(study: &Study, ims: impl IntoIterator<Item = f64>) -> Axis {
-    Axis::linear(&words::axis(&study.im), study.dimension, ims.into_iter().chain([0.0]), 6)
+    Axis::linear(&study.im, study.dimension, ims.into_iter().chain([0.0]), 6)
 }
 
 fn share(title: &str) -> Axis {
@@ -64,39 +64,29 @@ pub(super) fn tanks(study: &Study, most: usize) -> Result<Vec<Figure>, Error> {
 fn figure(study: &Study, number: usize, tank: &str, curves: &[&StudyCurve]) -> Result<Figure, Error> {
     let ims = curves.iter().flat_map(|c| c.points.iter().map(|p| p.0));
     let lines = curves.iter().flat_map(|c| c.line.last().map(|p| p.0));
-    let mut chart = Chart::new((HALF, 0.0), intensity(study, ims.chain(lines)), share(words::PROBABILITY));
+    let mut chart = Chart::new(HALF, intensity(study, ims.chain(lines)), share(words::PROBABILITY));
     for (state, curve) in curves.iter().enumerate() {
         let class = class(state);
         if !curve.band.is_empty() {
             let low = curve.band.iter().map(|(im, low, _)| (*im, *low));
             let high = curve.band.iter().rev().map(|(im, _, high)| (*im, *high));
-            chart.bands.push(Band { points: low.chain(high).collect(), class: class.into(), label: String::new() });
+            chart.band(low.chain(high).collect(), class, "");
         }
         let mut points = curve.line.clone();
-        points.insert(0, (0.0, 0.0));
-        chart.lines.push(Line {
-            // Without a curve the legend still names the state of the points.
-            points: if curve.line.is_empty() { Vec::new() } else { points },
-            class: class.into(),
-            label: curve.state.clone(),
-        });
-        chart.marks.extend(counted(curve).map(|(im, p)| Mark {
-            at: (im, p),
-            label: String::new(),
-            class: format!("own {class}"),
-        }));
+        // Without a curve the legend still names the state of the points.
+        if !points.is_empty() {
+            points.insert(0, (0.0, 0.0));
+        }
+        chart.line(points, class, &curve.state);
+        for at in counted(curve) {
+            chart.mark(at, "", format!("own {class}"));
+        }
     }
-    let chart = chart.with_plot_height(PLOT);
-    Ok(Figure {
-        id: format!("study_tank_{}", number + 1),
-        title: tank.into(),
-        caption: words::curves::caption(curves),
-        description: words::curves::description(tank, curves),
-        size: chart.size,
-        markup: chart.draw()?,
-        table: data(study, curves),
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(PLOT)
+        .figure(format!("study_tank_{}", number + 1), tank, data(study, curves))?
+        .captioned(words::curves::caption(curves))
+        .described(words::curves::description(tank, curves)))
 }
 
 /// Intensity and share of the runs in the state.
@@ -112,7 +102,7 @@ fn data(study: &Study, curves: &[&StudyCurve]) -> Table {
     let ims: Vec<f64> =
         curves.iter().max_by_key(|c| c.points.len()).map_or_else(Vec::new, |c| c.points.iter().map(|p| p.0).collect());
     let scale = Scale::of(study.dimension, ims.iter().copied());
-    let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
+    let mut columns = columns![&study.im => scale.symbol()];
     columns.extend(curves.iter().map(|c| Column::numbers(&c.state, "")));
     let mut table = Table::new(columns);
     for i in spread(ims.len(), ROWS) {
@@ -143,9 +133,9 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
     let losses = &study.losses;
     let most = study.tanks.len();
     let shown: Vec<usize> = AT_LEAST.into_iter().filter(|k| *k <= most).collect();
-    let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), share(words::PROBABILITY));
+    let mut chart = Chart::new(HALF, intensity(study, losses.iter().map(|l| l.im)), share(words::PROBABILITY));
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
-    let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
+    let mut columns = columns![&study.im => scale.symbol()];
     for (i, &k) in shown.iter().enumerate() {
         let of = |values: fn(&results::StudyLoss) -> &Vec<Option<f64>>| -> Vec<(f64, Option<f64>)> {
             let at = |l: &results::StudyLoss| (l.im, values(l).get(k - 1).copied().flatten());
@@ -168,17 +158,11 @@ fn at_least(study: &Study) -> Result<Figure, Error> {
         }
         table.row(row);
     }
-    let chart = chart.with_plot_height(PLOT);
-    Ok(Figure {
-        id: "study_at_least".into(),
-        title: words::AT_LEAST.into(),
-        caption: words::AT_LEAST_CAPTION.into(),
-        description: words::AT_LEAST_DESCRIPTION.into(),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(PLOT)
+        .figure("study_at_least", words::AT_LEAST, table)?
+        .captioned(words::AT_LEAST_CAPTION)
+        .described(words::AT_LEAST_DESCRIPTION))
 }
 
 /// A line with a gap at each missing value; only its first piece is labelled.
@@ -195,37 +179,28 @@ fn broken(points: &[(f64, Option<f64>)], class: &str, label: &str) -> Vec<Line> 
 fn volume(study: &Study) -> Result<Figure, Error> {
     let losses = &study.losses;
     let y = Axis::linear(
-        words::VOLUME_AXIS,
+        "volume [m³]",
         Dimension::Dimensionless,
         losses.iter().flat_map(|l| l.volume).flatten().chain([0.0]),
         5,
     );
-    let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), y);
+    let mut chart = Chart::new(HALF, intensity(study, losses.iter().map(|l| l.im)), y);
     for (i, label) in words::VOLUMES.into_iter().enumerate() {
         let points: Vec<(f64, Option<f64>)> = losses.iter().map(|l| (l.im, l.volume[i])).collect();
         chart.lines.extend(broken(&points, ["k-s1", "k-s3"][i], label));
     }
     let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
-    let mut table = Table::new(vec![
-        Column::numbers(&words::head(&study.im), scale.symbol()),
-        Column::numbers(words::VOLUMES[0], "m³"),
-        Column::numbers(words::VOLUMES[1], "m³"),
+    let mut table = Table::new(columns![
+        &study.im => scale.symbol(), words::VOLUMES[0] => "m³", words::VOLUMES[1] => "m³",
     ]);
     let known = |volume: Option<f64>| volume.map_or_else(|| "–".into(), |v| fixed(v, 0));
     for loss in losses {
         table.row(vec![scale.text(loss.im), known(loss.volume[0]), known(loss.volume[1])]);
     }
-    let chart = chart.with_plot_height(PLOT);
-    Ok(Figure {
-        id: "study_volume".into(),
-        title: words::VOLUME.into(),
-        caption: String::new(),
-        description: words::VOLUME_DESCRIPTION.into(),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(PLOT)
+        .figure("study_volume", "Volume of the liquid of lost tanks", table)?
+        .described(words::VOLUME_DESCRIPTION))
 }
 
 /// The demands of single records.
@@ -247,37 +222,23 @@ fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure,
         true => Axis::log(words::RATIO, Dimension::Dimensionless, (0.8 * lowest, 1.25 * highest)),
         false => Axis::linear(words::RATIO, Dimension::Dimensionless, points().map(|p| p.1).chain([0.0, 1.0]), 5),
     };
-    let mut chart = Chart::new((HALF, 0.0), intensity(study, points().map(|p| p.0)), y);
-    chart.lines.push(Line { points: vec![(0.0, 1.0), (end, 1.0)], class: "k-s3".into(), label: words::LIMIT.into() });
+    let mut chart = Chart::new(HALF, intensity(study, points().map(|p| p.0)), y);
+    chart.line(vec![(0.0, 1.0), (end, 1.0)], "k-s3", words::LIMIT);
     for (i, (_, points)) in trace.records.iter().enumerate() {
-        chart.lines.push(Line {
-            points: points.clone(),
-            class: "k-ground thin".into(),
-            label: if i == 0 { words::ONE_RECORD.into() } else { String::new() },
-        });
+        chart.line(points.clone(), "k-ground thin", if i == 0 { "one record" } else { "" });
         chart.marks.extend(points.iter().map(|&at| Mark { at, label: String::new(), class: "own k-s2".into() }));
     }
     let scale = Scale::of(study.dimension, points().map(|p| p.0));
-    let mut table = Table::new(vec![
-        Column::words(words::RECORD),
-        Column::numbers(&words::head(&study.im), scale.symbol()),
-        Column::numbers(words::RATIO, ""),
-    ]);
+    let mut table = Table::new(columns!["Record", &study.im => scale.symbol(), words::RATIO => ""]);
     let all: Vec<(&str, (f64, f64))> =
         trace.records.iter().flat_map(|(id, points)| points.iter().map(|p| (id.as_str(), *p))).collect();
     for i in spread(all.len(), 8 * ROWS) {
         let (id, (im, ratio)) = all[i];
         table.row(vec![id.into(), scale.text(im), significant(ratio, 3)]);
     }
-    let chart = chart.with_plot_height(PLOT);
-    Ok(Figure {
-        id: format!("study_records_{}", number + 1),
-        title: words::trace(trace),
-        caption: words::trace_caption(trace, logarithmic),
-        description: words::trace_description(trace),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    })
+    Ok(chart
+        .with_plot_height(PLOT)
+        .figure(format!("study_records_{}", number + 1), words::trace(trace), table)?
+        .captioned(words::trace_caption(trace, logarithmic))
+        .described(words::trace_description(trace)))
 }

@@ -75,8 +75,7 @@ fn model(reason: &Reason) -> String {
 
 /// "Largest factors: lever arms 1.31, impulsive period 0.80."
 fn largest(steps: &[FactorStep]) -> String {
-    let list: Vec<String> =
-        steps.iter().map(|step| format!("{} {:.2}", super::factors::name(step.factor_id), step.factor)).collect();
+    let list: Vec<String> = steps.iter().map(|step| format!("{} {:.2}", step.factor_id.name(), step.factor)).collect();
     let what = if steps.len() == 1 { "Largest factor" } else { "Largest factors" };
     format!("{what}: {}.", list.join(", "))
 }

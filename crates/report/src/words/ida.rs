@@ -35,8 +35,6 @@ pub mod heads {
     pub const FIRST_CRACK: [&str; 2] = ["First crack at", "with base moment"];
     /// Separation: time where the liquid is kept at the wall, where it leaves it, height.
     pub const SEPARATION: [&str; 3] = ["Liquid separates (linear estimate) at", "Liquid separates at", "at the height"];
-    /// Largest open share of the wetted wall.
-    pub const OPEN: &str = "Open share";
     /// Limits of validity that are exceeded.
     pub const OUTSIDE: &str = "Limits exceeded";
     /// Damping.

@@ -9,8 +9,6 @@ use crate::number::{fixed, significant, with_unit};
 pub const PART: &str = "Part";
 /// The seismic part.
 pub const SEISMIC: &str = "largest seismic";
-/// The state at rest.
-pub const AT_REST: &str = "at rest";
 
 /// Symbol of an internal force.
 pub fn symbol(what: OnWall) -> &'static str {

@@ -4,12 +4,6 @@
 pub const FIGURE: &str = "Figure";
 /// Number of a table.
 pub const TABLE: &str = "Table";
-/// Group of closely spaced modes.
-pub const GROUP: &str = "Closely spaced";
-/// Times of the extremes of both signs.
-pub const SMALLEST_TIME: &str = "Time of the smallest";
-/// See [`SMALLEST_TIME`].
-pub const LARGEST_TIME: &str = "Time of the largest";
 /// Vertical line at the end of the record.
 pub const RECORD_END: &str = "end of the record";
 /// Membrane stress where an imperfect wall stands.
@@ -36,8 +30,6 @@ pub const NONLINEAR_ENERGIES: [&str; 6] =
     ["work of the loads", "internal", "materials (part of internal)", "damping", "kinetic", "time integration"];
 /// Energies of a nonlinear run at its end, and as parts of the work.
 pub const AT_END: [&str; 2] = ["At the end", "At the end, part of the work"];
-/// Static pressure on the base itself.
-pub const STATIC_PRESSURE: &str = "Static pressure";
 /// Largest bending moment of the lowest section.
 pub const LARGEST_OF_SECTION: &str = "Largest of the section";
 /// Range of the finite elements in a legend.

@@ -13,8 +13,6 @@ pub const UNTIL_THEN: &str = "Values, figures and histories end there.";
 pub const COMPLETED: &str = "Equilibrium was found to the end of the ground motion";
 /// Guarantee of a whole run.
 pub const CONVERGED: &str = "Every accepted step has converged.";
-/// Headline of a run that the user stopped.
-pub const INCOMPLETE: &str = "Incomplete";
 /// Remark on a run that left its model and continued.
 pub const BEYOND_MODEL: &str = "Equilibrium was found to the end of the ground motion, but not within the limits of the model: later \
                                 values are not results.";

@@ -6,8 +6,6 @@ use super::capital;
 use crate::number::{fixed, significant, with_unit};
 use results::{Push, PushJoint, PushShell};
 
-/// In the running head.
-pub const RUNNING: &str = "pushover";
 /// Parts of the page: id and title.
 pub const PARTS: [(&str, &str); 4] = [
     ("model", "Model and assumptions"),
@@ -68,9 +66,6 @@ pub fn shell_name(shell: &PushShell) -> String {
         format!("{} t {side} at {}", fixed(i.over_thickness.abs(), 2), with_unit(i.height, Dimension::Length))
     })
 }
-
-/// Acceleration at which a formula is reached that governs below 10 g nowhere.
-pub const BEYOND: &str = "beyond 10 g";
 
 /// The joint of wall and bottom plate against its limit; `gravity` in m/s².
 pub fn joint(joint: &PushJoint, gravity: f64) -> String {

@@ -14,14 +14,10 @@ pub mod heads {
     pub const COV: &str = "CoV";
     /// Record of the largest value.
     pub const LARGEST_UNDER: &str = "Largest under";
-    /// Peak acceleration.
-    pub const PGA: &str = "PGA";
     /// Significant duration.
     pub const DURATION: &str = "D5–95";
     /// Usable period.
     pub const USABLE: &str = "Usable period";
-    /// Largest utilisation of the checks of the engine, and its check.
-    pub const UTILISATION: &str = "Largest utilisation";
     /// Limits of validity that are exceeded.
     pub const LIMITS: &str = "Limits exceeded";
     /// Smallest ratio of the spectra.
@@ -46,14 +42,8 @@ pub mod captions {
 
 /// Legend of a figure of spectra.
 pub mod legend {
-    /// The target.
-    pub const TARGET: &str = "target";
     /// The mean.
     pub const MEAN: &str = "mean of the set";
-    /// One record, in the legend for all.
-    pub const RECORD: &str = "records";
-    /// A mean over the records.
-    pub const OF_RECORDS: &str = "mean";
     /// Design value.
     pub const DESIGN: &str = "design value";
 }

@@ -1,9 +1,7 @@
 //! The page of a study.
 
 pub mod basis;
-pub mod captions;
 pub mod curves;
-pub mod heads;
 
 use crate::number::{count, fixed, utilisation, with_unit};
 use files::code::{Code, Warning};
@@ -11,33 +9,10 @@ use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
 
 /// Below the title.
 pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
-/// In the running head.
-pub const RUNNING: &str = "seismic study";
-/// Sections: id and title.
-pub const TANKS: (&str, &str) = ("tanks", "Tanks and governing checks");
-/// See [`TANKS`].
-pub const STATES: (&str, &str) = ("states", "Damage states");
-/// See [`TANKS`].
-pub const CURVES: (&str, &str) = ("fragility", "Fragility");
-/// See [`TANKS`].
-pub const LOSSES: (&str, &str) = ("losses", "Losses of the farm");
-/// See [`TANKS`].
-pub const RECORDS: (&str, &str) = ("records", "Records");
-/// See [`TANKS`].
-pub const FAULTS: (&str, &str) = ("faults", "What failed and what was not checked");
-/// See [`TANKS`].
-pub const BASIS: (&str, &str) = ("basis", "Basis and cost");
-
-/// Head of a column of records.
-pub const RECORD: &str = "Record";
 /// Axis of a fragility curve.
 pub const PROBABILITY: &str = "probability";
-/// Axis of the volume.
-pub const VOLUME_AXIS: &str = "volume [m³]";
 /// Mean and largest volume.
 pub const VOLUMES: [&str; 2] = ["mean of the earthquakes", "largest"];
-/// Title of a figure.
-pub const VOLUME: &str = "Volume of the liquid of lost tanks";
 /// Its description.
 pub const VOLUME_DESCRIPTION: &str =
     "Mean and largest volume of the liquid of tanks in the worst state over the intensity.";
@@ -53,14 +28,8 @@ pub const AT_LEAST_DESCRIPTION: &str =
 pub const INDEPENDENT: &str = "independent";
 /// Legend of a limit.
 pub const LIMIT: &str = "limit";
-/// Legend of a line of one record.
-pub const ONE_RECORD: &str = "one record";
 /// Demand over its limit.
 pub const RATIO: &str = "Demand over limit";
-/// Heading.
-pub const SYSTEM: &str = "At least one tank";
-/// Heading.
-pub const SINGLE: &str = "Single records";
 /// The farm as a system.
 pub fn about_system(study: &Study) -> String {
     let counted = match study.method.as_str() {
@@ -118,8 +87,6 @@ pub const ABOUT_STATES: &str = "A tank is in a state if one of its demands reach
      if the run found no equilibrium. Runs: how many of all tanks reached this limit; a run that reached several counts at each. \
      A run in which a demand was not checked is not judged if other runs of the tank have it checked, unless it reaches the state all the same. A demand that \
      no run of a tank checks takes no part in its states.";
-/// A way into a state.
-pub const BY_WORSE: &str = "only a worse state, or no equilibrium";
 /// Text.
 pub const NO_RULE: &str = "Whether the set stands for a spectrum was not asked: `rule` of the study file compares it with the spectrum of the site.";
 /// Text.
@@ -128,16 +95,6 @@ pub const ABOUT_RECORDS: &str = "Peaks along x, of the record as the tank file p
 
 /// A limit state or check by its id, in words.
 pub use super::limit_state as id;
-
-/// Title of an axis of intensities.
-pub fn axis(im: &str) -> String {
-    im.into()
-}
-
-/// Head of a column of intensities.
-pub fn head(im: &str) -> String {
-    im.into()
-}
 
 /// `0.41–0.52`.
 pub fn range(low: &str, high: &str) -> String {

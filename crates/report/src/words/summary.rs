@@ -21,8 +21,6 @@ pub fn liquid_mass(strip: bool) -> &'static str {
 
 /// Peak acceleration of the record as computed with.
 pub const PEAK_GROUND_ACCELERATION: &str = "Peak ground acceleration";
-/// Records of a set.
-pub const RECORDS: &str = "Records";
 
 /// Number of records and design value.
 pub fn records(set: &RecordSet) -> String {
@@ -50,5 +48,3 @@ pub const COVER: [&str; 5] = ["Project", "Client", "Document", "Revision", "Date
 pub const SIGNATURES: [&str; 3] = ["Author", "Checked", "Approved"];
 /// Heads of the table of signatures.
 pub const SIGNATURE_HEADS: [&str; 3] = ["Name", "Date", "Signature"];
-/// In the running head of a verification.
-pub const RUNNING: &str = "seismic verification";

@@ -100,8 +100,6 @@ pub const ON_THE_GROUND: &str = "on the ground";
 pub const STANDS: &str = "on the ground all round";
 /// Heads of the table of positions.
 pub const POSITIONS: [&str; 3] = ["Time", "Rim at θ = 0°", "Rim at θ = 180°"];
-/// Head of the lifted width.
-pub const LIFTED: &str = "Lifted width";
 
 /// An instant.
 pub fn at(time: f64) -> String {

@@ -2,16 +2,12 @@
 
 /// Sheets of all methods together.
 pub mod sheets {
-    /// Cover.
-    pub const OVERVIEW: &str = "Overview";
     /// Quantities × methods.
     pub const QUANTITIES: &str = "Quantities";
     /// Checks.
     pub const CHECKS: &str = "Checks";
     /// Values over the height.
     pub const PROFILES: &str = "Profiles";
-    /// Values over time.
-    pub const HISTORIES: &str = "Histories";
 }
 
 /// Heads of the sheet of a method.
@@ -29,8 +25,6 @@ pub const VERDICT: [&str; 2] = ["Verdict", "Deciding"];
 pub const PROVENANCE: [&str; 3] = ["Version", "Created", "Command line"];
 /// Heads of the files read.
 pub const FILES: [&str; 3] = ["Role", "File", "SHA-256"];
-/// Time of a history.
-pub const TIME: &str = "Time";
 
 /// Whether a method decides.
 pub fn decides(decides: bool) -> &'static str {

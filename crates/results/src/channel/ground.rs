@@ -1,5 +1,6 @@
 //! Motion of the ground.
 
+use tank::listed;
 use tank::units::Dimension;
 
 /// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
@@ -8,41 +9,21 @@ pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity",
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";
 
-/// A component of the motion of the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ground {
+listed! {
+    /// A component of the motion of the ground, in the order of [`GROUND_COLUMNS`].
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Ground {
+        /// Name of the column without a prefix.
+        id: &'static str,
+        /// Title.
+        title: &'static str,
+        /// Dimension.
+        dimension: Dimension,
+    }
     /// Acceleration [m/s²].
-    Acceleration,
+    Acceleration: GROUND_COLUMNS[0], "Ground acceleration", Dimension::Acceleration;
     /// Velocity [m/s].
-    Velocity,
+    Velocity: GROUND_COLUMNS[1], "Ground velocity", Dimension::Velocity;
     /// Displacement [m].
-    Displacement,
-}
-
-impl Ground {
-    /// All components, in the order of [`GROUND_COLUMNS`].
-    pub const ALL: [Ground; 3] = [Ground::Acceleration, Ground::Velocity, Ground::Displacement];
-
-    /// Id: name of the column without a prefix.
-    pub(super) fn id(self) -> &'static str {
-        GROUND_COLUMNS[self as usize]
-    }
-
-    /// Title.
-    pub(super) fn title(self) -> &'static str {
-        match self {
-            Ground::Acceleration => "Ground acceleration",
-            Ground::Velocity => "Ground velocity",
-            Ground::Displacement => "Ground displacement",
-        }
-    }
-
-    /// Dimension.
-    pub(super) fn dimension(self) -> Dimension {
-        match self {
-            Ground::Acceleration => Dimension::Acceleration,
-            Ground::Velocity => Dimension::Velocity,
-            Ground::Displacement => Dimension::Length,
-        }
-    }
+    Displacement: GROUND_COLUMNS[2], "Ground displacement", Dimension::Length;
 }

@@ -137,17 +137,17 @@ const SOIL: [(&str, &str); 6] = [
     ("Without `tank.", "no-mass"),
 ];
 
-fn soil(old: &Value) -> Part {
+/// Slab and soil under it.
+fn ground(old: &Value) -> Message {
     let amount = |key: &str, unit| Amount::new(number(old, key), unit);
     let given = |key: &str, unit| amount(key, unit).form(Form::Given);
-    let some = |key, unit| Fact::from(Some(amount(key, unit)).filter(|amount| amount.value > 0.0));
     let plate = match number(old, "thickness") > 0.0 {
         true => Message::new("soil-slab")
             .with("thickness", given("thickness", Dimension::Length))
             .with("mass", amount("slab_mass", Dimension::Mass)),
         false => Message::new("soil-slab-without-mass"),
     };
-    let ground = Message::new("soil-ground")
+    Message::new("soil-ground")
         .with("slab", plate.with("radius", given("radius", Dimension::Length)))
         .with("velocity", given("shear_wave_velocity", Dimension::Velocity))
         .with("density", given("density", Dimension::Density))
@@ -156,7 +156,14 @@ fn soil(old: &Value) -> Part {
         .with("rocking", amount("rocking", Dimension::RotationalStiffness))
         .with("mass", amount("impulsive_mass", Dimension::Mass))
         .with("arm", amount("impulsive_arm", Dimension::Length))
-        .with("damping", Amount::percent(number(old, "fixed_damping")));
+        .with("damping", Amount::percent(number(old, "fixed_damping")))
+}
+
+fn soil(old: &Value) -> Part {
+    let some = |key, unit| {
+        let amount = Amount::new(number(old, key), unit);
+        Fact::from(Some(amount).filter(|amount| amount.value > 0.0))
+    };
     let free = |id| (id, Dimension::Dimensionless, Form::Usual);
     let words = |id| (id, Dimension::Dimensionless, Form::Words);
     let inertia = |key| some(key, Dimension::RotationalInertia);
@@ -204,7 +211,7 @@ fn soil(old: &Value) -> Part {
         id: "soil".into(),
         blocks: vec![
             Block::Text(Message::new("soil-about")),
-            Block::Note(ground),
+            Block::Note(ground(old)),
             Block::Table(Table::new(
                 "cones",
                 &[words("impedance"), free("spring"), free("dashpot"), free("inertia")],

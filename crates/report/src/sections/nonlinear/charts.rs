@@ -3,10 +3,10 @@
 use tank::units::Dimension;
 
 use crate::figure::chart::{Axis, Chart, Line, Rule};
-use crate::figure::decimate::{decimate, thin};
-use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::figure::decimate::thin;
+use crate::figure::{Figure, HALF};
 use crate::number::{Scale, fixed, percent};
-use crate::table::{Column, Table, spread};
+use crate::table::{Table, columns, spread};
 use crate::words::figures::nonlinear as words;
 use crate::words::{capital, labels};
 use files::error::Error;
@@ -44,32 +44,27 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
         Axis::linear(&capital(&axis.title), axis.dimension, [range.0, range.1, 0.0], count)
     };
     let (across, up) = (axis(&curve.x, x, 5), axis(&curve.y, y, 6));
-    let mut chart = Chart::new((HALF, 0.0), across, up);
+    let mut chart = Chart::new(HALF, across, up);
     let zero = |points: Vec<(f64, f64)>| Line { points, class: "dg".into(), label: String::new() };
     // Where both quantities are zero: in the corner of the plot there is an axis already.
     chart.lines.push(zero(vec![(x.0.min(0.0), 0.0), (x.1.max(0.0), 0.0)]));
     chart.lines.push(zero(vec![(0.0, y.0.min(0.0)), (0.0, y.1.max(0.0))]));
-    chart.lines.push(Line { points, class: "k-fe hist".into(), label: String::new() });
-    let chart = chart.with_plot_height(LOOP);
+    chart.line(points, "k-fe hist", "");
     let scales = (Scale::of(curve.x.dimension, [x.0, x.1]), Scale::of(curve.y.dimension, [y.0, y.1]));
-    let mut table = Table::new(vec![
-        Column::numbers(&capital(&curve.x.title), scales.0.symbol()),
-        Column::numbers(&capital(&curve.y.title), scales.1.symbol()),
+    let mut table = Table::new(columns![
+        &capital(&curve.x.title) => scales.0.symbol(), &capital(&curve.y.title) => scales.1.symbol(),
     ]);
     for i in spread(curve.points.len(), LISTED) {
         let [a, b] = curve.points[i];
         table.row(vec![scales.0.text(a), scales.1.text(b)]);
     }
-    Ok(Some(Figure {
-        id: format!("loop_{}_{}", index + 1, curve.id),
-        title: curve.title.clone(),
-        caption: words::extents(curve, x, y),
-        description: words::extents_description(curve, x, y),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    }))
+    Ok(Some(
+        chart
+            .with_plot_height(LOOP)
+            .figure(format!("loop_{}_{}", index + 1, curve.id), curve.title.clone(), table)?
+            .captioned(words::extents(curve, x, y))
+            .described(words::extents_description(curve, x, y)),
+    ))
 }
 
 /// The balance of energies over time.
@@ -102,26 +97,17 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     }
     let scale = Scale::of(Dimension::Energy, [largest]);
     let end = time.len() - 1;
-    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end]), 8);
     let extent = curves.iter().flat_map(|(_, _, v)| v.iter().copied());
     let y = Axis::linear("Energy", Dimension::Energy, extent.chain([0.0]), 6);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let mut chart = Chart::over_time(time[0], time[end], y);
     // Lines along zero add nothing to the table.
     for (label, class, values) in curves.iter().filter(|(_, _, v)| most(v) > 1e-4 * largest) {
-        chart.lines.push(Line {
-            points: decimate(time, values, (WIDE - 60.0) as usize),
-            class: format!("{class} thin"),
-            label: (*label).into(),
-        });
+        chart.history(time, values, format!("{class} thin"), *label);
     }
     chart.rules = Rule::all(marks);
-    let chart = chart.with_plot_height(170.0);
     let input = energies.input[end];
-    let mut table = Table::new(vec![
-        Column::words("Energy"),
-        Column::numbers(labels::AT_END[0], scale.symbol()),
-        Column::numbers("Largest", scale.symbol()),
-        Column::numbers(labels::AT_END[1], ""),
+    let mut table = Table::new(columns![
+        "Energy", labels::AT_END[0] => scale.symbol(), "Largest" => scale.symbol(), labels::AT_END[1] => "",
     ]);
     for (label, _, values) in curves {
         let share = match input == 0.0 {
@@ -130,20 +116,17 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         };
         table.row(vec![capital(label), scale.text(values[end]), scale.text(most(values)), share]);
     }
-    Ok(vec![Figure {
-        id: "energies".into(),
-        title: words::ENERGIES.into(),
-        caption: words::energies(energies.error),
-        description: words::energies_description(
-            time[end],
-            input,
-            [energies.damping[end], energies.hysteretic[end], energies.numerical[end]],
-        ),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }])
+    Ok(vec![
+        chart
+            .with_plot_height(170.0)
+            .figure("energies", words::ENERGIES, table)?
+            .captioned(words::energies(energies.error))
+            .described(words::energies_description(
+                time[end],
+                input,
+                [energies.damping[end], energies.hysteretic[end], energies.numerical[end]],
+            )),
+    ])
 }
 
 /// Envelopes over the height at θ = 0 of both engines.
@@ -177,37 +160,25 @@ fn one_envelope(linear: Option<&Envelope>, nonlinear: &Envelope) -> Result<Optio
     let top = all().flat_map(|e| e.z.iter().copied()).fold(0.0, f64::max);
     let x = Axis::linear(&nonlinear.title, nonlinear.dimension, values.iter().copied().chain([0.0]), 5);
     let y = Axis::exact("Height z", Dimension::Length, (0.0, top), 6);
-    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut chart = Chart::new(HALF, x, y);
     for (envelope, class, label) in runs {
         for (side, points) in envelope.iter().flat_map(|e| sides(e)).enumerate() {
-            chart.lines.push(Line {
-                points,
-                class: class.into(),
-                label: if side == 0 { label.into() } else { String::new() },
-            });
+            chart.line(points, class, if side == 0 { label } else { "" });
         }
     }
-    let chart = chart.with_plot_height(LOOP);
     let scale = Scale::of(nonlinear.dimension, values.iter().copied());
-    let mut table = Table::new(vec![
-        Column::numbers("z", "m"),
-        Column::numbers("Smallest", scale.symbol()),
-        Column::numbers("Largest", scale.symbol()),
-    ]);
+    let mut table = Table::new(columns!["z" => "m", "Smallest" => scale.symbol(), "Largest" => scale.symbol()]);
     table.caption = "Nonlinear".into();
     for i in spread(nonlinear.z.len(), LISTED).into_iter().rev() {
         table.row(vec![fixed(nonlinear.z[i], 3), scale.text(nonlinear.min[i]), scale.text(nonlinear.max[i])]);
     }
     let most = |e: &Envelope| e.min.iter().chain(&e.max).fold(0.0_f64, |m, v| m.max(v.abs()));
     let [caption, description] = words::envelope(nonlinear, most(nonlinear), linear.map(most));
-    Ok(Some(Figure {
-        id: format!("envelope_nonlinear_{}", nonlinear.id),
-        title: nonlinear.title.clone(),
-        caption,
-        description,
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Half,
-    }))
+    Ok(Some(
+        chart
+            .with_plot_height(LOOP)
+            .figure(format!("envelope_nonlinear_{}", nonlinear.id), nonlinear.title.clone(), table)?
+            .captioned(caption)
+            .described(description),
+    ))
 }
