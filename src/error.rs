@@ -34,6 +34,21 @@ impl Error {
         Error::Files(files::error::Error::Input(code, text))
     }
 
+    /// An option with a value that it does not take.
+    pub fn value(text: impl Into<String>) -> Error {
+        Error::input(Code::OptionValue, text.into())
+    }
+
+    /// Options, or an option and a file, that do not go together.
+    pub fn conflict(text: impl Into<String>) -> Error {
+        Error::input(Code::OptionConflict, text.into())
+    }
+
+    /// Input that is missing.
+    pub fn missing(text: impl Into<String>) -> Error {
+        Error::input(Code::MissingInput, text.into())
+    }
+
     /// Its kind; none where every fault of a file has its own.
     pub fn code(&self) -> Option<Code> {
         Some(match self {

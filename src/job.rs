@@ -74,19 +74,32 @@ impl Job {
     /// * `procedures`: ids of those that run, in report order
     pub fn of(tank: TankFile, procedures: Vec<String>) -> Job {
         Job {
-            case: tank.case,
             project: tank.project,
-            procedures,
-            decision: tank.decision,
-            engines: Vec::new(),
             linear: tank.fe,
             solid: tank.solid,
             nonlinear: tank.nonlinear,
+            echo: tank.echo,
+            warnings: tank.warnings,
+            ..Job::of_case(tank.case, procedures, tank.decision)
+        }
+    }
+
+    /// That of a case alone, with the options that engines have by default.
+    pub fn of_case(case: Case, procedures: Vec<String>, decision: Decision) -> Job {
+        Job {
+            nonlinear: NonlinearOptions::new(case.damping),
+            case,
+            project: None,
+            procedures,
+            decision,
+            engines: Vec::new(),
+            linear: engines::Options::default(),
+            solid: SolidOptions::default(),
             checkpoint: None,
             without: Vec::new(),
-            echo: tank.echo,
+            echo: Vec::new(),
             files: Vec::new(),
-            warnings: tank.warnings,
+            warnings: Vec::new(),
             raw_records: Vec::new(),
             usable_periods: Vec::new(),
         }

@@ -91,10 +91,9 @@ impl SetJob {
     /// Errors: more than one engine, or the nonlinear one.
     pub fn adopt(&mut self, job: &Job) -> Result<(), Error> {
         if job.engines.len() > 1 || job.engines.contains(&EngineId::Nonlinear) {
-            return Err(Error::input(Code::OptionConflict,
+            return Err(Error::conflict(
                 "--fe: a set of records runs with one linear engine, expected harmonic, solid or none\n  help: run nonlinear engines record \
-                 by record, or as a study (`tankcheck study`)"
-                    .into(),
+                 by record, or as a study (`tankcheck study`)",
             ));
         }
         self.job =
@@ -288,7 +287,7 @@ fn strongest(records: &[Earthquake], period: Option<f64>) -> usize {
 /// Errors: no target; one that ends too early; no periods.
 fn compatible(set: &mut SetJob, wanted: &[Wanted]) -> Result<(Compatibility, Option<String>), Error> {
     if wanted.is_empty() {
-        return Err(Error::input(Code::MissingInput, "no procedure and no engine gives a period of this tank".into()));
+        return Err(Error::missing("no procedure and no engine gives a period of this tank"));
     }
     let question =
         Question { code: set.code, table: set.table.as_ref(), target: &set.target, site: &set.job.case.site, wanted };

@@ -120,14 +120,14 @@ fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(Code::OptionValue, format!("{option}: found `{}`, expected {allowed}", text::line(found)))
+    Error::value(format!("{option}: found `{}`, expected {allowed}", text::line(found)))
 }
 
 /// A value that is not a quantity of its dimension.
 fn unreadable(option: &str, found: &str, error: &UnitError) -> Error {
     let help = error.help().map_or(String::new(), |help| format!("\n  help: {help}"));
     let found = text::line(found);
-    Error::input(Code::OptionValue, format!("{option}: found `{found}`: {error}{help}"))
+    Error::value(format!("{option}: found `{found}`: {error}{help}"))
 }
 
 fn list(

@@ -105,7 +105,7 @@ impl CheckFormat {
 impl Args {
     /// Errors: a form of the output that --table or --solve does not have.
     fn fits(&self) -> Result<(), Error> {
-        let conflict = |text: String| Err(Error::input(Code::OptionConflict, text));
+        let conflict = |text: String| Err(Error::conflict(text));
         let (option, forms) = match (&self.table, &self.solve) {
             (Some(_), _) => ("--table", "human or csv"),
             (None, Some(_)) => ("--solve", "human, json or csv"),

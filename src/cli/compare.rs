@@ -208,11 +208,9 @@ fn jobs(args: &Args) -> Result<(Job, Option<SetJob>), Error> {
         all.flat_map(|&id| engine(id).refuses(task)).collect()
     };
     let missing = || {
-        Error::input(
-            Code::MissingInput,
+        Error::missing(
             "the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
-             the linear engines run without a record under the design spectrum of `site`"
-                .into(),
+             the linear engines run without a record under the design spectrum of `site`",
         )
     };
     let given = args.set.given(&args.inputs)?;
@@ -317,11 +315,9 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     }
     if args.vtu.is_some() {
         if !draws(job) {
-            return Err(Error::input(
-                Code::OptionConflict,
+            return Err(Error::conflict(
                 "--vtu: there is nothing to draw; the harmonic engine has states of a steel bottom plate under a cylinder alone\n  help: \
-                 add --fe solid, --fe both or, for a cylinder, --fe nonlinear; or give `tank.bottom`"
-                    .into(),
+                 add --fe solid, --fe both or, for a cylinder, --fe nonlinear; or give `tank.bottom`",
             ));
         }
         job.solid.snapshot_interval = Some(interval(job, args.vtu_every)?);
@@ -331,10 +327,9 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     if job.engines.contains(&EngineId::Solid) {
         args.solid.apply(job);
     } else if let Some(option) = args.solid.given() {
-        return Err(Error::input(
-            Code::OptionConflict,
-            format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"),
-        ));
+        return Err(Error::conflict(format!(
+            "{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"
+        )));
     }
     Ok(())
 }
@@ -376,13 +371,10 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
     match given {
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
-        Some(every) => Err(Error::input(
-            Code::OptionValue,
-            format!(
-                "--vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
-                record.dt
-            ),
-        )),
+        Some(every) => Err(Error::value(format!(
+            "--vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
+            record.dt
+        ))),
     }
 }
 

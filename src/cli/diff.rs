@@ -113,13 +113,12 @@ const ACCEPTED_FILE: &str = "accepted.json";
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::input(Code::OptionValue, format!("{name}: found {value}, expected a number ≥ 0")));
+            return Err(Error::value(format!("{name}: found {value}, expected a number ≥ 0")));
         }
     }
     if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
-        return Err(Error::input(
-            Code::OptionValue,
-            "--reason: found an empty text, expected a sentence\n  help: state why the numbers may move".into(),
+        return Err(Error::value(
+            "--reason: found an empty text, expected a sentence\n  help: state why the numbers may move",
         ));
     }
     let options = Options { rtol: args.rtol, time_tolerance: args.time_tolerance };
@@ -147,13 +146,14 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
         DiffFormat::Github => print_coloured(&findings::github(&place(), &findings()))?,
     }
-    let apart = changes.as_ref().and_then(|told| told.apart.as_ref());
-    // The other forms say both in their text.
-    if let (Some(apart), false) = (apart, matches!(args.format, DiffFormat::Json | DiffFormat::Human)) {
-        say!("note: {}", apart.words());
-    }
-    if !(matches!(args.format, DiffFormat::Json | DiffFormat::Human) || report.not_compared.is_empty()) {
-        say!("{}", not_compared(&report));
+    // These forms say both in their text.
+    if !matches!(args.format, DiffFormat::Json | DiffFormat::Human) {
+        if let Some(apart) = changes.as_ref().and_then(|told| told.apart.as_ref()) {
+            say!("note: {}", apart.words());
+        }
+        if !report.not_compared.is_empty() {
+            say!("{}", not_compared(&report));
+        }
     }
     if args.bless {
         bless(&args, &report)?;
@@ -176,13 +176,10 @@ fn keeps_parts(args: &Args) -> Result<(), Error> {
     if lost.is_empty() {
         return Ok(());
     }
-    Err(Error::input(
-        Code::OptionConflict,
-        format!(
-            "--bless: NEW holds selected parts alone; it would replace {} of OLD\n  help: run `tankcheck compare` without --select",
-            lost.join(", ")
-        ),
-    ))
+    Err(Error::conflict(format!(
+        "--bless: NEW holds selected parts alone; it would replace {} of OLD\n  help: run `tankcheck compare` without --select",
+        lost.join(", ")
+    )))
 }
 
 fn not_compared(report: &Report) -> String {
@@ -244,7 +241,11 @@ fn quantities(text: &mut String, changes: &Changes, most: usize) {
         table.row([name, q.method.clone(), old, new, percent(q.change)]);
     }
     let _ = write!(text, "\n{}", table.fitted(width()));
-    let all = changes.quantities.len();
+    more(text, changes.quantities.len(), most);
+}
+
+/// Says how many rows `--most` leaves out.
+fn more(text: &mut String, all: usize, most: usize) {
     if all > most {
         let _ = writeln!(text, "  (+{} more; --most {all} shows all)", all - most);
     }
@@ -343,17 +344,12 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
         Some((method, check, None)) => format!(", {check} of {method}"),
         None => String::new(),
     };
-    let word = |side: &Side| crate::cli::solve::word(side.status);
+    let word = |side: &Side| side.status.id();
     if old == new {
         let _ = writeln!(text, "verdict  {}{} as before", word(new), governing(new));
     } else {
         let _ = writeln!(text, "verdict  {}{}  ->  {}{}", word(old), governing(old), word(new), governing(new));
     }
-    let more = |text: &mut String, all: usize| {
-        if all > most {
-            let _ = writeln!(text, "  (+{} more; --most {all} shows all)", all - most);
-        }
-    };
     for line in &told.input {
         let _ = writeln!(text, "input    {line}");
     }
@@ -379,7 +375,7 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
             table.marked(mark, [c.id.clone(), c.method.clone(), ending(c.old), ending(c.new), remark.to_owned()]);
         }
         let _ = write!(text, "\n{}", table.fitted(width()));
-        more(&mut text, first.len());
+        more(&mut text, first.len(), most);
     }
     let others = changes.checks.iter().filter(news).count() - first.len();
     if others > 0 {
@@ -425,36 +421,24 @@ fn human(report: &Report, changes: Option<&Told>, (most, all): (usize, bool)) ->
         return text;
     }
     for d in report.moved.iter().take(most) {
+        let [path, old, new] = [&d.path, &d.old, &d.new].map(|part| visible::line(part));
+        let _ = write!(text, "  {path}: {old} -> {new}");
         if d.change.is_finite() {
-            let _ = writeln!(
-                text,
-                "  {}: {} -> {} ({:.2e} of its peak)",
-                visible::line(&d.path),
-                visible::line(&d.old),
-                visible::line(&d.new),
-                d.change
-            );
-        } else {
-            let [path, old, new] = [&d.path, &d.old, &d.new].map(|part| visible::line(part));
-            let _ = writeln!(text, "  {path}: {old} -> {new}");
+            let _ = write!(text, " ({:.2e} of its peak)", d.change);
         }
+        text.push('\n');
     }
-    if report.moved.len() > most {
-        let _ = writeln!(text, "  (+{} more; --most {} shows all)", report.moved.len() - most, report.moved.len());
-    }
+    more(&mut text, report.moved.len(), most);
     text
 }
 
 fn json(report: &Report, told: Option<&Told>) -> String {
     let changes = told.map(|told| &told.changes);
     let apart = told.and_then(|told| told.apart.as_ref());
-    let moved: Vec<_> = report
-        .moved
-        .iter()
-        .map(
-            |d| json!({"path": d.path, "old": d.old, "new": d.new, "change": d.change.is_finite().then_some(d.change)}),
-        )
-        .collect();
+    let change = |change: f64| change.is_finite().then_some(change);
+    let moved = report.moved.iter();
+    let moved: Vec<_> =
+        moved.map(|d| json!({"path": d.path, "old": d.old, "new": d.new, "change": change(d.change)})).collect();
     let text = format!(
         "{:#}\n",
         json!({"compared": report.compared, "not_compared": report.not_compared, "drifted": report.drifted,
@@ -466,14 +450,8 @@ fn json(report: &Report, told: Option<&Told>) -> String {
 fn csv(report: &Report) -> String {
     let mut text = String::from("path,old,new,change\n");
     for d in &report.moved {
-        let _ = writeln!(
-            text,
-            "{},{},{},{:e}",
-            visible::cell(&d.path),
-            visible::cell(&d.old),
-            visible::cell(&d.new),
-            d.change
-        );
+        let [path, old, new] = [&d.path, &d.old, &d.new].map(|part| visible::cell(part));
+        let _ = writeln!(text, "{path},{old},{new},{:e}", d.change);
     }
     text
 }

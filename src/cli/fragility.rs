@@ -105,14 +105,12 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         (_, Some(path), _) => {
             if let Some(largest) = args.im_max.filter(|im| !(*im > 0.0 && im.is_finite())) {
                 let text = format!("--im-max: found {largest}, expected a number greater than 0");
-                return Err(Error::input(Code::OptionValue, text));
+                return Err(Error::value(text));
             }
             let data = input::capacities(path, args.im_max)?;
             if args.im_max.is_some() && data.len() > 1 {
-                return Err(Error::input(
-                    Code::OptionConflict,
-                    "--censored counts the runs of one state, and the file has several\n  help: give each state a file of its own"
-                        .into(),
+                return Err(Error::conflict(
+                    "--censored counts the runs of one state, and the file has several\n  help: give each state a file of its own",
                 ));
             }
             asked.of_capacities(&data, args.im_max.zip(args.censored))
@@ -157,19 +155,17 @@ fn components(curves: &[Curve]) -> Vec<Component> {
 /// Limits of a demand with the names of their states.
 fn limits(given: &[String]) -> Result<Vec<(String, f64)>, Error> {
     if given.is_empty() {
-        return Err(Error::input(
-            Code::MissingInput,
-            "--cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4".into(),
+        return Err(Error::missing(
+            "--cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4",
         ));
     }
     let one = |text: &String| {
         let (name, number) = text.split_once('=').unwrap_or((STATE, text));
         match number.trim().parse::<f64>() {
             Ok(limit) if limit > 0.0 && limit.is_finite() => Ok((name.trim().to_owned(), limit)),
-            _ => Err(Error::input(
-                Code::OptionValue,
-                format!("--limit: found `{text}`, expected a number greater than 0, or NAME=number"),
-            )),
+            _ => {
+                Err(Error::value(format!("--limit: found `{text}`, expected a number greater than 0, or NAME=number")))
+            }
         }
     };
     given.iter().map(one).collect()

@@ -2,7 +2,6 @@
 
 use std::time::{Duration, Instant, SystemTime};
 
-use files::code::Code;
 use files::text;
 use results::{Volatile, finite};
 
@@ -83,13 +82,10 @@ pub(crate) fn fixed_time() -> Result<Option<SystemTime>, Error> {
     let given = given.to_string_lossy();
     match given.parse::<u64>() {
         Ok(seconds) if seconds <= 253_402_300_799 => Ok(Some(SystemTime::UNIX_EPOCH + Duration::from_secs(seconds))),
-        _ => Err(Error::input(
-            Code::OptionValue,
-            format!(
-                "{SOURCE_DATE_EPOCH}: found `{}`, expected whole seconds since 1970, up to the year 9999",
-                text::line(&given)
-            ),
-        )),
+        _ => Err(Error::value(format!(
+            "{SOURCE_DATE_EPOCH}: found `{}`, expected whole seconds since 1970, up to the year 9999",
+            text::line(&given)
+        ))),
     }
 }
 

@@ -15,7 +15,6 @@ use crate::ida;
 use crate::input::records::plausible;
 use crate::job::IdaJob;
 use engines::{engine, nonlinear};
-use files::code::Code;
 use files::text;
 use report::words;
 use results::{EngineId, ida_csv};
@@ -150,7 +149,7 @@ impl Args {
 
 /// A fault of `--scale` or `--steps`.
 fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
-    Err(Error::input(Code::OptionValue, format!("{what}\n  help: {help}")))
+    Err(Error::value(format!("{what}\n  help: {help}")))
 }
 
 /// The factors of `--scale` and `--steps`, ascending.
@@ -228,7 +227,7 @@ fn range(text: &str, (from, to): (&str, &str), steps: Option<&str>) -> Result<Ve
     let Some(steps) = steps else {
         let missing = format!("--steps is missing; expected the number of factors in `{text}`");
         let text = format!("{missing}\n  help: add for example --steps 12");
-        return Err(Error::input(Code::MissingInput, text));
+        return Err(Error::missing(text));
     };
     let count = match steps.trim().parse::<usize>() {
         Ok(count) if (2..=MAX_RUNS).contains(&count) => count,

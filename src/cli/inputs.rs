@@ -84,10 +84,10 @@ impl Inputs {
     pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
         let options = [("--quake", &self.quake), ("--quake-y", &self.quake_y), ("--vertical", &self.vertical)];
         if let Some((option, paths)) = options.into_iter().find(|(_, paths)| paths.len() > 1) {
-            return Err(Error::input(
-                Code::OptionConflict,
-                format!("{option}: found {} records, expected one; `tankcheck compare` takes a set", paths.len()),
-            ));
+            return Err(Error::conflict(format!(
+                "{option}: found {} records, expected one; `tankcheck compare` takes a set",
+                paths.len()
+            )));
         }
         let selected =
             crate::pipeline::procedures::select_procedures(self.procedures.as_ref().unwrap_or(&tank.procedures))?;
@@ -151,13 +151,10 @@ impl Inputs {
             return Ok(file);
         };
         let Some(ids) = accept.strip_prefix("not-checked=") else {
-            return Err(Error::input(
-                Code::OptionValue,
-                format!(
-                    "--accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \
+            return Err(Error::value(format!(
+                "--accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \
                  the tank file"
-                ),
-            ));
+            )));
         };
         let mut decision = Decision { accepted: Vec::new(), ..file };
         for id in ids.split(',') {
@@ -193,11 +190,9 @@ fn whole_tank(options: &mut NonlinearOptions, echo: &mut [InputValue]) {
 /// Errors: a job without a ground motion and without a design spectrum.
 pub(crate) fn shaken(job: &Job) -> Result<(), Error> {
     if job.case.ground_motion.is_none() && !job.case.site.is_given() {
-        return Err(Error::input(
-            Code::MissingInput,
+        return Err(Error::missing(
             "the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
-             with --quake"
-                .into(),
+             with --quake",
         ));
     }
     Ok(())

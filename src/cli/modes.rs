@@ -16,7 +16,6 @@ use crate::error::{EXIT_OK, Error};
 use crate::{input, job};
 use engines::solid::SolidOptions;
 use engines::{engine, harmonic};
-use files::code::Code;
 use files::text;
 use report::words::terminal as words;
 use results::{EngineId, Mode, finite};
@@ -118,7 +117,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let (modes, notes) = match (fe, args.solid.given()) {
         (Engine::Harmonic, Some(option)) => {
             let text = format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid");
-            return Err(Error::input(Code::OptionConflict, text));
+            return Err(Error::conflict(text));
         }
         (Engine::Harmonic, None) => asked.harmonic(global)?,
         (Engine::Solid, _) => asked.solid(args.solid.over(&tank.solid), global)?,
@@ -171,13 +170,10 @@ impl Asked {
         let mut notes = harmonic::notes(case, &modes);
         let most = engines::solid::most_waves(case, &self.options, &solid)?;
         if let Some(n) = harmonics.iter().find(|n| **n > most) {
-            return Err(Error::input(
-                Code::OptionValue,
-                format!(
-                    "--harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
+            return Err(Error::value(format!(
+                "--harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
                      needs six"
-                ),
-            ));
+            )));
         }
         notes.push(match case.tank.shape {
             Shape::Cylinder { .. } => words::wave_numbers(most),
@@ -218,7 +214,7 @@ fn show(
 
 fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
-        Error::input(Code::OptionValue, format!("{option}: found `{found}`, expected {allowed}"))
+        Error::value(format!("{option}: found `{found}`, expected {allowed}"))
     };
     let largest = match (shape, engine) {
         (Shape::Cylinder { .. }, _) => MAX_HARMONIC,

@@ -19,7 +19,6 @@ use crate::cli::terminal::warn;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, ReadRecord};
-use files::code::Code;
 use results::finite;
 
 /// Arguments.
@@ -120,7 +119,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
             print(&json(&facts)?)?;
         }
         Format::Csv => {
-            return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
+            return Err(Error::conflict("--format: found csv, expected human or json"));
         }
     }
     Ok(EXIT_OK)

@@ -79,24 +79,18 @@ impl SetArgs {
             ];
             return match options.iter().find(|(_, given)| *given) {
                 None => Ok(None),
-                Some((option, _)) => Err(Error::input(
-                    Code::OptionConflict,
-                    format!(
-                        "{option} applies to a set of records only\n  help: give --quake three times or more, or --set set.json"
-                    ),
-                )),
+                Some((option, _)) => Err(Error::conflict(format!(
+                    "{option} applies to a set of records only\n  help: give --quake three times or more, or --set set.json"
+                ))),
             };
         };
         let count = input.entries.len();
         if count < FEWEST {
-            return Err(Error::input(
-                Code::MissingInput,
-                format!(
-                    "--quake: found {count} records, expected one, or a set of {FEWEST} or more ({})\n  help: add records, or run them one \
+            return Err(Error::missing(format!(
+                "--quake: found {count} records, expected one, or a set of {FEWEST} or more ({})\n  help: add records, or run them one \
                      by one; the second component of one earthquake is --quake-y",
-                    Standard::En1998.clause()
-                ),
-            ));
+                Standard::En1998.clause()
+            )));
         }
         if let Some(rule) = self.rule {
             input.code = Some(rule.code());
@@ -127,12 +121,9 @@ fn listed(inputs: &Inputs) -> Result<SetInput, Error> {
         match paths.len() {
             0 => Ok(vec![None; count]),
             n if n == count => Ok(paths.iter().cloned().map(Some).collect()),
-            n => Err(Error::input(
-                Code::OptionConflict,
-                format!(
-                    "{option}: found {n} files beside {count} of --quake, expected none, or one for each in the same order"
-                ),
-            )),
+            n => Err(Error::conflict(format!(
+                "{option}: found {n} files beside {count} of --quake, expected none, or one for each in the same order"
+            ))),
         }
     };
     let across = others("--quake-y", &inputs.quake_y)?;
@@ -180,14 +171,11 @@ impl Given {
         let code = input.code.unwrap_or_else(|| code_of(&job.case.site));
         let count = input.entries.len();
         if input.combine == Some(Combine::Mean) && count < code.fewest_for_mean() {
-            return Err(Error::input(
-                Code::OptionConflict,
-                format!(
-                    "--combine mean: found {count} records, expected {} or more ({})\n  help: add records, or use --combine worst",
-                    code.fewest_for_mean(),
-                    code.design_clause()
-                ),
-            ));
+            return Err(Error::conflict(format!(
+                "--combine mean: found {count} records, expected {} or more ({})\n  help: add records, or use --combine worst",
+                code.fewest_for_mean(),
+                code.design_clause()
+            )));
         }
         let (mut read, mut broken) = (Vec::new(), Vec::new());
         for entry in &input.entries {
@@ -341,7 +329,7 @@ fn earthquake(
     let (horizontal, transverse, vertical) = (take("x"), take("y"), take("vertical"));
     let Some(horizontal) = horizontal else {
         let text = format!("the record {id} has no component along x");
-        return Err(Error::input(Code::MissingInput, text));
+        return Err(Error::missing(text));
     };
     let role = |direction: &str| match direction {
         "x" => "record",

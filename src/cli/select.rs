@@ -74,10 +74,7 @@ impl SelectArg {
     /// Errors: an unknown part; a form of the output other than JSON.
     pub(crate) fn admit(&self, format: Format) -> Result<(), Error> {
         if self.is_given() && format != Format::Json {
-            return Err(Error::input(
-                Code::OptionConflict,
-                "--select: parts are selected of --format json\n  help: add --format json".into(),
-            ));
+            return Err(Error::conflict("--select: parts are selected of --format json\n  help: add --format json"));
         }
         let known = || SHORT.into_iter().chain(PARTS).chain([ALL]);
         match self.select.iter().find(|part| !known().any(|k| k == part.trim())) {

@@ -80,17 +80,7 @@ pub(crate) fn status(solution: &Solution) -> &'static str {
     match &solution.found {
         Found::Edge { at, .. } | Found::Everywhere { at, .. } | Found::Nowhere { at, .. } => answer(at),
         Found::Several(_) => "not_monotone",
-        Found::Unanswered(_) => word(VerdictStatus::NotAssessed),
-    }
-}
-
-/// A status as in `results.json`.
-pub(crate) fn word(status: VerdictStatus) -> &'static str {
-    match status {
-        VerdictStatus::Holds => "holds",
-        VerdictStatus::Fails => "fails",
-        VerdictStatus::Incomplete => "incomplete",
-        VerdictStatus::NotAssessed => "not_assessed",
+        Found::Unanswered(_) => VerdictStatus::NotAssessed.id(),
     }
 }
 
@@ -98,7 +88,7 @@ pub(crate) fn word(status: VerdictStatus) -> &'static str {
 pub(crate) fn answer(verdict: &Verdict) -> &'static str {
     match verdict.status {
         VerdictStatus::Holds if !verdict.complete() => "holds_with_gaps",
-        status => word(status),
+        status => status.id(),
     }
 }
 

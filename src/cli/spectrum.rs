@@ -18,7 +18,6 @@ use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, AccelerationUnit, Processing};
 use engines::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
-use files::code::Code;
 use files::text;
 
 /// Largest number of oscillators in one call.
@@ -191,7 +190,7 @@ fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, 
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(Code::OptionValue, format!("{option}: found `{found}`, expected {allowed}"))
+    Error::value(format!("{option}: found `{found}`, expected {allowed}"))
 }
 
 /// A comma-separated list.

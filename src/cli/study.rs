@@ -23,7 +23,6 @@ use crate::study::scripts::{self, Scheduler};
 use crate::study::{changes, folder, store};
 use departure::{study_of, unchanged};
 use engines::estimate::span;
-use files::code::Code;
 use files::text;
 use status::size;
 
@@ -118,13 +117,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
 fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     // They become a line of a script.
     if args.scheduler_args.contains(|c: char| c.is_control()) {
-        return Err(Error::input(
-            Code::OptionValue,
-            format!(
-                "--scheduler-args: found `{}`, expected one line without control characters",
-                text::line(&args.scheduler_args)
-            ),
-        ));
+        return Err(Error::value(format!(
+            "--scheduler-args: found `{}`, expected one line without control characters",
+            text::line(&args.scheduler_args)
+        )));
     }
     let watch = Watch::new(global, "reading tanks and records");
     let study = input::read(&args.study)?;
@@ -275,10 +271,7 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
         let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
         return match numbers {
             Some((number, of)) if of >= 1 && (1..=of).contains(&number) => Ok(Which::Shard { number, of }),
-            _ => Err(Error::input(
-                Code::OptionValue,
-                format!("--shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"),
-            )),
+            _ => Err(Error::value(format!("--shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"))),
         };
     }
     let Some(text) = &args.task else { return Ok(Which::All) };
@@ -288,11 +281,8 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
     };
     match number {
         Some(number) if (1..=tasks).contains(&number) => Ok(Which::One(number)),
-        _ => Err(Error::input(
-            Code::OptionValue,
-            format!(
-                "--task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
-            ),
-        )),
+        _ => Err(Error::value(format!(
+            "--task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
+        ))),
     }
 }

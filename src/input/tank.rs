@@ -3,6 +3,7 @@
 //! Every station collects its faults and continues as far as possible, so that all faults of a file are shown at once.
 
 pub(in crate::input) mod bytes;
+pub(in crate::input) mod choice;
 mod file;
 pub(in crate::input) mod given;
 mod hints;

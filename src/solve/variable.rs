@@ -50,13 +50,10 @@ impl Variable {
             ("ag", _) => Ok(Variable::Ag),
             ("ss", _) => Ok(Variable::Ss),
             (_, Some(Ok(course))) => Ok(Variable::Thickness(course)),
-            _ => Err(Error::input(
-                Code::OptionValue,
-                format!(
-                    "--solve: found `{name}`, expected fill_height, thickness:N, ag or ss\n  help: N counts the courses from 1 \
+            _ => Err(Error::value(format!(
+                "--solve: found `{name}`, expected fill_height, thickness:N, ag or ss\n  help: N counts the courses from 1 \
                  at the base, as in thickness:1"
-                ),
-            )),
+            ))),
         }
     }
 
@@ -90,25 +87,19 @@ impl Variable {
     pub fn given(self, case: &Case) -> Result<f64, Error> {
         let without = |key: &str| {
             let name = self.name();
-            Error::input(
-                Code::MissingInput,
-                format!(
-                    "--solve {name}: the tank file does not have {key}\n  help: add {key}, or solve for another variable"
-                ),
-            )
+            Error::missing(format!(
+                "--solve {name}: the tank file does not have {key}\n  help: add {key}, or solve for another variable"
+            ))
         };
         let own = case.site.spectrum.as_ref().map(|own| &own.form);
         match (self, own) {
             (Variable::Ag, Some(SpectrumForm::Parameters(own))) => return Ok(own.ag),
             (Variable::Ag | Variable::Ss, Some(_)) => {
                 let name = self.name();
-                return Err(Error::input(
-                    Code::OptionConflict,
-                    format!(
-                        "--solve {name}: `site.spectrum` gives the hazard, so {name} does not scale it\n  help: remove \
+                return Err(Error::conflict(format!(
+                    "--solve {name}: `site.spectrum` gives the hazard, so {name} does not scale it\n  help: remove \
                      `site.spectrum`, or solve for another variable"
-                    ),
-                ));
+                )));
             }
             _ => {}
         }
@@ -119,14 +110,11 @@ impl Variable {
             Variable::Thickness(number) => {
                 let courses = &case.tank.courses;
                 let Some(course) = number.checked_sub(1).and_then(|i| courses.get(i)) else {
-                    return Err(Error::input(
-                        Code::OptionValue,
-                        format!(
-                            "--solve thickness:{number}: found course {number}, expected 1 to {} (from the base up)\n  help: \
+                    return Err(Error::value(format!(
+                        "--solve thickness:{number}: found course {number}, expected 1 to {} (from the base up)\n  help: \
                          name a course of tank.courses",
-                            courses.len()
-                        ),
-                    ));
+                        courses.len()
+                    )));
                 };
                 if !course.layers.is_empty() {
                     return Err(Error::input(

@@ -45,16 +45,9 @@ impl Tanks {
     pub(super) fn add(&mut self, row: &TankRow) {
         let verdict = verdict(&row.verdict);
         let tank = self.tanks.entry(row.tank.clone()).or_insert_with(|| StudyTank {
-            id: row.tank.clone(),
-            samples: [0, 0],
-            verdict: None,
-            governing: None,
             periods: row.periods,
             volume: row.volume,
-            open: Vec::new(),
-            size: None,
-            round: true,
-            given: Vec::new(),
+            ..blank(&row.tank)
         });
         if tank.open.is_empty() {
             tank.open.clone_from(&row.open);
@@ -76,15 +69,25 @@ impl Tanks {
     }
 }
 
+/// A tank without a row.
+fn blank(id: &str) -> StudyTank {
+    StudyTank {
+        id: id.into(),
+        samples: [0, 0],
+        verdict: None,
+        governing: None,
+        periods: [None, None],
+        volume: None,
+        open: Vec::new(),
+        size: None,
+        round: true,
+        given: Vec::new(),
+    }
+}
+
 /// The verdict of a row; none of a tank that is not possible.
 fn verdict(word: &str) -> Option<VerdictStatus> {
-    match word {
-        "holds" => Some(VerdictStatus::Holds),
-        "fails" => Some(VerdictStatus::Fails),
-        "incomplete" => Some(VerdictStatus::Incomplete),
-        "not_assessed" => Some(VerdictStatus::NotAssessed),
-        _ => None,
-    }
+    VerdictStatus::ALL.into_iter().find(|status| status.id() == word)
 }
 
 /// Order of verdicts, the worst last.
@@ -108,18 +111,6 @@ pub(super) fn page(
     let end = end(plan, fragility);
     let gaps = gaps(plan, gathered, &tanks.gaps);
     let by_status = merged.by_status.iter().map(|(word, count)| ((*word).to_owned(), *count));
-    let blank = |id: &str| StudyTank {
-        id: id.into(),
-        samples: [0, 0],
-        verdict: None,
-        governing: None,
-        periods: [None, None],
-        volume: None,
-        open: Vec::new(),
-        size: None,
-        round: true,
-        given: Vec::new(),
-    };
     Study {
         name: plan.name.clone(),
         project: plan.project.clone(),

@@ -3,34 +3,26 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use tank::listed;
 
-/// How the run of a row ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RowStatus {
-    /// To the end of the record.
-    Ok,
-    /// Without equilibrium, at a time.
-    Collapsed,
-    /// Out of its model, at a time.
-    Opened,
-    /// A tank with these values is not possible, or the engine does not model it.
-    Refused,
-    /// The computation failed.
-    Error,
-}
-
-impl RowStatus {
-    /// As in the files.
-    pub fn word(self) -> &'static str {
-        match self {
-            RowStatus::Ok => "ok",
-            RowStatus::Collapsed => "collapsed",
-            RowStatus::Opened => "opened",
-            RowStatus::Refused => "refused",
-            RowStatus::Error => "error",
-        }
+listed! {
+    /// How the run of a row ended.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum RowStatus {
+        /// As in the files.
+        word: &'static str,
     }
+    /// To the end of the record.
+    Ok: "ok";
+    /// Without equilibrium, at a time.
+    Collapsed: "collapsed";
+    /// Out of its model, at a time.
+    Opened: "opened";
+    /// A tank with these values is not possible, or the engine does not model it.
+    Refused: "refused";
+    /// The computation failed.
+    Error: "error";
 }
 
 /// How a limit state of the engine ends in a row.

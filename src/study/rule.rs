@@ -7,9 +7,6 @@ use std::f64::consts::TAU;
 
 use codes::record_set::standard::Standard;
 use codes::record_set::{self, Asked, Horizontal, Ratios};
-use engines::Options;
-use engines::nonlinear::NonlinearOptions;
-use engines::solid::SolidOptions;
 use files::code::Code;
 use oscillator::record::Record;
 use oscillator::spectrum::{Method, spectrum};
@@ -24,7 +21,7 @@ use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::study::{Rule, RulePeriods};
 use crate::job::Job;
-use crate::pipeline;
+use crate::pipeline::procedures::{decide, select_procedures};
 
 /// The rule of a study.
 const RULE: Standard = Standard::En1998;
@@ -137,12 +134,9 @@ pub fn elastic(site: &Site, code: Standard, damping: f64) -> Result<Curve, Error
     };
     let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&own, &[damping]));
     let Some(found) = curves.next() else {
-        return Err(Error::input(
-            Code::MissingInput,
-            format!(
-                "the tank file has no `{key}`, whose {of} spectrum the rule compares with\n  help: add it, or give a table of the spectrum"
-            ),
-        ));
+        return Err(Error::missing(format!(
+            "the tank file has no `{key}`, whose {of} spectrum the rule compares with\n  help: add it, or give a table of the spectrum"
+        )));
     };
     let factor = if damping < 0.99 * found.damping { 1.5 } else { 1.0 };
     Ok(match code {
@@ -164,24 +158,9 @@ pub fn longest(site: &Site) -> f64 {
 ///
 /// Errors: a tank without a procedure that gives one.
 pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
-    let job = Job {
-        case: Case { ground_motion: None, ..case.clone() },
-        project: None,
-        procedures: pipeline::procedures::select_procedures(&[])?,
-        decision: decision.clone(),
-        engines: Vec::new(),
-        linear: Options::default(),
-        solid: SolidOptions::default(),
-        nonlinear: NonlinearOptions::new(case.damping),
-        checkpoint: None,
-        without: Vec::new(),
-        echo: Vec::new(),
-        files: Vec::new(),
-        warnings: Vec::new(),
-        raw_records: Vec::new(),
-        usable_periods: Vec::new(),
-    };
-    let (methods, verdict) = pipeline::procedures::decide(&job)?;
+    let still = Case { ground_motion: None, ..case.clone() };
+    let job = Job::of_case(still, select_procedures(&[])?, decision.clone());
+    let (methods, verdict) = decide(&job)?;
     let decides = |m: &&Column| verdict.deciding.iter().any(|d| d.method == m.id && d.excitation == m.excitation);
     let in_force = |m: &&Column| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&case.site));
     let (first, rest): (Vec<&Column>, Vec<&Column>) = methods.iter().partition(decides);
@@ -194,9 +173,8 @@ pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
     };
     let wanted = both(case, [of(Quantity::ImpulsivePeriod), of(Quantity::SloshingPeriod)]);
     match wanted.is_empty() {
-        true => Err(Error::input(
-            Code::MissingInput,
-            "no procedure gives a period of this tank\n  help: give the period, and `site.ec8` in the tank file".into(),
+        true => Err(Error::missing(
+            "no procedure gives a period of this tank\n  help: give the period, and `site.ec8` in the tank file",
         )),
         false => Ok(wanted),
     }

@@ -25,7 +25,7 @@ use crate::job::{self, Job};
 use crate::pipeline;
 use engines::estimate::Estimate;
 use engines::{Prepared, engine};
-use results::{EngineId, Method, VerdictStatus};
+use results::{EngineId, Method};
 use values::{utilisations, values_of};
 
 /// The lines of a task: each tank, then its rows.
@@ -248,21 +248,11 @@ impl Unit<'_> {
             ..tank.decision.clone()
         };
         Ok(Job {
-            case: tank.case.clone(),
-            project: None,
-            procedures,
-            decision,
             engines: self.study.engine.into_iter().collect(),
             linear: engines::Options { mesh_error: false, ..tank.fe.clone() },
             solid: tank.solid.clone(),
             nonlinear: tank.nonlinear.clone(),
-            checkpoint: None,
-            without: Vec::new(),
-            echo: Vec::new(),
-            files: Vec::new(),
-            warnings: Vec::new(),
-            raw_records: Vec::new(),
-            usable_periods: Vec::new(),
+            ..Job::of_case(tank.case.clone(), procedures, decision)
         })
     }
 
@@ -281,7 +271,7 @@ impl Unit<'_> {
             sample: self.sample,
             periods: periods.map(|p| p.map(kept)),
             volume: Some(kept(job.case.liquid_mass() / job.case.liquid.density)),
-            verdict: status(verdict.status).into(),
+            verdict: verdict.status.id().into(),
             governing: governing.map(|g| {
                 let utilisation = g.check.utilisation.filter(|value| value.is_finite());
                 (g.method.clone(), g.check.id.clone(), utilisation.map(kept))
@@ -318,15 +308,6 @@ fn open(verdict: &results::Verdict) -> Vec<(String, String)> {
         }
     }
     open
-}
-
-fn status(status: VerdictStatus) -> &'static str {
-    match status {
-        VerdictStatus::Holds => "holds",
-        VerdictStatus::Fails => "fails",
-        VerdictStatus::Incomplete => "incomplete",
-        VerdictStatus::NotAssessed => "not_assessed",
-    }
 }
 
 fn motion(shaking: &Shaking, factor: f64) -> GroundMotion {

@@ -24,13 +24,10 @@ pub(super) struct Folders {
 impl Folders {
     pub(super) fn prepare(args: &Args, job: &Job) -> Result<Folders, Error> {
         if args.vtu.as_ref() == Some(&args.out) {
-            return Err(Error::input(
-                Code::OptionConflict,
-                format!(
-                    "--vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
-                    args.out.display()
-                ),
-            ));
+            return Err(Error::conflict(format!(
+                "--vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
+                args.out.display()
+            )));
         }
         let prepare = match job.checkpoint {
             Some(_) => OutputFolder::prepare_alone,

@@ -11,7 +11,6 @@ use tank::units::{self, Dimension};
 
 use crate::cli::print;
 use crate::error::Error;
-use files::code::Code;
 use files::write_whole;
 
 /// Samples in a period by default; the line between them is (2π/200)²/12 = 0.01 % too low.
@@ -100,7 +99,7 @@ impl Harmonic {
 }
 
 fn refuse<T>(option: &str, found: &str, allowed: &str) -> Result<T, Error> {
-    Err(Error::input(Code::OptionValue, format!("{option}: found {found}, expected {allowed}")))
+    Err(Error::value(format!("{option}: found {found}, expected {allowed}")))
 }
 
 #[cfg(test)]

@@ -17,7 +17,6 @@ use crate::cli::{Format, json, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::input::{self, records};
 use crate::study::rule::{self, FIVE, Question, Wanted};
-use files::code::Code;
 use files::text;
 
 #[derive(clap::Args)]
@@ -175,7 +174,7 @@ impl Set {
             Format::Human => print(&human(&found))?,
             Format::Json => print(&json(&found)?)?,
             Format::Csv => {
-                return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
+                return Err(Error::conflict("--format: found csv, expected human or json"));
             }
         }
         Ok(if found.holds { EXIT_OK } else { EXIT_CHECK_FAILED })
@@ -190,10 +189,8 @@ impl Set {
         match target {
             Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(&tank.case, &tank.decision)?,
             Target::Table(_) if wanted.is_empty() => {
-                return Err(Error::input(
-                    Code::MissingInput,
-                    "--period is missing\n  help: a table does not know the periods of the tank; add --period 0.225s"
-                        .into(),
+                return Err(Error::missing(
+                    "--period is missing\n  help: a table does not know the periods of the tank; add --period 0.225s",
                 ));
             }
             _ => {}
@@ -206,10 +203,9 @@ impl Set {
 fn period(given: &str) -> Result<f64, Error> {
     match units::parse(given, Dimension::Time) {
         Ok(period) if period > 0.0 && period <= 100.0 => Ok(period),
-        _ => Err(Error::input(
-            Code::OptionValue,
-            format!("--period: found `{given}`, expected a time with its unit such as 0.225s, at most 100 s"),
-        )),
+        _ => Err(Error::value(format!(
+            "--period: found `{given}`, expected a time with its unit such as 0.225s, at most 100 s"
+        ))),
     }
 }
 

@@ -81,9 +81,7 @@ impl Synth {
     pub(super) fn run(&self) -> Result<u8, Error> {
         let within = |option: &str, value: f64, low: f64, high: f64| match value >= low && value <= high {
             true => Ok(value),
-            false => {
-                Err(Error::input(Code::OptionValue, format!("{option}: found `{value}`, expected {low} to {high}")))
-            }
+            false => Err(Error::value(format!("{option}: found `{value}`, expected {low} to {high}"))),
         };
         let duration = within("--duration", self.duration, 1.0, 1000.0)?;
         let strong = within("--strong", self.strong, 0.1, 0.95 * duration)?;
@@ -103,9 +101,8 @@ impl Synth {
             let wanted = Wanted { duration, strong, dt, damping: DAMPING, longest, steps: 12 };
             let mut draw = Draw::new(self.seed.wrapping_add(u64::from(k)));
             let name = format!("synthetic-{:03}", k + 1);
-            let mut record = synthetic(&name, &wanted, &curve, || draw.unit()).ok_or_else(|| {
-                Error::input(Code::OptionValue, "--target: a spectrum that is not positive everywhere".into())
-            })?;
+            let mut record = synthetic(&name, &wanted, &curve, || draw.unit())
+                .ok_or_else(|| Error::value("--target: a spectrum that is not positive everywhere"))?;
             record.acceleration.iter_mut().for_each(|a| *a = rounded(*a));
             results::put(&folder.path().join(format!("{name}.csv")), csv(&record).as_bytes())?;
             let _ = writeln!(said, "{name}.csv  peak {:.4} m/s²", record.pga());

@@ -8,7 +8,6 @@ use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::study::check::{self, Checked};
 use crate::study::folder;
-use files::code::Code;
 use files::text;
 
 /// Damaged files that are printed.
@@ -16,7 +15,7 @@ const PRINTED: usize = 50;
 
 pub(super) fn check(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
     if args.format == Format::Csv {
-        return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
+        return Err(Error::conflict("--format: found csv, expected human or json"));
     }
     let (plan, tasks) = folder::read(&args.folder)?;
     let watch = Watch::new(global, "checking");

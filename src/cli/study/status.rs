@@ -9,7 +9,6 @@ use crate::error::{EXIT_OK, Error};
 use crate::study::folder;
 use crate::study::plan::{Plan, Task};
 use crate::study::store::{self, Found};
-use files::code::Code;
 use files::text;
 
 #[derive(clap::Args)]
@@ -81,7 +80,7 @@ pub(super) fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         Format::Json => print(&json(&found)?)?,
         Format::Human => print(&human(&plan, &found))?,
         Format::Csv => {
-            return Err(Error::input(Code::OptionConflict, "--format: found csv, expected human or json".into()));
+            return Err(Error::conflict("--format: found csv, expected human or json"));
         }
     }
     Ok(EXIT_OK)

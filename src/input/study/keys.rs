@@ -2,8 +2,9 @@
 //!
 //! Keys and meaning are a contract: extend freely, do not rename.
 
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::values::{Named, Number, Whole};
 use ::tank::keys::{Absent, Limits, default};
 use ::tank::words;

@@ -6,10 +6,9 @@ use std::ops::Deref;
 use tank::keys::{self, Declared, Form, Key, Reader, Reads};
 
 use super::read::{Field, FromNode, Object, ObjectReader, Opt, Property};
-use super::resolver::Resolver;
+use super::resolver::{Resolved, Resolver};
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::Node;
-use super::values::Resolved;
 use crate::input::diagnostic::Faults;
 use tank::keys::list;
 

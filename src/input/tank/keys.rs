@@ -22,6 +22,7 @@ mod isolators;
 mod joint;
 mod linear;
 mod materials;
+mod named;
 mod nonlinear;
 mod places;
 mod plates;
@@ -85,7 +86,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let mut solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
     let mut nonlinear =
         nonlinear::nonlinear(&mut r, analysis.and_then(|a| a.nonlinear.value()), tank.as_ref(), damping);
-    let imperfect = imperfections::imperfections(&mut r, analysis, tank.as_ref(), folder);
+    let imperfect = imperfections::imperfections(&mut r, analysis.map(|a| &a.imperfections), tank.as_ref(), folder);
     solid.imperfections.clone_from(&imperfect);
     nonlinear.imperfections = imperfect;
     solid.initial_stress = analysis.and_then(|a| r.optional(&a.initial_stress));

@@ -8,11 +8,28 @@ use tank::case::Damping;
 use tank::units::{Dimension, display_in, unit_for};
 
 use super::read::{Field, FromNode, Opt, unit_of};
-use super::values::{Resolved, Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::AccelerationUnit;
 use results::InputValue;
-use tank::keys::{Absent, Limits};
+use tank::keys::{Absent, Limits, Whole};
+use tank::value::Value;
+
+/// A number with a dimension.
+pub(in crate::input) trait Si: Copy {
+    const DIMENSION: Dimension;
+    /// Value in SI.
+    fn si(self) -> f64;
+}
+
+/// How a value of a key is resolved: echoed, and within the limits of its key.
+pub(in crate::input) trait Resolved: FromNode + Value {
+    /// The value; `None` if it is faulty.
+    fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<Self::Domain>;
+    /// What stands for a faulty value that an object needs, so that the object is checked all the same.
+    fn stand_in() -> Option<Self::Domain> {
+        None
+    }
+}
 
 /// Collects echo, remarks, warnings and faults.
 pub(in crate::input) struct Resolver<'f> {
@@ -138,16 +155,21 @@ impl<'f> Resolver<'f> {
         }
     }
 
+    /// Adds a warning.
+    pub(crate) fn warn(&mut self, code: Code, text: impl Into<String>) {
+        self.warnings.push(Warning::new(code, text));
+    }
+
     /// Warns of a value that is allowed and unusual.
     ///
     /// * `usual`: what is usual, in words
     pub(crate) fn unusual(&mut self, path: &str, found: &str, usual: &str) {
-        self.warnings.push(Warning::new(Code::UnusualInput, format!("{path}: unusual input; found {found}, {usual}")));
+        self.warn(Code::UnusualInput, format!("{path}: unusual input; found {found}, {usual}"));
     }
 
     /// Warns of values of the file that contradict each other.
     pub(crate) fn inconsistent(&mut self, text: String) {
-        self.warnings.push(Warning::new(Code::Inconsistent, text));
+        self.warn(Code::Inconsistent, text);
     }
 
     /// A value, or its default; the default in place of a faulty one, but NaN of a number.

@@ -5,7 +5,6 @@ use tank::options::AfterRecord;
 use tank::options::nonlinear::ThicknessRule;
 use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};
-use tank::value::Value;
 
 pub(in crate::input) use tank::keys::{
     Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
@@ -13,7 +12,7 @@ pub(in crate::input) use tank::keys::{
 };
 
 use super::read::{Field, FromNode, other_kind, text_of, wrong_kind, wrong_value};
-use super::resolver::Resolver;
+use super::resolver::{Resolved, Resolver, Si};
 use super::shape::{Book, Shape};
 use super::syntax::{Kind, Node};
 use tank::keys::written;
@@ -94,23 +93,6 @@ pub(in crate::input) fn pattern(dimension: Dimension) -> String {
     let unit = spellings.join("|");
     let optional = if dimension == Dimension::Dimensionless { "?" } else { "" };
     format!("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? ?({unit}){optional}$")
-}
-
-/// A number with a dimension.
-pub(in crate::input) trait Si: Copy {
-    const DIMENSION: Dimension;
-    /// Value in SI.
-    fn si(self) -> f64;
-}
-
-/// How a value of a key is resolved: echoed, and within the limits of its key.
-pub(in crate::input) trait Resolved: FromNode + Value {
-    /// The value; `None` if it is faulty.
-    fn resolve(field: &Field<Self>, r: &mut Resolver<'_>) -> Option<Self::Domain>;
-    /// What stands for a faulty value that an object needs, so that the object is checked all the same.
-    fn stand_in() -> Option<Self::Domain> {
-        None
-    }
 }
 
 /// Numbers: NaN stands for a faulty one.
@@ -305,7 +287,7 @@ impl Resolved for String {
 /// Values without limits.
 macro_rules! echoed {
     ($($name:ty),+) => {$(
-        impl $crate::input::tank::values::Resolved for $name {
+        impl $crate::input::tank::resolver::Resolved for $name {
             fn resolve(
                 field: &$crate::input::tank::read::Field<Self>,
                 r: &mut $crate::input::tank::resolver::Resolver<'_>,

@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use files::code::{Code, Warning};
+use files::code::Code;
 use tank::units::{Dimension, display};
 use tank::words::Words;
 use tank::{BarDirection, Layer, Reinforcement, Tank};
@@ -23,7 +23,7 @@ pub(super) fn warn(r: &mut Resolver<'_>, tank: &Tank) {
     let layers = tank.courses.iter().flat_map(|course| &course.layers);
     for (code, text) in layers.flat_map(faults) {
         if !told.contains(&text) {
-            r.warnings.push(Warning::new(code, format!("tank.courses: {text}")));
+            r.warn(code, format!("tank.courses: {text}"));
             told.push(text);
         }
     }

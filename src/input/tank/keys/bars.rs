@@ -5,8 +5,9 @@ use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind};
 
 use super::materials::Materials;
-use super::wall::{Use, material};
-use crate::input::tank::read::{Field, Opt, choice, object};
+use super::named::{Use, material};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::values::{Length, LineArea};
 use tank::keys::{Absent, Limits};

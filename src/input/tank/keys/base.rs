@@ -1,18 +1,20 @@
 //! `tank.bottom` and `tank.foundation`.
 
 use ::base::{Plate, Soil, subgrade_modulus};
-use files::code::{Code, Warning};
+use files::code::Code;
 use tank::units::{Dimension, display};
 use tank::{Anchors, FoundationKind, Joint, SIZE, Shape, ShellSupport, Support};
 
 use super::corrosion::loss;
 use super::details::Connections;
 use super::materials::Materials;
-use super::tank::Tank;
-use super::wall::{self, CORROSION, THICKNESS, Use};
+use super::named::{Use, material};
+use super::wall::{CORROSION, THICKNESS};
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
+use crate::input::tank::stated::Stated;
 use crate::input::tank::values::{Density, Length, Number, Subgrade, Velocity};
 use tank::keys::{Absent, Limits, default, without};
 
@@ -82,28 +84,36 @@ object! {
 
 choice!(FoundationKind);
 
+/// What the tank is like above its bottom.
+pub(super) struct Above<'a> {
+    pub courses: Option<&'a [tank::Course]>,
+    pub shape: Option<Shape>,
+    pub support: Option<Support>,
+    /// Whether the slab stands on isolators.
+    pub isolated: bool,
+}
+
 /// Bottom plate and foundation.
 pub(super) fn base(
     r: &mut Resolver<'_>,
-    t: &Tank,
-    courses: Option<&[tank::Course]>,
-    shape: Option<Shape>,
+    (given_bottom, given_foundation): (&Stated<Bottom>, &Stated<Foundation>),
+    above: &Above<'_>,
     materials: &Materials,
 ) -> (Option<tank::Bottom>, Option<tank::Foundation>) {
-    let founded = t.foundation.given.is_some();
-    let bottom = (t.bottom.value()).and_then(|given| bottom(r, given, materials, founded));
-    if let (Some(field), Some(plate)) = (&t.bottom.given, &bottom)
-        && let Some(first) = courses.and_then(|c| c.first())
-        && t.support.value == Some(Support::Unanchored)
+    let founded = given_foundation.given.is_some();
+    let bottom = (given_bottom.value()).and_then(|given| bottom(r, given, materials, founded));
+    if let (Some(field), Some(plate)) = (&given_bottom.given, &bottom)
+        && let Some(first) = above.courses.and_then(|c| c.first())
+        && above.support == Some(Support::Unanchored)
     {
         thicker_than_the_wall(r, field, plate, first.thickness);
     }
-    if let (Some(given), Some(plate), Some(Shape::Cylinder { radius })) = (t.bottom.value(), &bottom, shape) {
+    if let (Some(given), Some(plate), Some(Shape::Cylinder { radius })) = (given_bottom.value(), &bottom, above.shape) {
         wider_than_the_tank(r, given, plate, radius);
     }
-    let isolated = t.isolators.given.is_some();
-    let foundation = (t.foundation.value()).and_then(|given| foundation(r, given, t.bottom.value(), isolated));
-    if let (Some(given), Some(ground), Some(plate)) = (t.foundation.value(), &foundation, &bottom) {
+    let foundation =
+        (given_foundation.value()).and_then(|given| foundation(r, given, given_bottom.value(), above.isolated));
+    if let (Some(given), Some(ground), Some(plate)) = (given_foundation.value(), &foundation, &bottom) {
         ground_of_waves(r, given, ground, plate);
     }
     (bottom, foundation)
@@ -143,7 +153,7 @@ fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials, founded: 
         true => None,
         false => r.optional(&given.subgrade_modulus).map(|k| 1e6 * k),
     };
-    let material = wall::material(r, &given.material, materials, Use::Shell)?;
+    let material = material(r, &given.material, materials, Use::Shell)?;
     Some(tank::Bottom {
         thickness,
         corrosion,
@@ -212,13 +222,13 @@ fn springs(r: &mut Resolver<'_>, given: &Given<Anchors>, found: &Anchors) {
 /// A plate that is thicker than the lowest course: the joint then yields in the wall, which the strips do not follow.
 fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
     if plate.thickness > course {
-        r.warnings.push(Warning::new(Code::BaseModel, format!(
+        r.warn(Code::BaseModel, format!(
             "{}: the plate under the wall ({} mm) is thicker than the lowest course ({} mm): in an uplift the wall yields before the \
              plate, which the model of the base leaves elastic",
             field.path,
             1e3 * plate.thickness,
             1e3 * course
-        )));
+        ));
     }
 }
 
@@ -273,14 +283,12 @@ fn foundation(
     if let (Some(k), Some(field)) = (stiffness, &given.stiffness.given)
         && k < LOOSE_SAND
     {
-        r.warnings.push(Warning::new(
-            Code::BaseModel,
+        r.warn(Code::BaseModel,
             format!(
                 "{}: {} is softer than loose sand under a plate of 0.3 m (5 MN/m³ and more; the rim loads a strip as narrow)",
                 field.path,
                 display(k, Dimension::Subgrade)
-            ),
-        ));
+            ));
     }
     let shear_wave_velocity = r.optional(&given.shear_wave_velocity);
     let soil_density = r.or_default(&given.soil_density);
@@ -312,7 +320,7 @@ fn foundation(
         (FoundationKind::RingWall, _) => Some("the thickness of a ring wall counts together with its width alone"),
     };
     if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {
-        r.warnings.push(Warning::new(Code::NotUsed, format!("{}: not used: {reason}", field.path)));
+        r.warn(Code::NotUsed, format!("{}: not used: {reason}", field.path));
     }
     Some(tank::Foundation {
         kind,

@@ -6,7 +6,8 @@ use tank::value::Value;
 use tank::{BottomConnections, Joint, Presence, ShellSupport, Snow};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::read::{FromNode, choice, wrong_value};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{FromNode, wrong_value};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Length, echoed};

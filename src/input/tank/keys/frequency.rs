@@ -3,8 +3,9 @@
 use files::code::Code;
 use tank::options::frequency::{FrequencyDamping, FrequencyOptions};
 
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, Opt, choice};
+use crate::input::tank::read::{Field, Opt};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Pitch;
 

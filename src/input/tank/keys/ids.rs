@@ -5,7 +5,8 @@ use results::EngineId;
 use tank::value::Value;
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::read::{FromNode, one_of_words, quoted};
+use crate::input::tank::choice::{one_of_words, quoted};
+use crate::input::tank::read::FromNode;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::Node;
 use crate::input::tank::values::echoed;

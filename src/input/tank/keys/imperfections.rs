@@ -9,7 +9,6 @@ use tank::imperfection::{self, Imperfections, Profile, Table, Wave};
 use tank::units::Dimension;
 use tank::{Shape, Tank};
 
-use super::linear::Analysis;
 use crate::input::csv;
 use crate::input::diagnostic::{Faults, Source};
 use crate::input::tank::read::{Field, FromNode, Opt, object, other_kind, wrong_kind, wrong_value};
@@ -134,11 +133,11 @@ fn points(node: &Node, pairs: &[Node], faults: &mut Faults) -> Option<Vec<[f64; 
 /// * `folder`: of the tank file
 pub(super) fn imperfections(
     r: &mut Resolver<'_>,
-    analysis: Option<&Analysis>,
+    given: Option<&Opt<Vec<Field<Imperfection>>>>,
     tank: Option<&Tank>,
     folder: &Path,
 ) -> Imperfections {
-    let Some(field) = analysis.and_then(|a| a.imperfections.given.as_ref()) else {
+    let Some(field) = given.and_then(|option| option.given.as_ref()) else {
         return Imperfections::NONE;
     };
     r.sized(field, "imperfections");

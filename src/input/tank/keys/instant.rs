@@ -5,7 +5,8 @@ use tank::options::linear::{Instant, Peak};
 use tank::units::Dimension;
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::read::{Field, FromNode, Opt, one_of_words, quoted};
+use crate::input::tank::choice::{one_of_words, quoted};
+use crate::input::tank::read::{Field, FromNode, Opt};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};

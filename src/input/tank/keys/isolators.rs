@@ -1,12 +1,13 @@
 //! `tank.isolators`.
 
-use files::code::{Code, Warning};
+use files::code::Code;
 use tank::{Bearing, FoundationKind, Shape, Support};
 
-use super::tank::Tank;
-use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
-use crate::input::tank::resolver::Resolver;
-use crate::input::tank::values::{Force, Length, LineForce, Mass, Number, Resolved, Si};
+use super::base::Foundation;
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Field, FromNode, Opt, object};
+use crate::input::tank::resolver::{Resolved, Resolver, Si};
+use crate::input::tank::values::{Force, Length, LineForce, Mass, Number};
 use ::tank::words;
 use tank::keys::{Absent, Limits, default, without};
 
@@ -74,11 +75,11 @@ choice!(Isolation);
 /// The isolators, of a tank that is held down on a slab.
 pub(super) fn isolators(
     r: &mut Resolver<'_>,
-    (field, given): (&Field<Isolators>, &Isolators),
-    tank: &Tank,
-    foundation: Option<&tank::Foundation>,
-    shape: Option<Shape>,
+    field: &Field<Isolators>,
+    (ground, foundation): (Option<&Foundation>, Option<&tank::Foundation>),
+    (shape, support): (Option<Shape>, Option<Support>),
 ) -> Option<tank::Isolators> {
+    let given = field.value.as_ref()?;
     r.echo_given(&given.kind);
     let bearing = bearing(r, field, given);
     let damper = damper(r, field, given);
@@ -86,10 +87,10 @@ pub(super) fn isolators(
     let displacement_capacity = r.optional(&given.displacement_capacity);
     let slab_mass = r.optional(&given.slab_mass);
     let slab = foundation.filter(|f| f.kind == FoundationKind::Slab);
-    unsupported(r, field, tank, slab.is_some());
+    unsupported(r, field, (ground, slab.is_some()), support);
     contradictions(r, given, bearing, damper);
-    r.warnings.push(Warning::new(Code::NotUsed, "`tank.isolators` enters the time history of the harmonic engine; the codes' procedures, the response-spectrum method, transfer \
-         functions and the other engines take the base as fixed"));
+    r.warn(Code::NotUsed, "`tank.isolators` enters the time history of the harmonic engine; the codes' procedures, the response-spectrum method, transfer \
+         functions and the other engines take the base as fixed");
     let thickness = slab.and_then(|slab| slab.thickness);
     let slab_mass = match (slab_mass, thickness) {
         (Some(mass), _) => mass,
@@ -97,10 +98,10 @@ pub(super) fn isolators(
         (None, None) => {
             let missing = "neither slab_mass nor tank.foundation.thickness";
             r.echo_default("tank.isolators.slab_mass", "0 kg", missing);
-            r.warnings.push(Warning::new(
+            r.warn(
                 Code::BaseModel,
                 format!("tank.isolators: the slab has no mass, which moves with the tank: {missing}"),
-            ));
+            );
             0.0
         }
     };
@@ -153,19 +154,23 @@ fn damper(r: &mut Resolver<'_>, field: &Field<Isolators>, given: &Isolators) -> 
 }
 
 /// Tanks that no engine follows on isolators.
-fn unsupported(r: &mut Resolver<'_>, field: &Field<Isolators>, tank: &Tank, on_slab: bool) {
-    if tank.foundation.value().is_none_or(|f| f.kind.value.is_some()) && !on_slab {
+fn unsupported(
+    r: &mut Resolver<'_>,
+    field: &Field<Isolators>,
+    (ground, on_slab): (Option<&Foundation>, bool),
+    support: Option<Support>,
+) {
+    if ground.is_none_or(|f| f.kind.value.is_some()) && !on_slab {
         let message = "isolators without a slab: the bottom of the tank would not stand on one rigid body";
         let allowed = "\"foundation\": { \"kind\": \"slab\", … }";
         r.refuse(Code::Unsupported, field, message, allowed);
     }
-    let foundation = tank.foundation.value();
-    if let Some(waves) = foundation.and_then(|f| f.shear_wave_velocity.given.as_ref()) {
+    if let Some(waves) = ground.and_then(|f| f.shear_wave_velocity.given.as_ref()) {
         let message = "isolators and soil under one slab: no engine follows both";
         let allowed = "no shear_wave_velocity, or no isolators";
         r.refuse(Code::Unsupported, waves, message, allowed);
     }
-    if tank.support.value == Some(Support::Unanchored) {
+    if support == Some(Support::Unanchored) {
         let message = "isolators under an unanchored tank: no engine follows uplift and isolators together";
         let allowed = "\"support\": \"anchored\", or no isolators";
         r.refuse(Code::Unsupported, field, message, allowed);

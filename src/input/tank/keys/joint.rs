@@ -3,7 +3,8 @@
 use files::code::Code;
 use tank::Shape;
 
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Number, Stress};
 use ::tank::words;

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::file::TankFile;
 use crate::input::tank::read::{Field, Opt};
-use crate::input::tank::values::{Length, Si};
+use crate::input::tank::resolver::Si;
+use crate::input::tank::values::Length;
 
 /// Largest nominal thickness [m] by the name of the material.
 ///

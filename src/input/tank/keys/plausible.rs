@@ -1,6 +1,6 @@
 //! Impossible values are rejected; unusual values are computed with a warning that gives the usual range.
 
-use files::code::{Code, Warning};
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use tank::units::{Dimension, display_in, unit_for};
@@ -43,7 +43,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
                 format!("at most {}, {HIGHEST_ROOF} heights of the wall", like_field(field, HIGHEST_ROOF * wall));
             r.refuse(Code::OutOfRange, field, "the roof is far above the wall", &allowed);
         } else if height > wall + tank.shape.half_length() {
-            r.warnings.push(Warning::new(
+            r.warn(
                 Code::UnusualTank,
                 format!(
                     "{}: the mass of the roof is high above the wall; found {}, usual is up to {}",
@@ -51,7 +51,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
                     field.text,
                     like_field(field, wall + tank.shape.half_length())
                 ),
-            ));
+            );
         }
     }
     let (what, half) = match tank.shape {
@@ -61,17 +61,17 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
     let ratio = fill / half;
     let field = &liquid_field.fill_height;
     if ratio > SLENDER * (1.0 + ROUNDING) {
-        r.warnings.push(Warning::new(Code::UnusualTank, format!(
+        r.warn(Code::UnusualTank, format!(
             "{}: unusually slender tank; found {what} = {ratio:.1}, usual is 0.3 to 3; procedures and engines are checked up to about 5",
             field.path
-        )));
+        ));
     }
     if ratio < SHALLOW * (1.0 - ROUNDING) {
-        r.warnings.push(Warning::new(Code::UnusualTank, format!(
+        r.warn(Code::UnusualTank, format!(
             "{}: unusually shallow liquid; found {what} = {ratio:.2e}, usual is 0.3 to 3; below {SHALLOW} waves break and the linear \
              theory does not hold",
             field.path
-        )));
+        ));
     }
 }
 
@@ -85,13 +85,13 @@ fn thinner_below(r: &mut Resolver<'_>, given: &Given, tank: &Tank) {
             continue;
         };
         if below.material == above.material && below.thickness < above.thickness * (1.0 - ROUNDING) {
-            r.warnings.push(Warning::new(
+            r.warn(
                 Code::UnusualTank,
                 format!(
                     "{}: the course is thinner than the one above it; found {} below {}",
                     lower.path, lower.text, upper.text
                 ),
-            ));
+            );
         }
     }
 }
@@ -112,12 +112,12 @@ fn densities(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank) {
             continue;
         }
         let path = join(&join(&file.materials.path, name), "density");
-        r.warnings.push(Warning::new(
+        r.warn(
             Code::UnusualTank,
             format!(
                 "{path}: unusual density of a wall; found {}, usual is 500 to 20000 kg/m3",
                 display_in(density, unit_for(density, Dimension::Density), 4)
             ),
-        ));
+        );
     }
 }

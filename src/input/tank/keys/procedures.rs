@@ -4,8 +4,9 @@ use files::code::Code;
 use tank::case::{Combination, ConcreteOptions, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
 
 use super::ids::{DecidingId, ProcedureId};
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use tank::keys::{Absent, default};
 

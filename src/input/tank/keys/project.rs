@@ -3,8 +3,9 @@
 use ::tank::units::System;
 use ::tank::{Language, Project};
 
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Opt, choice};
+use crate::input::tank::read::Opt;
 use crate::input::tank::resolver::Resolver;
 use files::code::Code;
 

@@ -3,7 +3,8 @@
 use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
 
 use super::ids::SpectrumCode;
-use crate::input::tank::read::{Opt, choice, object};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Opt, object};
 use crate::input::tank::resolver::Resolver;
 use tank::keys::{Absent, default};
 

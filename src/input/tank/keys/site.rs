@@ -10,8 +10,9 @@ use tank::case::{self, Api650Site, Components, Ec8Site, GroundType, SiteClass, Z
 
 use super::spectrum::{self, Spectrum};
 use crate::input::diagnostic::Fault;
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::{Given, Hand};
-use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
+use crate::input::tank::read::{Field, FromNode, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Number, Stress};
 use tank::keys::Absent;

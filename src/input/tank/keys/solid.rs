@@ -4,7 +4,8 @@ use tank::options::SolidOptions;
 use tank::options::solid::{Liquid as LiquidElement, MeshSize};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::read::{Object, Opt, choice, object};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Object, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Whole;
 use results::InputValue;

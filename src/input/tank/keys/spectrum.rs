@@ -8,7 +8,8 @@ use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters, SpectrumTable
 
 use crate::input::csv;
 use crate::input::diagnostic::{Fault, Faults, Source};
-use crate::input::tank::read::{Field, FromNode, Opt, choice, object, other_kind};
+use crate::input::tank::choice::choice;
+use crate::input::tank::read::{Field, FromNode, Opt, object, other_kind};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};

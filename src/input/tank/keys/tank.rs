@@ -1,16 +1,17 @@
 //! `tank` and `liquid`.
 
-use files::code::{Code, Warning};
+use files::code::Code;
 use tank::units::Dimension;
 use tank::{Anchors, Pipes, Presence, Pressure, RoofKind, SIZE, Shape, Snow, Support};
 
-use super::base::{self, Bottom, Foundation};
+use super::base::{self, Above, Bottom, Foundation};
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
 use super::wall::{self, Course};
+use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::stated::Stated;
 use crate::input::tank::values::{Length, Mass};
@@ -102,10 +103,10 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     if t.bottom.given.is_none() && t.bottom.none.is_none() {
         r.not_given(&t.bottom);
     }
-    let (bottom, foundation) = base::base(r, t, courses.as_deref(), shape, materials);
-    let isolators = (t.isolators.given.as_ref())
-        .zip(t.isolators.value())
-        .and_then(|(field, given)| isolators(r, (field, given), t, foundation.as_ref(), shape));
+    let above = Above { courses: courses.as_deref(), shape, support, isolated: t.isolators.given.is_some() };
+    let (bottom, foundation) = base::base(r, (&t.bottom, &t.foundation), &above, materials);
+    let ground = (t.foundation.value(), foundation.as_ref());
+    let isolators = t.isolators.given.as_ref().and_then(|field| isolators(r, field, ground, (shape, support)));
     let anchors = t.anchors.value().and_then(|given| base::anchors(r, given));
     let pressure = pressure(r, &t.pressure);
     let pipes = pipes(r, &t.pipes);
@@ -207,7 +208,7 @@ fn pressure(r: &mut Resolver<'_>, option: &Opt<Given<Pressure>>) -> Pressure {
         ),
     ] {
         if pressure > 0.0 {
-            r.warnings.push(Warning::new(Code::NotUsed, text));
+            r.warn(Code::NotUsed, text);
         }
     }
     found

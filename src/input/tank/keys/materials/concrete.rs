@@ -4,8 +4,9 @@ use files::code::Code;
 use tank::{BarBond, BiaxialEnvelope, Concrete, ConcreteLaw, STRESS, Softening};
 
 use super::reader::{ElasticPart, Reader, like, shown};
+use crate::input::tank::choice::choice;
 use crate::input::tank::keys::grades::{Preset, Strengths};
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::{Length, LineForce, Number, Stress};
 use tank::keys::{Absent, Limits, default};

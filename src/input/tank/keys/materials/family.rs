@@ -6,7 +6,7 @@ use tank::{Behaviour, Family};
 
 use super::Material;
 use super::reader::Reader;
-use crate::input::tank::read::choice;
+use crate::input::tank::choice::choice;
 use crate::input::tank::resolver::Resolver;
 
 choice!(Family);

@@ -5,9 +5,9 @@ use tank::units::{display_in, unit_for};
 
 use crate::input::tank::keys::grades::Preset;
 use crate::input::tank::read::{Field, FromNode, Opt};
-use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::resolver::{Resolver, Si, like_unit, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Si, Stress};
+use crate::input::tank::values::Stress;
 
 /// Relative difference from which a given value is not that of the grade beside it.
 const UNLIKE: f64 = 0.1;

@@ -1,6 +1,6 @@
 //! Plausibility of a yield strength.
 
-use files::code::{Code, Warning};
+use files::code::Code;
 use tank::units::{Dimension, display_in, unit_for};
 
 use crate::input::tank::read::Field;
@@ -38,7 +38,7 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
             true => format!(" ({} % of Young's modulus)", 100.0 * strain),
             false => String::new(),
         };
-        r.warnings.push(Warning::new(
+        r.warn(
             Code::UnusualTank,
             format!(
                 "{}: unusual yield strength; found {}, usual is up to {}{why}",
@@ -46,6 +46,6 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
                 field.text,
                 show(usual)
             ),
-        ));
+        );
     }
 }
