@@ -23,7 +23,7 @@ use fem::analysis::transient::{Load, Settings, integrate};
 use fem::assembly::{Assembler, order};
 use fem::dofs::{Dof, KINDS};
 use fem::element::solid8::{Elastic, Kinematics, Solid8};
-use fem::element::{Element, LocalMatrix, Motion as Movement, Response, Want};
+use fem::element::{Element, LocalMatrix, Motion as Movement, Response, Trial, Want};
 use fem::linalg::{Kind, Symbolic};
 use fem::mesh::{Cylinder, Volume};
 use fem::model::{Builder, Model};
@@ -136,7 +136,7 @@ fn time_assembly(volume: &Volume) -> Result<(), Box<dyn Error>> {
         for element in &elements {
             response.tangent.reset(24);
             mass.reset(24);
-            element.respond(rest, &[], &mut [], Want::TANGENT, &mut response)?;
+            element.respond(Trial { motion: rest, old: &[], new: &mut [], want: Want::TANGENT }, &mut response)?;
             element.mass(&mut mass);
             sum += response.tangent.get(0, 0) + mass.get(0, 0);
         }

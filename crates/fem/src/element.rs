@@ -74,6 +74,19 @@ impl Want {
     pub const FORCE: Want = Want { force: true, tangent: false };
 }
 
+/// A trial state of an element.
+#[derive(Debug)]
+pub struct Trial<'a> {
+    /// Motion of its nodes.
+    pub motion: Motion<'a>,
+    /// Committed history.
+    pub old: &'a [f64],
+    /// Trial history, to be written.
+    pub new: &'a mut [f64],
+    /// Requested results.
+    pub want: Want,
+}
+
 /// Force and tangent of one element, reused from element to element.
 #[derive(Clone, Debug, Default)]
 pub struct Response {
@@ -175,6 +188,38 @@ pub struct SectionState {
     pub resultants: [f64; 8],
 }
 
+/// What an element answers in a word, for its `impl Element`: kind, field of the nodes, dofs of every node unless they differ; then
+/// which of `own_axes`, `linear` and `massless` it is, and its abilities `contact`, `inspect`, `mixed` and `buckling`.
+///
+/// ```text
+/// fem::answers!("ground", node, Dof::TRANSLATIONS; massless contact inspect);
+/// ```
+#[macro_export]
+macro_rules! answers {
+    ($kind:expr, $($nodes:ident).+ $(, $dofs:expr)? $(; $($word:ident)+)?) => {
+        fn kind(&self) -> &'static str {
+            $kind
+        }
+
+        fn nodes(&self) -> &[usize] {
+            &self.$($nodes).+
+        }
+
+        $(fn dofs(&self, _node: usize) -> &'static [$crate::dofs::Dof] {
+            $dofs
+        })?
+
+        $($($crate::answers!(@$word);)+)?
+    };
+    (@own_axes) => { fn own_axes(&self) -> bool { true } };
+    (@linear) => { fn is_linear(&self) -> bool { true } };
+    (@massless) => { fn has_mass(&self) -> bool { false } };
+    (@contact) => { fn contact(&self) -> Option<&dyn $crate::element::Contact> { Some(self) } };
+    (@inspect) => { fn inspect(&self) -> Option<&dyn $crate::element::Inspect> { Some(self) } };
+    (@mixed) => { fn mixed(&self) -> Option<&dyn $crate::element::Mixed> { Some(self) } };
+    (@buckling) => { fn buckling(&self) -> Option<&dyn $crate::element::Buckling> { Some(self) } };
+}
+
 /// A finite element as used by assembly.
 ///
 /// Optional abilities are separate traits, which an element returns if it has them: [`Contact`], [`Inspect`],
@@ -219,18 +264,10 @@ pub trait Element: Send + Sync {
         true
     }
 
-    /// Internal force and consistent tangent at `motion`, with the committed history `old`; writes the trial history
-    /// `new`. `out` has the element's size and is zero.
+    /// Internal force and consistent tangent in a trial state, whose history it writes. `out` has the element's size and is zero.
     ///
     /// Errors: a state in which the element fails.
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError>;
+    fn respond(&self, trial: Trial<'_>, out: &mut Response) -> Result<(), ElementError>;
 
     /// Viscous damping matrix of the element itself (element Rayleigh, super-elements); returns false if it has none.
     fn damping(&self, _out: &mut LocalMatrix) -> bool {
@@ -348,15 +385,7 @@ pub trait Mixed {
     /// equilibrium.
     ///
     /// Errors: those of [`Element::respond`].
-    fn respond_mixed(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        kept: &mut [f64],
-        out: &mut Response,
-    ) -> Result<(), ElementError>;
+    fn respond_mixed(&self, trial: Trial<'_>, kept: &mut [f64], out: &mut Response) -> Result<(), ElementError>;
 }
 
 /// Linear buckling: at λ times the load, (K + λ K_G) φ = 0.
@@ -382,7 +411,7 @@ pub fn reference_stiffness(element: &dyn Element) -> Result<LocalMatrix, Element
     let mut new = old.clone();
     let mut response = Response::sized(n);
     let rest = Motion { values: &vec![0.0; n], rotations: &vec![UnitQuaternion::identity(); element.nodes().len()] };
-    element.respond(rest, &old, &mut new, Want::TANGENT, &mut response)?;
+    element.respond(Trial { motion: rest, old: &old, new: &mut new, want: Want::TANGENT }, &mut response)?;
     Ok(response.tangent)
 }
 

@@ -14,7 +14,7 @@ use fem::analysis::newton::Criteria;
 use fem::assembly::{Assembler, order};
 use fem::dofs::{Dof, KINDS};
 use fem::element::shell::load::FollowerPressure;
-use fem::element::{Element, ElementError, LocalMatrix, Motion, Response, Want, local_size, reference_stiffness};
+use fem::element::{Element, ElementError, LocalMatrix, Response, Trial, Want, local_size, reference_stiffness};
 use fem::linalg::Symbolic;
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
@@ -114,7 +114,7 @@ fn change(model: &Model, state: &State, shell: usize, pressure: usize) -> Result
         let old = &state.old[state.history(e)];
         let mut new = old.to_vec();
         let motion = gather.motion(model, &state.committed, element);
-        element.respond(motion, old, &mut new, Want::TANGENT, &mut response)?;
+        element.respond(Trial { motion, old, new: &mut new, want: Want::TANGENT }, &mut response)?;
         Ok(response.tangent)
     };
     let mut out = tangent(shell)?;
@@ -140,30 +140,9 @@ struct Change {
 }
 
 impl Element for Change {
-    fn kind(&self) -> &'static str {
-        "loaded_state"
-    }
+    fem::answers!("loaded_state", nodes, Dof::SHELL; massless);
 
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::SHELL
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         for (j, u) in motion.values.iter().enumerate() {
             for i in 0..self.change.n {
                 let k = self.change.get(i, j);

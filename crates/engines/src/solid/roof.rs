@@ -9,7 +9,7 @@
 //! of the edge.
 
 use fem::dofs::Dof;
-use fem::element::{Element, ElementError, LocalMatrix, Motion, Response, Want};
+use fem::element::{Element, ElementError, LocalMatrix, Response, Trial};
 
 /// The ring of mass.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,17 +72,7 @@ impl RoofRing {
 }
 
 impl Element for RoofRing {
-    fn kind(&self) -> &'static str {
-        "roof"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    fem::answers!("roof", nodes, Dof::TRANSLATIONS);
 
     fn mass(&self, out: &mut LocalMatrix) {
         for i in 0..out.n {
@@ -104,14 +94,7 @@ impl Element for RoofRing {
         }
     }
 
-    fn respond(
-        &self,
-        _motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, _: Trial<'_>, _out: &mut Response) -> Result<(), ElementError> {
         Ok(())
     }
 

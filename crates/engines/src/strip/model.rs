@@ -9,7 +9,7 @@ use fem::analysis::system::System;
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::spring::{Direction, Spring};
-use fem::element::{Inspect, Response, Want, local_size};
+use fem::element::{Inspect, Response, Trial, Want, local_size};
 use fem::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
@@ -239,7 +239,10 @@ impl StripModel {
             let history = &state.old[state.history(e)];
             response.reset(local_size(&**element));
             let motion = gather.motion(&self.model, &state.committed, &**element);
-            element.respond(motion, history, &mut history.to_vec(), Want::FORCE, &mut response)?;
+            element.respond(
+                Trial { motion, old: history, new: &mut history.to_vec(), want: Want::FORCE },
+                &mut response,
+            )?;
             let mut weight = vec![0.0; response.force.len()];
             element.body_force([0.0, 0.0, -self.tank.liquid.gravity], &mut weight);
             // A super-element has a local node for every dof: the base may be there more than once.

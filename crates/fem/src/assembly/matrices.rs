@@ -7,7 +7,9 @@ use nalgebra::UnitQuaternion;
 use super::turn::{turn_matrix, turn_vector};
 use super::{Assembler, HALVED, NONE, local_values};
 use crate::dofs::KINDS;
-use crate::element::{Element, ElementError, LocalMatrix, Motion, Response, Want, local_size, reference_stiffness};
+use crate::element::{
+    Element, ElementError, LocalMatrix, Motion, Response, Trial, Want, local_size, reference_stiffness,
+};
 use crate::linalg::Symmetric;
 use crate::model::Model;
 
@@ -302,7 +304,10 @@ impl Work {
         element.init_history(&mut self.old);
         self.new.clone_from(&self.old);
         let rest = Motion { values: &self.values, rotations: &self.rotations };
-        element.respond(rest, &self.old, &mut self.new, Want::TANGENT, &mut self.response)?;
+        element.respond(
+            Trial { motion: rest, old: &self.old, new: &mut self.new, want: Want::TANGENT },
+            &mut self.response,
+        )?;
         Ok(&mut self.response.tangent)
     }
 

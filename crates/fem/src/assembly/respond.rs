@@ -5,7 +5,7 @@ mod parallel;
 use super::matrices::{Sink, Work};
 use super::turn::{Nodes, turn_back};
 use super::{Assembler, NONE};
-use crate::element::{ElementError, LocalMatrix, Motion, Response, Want, local_size};
+use crate::element::{ElementError, LocalMatrix, Motion, Response, Trial, Want, local_size};
 use crate::linalg::Symmetric;
 use crate::model::Model;
 use crate::state::{Fields, Gather, State};
@@ -311,9 +311,10 @@ impl Assembler {
                 gather.values(trial, element, self.equations[dofs].iter().map(value))
             }
         };
+        let trial = Trial { motion, old, new, want };
         match element.mixed().filter(|_| !kept.is_empty()) {
-            Some(mixed) => mixed.respond_mixed(motion, old, new, want, kept, response)?,
-            None => element.respond(motion, old, new, want, response)?,
+            Some(mixed) => mixed.respond_mixed(trial, kept, response)?,
+            None => element.respond(trial, response)?,
         }
         if want.tangent && self.at_end.get(e) == Some(&true) {
             response.tangent.data.iter_mut().for_each(|k| *k *= ask.end_tangent);
@@ -364,7 +365,9 @@ impl Assembler {
             new.clear();
             new.extend_from_slice(old);
             let motion = gather.motion(model, &state.trial, &**element);
-            element.respond(motion, old, &mut new, Want::TANGENT, &mut response).map_err(|error| (e, error))?;
+            element
+                .respond(Trial { motion, old, new: &mut new, want: Want::TANGENT }, &mut response)
+                .map_err(|error| (e, error))?;
             positive_part(&mut response.tangent);
             response.tangent.data.iter_mut().for_each(|k| *k *= a);
             if self.turned[e] {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::dofs::Dof;
 use crate::element::solid8::{Elastic, Kinematics, Solid8};
-use crate::element::{ElementError, Motion, Response, Want, reference_mass, reference_stiffness};
+use crate::element::{ElementError, Response, Trial, Want, reference_mass, reference_stiffness};
 use crate::linalg::Symmetric;
 use crate::model::Builder;
 use crate::state::State;
@@ -63,30 +63,13 @@ struct Cubic {
 }
 
 impl Element for Cubic {
-    fn kind(&self) -> &'static str {
-        "cubic"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    crate::answers!("cubic", nodes, Dof::TRANSLATIONS);
 
     fn history_len(&self) -> usize {
         1
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        _want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         if self.stiffness.is_nan() {
             return Err(ElementError::NoAnswer { kind: "cubic", reason: "no stiffness".into() });
         }

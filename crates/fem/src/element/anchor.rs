@@ -10,7 +10,7 @@
 //! Open, broken and yielding points keep r₀ = 10⁻¹² of the stiffness. Time steps take the force at their end
 //! ([`Contact::acts_at_end`]). An anchor that breaks does so at the end of a step; the energy it has stored is lost.
 
-use super::{Contact, Element, ElementError, Inspect, Motion, Response, Want};
+use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial};
 use crate::dofs::Dof;
 
 const KIND: &str = "anchor";
@@ -101,35 +101,14 @@ fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Resul
 }
 
 impl Element for Anchor {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.node
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    crate::answers!(KIND, node, Dof::TRANSLATIONS; massless contact inspect);
 
     /// Plastic elongation, energy dissipated, whether it is broken.
     fn history_len(&self) -> usize {
         SLOTS
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let k = self.stiffness;
         let elongation = motion.values[2] - self.gap;
         let e = elongation - old[PLASTIC];
@@ -152,14 +131,6 @@ impl Element for Anchor {
         new[WORK] = old[WORK] + self.strength * flow + stored;
         new[BROKEN] = if broken || breaks { 1.0 } else { 0.0 };
         Ok(())
-    }
-
-    fn contact(&self) -> Option<&dyn Contact> {
-        Some(self)
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 
@@ -184,11 +155,12 @@ mod tests {
     use nalgebra::UnitQuaternion;
 
     use super::*;
+    use crate::element::Want;
 
     fn step(anchor: &Anchor, up: f64, old: &[f64]) -> (f64, Vec<f64>) {
         let (mut out, mut new) = (Response::sized(3), old.to_vec());
         let motion = Motion { values: &[0.0, 0.0, up], rotations: &[UnitQuaternion::identity()] };
-        anchor.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
+        anchor.respond(Trial { motion, old, new: &mut new, want: Want::ALL }, &mut out).unwrap();
         (out.force[2], new)
     }
 

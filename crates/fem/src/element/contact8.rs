@@ -33,7 +33,7 @@ use nalgebra::Vector3;
 
 use super::contact8_area::Gap;
 pub use super::contact8_area::Integration;
-use super::{Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -260,35 +260,14 @@ impl Contact8 {
 }
 
 impl Element for Contact8 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
+    crate::answers!(KIND, nodes, Dof::TRANSLATIONS; massless contact inspect);
 
     fn history_len(&self) -> usize {
         if self.law.augmented { 4 } else { 0 }
     }
 
     /// At rest (all gaps zero) the tangent of a unilateral joint is that of the bonded one: the reference state is closed.
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         new.copy_from_slice(old);
         let gaps = self.shifted_gaps(motion.values, old);
         let normal = if gaps == [0.0; 4] {
@@ -334,14 +313,6 @@ impl Element for Contact8 {
             }
         }
         Ok(())
-    }
-
-    fn contact(&self) -> Option<&dyn Contact> {
-        Some(self)
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

@@ -29,7 +29,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam_section::FibreSection;
-use super::{Buckling, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Want};
+use super::{Element, ElementError, LocalMatrix, Response, Trial};
 use crate::dofs::Dof;
 use crate::model::Builder;
 use crate::shape::gauss;
@@ -270,13 +270,7 @@ fn shortening(along: [f64; 2], l: f64) -> LocalMatrix {
 }
 
 impl Element for FibreBeam {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
+    crate::answers!(KIND, nodes; inspect buckling);
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
         match node {
@@ -317,14 +311,7 @@ impl Element for FibreBeam {
         self.section.mass() > 0.0
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let u = motion.values;
         let shortened = self.shorten(u);
         let (mut mean, slots) = (0.0, self.section.history_len());
@@ -384,14 +371,6 @@ impl Element for FibreBeam {
             &[0.5 * across, end, 0.5 * across, -end],
         );
         out.iter_mut().zip(row).for_each(|(o, f)| *o += f);
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-
-    fn buckling(&self) -> Option<&dyn Buckling> {
-        Some(self)
     }
 }
 

@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 use nalgebra::Vector3;
 
 use super::fluid::{LiquidProperties, VolumePart};
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Hexahedron;
@@ -345,17 +345,7 @@ fn add_rotation<const N: usize>(half: &mut Half, points: &[Point; N], penalty: f
 }
 
 impl Element for Fluid8 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    crate::answers!(KIND, nodes, Dof::TRANSLATIONS; inspect);
 
     fn mass(&self, out: &mut LocalMatrix) {
         let mut half = [[[0.0; 8]; 8]; 6];
@@ -376,14 +366,7 @@ impl Element for Fluid8 {
         self.write(&half, &mut out.data);
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         self.stiffness(&mut out.tangent.data);
         if want.force {
             for (column, &u) in out.tangent.data.chunks_exact(24).zip(motion.values) {
@@ -416,10 +399,6 @@ impl Element for Fluid8 {
         for (o, f) in out.iter_mut().zip(self.to_cartesian(&force)) {
             *o += f;
         }
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

@@ -11,7 +11,7 @@
 //! ([`FreeSurface::at_one_point`]).
 
 use super::fluid::parameter_error;
-use super::{Element, ElementError, Motion, Response, Want};
+use super::{Element, ElementError, Response, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -89,31 +89,10 @@ fn area_factor(face: &Face, chart: Chart, r: f64, s: f64) -> Result<f64, Element
 }
 
 impl Element for FreeSurface {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
+    // All three, so that nodes may have frames; only u_z has stiffness.
+    crate::answers!(KIND, nodes, Dof::TRANSLATIONS; massless);
 
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    /// All three, so that nodes may have frames; only u_z has stiffness.
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         for (a, row) in self.matrix.iter().enumerate() {
             for (b, k) in row.iter().enumerate() {
                 if want.force {

@@ -14,7 +14,7 @@
 //!
 //! Source: Winkler 1867; Moreau 1999 (end of the step); Simo & Hughes 1998, chapter 2 (return mapping of the slip).
 
-use super::{Contact, Element, ElementError, Inspect, Motion, Response, Want};
+use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial};
 use crate::dofs::Dof;
 
 const KIND: &str = "ground";
@@ -111,35 +111,14 @@ fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Resul
 }
 
 impl Element for Ground {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.node
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    crate::answers!(KIND, node, Dof::TRANSLATIONS; massless contact inspect);
 
     /// With friction: slip along x and y, r, energy dissipated.
     fn history_len(&self) -> usize {
         if self.friction.is_some() { SLOTS } else { 0 }
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let (reaction, slope, open) = self.press(motion.values);
         if want.force {
             out.force[2] -= reaction;
@@ -180,14 +159,6 @@ impl Element for Ground {
         new[WORK] = work;
         Ok(())
     }
-
-    fn contact(&self) -> Option<&dyn Contact> {
-        Some(self)
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
 }
 
 impl Contact for Ground {
@@ -211,11 +182,12 @@ mod tests {
     use nalgebra::UnitQuaternion;
 
     use super::*;
+    use crate::element::Want;
 
     fn answer(ground: &Ground, values: [f64; 3], old: &[f64]) -> (Response, Vec<f64>) {
         let (mut out, mut new) = (Response::sized(3), old.to_vec());
         let motion = Motion { values: &values, rotations: &[UnitQuaternion::identity()] };
-        ground.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
+        ground.respond(Trial { motion, old, new: &mut new, want: Want::ALL }, &mut out).unwrap();
         (out, new)
     }
 

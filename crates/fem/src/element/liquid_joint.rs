@@ -18,7 +18,7 @@
 //!
 //! Source: Moreau 1999; Alart & Curnier 1991; theory sheet of this project (pressure of the displaced particle).
 
-use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Want};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial};
 use crate::dofs::Dof;
 
 const KIND: &str = "liquid_joint";
@@ -125,21 +125,11 @@ fn dot(row: &[(usize, f64)], x: &[f64]) -> f64 {
 }
 
 impl Element for LiquidJoint {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
+    crate::answers!(KIND, nodes; own_axes massless contact);
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
         let own = self.dofs[node].index();
         Dof::slice(own..own + 1)
-    }
-
-    fn own_axes(&self) -> bool {
-        true
     }
 
     /// s·x of each point at the end of the last step.
@@ -147,18 +137,7 @@ impl Element for LiquidJoint {
         self.points.len()
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         for ((point, &relief), after) in self.points.iter().zip(old).zip(new) {
             *after = dot(&point.relief, motion.values);
             let (force, slope) = self.force(point, dot(&point.closing, motion.values), relief);
@@ -170,10 +149,6 @@ impl Element for LiquidJoint {
             }
         }
         Ok(())
-    }
-
-    fn contact(&self) -> Option<&dyn Contact> {
-        Some(self)
     }
 }
 
@@ -208,6 +183,7 @@ mod tests {
     use nalgebra::UnitQuaternion;
 
     use super::*;
+    use crate::element::Want;
 
     fn joint(opens: bool) -> LiquidJoint {
         let point = |closing: [f64; 3], relief: f64, stiffness| JointPoint {
@@ -225,7 +201,7 @@ mod tests {
         let mut new = old.to_vec();
         let rotations = vec![UnitQuaternion::identity(); 4];
         let motion = Motion { values, rotations: &rotations };
-        joint.respond(motion, old, &mut new, Want::ALL, &mut out).unwrap();
+        joint.respond(Trial { motion, old, new: &mut new, want: Want::ALL }, &mut out).unwrap();
         (out, new)
     }
 

@@ -25,7 +25,7 @@
 use nalgebra::Matrix3;
 
 use super::potential_face::check_positive;
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Hexahedron;
@@ -109,21 +109,7 @@ impl Potential8 {
 }
 
 impl Element for Potential8 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.cell.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        &[Dof::Phi]
-    }
-
-    fn is_linear(&self) -> bool {
-        true
-    }
+    crate::answers!(KIND, cell.nodes, &[Dof::Phi]; linear inspect);
 
     fn mass(&self, out: &mut LocalMatrix) {
         self.integrate(|(gradient, volume)| {
@@ -138,19 +124,8 @@ impl Element for Potential8 {
         .expect("checked by `new`");
     }
 
-    fn respond(
-        &self,
-        _motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, _: Trial<'_>, _out: &mut Response) -> Result<(), ElementError> {
         Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

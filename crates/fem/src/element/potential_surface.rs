@@ -9,7 +9,7 @@
 //! Source: Morand & Ohayon 1995, chapter 5. Limits: small waves, no surface tension.
 
 use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -51,21 +51,7 @@ impl PotentialSurface {
 }
 
 impl Element for PotentialSurface {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.face.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        &[Dof::Phi, Dof::Eta]
-    }
-
-    fn is_linear(&self) -> bool {
-        true
-    }
+    crate::answers!(KIND, face.nodes, &[Dof::Phi, Dof::Eta]; linear inspect);
 
     fn mass(&self, out: &mut LocalMatrix) {
         for (i, row) in self.areas().into_iter().enumerate() {
@@ -76,14 +62,7 @@ impl Element for PotentialSurface {
         }
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let weight = self.density * self.gravity;
         for (i, row) in self.areas().into_iter().enumerate() {
             for (j, s) in row.into_iter().enumerate() {
@@ -96,10 +75,6 @@ impl Element for PotentialSurface {
             }
         }
         Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

@@ -51,7 +51,7 @@ use super::shell::director::turned;
 use super::shell::drilling::Corner;
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
-use super::{Buckling, Element, ElementError, Inspect, LocalMatrix, Mixed, Motion, Response, Want};
+use super::{Buckling, Element, ElementError, LocalMatrix, Mixed, Response, Trial};
 use crate::dofs::Dof;
 
 pub use rows::{Row, SIZE};
@@ -241,15 +241,8 @@ impl Shell4 {
     }
 
     /// Force and tangent; with `kept` the geometric part of the tangent takes extrapolated stresses.
-    fn answer(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        mut kept: Option<&mut [f64]>,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn answer(&self, trial: Trial<'_>, mut kept: Option<&mut [f64]>, out: &mut Response) -> Result<(), ElementError> {
+        let Trial { motion, old, new, want } = trial;
         let c = self.configuration(&motion);
         let values = self.values(&c);
         let common = want.tangent.then(|| self.common(&c));
@@ -319,17 +312,7 @@ impl Shell4 {
 }
 
 impl Element for Shell4 {
-    fn kind(&self) -> &'static str {
-        "shell4"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::SHELL
-    }
+    crate::answers!("shell4", nodes, Dof::SHELL; inspect mixed buckling);
 
     fn history_len(&self) -> usize {
         4 * self.section.history_len()
@@ -371,15 +354,8 @@ impl Element for Shell4 {
         self.section.inertia()[0] > 0.0
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
-        self.answer(motion, old, new, want, None, out)
+    fn respond(&self, trial: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
+        self.answer(trial, None, out)
     }
 
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
@@ -396,18 +372,6 @@ impl Element for Shell4 {
             }
         }
     }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-
-    fn mixed(&self) -> Option<&dyn Mixed> {
-        Some(self)
-    }
-
-    fn buckling(&self) -> Option<&dyn Buckling> {
-        Some(self)
-    }
 }
 
 impl Mixed for Shell4 {
@@ -415,16 +379,8 @@ impl Mixed for Shell4 {
         mixed::LEN
     }
 
-    fn respond_mixed(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        kept: &mut [f64],
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
-        self.answer(motion, old, new, want, Some(kept), out)
+    fn respond_mixed(&self, trial: Trial<'_>, kept: &mut [f64], out: &mut Response) -> Result<(), ElementError> {
+        self.answer(trial, Some(kept), out)
     }
 }
 

@@ -33,7 +33,7 @@ use kernels::{add_isotropic_stiffness, add_stiffness, displacement_gradient, ten
 use nalgebra::{Matrix3, Vector3};
 
 use super::solid8_law::dyad;
-use super::{Buckling, Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Want};
+use super::{Contact, Element, ElementError, LocalMatrix, Response, Trial};
 use crate::dofs::Dof;
 use crate::shape::hex8::CORNERS;
 
@@ -255,17 +255,7 @@ impl Solid8 {
 }
 
 impl Element for Solid8 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
+    crate::answers!(KIND, nodes, Dof::TRANSLATIONS; inspect buckling);
 
     fn mass(&self, out: &mut LocalMatrix) {
         let volumes = self.volumes().map(|v| v * self.material.density);
@@ -287,14 +277,7 @@ impl Element for Solid8 {
         self.material.density > 0.0
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let nonlinear = self.kinematics == Kinematics::GreenLagrange;
         let at_rest = motion.values.iter().all(|&v| v == 0.0);
         let quick = at_rest || (!nonlinear && self.material.law.is_linear());
@@ -356,14 +339,6 @@ impl Element for Solid8 {
     fn contact(&self) -> Option<&dyn Contact> {
         let law = &self.material.law;
         (law.only_between_shells() || !law.is_linear()).then_some(self as &dyn Contact)
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-
-    fn buckling(&self) -> Option<&dyn Buckling> {
-        Some(self)
     }
 }
 

@@ -8,7 +8,7 @@
 //!
 //! The direction d is fixed (small displacements).
 
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use crate::dofs::Dof;
 
 /// Motion that a spring resists.
@@ -133,14 +133,7 @@ impl Element for Spring {
         false
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         if want.force {
             let force = self.stiffness * self.link.elongation(motion.values);
             for (f, d) in out.force.iter_mut().zip(self.link.row()) {
@@ -188,21 +181,7 @@ impl PointMass {
 }
 
 impl Element for PointMass {
-    fn kind(&self) -> &'static str {
-        "point mass"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.node
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
-
-    fn is_linear(&self) -> bool {
-        true
-    }
+    crate::answers!("point mass", node, Dof::TRANSLATIONS; linear);
 
     fn mass(&self, out: &mut LocalMatrix) {
         for i in 0..3 {
@@ -210,14 +189,7 @@ impl Element for PointMass {
         }
     }
 
-    fn respond(
-        &self,
-        _motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, _: Trial<'_>, _out: &mut Response) -> Result<(), ElementError> {
         Ok(())
     }
 

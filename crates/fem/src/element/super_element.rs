@@ -20,7 +20,7 @@
 //!
 //! Source: Guyan 1965; Craig & Bampton 1968; Morand & Ohayon 1995, chapter 5.
 
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Want};
+use super::{Element, ElementError, LocalMatrix, Response, Trial};
 use crate::dofs::Dof;
 use crate::linalg::Matrix;
 
@@ -149,25 +149,11 @@ fn copy(from: &Option<Matrix>, out: &mut LocalMatrix) {
 }
 
 impl Element for SuperElement {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
+    crate::answers!(KIND, nodes; own_axes linear);
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
         let own = self.dofs[node].index();
         Dof::slice(own..own + 1)
-    }
-
-    fn own_axes(&self) -> bool {
-        true
-    }
-
-    fn is_linear(&self) -> bool {
-        true
     }
 
     fn mass(&self, out: &mut LocalMatrix) {
@@ -178,14 +164,7 @@ impl Element for SuperElement {
         self.mass.is_some()
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         if want.force
             && let Some(k) = &self.stiffness
         {
@@ -213,6 +192,7 @@ mod tests {
 
     use super::*;
     use crate::assembly::Assembler;
+    use crate::element::Want;
     use crate::element::spring::{Direction, PointMass, Spring};
     use crate::model::Builder;
 

@@ -33,7 +33,7 @@ use super::shell::director::add_turn_block;
 use super::shell::director::turned;
 use super::shell4::{SIZE as SHELL_SIZE, Shell4};
 use super::solid8::{Elastic, Kinematics, Solid8};
-use super::{Buckling, Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Want};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial, Want};
 use crate::dofs::Dof;
 
 mod abilities;
@@ -246,17 +246,7 @@ fn add_block(shell: usize, part: &LocalMatrix, out: &mut LocalMatrix) {
 }
 
 impl Element for Wall {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::SHELL
-    }
+    crate::answers!(KIND, nodes, Dof::SHELL; contact inspect buckling);
 
     fn history_len(&self) -> usize {
         self.inner.history_len() + self.outer.history_len()
@@ -283,19 +273,15 @@ impl Element for Wall {
         self.inner.has_mass() || self.outer.has_mass() || self.layer.has_mass()
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let mut part = Response::default();
         for (shell, i) in self.shells() {
             part.reset(SHELL_SIZE);
             let slots = self.slots(i);
-            shell.respond(Wall::part(&motion, i), &old[slots.clone()], &mut new[slots], want, &mut part)?;
+            shell.respond(
+                Trial { motion: Wall::part(&motion, i), old: &old[slots.clone()], new: &mut new[slots], want },
+                &mut part,
+            )?;
             if want.force {
                 let to = &mut out.force[SHELL_SIZE * i..];
                 to.iter_mut().zip(&part.force).for_each(|(f, p)| *f += p);
@@ -309,7 +295,7 @@ impl Element for Wall {
         let face = Motion { values: &u, rotations: &[UnitQuaternion::identity(); 8] };
         // The diagonal block needs the force.
         let needed = Want { force: true, tangent: want.tangent };
-        self.layer.respond(face, &[], &mut [], needed, &mut part)?;
+        self.layer.respond(Trial { motion: face, old: &[], new: &mut [], want: needed }, &mut part)?;
         if want.force {
             self.add_force(&part.force, &d, &mut out.force);
         }
@@ -341,18 +327,6 @@ impl Element for Wall {
             let weight = self.face_mass().to_matrix().times(&field);
             self.add_force(&weight, &self.directors, out);
         }
-    }
-
-    fn contact(&self) -> Option<&dyn Contact> {
-        Some(self)
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-
-    fn buckling(&self) -> Option<&dyn Buckling> {
-        Some(self)
     }
 }
 

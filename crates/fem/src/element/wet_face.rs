@@ -30,7 +30,7 @@
 use nalgebra::Vector3;
 
 use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -309,20 +309,10 @@ impl Rectangle {
 }
 
 impl Element for WetFace {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
+    crate::answers!(KIND, nodes; linear inspect);
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
         if node < 4 { &[Dof::Phi] } else { Dof::TRANSLATIONS }
-    }
-
-    fn is_linear(&self) -> bool {
-        true
     }
 
     fn mass(&self, out: &mut LocalMatrix) {
@@ -335,19 +325,8 @@ impl Element for WetFace {
         }
     }
 
-    fn respond(
-        &self,
-        _motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, _: Trial<'_>, _out: &mut Response) -> Result<(), ElementError> {
         Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

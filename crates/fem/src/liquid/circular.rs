@@ -12,7 +12,7 @@
 use super::harmonic::{Block, HarmonicLiquid};
 use super::super_liquid::{CondenseError, Rim};
 use crate::dofs::Dof;
-use crate::element::{Element, ElementError, LocalMatrix, Motion, Response, Want};
+use crate::element::{Element, ElementError, LocalMatrix, Response, Trial};
 use crate::linalg::{Cholesky, Matrix, dot, generalized_eigen, product, transposed_product};
 use crate::ring::{Ring, RingAmplitude, RingBlock, RingOperator};
 
@@ -212,25 +212,11 @@ fn add_columns(from: &Matrix, out: &mut LocalMatrix) {
 }
 
 impl Element for CircularElement {
-    fn kind(&self) -> &'static str {
-        "circular_liquid"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
+    crate::answers!("circular_liquid", nodes; own_axes linear);
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
         let own = self.dofs[node].index();
         Dof::slice(own..own + 1)
-    }
-
-    fn own_axes(&self) -> bool {
-        true
-    }
-
-    fn is_linear(&self) -> bool {
-        true
     }
 
     /// Dense, for small liquids; analyses use [`Element::operator`].
@@ -238,14 +224,7 @@ impl Element for CircularElement {
         add_columns(&self.operator.dense_mass(), out);
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         if want.force {
             self.operator.add_stiffness(1.0, motion.values, &mut out.force);
         }

@@ -1,6 +1,6 @@
 //! Optional abilities agree with the element itself.
 
-use fem::element::{Inspect, Response, Want, local_size, reference_stiffness};
+use fem::element::{Inspect, Response, Trial, Want, local_size, reference_stiffness};
 
 use crate::frame::geometric;
 use crate::motion::Moved;
@@ -83,7 +83,13 @@ fn mixed_tangent_meets_the_consistent_one() {
             let expected = answer(&*element, &moved, &history);
             let mut out = Response::sized(local_size(&*element));
             let mut new = vec![0.0; history.len()];
-            mixed.respond_mixed(moved.motion(), &history, &mut new, Want::ALL, &mut kept, &mut out).unwrap();
+            mixed
+                .respond_mixed(
+                    Trial { motion: moved.motion(), old: &history, new: &mut new, want: Want::ALL },
+                    &mut kept,
+                    &mut out,
+                )
+                .unwrap();
             assert_eq!((&out.force, &new), (&expected.force, &expected.history), "{specimen}");
             assert!(symmetric(&out.tangent), "{specimen}");
             let pairs = out.tangent.data.iter().zip(&expected.tangent.data);

@@ -1,7 +1,7 @@
 //! An element under test, and its expected properties.
 
 use fem::dofs::{Dof, KINDS};
-use fem::element::{Element, LocalMatrix, Response, local_size};
+use fem::element::{Element, LocalMatrix, Response, Trial, local_size};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::motion::Moved;
@@ -184,7 +184,7 @@ pub(crate) fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem
     let mut out = Response::sized(local_size(element));
     let mut history = vec![f64::NAN; old.len()];
     element
-        .respond(moved.motion(), old, &mut history, want, &mut out)
+        .respond(Trial { motion: moved.motion(), old, new: &mut history, want }, &mut out)
         .unwrap_or_else(|error| panic!("{}: {error}", element.kind()));
     assert!(history.iter().all(|h| h.is_finite()), "{}: history", element.kind());
     Answer { force: out.force, tangent: out.tangent, history }

@@ -4,7 +4,7 @@ use materials::von_mises::VonMises;
 use materials::{Law, Response as Stress};
 
 use fem::dofs::Dof;
-use fem::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
+use fem::element::{Element, ElementError, Inspect, Response, Trial};
 
 /// Bar between two nodes along x; history: that of the law, then the energy dissipated.
 pub(super) struct Bar {
@@ -42,17 +42,7 @@ impl Bar {
 }
 
 impl Element for Bar {
-    fn kind(&self) -> &'static str {
-        "bar"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::slice(0..1)
-    }
+    fem::answers!("bar", nodes, Dof::slice(0..1); massless inspect);
 
     fn history_len(&self) -> usize {
         self.points() + 1
@@ -64,18 +54,7 @@ impl Element for Bar {
         energy.fill(0.0);
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Movement<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        _want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let n = self.points();
         let found = self.respond_at(motion.values, &old[..n], &mut new[..n])?;
         new[n] = old[n] + found.dissipation * self.area * self.length;
@@ -86,10 +65,6 @@ impl Element for Bar {
             }
         }
         Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

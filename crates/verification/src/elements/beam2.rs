@@ -15,7 +15,7 @@
 //! Source: Przemieniecki 1968, (5.116) and (11.24).
 
 use fem::dofs::Dof;
-use fem::element::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use fem::element::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
 use nalgebra::{Matrix3, Vector3};
 
 const KIND: &str = "beam2";
@@ -207,17 +207,7 @@ fn add_rod(dof: usize, k: f64, out: &mut LocalMatrix) {
 }
 
 impl Element for Beam2 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::SHELL
-    }
+    fem::answers!(KIND, nodes, Dof::SHELL; inspect);
 
     fn mass(&self, out: &mut LocalMatrix) {
         self.turn(&self.local_mass(), out);
@@ -227,14 +217,7 @@ impl Element for Beam2 {
         self.section.mass > 0.0
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let mut k = LocalMatrix::zeros(12);
         self.turn(&self.local_stiffness(), &mut k);
         if want.force {
@@ -260,10 +243,6 @@ impl Element for Beam2 {
             out[3 + i] += moment[i];
             out[9 + i] -= moment[i];
         }
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

@@ -13,7 +13,7 @@
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{
-    Element, ElementError, Inspect, LiquidProperties, LocalMatrix, Motion, Response, Sample, VolumePart, Want,
+    Element, ElementError, Inspect, LiquidProperties, LocalMatrix, Response, Sample, Trial, VolumePart,
 };
 use fem::mesh::Face;
 use fem::shape::{gauss, quad4};
@@ -178,17 +178,7 @@ impl Fluid4 {
 }
 
 impl Element for Fluid4 {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        &[Dof::Ux, Dof::Uz]
-    }
+    fem::answers!(KIND, nodes, &[Dof::Ux, Dof::Uz]; inspect);
 
     fn mass(&self, out: &mut LocalMatrix) {
         for p in self.full() {
@@ -202,14 +192,7 @@ impl Element for Fluid4 {
         }
     }
 
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         for (a, row) in self.stiffness().iter().enumerate() {
             for (b, &k) in row.iter().enumerate() {
                 if want.force {
@@ -239,10 +222,6 @@ impl Element for Fluid4 {
             VolumePart::OnePoint => add(&self.centre(), out),
             VolumePart::Full | VolumePart::MeanDilatation => self.full().iter().for_each(|p| add(p, out)),
         }
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 

@@ -4,7 +4,7 @@
 
 use fem::chart::Chart;
 use fem::dofs::Dof;
-use fem::element::{Element, ElementError, Motion, Response, Want};
+use fem::element::{Element, ElementError, Response, Trial};
 use fem::shape::gauss;
 
 const KIND: &str = "free_surface_line";
@@ -61,30 +61,9 @@ impl FreeSurfaceLine {
 }
 
 impl Element for FreeSurfaceLine {
-    fn kind(&self) -> &'static str {
-        KIND
-    }
+    fem::answers!(KIND, nodes, &[Dof::Uz]; massless);
 
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        &[Dof::Uz]
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         for (a, row) in self.matrix.iter().enumerate() {
             for (b, k) in row.iter().enumerate() {
                 if want.force {

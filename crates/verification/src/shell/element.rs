@@ -9,7 +9,7 @@ use crate::{Benchmark, Part, Reference};
 use fem::element::shell::section::ElasticSection;
 use fem::element::shell::surface::rotation_frame;
 use fem::element::shell4::{Axes, SIZE, Shell4, rigid_motion};
-use fem::element::{Element, Motion, Response, Want, reference_stiffness};
+use fem::element::{Element, Motion, Response, Trial, Want, reference_stiffness};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
@@ -59,7 +59,7 @@ fn eigenvalues(x: [[f64; 3]; 4], tilt: f64, drilling: bool) -> Answer<Vec<f64>> 
 
 fn respond(shell: &Shell4, values: &[f64; SIZE], rotations: &[UnitQuaternion<f64>; 4]) -> Answer<Response> {
     let mut out = Response::sized(SIZE);
-    shell.respond(Motion { values, rotations }, &[], &mut [], Want::ALL, &mut out)?;
+    shell.respond(Trial { motion: Motion { values, rotations }, old: &[], new: &mut [], want: Want::ALL }, &mut out)?;
     Ok(out)
 }
 

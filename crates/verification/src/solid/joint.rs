@@ -15,7 +15,7 @@ use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
 use fem::element::solid8::{Elastic, Kinematics, Solid8};
-use fem::element::{Element, Inspect, Motion, Response, Want};
+use fem::element::{Element, Inspect, Motion, Response, Trial, Want};
 use fem::mesh::Face;
 use fem::model::{Builder, Model};
 use fem::shape::quad4;
@@ -51,7 +51,7 @@ fn half_closed(gaps: [f64; 4]) -> Result<[f64; 4], Failure> {
     }
     let motion = Motion { values: &values, rotations: &[UnitQuaternion::identity(); 8] };
     let mut response = Response::sized(24);
-    joint.respond(motion, &[], &mut [], Want::FORCE, &mut response)?;
+    joint.respond(Trial { motion, old: &[], new: &mut [], want: Want::FORCE }, &mut response)?;
     Ok(std::array::from_fn(|a| response.force[3 * a + 2]))
 }
 

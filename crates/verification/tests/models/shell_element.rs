@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fem::element::shell::section::ElasticSection;
 use fem::element::shell4::{MembraneShear, SIZE, Shell4, rigid_motion};
-use fem::element::{Element, Motion, Response, Want};
+use fem::element::{Element, Motion, Response, Trial, Want};
 use nalgebra::{UnitQuaternion, Vector3};
 
 fn warped(membrane: MembraneShear, drilling: bool) -> (Shell4, [[f64; 3]; 4]) {
@@ -19,7 +19,7 @@ fn warped(membrane: MembraneShear, drilling: bool) -> (Shell4, [[f64; 3]; 4]) {
 fn respond(shell: &Shell4, u: &[f64; SIZE], r: &[UnitQuaternion<f64>; 4]) -> Response {
     let mut out = Response::sized(SIZE);
     let motion = Motion { values: u, rotations: r };
-    shell.respond(motion, &[], &mut [], Want::ALL, &mut out).unwrap();
+    shell.respond(Trial { motion, old: &[], new: &mut [], want: Want::ALL }, &mut out).unwrap();
     out
 }
 

@@ -14,7 +14,7 @@ use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::Axes;
 use fem::element::wall::place::Build;
-use fem::element::{Motion, Response, Want};
+use fem::element::{Motion, Response, Trial, Want};
 use fem::linalg::Symbolic;
 use fem::mesh::grading::geometric;
 use fem::model::{Builder, Model};
@@ -119,7 +119,7 @@ impl PushModel {
         let ground = &self.model.elements()[element];
         // Friction, which has a history, does not change the reaction.
         let (old, mut new) = (vec![0.0; ground.history_len()], vec![0.0; ground.history_len()]);
-        match ground.respond(motion, &old, &mut new, Want::FORCE, &mut out) {
+        match ground.respond(Trial { motion, old: &old, new: &mut new, want: Want::FORCE }, &mut out) {
             Ok(()) => -out.force[2],
             Err(_) => f64::NAN,
         }

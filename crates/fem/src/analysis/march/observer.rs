@@ -7,7 +7,7 @@ use crate::analysis::damping::Rayleigh;
 use crate::analysis::observable::{Observable, apply};
 use crate::assembly::Forces;
 use crate::dofs::KINDS;
-use crate::element::{Response, Want};
+use crate::element::{Response, Trial, Want};
 use crate::state::Gather;
 
 /// Resultant of all support reactions in a rigid motion w of the supports,
@@ -68,7 +68,7 @@ impl Reaction {
             let motion = gather.motion(model, &now.state.committed, element);
             let history = &now.state.old[now.state.history(*e)];
             let (mut out, mut new) = (Response::sized(w.len()), history.to_vec());
-            match element.respond(motion, history, &mut new, Want::FORCE, &mut out) {
+            match element.respond(Trial { motion, old: history, new: &mut new, want: Want::FORCE }, &mut out) {
                 Ok(()) => sum -= w.iter().zip(&out.force).map(|(w, f)| w * f).sum::<f64>(),
                 Err(_) => return f64::NAN,
             }

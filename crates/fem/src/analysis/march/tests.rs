@@ -15,7 +15,7 @@ use crate::analysis::system::System;
 use crate::analysis::transient::{self, integrate};
 use crate::assembly::Assembler;
 use crate::element::spring::{Direction, PointMass, Spring};
-use crate::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
+use crate::element::{Element, ElementError, Inspect, Response, Trial};
 use crate::linalg::Ordering;
 use crate::linalg::Symbolic;
 use crate::model::Builder;
@@ -33,34 +33,13 @@ struct Link {
 }
 
 impl Element for Link {
-    fn kind(&self) -> &'static str {
-        "link"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::slice(0..1)
-    }
+    crate::answers!("link", nodes, Dof::slice(0..1); massless inspect);
 
     fn history_len(&self) -> usize {
         2
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Movement<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        _want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         let e = motion.values[1] - motion.values[0];
         if e.abs() > self.brittle {
             let reason = format!("elongation {e}");
@@ -86,10 +65,6 @@ impl Element for Link {
             }
         }
         Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
     }
 }
 
@@ -304,34 +279,13 @@ struct Hurried {
 }
 
 impl Element for Hurried {
-    fn kind(&self) -> &'static str {
-        "hurried"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::slice(0..1)
-    }
+    crate::answers!("hurried", nodes, Dof::slice(0..1); massless);
 
     fn history_len(&self) -> usize {
         1
     }
 
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Movement<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, old, new, .. }: Trial<'_>, _out: &mut Response) -> Result<(), ElementError> {
         new[0] = motion.values[1] - motion.values[0];
         let change = (new[0] - old[0]).abs();
         if change > self.most {

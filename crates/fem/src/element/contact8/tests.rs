@@ -1,7 +1,7 @@
 use nalgebra::UnitQuaternion;
 
 use super::*;
-use crate::element::reference_stiffness;
+use crate::element::{Motion, Trial, Want, reference_stiffness};
 use crate::shape::gauss;
 
 const TOP: [usize; 4] = [0, 1, 2, 3];
@@ -29,7 +29,7 @@ fn opened(gaps: [f64; 4]) -> [f64; 24] {
 fn respond(element: &Contact8, values: &[f64]) -> Response {
     let mut response = Response::sized(24);
     let motion = Motion { values, rotations: &[UnitQuaternion::identity(); 8] };
-    element.respond(motion, &[], &mut [], Want::ALL, &mut response).unwrap();
+    element.respond(Trial { motion, old: &[], new: &mut [], want: Want::ALL }, &mut response).unwrap();
     response
 }
 

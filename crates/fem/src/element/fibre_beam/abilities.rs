@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::{FibreBeam, SIZE, Station, dot, shortening};
 use crate::element::{
-    Buckling, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want,
+    Buckling, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Trial,
+    Want,
 };
 
 impl Inspect for FibreBeam {
@@ -60,7 +61,7 @@ impl Inspect for FibreBeam {
         let shortened = self.shorten(u).map_or(0.0, |(e, _)| e);
         let mut scratch = history.to_vec();
         let mut force = Response::sized(SIZE);
-        self.respond(motion, history, &mut scratch, Want::FORCE, &mut force)?;
+        self.respond(Trial { motion, old: history, new: &mut scratch, want: Want::FORCE }, &mut force)?;
         let [x, z] = self.along;
         let mut states = Vec::new();
         for (point, station) in self.stations.iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::newton::{Criteria, Newton, load_path};
 use crate::assembly::Assembler;
-use crate::element::Inspect;
+use crate::element::{Inspect, Motion, Trial, Want};
 use crate::linalg::{Ordering, Symbolic};
 use crate::model::Model;
 use crate::progress::Silent;
@@ -227,7 +227,7 @@ fn history_and_dissipation() {
     beam.init_history(&mut old);
     let motion = Motion { values: &[0.0; SIZE], rotations: &[] };
     let mut new = old.clone();
-    beam.respond(motion, &old, &mut new, Want::ALL, &mut Response::sized(SIZE)).unwrap();
+    beam.respond(Trial { motion, old: &old, new: &mut new, want: Want::ALL }, &mut Response::sized(SIZE)).unwrap();
     // 0.5 per volume.
     assert!((beam.dissipated(&new) - 0.5 * 0.3 * 2.0).abs() < 1e-14);
     let mut fibres = 0;

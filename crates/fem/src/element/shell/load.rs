@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 
 use super::geometry::{base, blend};
 use crate::dofs::{Dof, KINDS};
-use crate::element::{Element, ElementError, Motion, Response, Want};
+use crate::element::{Element, ElementError, Response, Trial};
 use crate::model::Model;
 use crate::shape::{gauss, quad4};
 
@@ -176,30 +176,9 @@ impl FollowerPressure {
 }
 
 impl Element for FollowerPressure {
-    fn kind(&self) -> &'static str {
-        "follower_pressure"
-    }
+    crate::answers!("follower_pressure", nodes, Dof::TRANSLATIONS; massless);
 
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::TRANSLATIONS
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, Trial { motion, want, .. }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
         if want.force {
             let force = self.force(motion.values);
             out.force.iter_mut().zip(force).for_each(|(own, force)| *own -= force);

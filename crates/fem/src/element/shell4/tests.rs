@@ -2,11 +2,11 @@
 
 use materials::elastic::Elastic;
 
-use crate::element::reference_stiffness;
 use crate::element::shell::layered::tests::Springs;
 use crate::element::shell::layered::{Bar, LayeredSection, Ply};
 use crate::element::shell::rule::Rule;
 use crate::element::shell::section::ElasticSection;
+use crate::element::{Inspect, Motion, Trial, Want, reference_stiffness};
 
 use super::*;
 
@@ -68,7 +68,7 @@ fn moved(shell: &Shell4, scale: f64) -> (Response, Vec<f64>) {
     let mut new = old.clone();
     let mut out = Response::sized(SIZE);
     let motion = Motion { values: &values, rotations: &rotations };
-    shell.respond(motion, &old, &mut new, Want::ALL, &mut out).unwrap();
+    shell.respond(Trial { motion, old: &old, new: &mut new, want: Want::ALL }, &mut out).unwrap();
     (out, new)
 }
 
@@ -119,7 +119,9 @@ fn layered_shell_in_hoop_axes() {
     shell.init_history(&mut old);
     let motion = Motion { values: &values, rotations: &rotations };
     let mut history = old.clone();
-    shell.respond(motion, &old, &mut history, Want::FORCE, &mut Response::sized(SIZE)).unwrap();
+    shell
+        .respond(Trial { motion, old: &old, new: &mut history, want: Want::FORCE }, &mut Response::sized(SIZE))
+        .unwrap();
     let mut bars = 0;
     shell.material_points(motion, &history, &mut |i| {
         let radius = Vector3::new(i.position[0] - 5.0, i.position[1] + 3.0, 0.0);

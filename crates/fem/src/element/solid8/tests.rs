@@ -1,7 +1,7 @@
 use nalgebra::UnitQuaternion;
 
 use super::*;
-use crate::element::{reference_mass, reference_stiffness};
+use crate::element::{Inspect, Motion, Trial, Want, reference_mass, reference_stiffness};
 
 /// A distorted brick.
 fn corners() -> [[f64; 3]; 8] {
@@ -29,7 +29,7 @@ fn respond(element: &Solid8, values: &[f64], want: Want) -> Response {
     let mut response = Response::sized(24);
     let rotations = [UnitQuaternion::identity(); 8];
     let motion = Motion { values, rotations: &rotations };
-    element.respond(motion, &[], &mut [], want, &mut response).unwrap();
+    element.respond(Trial { motion, old: &[], new: &mut [], want }, &mut response).unwrap();
     response
 }
 

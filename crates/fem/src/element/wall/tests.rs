@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::element::shell::section::ElasticSection;
-use crate::element::{reference_mass, reference_stiffness};
+use crate::element::{Inspect, Motion, Trial, Want, reference_mass, reference_stiffness};
 
 const INNER_FACE: f64 = 0.04;
 const OUTER_FACE: f64 = 0.06;
@@ -31,7 +31,8 @@ fn wall(material: Elastic, mass: LayerMass) -> (Wall, [[f64; 3]; 8]) {
 
 fn respond(wall: &Wall, values: &[f64], rotations: &[UnitQuaternion<f64>; 8]) -> Response {
     let mut out = Response::sized(SIZE);
-    wall.respond(Motion { values, rotations }, &[], &mut [], Want::ALL, &mut out).unwrap();
+    wall.respond(Trial { motion: Motion { values, rotations }, old: &[], new: &mut [], want: Want::ALL }, &mut out)
+        .unwrap();
     out
 }
 
