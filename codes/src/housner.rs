@@ -17,7 +17,8 @@ pub mod coefficients;
 pub mod model;
 pub mod motion;
 pub mod slender;
-pub mod statics;
+#[cfg(test)]
+pub(crate) mod statics;
 pub mod stress;
 
 mod assess;

@@ -2,11 +2,9 @@
 //!
 //! [`Potential`]: the meridional section of a cylinder, one Fourier harmonic at a time, or the plane of a strip, condensed
 //! to the wall's trace and the free surface. [`HarmonicLiquid`] gathers the harmonics into the added mass of a wall of
-//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`separation`]: where a liquid leaves its
-//! wall.
+//! spatial elements. [`separation`]: where a liquid leaves its wall.
 
 mod circular;
-mod condensed;
 mod domain;
 mod harmonic;
 mod mesh;
@@ -14,14 +12,11 @@ mod on_wall;
 mod potential;
 pub mod separation;
 mod super_liquid;
-mod wall;
 
 pub use circular::{CircularElement, CircularLiquid};
-pub use condensed::Condensed;
 pub use domain::Domain;
-pub use harmonic::HarmonicLiquid;
+pub use harmonic::{Block, HarmonicLiquid};
 pub use mesh::{LiquidMesh, scaled};
 pub use on_wall::WallLiquid;
 pub use potential::{Potential, Row, Trace};
-pub use super_liquid::{CondenseError, CondensedLiquid, CondensedMesh, Rim};
-pub use wall::{NormalRow, WallPencil, WallSolver};
+pub use super_liquid::{CondenseError, CondensedLiquid, Rim};

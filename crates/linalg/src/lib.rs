@@ -16,7 +16,6 @@ mod pencil;
 mod sparse;
 mod symbolic;
 mod symmetric;
-mod three_field;
 
 pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
@@ -25,11 +24,10 @@ pub use fronts::{Fronts, Keep};
 pub use lanczos::{Modes, Search, modes};
 pub use minres::{Iterations, Precondition, minres};
 pub use ordering::Ordering;
-pub use pencil::{Pencil, Shifted, Sparse};
+pub use pencil::{Pencil, Shifted, Sparse, trusted};
 pub use sparse::{SparseCholesky, Triplets};
 pub use symbolic::Symbolic;
 pub use symmetric::{Pattern, Symmetric};
-pub use three_field::ThreeField;
 
 /// Failure of a factorisation or of the eigenvalue solver.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! The pencil K x = ω² M x for eigenvalue solvers and reductions: products with K and M, and solves with K + s M.
 //!
-//! [`Pencil`] is implemented by [`Sparse`] (K and M assembled) and by [`ThreeField`](super::ThreeField) (M known only through the
-//! potential of a liquid).
+//! [`Pencil`] is implemented by [`Sparse`] (K and M assembled), and by the verification program where M is known only through the potential
+//! of a liquid.
 
 use std::sync::Arc;
 
@@ -100,7 +100,7 @@ const BACKWARD_PIVOTED: f64 = 1e-9;
 
 /// LDLᵀ, or LBLᵀ if the pivots of the first are too small for a test vector. Errors: the matrix is
 /// singular to rounding, so that both fail; not enough memory.
-pub(super) fn trusted(symbolic: &Arc<Symbolic>, matrix: &Symmetric) -> Result<Factor, LinalgError> {
+pub fn trusted(symbolic: &Arc<Symbolic>, matrix: &Symmetric) -> Result<Factor, LinalgError> {
     match symbolic.factor(matrix, Kind::QuasiDefinite) {
         Ok(factor) if backward_error(&factor, matrix)? <= BACKWARD => return Ok(factor),
         Ok(_) | Err(LinalgError::Singular { .. }) => {}

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use crate::{Answer, Benchmark, Part, Reference, Row};
 use coupled::{Division, Tank, along_x, mode_on_hexahedra, radial, with_harmonics, with_hexahedra};
 use fem::linalg::{Matrix, Pencil};
-use fem::liquid::WallSolver;
 use rigid::{DENSITY, GRAVITY, RigidTank, Sloshing};
 use series::{LAMBDA_1, convective, impulsive_share, sector_lambda, sloshing};
+use wall::WallSolver;
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
@@ -31,12 +31,15 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     parts: &[Part::Fast(potential), Part::Slow(potential_slow)],
 };
 
+pub mod condensed;
+pub mod condensed_mesh;
 pub mod coupled;
 
 pub mod rigid;
 mod series;
-
+pub mod three_field;
 pub mod transient;
+pub mod wall;
 
 const SERIES: &str = "potential flow, J_m'(λ) = 0 (Housner 1957; Veletsos & Yang 1977)";
 

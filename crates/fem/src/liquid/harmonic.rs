@@ -42,11 +42,12 @@ pub struct HarmonicLiquid {
 
 /// One harmonic.
 #[derive(Clone, Debug)]
-pub(super) struct Block {
+pub struct Block {
     /// Its columns of F: cos, and sin unless m = 0 or N/2; with the first of its elevations among all.
     pub columns: Vec<(usize, usize)>,
-    /// M^(m) and K^(m) over (ŵ at the levels, elevations that are unknowns).
+    /// M^(m) over (ŵ at the levels, elevations that are unknowns).
     pub mass: Matrix,
+    /// K^(m) over the same.
     pub stiffness: Matrix,
     /// Elevation at the wall over the same unknowns; `None` if the elevations are condensed.
     pub rim: Option<Vec<f64>>,
@@ -135,6 +136,16 @@ impl HarmonicLiquid {
     /// Number of levels of the wall and of rings of the bottom, which follow them.
     pub fn levels(&self) -> usize {
         self.heights.len() + self.floor.len()
+    }
+
+    /// F.
+    pub fn fourier(&self) -> &Matrix {
+        &self.fourier
+    }
+
+    /// The harmonics.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
     }
 
     /// Number of nodes of wall and bottom; node (level, sector) has the index `level * sectors + sector`.
@@ -235,7 +246,7 @@ fn matrices(
     Ok((added, Matrix::zeros(wall.len(), wall.len()), None))
 }
 
-pub(super) fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
+fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
     Matrix { rows, cols, data: data.to_vec() }
 }
 
@@ -245,7 +256,6 @@ mod tests {
 
     use super::*;
     use crate::linalg::dot;
-    use crate::liquid::Condensed;
 
     const RADIUS: f64 = 1.83;
     const DEPTH: f64 = 1.525;
@@ -277,19 +287,6 @@ mod tests {
             let mass = dot(&x.data, &liquid.mass(&x).data);
             assert!((mass / exact - 1.0).abs() < 1e-9, "{mass} {exact}");
         }
-    }
-
-    /// A breathing wall lifts the surface by the displaced volume: 2πR H w = πR² η in the mean, stiffness ρ g (2πRHw)²/(πR²)
-    /// when the elevation is that mean everywhere.
-    #[test]
-    fn breathing_keeps_the_volume() {
-        let liquid = liquid(1);
-        let x = vector(&liquid, |_, _| 1.0);
-        let condensed = Condensed::new(&liquid, 0.0).unwrap();
-        let w = &x.data[..liquid.wall()];
-        let stiffness = dot(w, &condensed.times(w));
-        let exact = 9810.0 * (TAU * RADIUS * DEPTH).powi(2) / (PI * RADIUS * RADIUS);
-        assert!((stiffness / exact - 1.0).abs() < 1e-9, "{stiffness} {exact}");
     }
 
     /// A bottom that rises as a whole lifts all of the liquid, if the surface rises with it: φ = z is in the space.
@@ -324,38 +321,6 @@ mod tests {
             let j = if i < 3 { i } else { i + floor.len() };
             let found: f64 = (0..floor.len()).map(|k| floor[k] * moving.mass.get(3 + k, j)).sum();
             assert!((found + expected).abs() < 1e-9 * largest, "{i}: {found} {expected}");
-        }
-    }
-
-    /// The operator, its matrix and the condensation agree, and the matrix is symmetric.
-    #[test]
-    fn condensed_forms_agree() {
-        let liquid = liquid(2);
-        let s = 40.0;
-        let condensed = Condensed::new(&liquid, s).unwrap();
-        let a = condensed.matrix();
-        let w: Vec<f64> = (0..liquid.wall()).map(|i| ((i * 7 % 13) as f64 - 6.0) / 6.0).collect();
-        let times = condensed.times(&w);
-        let scale = times.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        for (x, y) in a.times(&w).iter().zip(&times) {
-            assert!((x - y).abs() < 1e-11 * scale);
-        }
-        // (K + s M)(w, η) with the η that follows from no force on the surface.
-        let eta = condensed.elevations(&w, &vec![0.0; liquid.elevations()]).unwrap();
-        let mut x = w.clone();
-        x.extend(&eta);
-        let n = x.len();
-        let x = Matrix { rows: n, cols: 1, data: x };
-        let (k, m) = (liquid.stiffness(&x), liquid.mass(&x));
-        for i in 0..n {
-            let force = k.data[i] + s * m.data[i];
-            let expected = times.get(i).copied().unwrap_or(0.0);
-            assert!((force - expected).abs() < 1e-10 * scale, "{i}: {force} {expected}");
-        }
-        for i in 0..a.rows {
-            for j in 0..i {
-                assert!((a.get(i, j) - a.get(j, i)).abs() < 1e-12 * scale);
-            }
         }
     }
 }

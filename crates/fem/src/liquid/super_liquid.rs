@@ -12,22 +12,11 @@
 //!
 //! Source: Morand & Ohayon 1995, chapter 5; Craig & Bampton 1968.
 
-use std::sync::Arc;
-
 use super::HarmonicLiquid;
-use crate::assembly::{Assembler, order};
 use crate::dofs::Dof;
 use crate::element::ElementError;
 use crate::element::super_element::SuperElement;
-use crate::linalg::{
-    LinalgError, Matrix, Pencil, Symbolic, ThreeField, generalized_eigen, product, transposed_product,
-};
-use crate::model::Model;
-
-/// Entries of F below this part of the largest are rounding.
-const NOTHING: f64 = 1e-12;
-/// Columns that are solved for at once.
-const COLUMNS: usize = 64;
+use crate::linalg::{LinalgError, Matrix, generalized_eigen, product, transposed_product};
 
 /// Failure of a condensation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -74,17 +63,6 @@ pub struct Rim {
     pub row: Vec<f64>,
     /// Those of the sine; empty where it does not exist: m = 0, half a tank.
     pub sine: Vec<f64>,
-}
-
-/// A liquid of elements, condensed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CondensedMesh {
-    /// The matrices.
-    pub liquid: CondensedLiquid,
-    /// Node and dof of each wall displacement.
-    pub wall: Vec<(usize, Dof)>,
-    /// Node and dof of each elevation.
-    pub elevations: Vec<(usize, Dof)>,
 }
 
 impl CondensedLiquid {
@@ -203,60 +181,6 @@ impl CondensedLiquid {
         Ok(out)
     }
 
-    /// The liquid of a model that has only potential elements, surfaces and wet faces, with the potential eliminated.
-    /// The nodes of the wall must be free: dofs that are held in the model of the tank belong in the matrices.
-    ///
-    /// Where the potential has no fixed value the volume is kept by eliminating the elevation that moves most of it.
-    ///
-    /// Errors: stiffness that is not that of a surface, a singular liquid, no surface.
-    pub fn of_mesh(model: &Model) -> Result<CondensedMesh, CondenseError> {
-        let assembler = Assembler::new(model);
-        let (stiffness, mass) = assembler.stiffness_and_mass(model)?;
-        let pattern = assembler.pattern();
-        let symbolic = Arc::new(Symbolic::new(pattern.clone(), &order(model, pattern))?);
-        let phi = model.dofs().of_kind(Dof::Phi);
-        let pencil = ThreeField::new(&stiffness, &mass, symbolic, phi.clone())?;
-        // Columns of F: which wall displacements the liquid feels at all.
-        let mut weight = vec![0.0_f64; mass.size()];
-        let mut is_phi = vec![false; mass.size()];
-        phi.iter().for_each(|&e| is_phi[e] = true);
-        for j in 0..mass.size() {
-            for p in pattern.starts[j]..pattern.starts[j + 1] {
-                let (i, v) = (pattern.rows[p], mass.values[p].abs());
-                match (is_phi[i], is_phi[j]) {
-                    (true, false) => weight[j] = weight[j].max(v),
-                    (false, true) => weight[i] = weight[i].max(v),
-                    _ => {}
-                }
-            }
-        }
-        let largest = weight.iter().fold(0.0_f64, |m, v| m.max(*v));
-        let kept = pencil.kept();
-        let felt = |k: usize| weight[kept[k]] > NOTHING * largest;
-        let of = |k: usize| model.dofs().unknown(kept[k]);
-        let eta: Vec<usize> = (0..kept.len()).filter(|&k| of(k).1 == Dof::Eta).collect();
-        let wall: Vec<usize> = (0..kept.len()).filter(|&k| of(k).1 != Dof::Eta && felt(k)).collect();
-        let order: Vec<usize> = wall.iter().chain(&eta).copied().collect();
-        let mut basis = Matrix::zeros(kept.len(), order.len());
-        order.iter().enumerate().for_each(|(j, &k)| basis.add(k, j, 1.0));
-        let mut elevations = eta;
-        if pencil.constraints() > 0 {
-            basis = keep_volume(&pencil, &mass, model, &order, &mut elevations, wall.len())?;
-        }
-        let liquid = CondensedLiquid {
-            wall: wall.len(),
-            mass: projected_mass(&pencil, &basis)?,
-            stiffness: transposed_product(&basis, &pencil.stiffness(&basis)),
-            omega: Vec::new(),
-            rim: Vec::new(),
-        };
-        Ok(CondensedMesh {
-            liquid,
-            wall: wall.iter().map(|&k| of(k)).collect(),
-            elevations: elevations.iter().map(|&k| of(k)).collect(),
-        })
-    }
-
     /// Number of elevations or amplitudes.
     pub fn surface(&self) -> usize {
         self.mass.rows - self.wall
@@ -352,66 +276,6 @@ impl CondensedLiquid {
         }
         Ok(element.with_damping(damping)?)
     }
-}
-
-impl CondensedMesh {
-    /// The element over the dofs of the mesh itself: wall displacements and elevations.
-    ///
-    /// Errors: none but those of the element.
-    pub fn element(&self) -> Result<SuperElement, CondenseError> {
-        self.liquid.element(&self.wall, &self.elevations, 0.0)
-    }
-}
-
-/// Bᵀ M B in blocks of columns: each costs solves with as many right-hand sides, over all nodes of the liquid.
-fn projected_mass(pencil: &ThreeField<'_>, basis: &Matrix) -> Result<Matrix, LinalgError> {
-    let mut out = Matrix::zeros(basis.cols, basis.cols);
-    let rows: Vec<usize> = (0..basis.rows).collect();
-    let columns: Vec<usize> = (0..basis.cols).collect();
-    for block in columns.chunks(COLUMNS) {
-        let image = pencil.mass(&basis.select(&rows, block))?;
-        let part = transposed_product(basis, &image);
-        for (k, &j) in block.iter().enumerate() {
-            out.column_mut(j).copy_from_slice(part.column(k));
-        }
-    }
-    Ok(out)
-}
-
-/// Basis of the x that keep the volume: one elevation follows from all others.
-fn keep_volume(
-    pencil: &ThreeField<'_>,
-    mass: &crate::linalg::Symmetric,
-    model: &Model,
-    order: &[usize],
-    elevations: &mut Vec<usize>,
-    wall: usize,
-) -> Result<Matrix, CondenseError> {
-    if pencil.constraints() > 1 || elevations.is_empty() {
-        return Err(CondenseError::Option {
-            what: "liquid",
-            found: format!("{} liquids, {} elevations", pencil.constraints(), elevations.len()),
-            allowed: "one liquid with a surface; condense several one by one".into(),
-        });
-    }
-    let constant = model.vector(|_| {
-        let mut field = [0.0; crate::dofs::KINDS];
-        field[Dof::Phi.index()] = 1.0;
-        field
-    });
-    // −H 1 = 0, so that the rows of x are Fᵀ 1.
-    let flux = pencil.restrict(&mass.times(&constant));
-    let dependent =
-        (wall..order.len()).max_by(|&a, &b| flux[order[a]].abs().total_cmp(&flux[order[b]].abs())).unwrap_or(wall);
-    let last = order[dependent];
-    elevations.remove(dependent - wall);
-    let mut t = Matrix::zeros(pencil.kept().len(), order.len() - 1);
-    let free = order.iter().filter(|&&k| k != last);
-    for (j, &k) in free.enumerate() {
-        t.add(k, j, 1.0);
-        t.add(last, j, -flux[k] / flux[last]);
-    }
-    Ok(t)
 }
 
 fn identity(n: usize) -> Matrix {

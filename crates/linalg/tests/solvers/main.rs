@@ -11,7 +11,6 @@ mod minres;
 mod modes;
 mod sparse;
 mod symmetric;
-mod three_field;
 
 /// Brick pattern on a grid of nx × ny × nz nodes with the seven-point Laplacian of unit spacing (zero beyond the grid) as
 /// stiffness and the unit matrix as mass, `dofs` uncoupled copies a node.

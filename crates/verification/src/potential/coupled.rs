@@ -5,7 +5,10 @@ use std::sync::Arc;
 use materials::von_mises::VonMises;
 use nalgebra::Vector3;
 
+use super::condensed_mesh::of_mesh;
 use super::rigid::{DENSITY, GRAVITY, fill, uniform};
+use super::three_field::ThreeField;
+use super::wall::{NormalRow, WallPencil};
 use crate::Failure;
 use fem::assembly::{Assembler, order};
 use fem::chart::Chart;
@@ -16,8 +19,8 @@ use fem::element::shell::rule::Rule;
 use fem::element::shell::section::{ElasticSection, Section};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::{Axes, MembraneShear};
-use fem::linalg::{Matrix, Pencil, Symbolic, Symmetric, ThreeField, dot};
-use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
+use fem::linalg::{Matrix, Pencil, Symbolic, Symmetric, dot};
+use fem::liquid::{HarmonicLiquid, LiquidMesh};
 use fem::mesh::{Cylinder, Volume, Wall};
 use fem::model::{Builder, Model};
 
@@ -282,7 +285,7 @@ pub fn with_condensed(tank: &Tank, division: &Division, sloshing: Option<usize>)
     let nodes = place_nodes(&mut liquid, tank, division)?;
     turn(&mut liquid, &nodes);
     join(&mut liquid, tank, &volume, &nodes)?;
-    let found = CondensedLiquid::of_mesh(&liquid.build()?)?;
+    let found = of_mesh(&liquid.build()?)?;
     let mut builder = Builder::new();
     place_liquid(&mut builder, tank, division, false)?;
     let wall = place_wall(&mut builder, tank, division)?;

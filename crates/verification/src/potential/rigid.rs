@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use super::three_field::ThreeField;
 use crate::Failure;
 use fem::assembly::{Assembler, order};
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{Potential8, PotentialSurface, WetFace};
-use fem::linalg::{Kind, Matrix, Ordering, Search, Symbolic, Symmetric, ThreeField, dot, modes};
+use fem::linalg::{Kind, Matrix, Ordering, Search, Symbolic, Symmetric, dot, modes};
 use fem::mesh::{Cylinder, Face, Hexahedron};
 use fem::model::{Builder, Model};
 

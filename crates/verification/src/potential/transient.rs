@@ -4,6 +4,7 @@ use oscillator::sdof;
 
 use super::coupled::{Division, Tank, along_x, with_hexahedra};
 use super::rigid::uniform;
+use super::three_field::ThreeField;
 use crate::Failure;
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::observable::Observable;
@@ -11,7 +12,7 @@ use fem::analysis::system::System;
 use fem::analysis::transient::{Load, Settings, integrate};
 use fem::dofs::Dof;
 use fem::element::shell4::MembraneShear;
-use fem::linalg::{Matrix, Pencil, ThreeField, dot, generalized_eigen};
+use fem::linalg::{Matrix, Pencil, dot, generalized_eigen};
 use fem::progress::Silent;
 
 /// Observable, its history by direct integration and by modal superposition.

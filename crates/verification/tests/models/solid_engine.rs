@@ -10,10 +10,11 @@ use engines::solid::model::TankModel;
 use engines::solid::system::System;
 use engines::solid::{self, Liquid, MeshSize, SolidOptions, spectrum};
 use engines::{self, FeError, Options, Simulation};
-use fem::linalg::{Pencil, Symbolic, ThreeField};
+use fem::linalg::{Pencil, Symbolic};
 use fem::progress::Silent;
 use tank::case::GroundMotion;
 use tank::reference::broad;
+use verification::potential::three_field::ThreeField;
 use verification::tanks::solid_against_harmonic::artificial;
 
 fn coarse(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {

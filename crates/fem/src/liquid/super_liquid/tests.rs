@@ -1,92 +1,16 @@
 //! Condensed liquids against the mass of the liquid, its sloshing frequencies and each other.
 
 use super::*;
-use crate::chart::Chart;
-use crate::element::{Potential8, PotentialSurface, WetFace};
 use crate::liquid::LiquidMesh;
-use crate::mesh::Cylinder;
-use crate::model::Builder;
 
 const RADIUS: f64 = 2.0;
 const DEPTH: f64 = 1.6;
 const DENSITY: f64 = 1000.0;
 const GRAVITY: f64 = 9.81;
 
-/// A cylinder of liquid whose wall faces sit on their own nodes.
-fn mesh(rings: usize, sectors: usize, levels: usize) -> Model {
-    let uniform = |length: f64, n: usize| (0..=n).map(|k| length * k as f64 / n as f64).collect::<Vec<f64>>();
-    let cylinder = Cylinder { radii: uniform(RADIUS, rings), sectors, heights: uniform(DEPTH, levels) };
-    let volume = cylinder.volume().unwrap();
-    let mut builder = Builder::new();
-    builder.nodes(&volume.nodes);
-    for cell in &volume.cells {
-        builder.element("liquid", Potential8::new(cell, Chart::Cylindrical, DENSITY).unwrap());
-    }
-    for face in &volume.surface {
-        let surface = PotentialSurface::new(face, Chart::Cylindrical, DENSITY, GRAVITY).unwrap();
-        builder.element("surface", surface);
-    }
-    for face in &volume.wall {
-        let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
-        let wet = WetFace::new(face, Chart::Cylindrical, face.nodes, normals, DENSITY).unwrap();
-        builder.element("wet", wet);
-    }
-    builder.build().unwrap()
-}
-
 /// ιᵀ M ι of a translation along x.
 fn moved(found: &CondensedLiquid, iota: &[f64]) -> f64 {
     crate::linalg::dot(iota, &found.mass.times(iota))
-}
-
-/// The mesh condensed exactly carries its own mass, and with sloshing modes too, whatever their number (D10); its modes in the
-/// rigid tank are those of the three-field pencil; the first antisymmetric one is near its closed form.
-#[test]
-fn mesh_of_potential_elements() {
-    let model = mesh(4, 12, 5);
-    let found = CondensedLiquid::of_mesh(&model).unwrap();
-    let liquid = &found.liquid;
-    assert_eq!(found.elevations.len(), liquid.surface());
-    let translation = |liquid: &CondensedLiquid| -> Vec<f64> {
-        let mut iota: Vec<f64> = found.wall.iter().map(|(_, d)| f64::from(*d == Dof::Ux)).collect();
-        iota.resize(liquid.mass.rows, 0.0);
-        iota
-    };
-    let own = moved(liquid, &translation(liquid));
-    // The mesh's own volume: the cylinder's, as the wall is curved in the chart. φ = x is not in the space of the elements:
-    // second order in the sectors, (π/12)²/3.
-    let exact = DENSITY * std::f64::consts::PI * RADIUS * RADIUS * DEPTH;
-    assert!((own / exact - 1.0).abs() < 0.025, "{}", own / exact);
-    let all = liquid.with_sloshing_modes(liquid.surface()).unwrap();
-    let few = liquid.with_sloshing_modes(4).unwrap();
-    for reduced in [&all, &few] {
-        let mass = moved(reduced, &translation(reduced));
-        // Neglecting gravity in the omitted modes changes stiffness, not mass; but they follow the wall, which takes the
-        // part of the mass that stays at rest in these modes.
-        assert!((mass / own - 1.0).abs() < 0.05, "{}", mass / own);
-    }
-    // ω² = g (1.8412/R) tanh(1.8412 H/R), Lamb 1932.
-    let k = 1.841_183_781_340_659 / RADIUS;
-    let omega = (GRAVITY * k * (k * DEPTH).tanh()).sqrt();
-    let nearest = few.omega.iter().fold(0.0_f64, |m, w| if (w - omega).abs() < (m - omega).abs() { *w } else { m });
-    assert!((nearest / omega - 1.0).abs() < 0.03, "{:?} {omega}", few.omega);
-    // With all modes the result is exact: the same frequencies of the free liquid with the wall on springs.
-    let with_springs = |l: &CondensedLiquid| {
-        let mut k = l.stiffness.clone();
-        (0..l.wall).for_each(|i| k.add(i, i, 1e7));
-        let mut m = l.mass.clone();
-        (0..l.wall).for_each(|i| m.add(i, i, 50.0));
-        generalized_eigen(&k, &m, Some(12)).unwrap().omega
-    };
-    for (a, b) in with_springs(liquid).iter().zip(with_springs(&all)) {
-        assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
-    }
-    for (a, b) in with_springs(liquid).iter().zip(with_springs(&few)).take(4) {
-        assert!((a / b - 1.0).abs() < 0.02, "{a} {b}");
-    }
-    assert!(found.element().is_ok());
-    assert!(liquid.element(&found.wall, &found.elevations, 0.01).is_err());
-    assert!(liquid.with_sloshing_modes(1000).is_err());
 }
 
 /// The harmonic liquid as matrices is its operator, and an element with amplitudes damps its modes.

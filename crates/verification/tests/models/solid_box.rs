@@ -5,8 +5,6 @@
 //! Expected:  stated at each test
 //! Tolerance: stated at each test, from the order of the elements or the digits of the tables
 
-#![allow(clippy::unwrap_used, reason = "tests")]
-
 use std::f64::consts::PI;
 
 use engines::modes::Kind;
@@ -15,12 +13,13 @@ use engines::solid::spectrum::{self, TankMode};
 use engines::solid::system::System;
 use engines::solid::{self, MeshSize, SolidOptions};
 use engines::{self, Integrator, Options, Simulation};
-use fem::linalg::{Pencil, Symbolic, ThreeField};
+use fem::linalg::{Pencil, Symbolic};
 use fem::progress::Silent;
 use oscillator::record::Record;
 use tank::case::GroundMotion;
 use tank::reference::{GRAVITY, case, material};
 use tank::{Case, Quantity, Shape};
+use verification::potential::three_field::ThreeField;
 
 /// Length, breadth, height of the walls, thickness and depth [m]; Young's modulus [Pa].
 fn concrete([length, breadth, height, thickness, depth]: [f64; 5], youngs_modulus: f64) -> Case {

@@ -8,11 +8,10 @@
 
 use std::sync::Arc;
 
-use super::HarmonicLiquid;
-use super::harmonic::{Block, matrix};
-use crate::linalg::{
+use fem::linalg::{
     Factor, Kind, LinalgError, Matrix, Ordering, Pattern, Symbolic, Symmetric, product, transposed_product,
 };
+use fem::liquid::{Block, HarmonicLiquid};
 
 /// A(s) and the factors of E_ηη.
 #[derive(Debug)]
@@ -31,7 +30,7 @@ impl<'a> Condensed<'a> {
     pub fn new(liquid: &'a HarmonicLiquid, s: f64) -> Result<Condensed<'a>, LinalgError> {
         let levels = liquid.levels();
         let (mut wall, mut surface) = (Vec::new(), Vec::new());
-        for block in &liquid.blocks {
+        for block in liquid.blocks() {
             let mut e = block.mass.clone();
             for (v, k) in e.data.iter_mut().zip(&block.stiffness.data) {
                 *v = s * *v + k;
@@ -61,23 +60,23 @@ impl<'a> Condensed<'a> {
         let count = |(block, surface): (&Block, &Option<(Matrix, Factor)>)| {
             surface.as_ref().map_or(0, |(_, f)| f.inertia().negative * block.columns.len())
         };
-        self.liquid.blocks.iter().zip(&self.surface).map(count).sum()
+        self.liquid.blocks().iter().zip(&self.surface).map(count).sum()
     }
 
     /// A as a matrix over all wall nodes.
     pub fn matrix(&self) -> Matrix {
         let liquid = self.liquid;
-        let (levels, n) = (liquid.levels(), liquid.sectors);
+        let (levels, n) = (liquid.levels(), liquid.sectors());
         let mut out = Matrix::zeros(liquid.wall(), liquid.wall());
         for l in 0..levels {
             for p in 0..levels {
                 // Circulant: the first row defines it.
                 let mut row = vec![0.0; n];
-                for (block, a) in liquid.blocks.iter().zip(&self.wall) {
+                for (block, a) in liquid.blocks().iter().zip(&self.wall) {
                     for &(column, _) in &block.columns {
-                        let value = liquid.fourier.get(0, column) * a.get(l, p);
+                        let value = liquid.fourier().get(0, column) * a.get(l, p);
                         for (k, v) in row.iter_mut().enumerate() {
-                            *v += value * liquid.fourier.get(k, column);
+                            *v += value * liquid.fourier().get(k, column);
                         }
                     }
                 }
@@ -95,9 +94,9 @@ impl<'a> Condensed<'a> {
     pub fn times(&self, w: &[f64]) -> Vec<f64> {
         let liquid = self.liquid;
         let levels = liquid.levels();
-        let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
-        let mut image = Matrix::zeros(liquid.sectors, levels);
-        for (block, a) in liquid.blocks.iter().zip(&self.wall) {
+        let waves = transposed_product(liquid.fourier(), &rows_of(liquid, w));
+        let mut image = Matrix::zeros(liquid.sectors(), levels);
+        for (block, a) in liquid.blocks().iter().zip(&self.wall) {
             for &(column, _) in &block.columns {
                 let local: Vec<f64> = (0..levels).map(|l| waves.get(column, l)).collect();
                 for (l, force) in a.times(&local).into_iter().enumerate() {
@@ -105,7 +104,7 @@ impl<'a> Condensed<'a> {
                 }
             }
         }
-        product(&liquid.fourier, &image).data
+        product(liquid.fourier(), &image).data
     }
 
     /// η = E_ηη⁻¹ (h − E_ηw w).
@@ -114,9 +113,9 @@ impl<'a> Condensed<'a> {
     pub fn elevations(&self, w: &[f64], h: &[f64]) -> Result<Vec<f64>, LinalgError> {
         let liquid = self.liquid;
         let levels = liquid.levels();
-        let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
+        let waves = transposed_product(liquid.fourier(), &rows_of(liquid, w));
         let mut eta = vec![0.0; liquid.elevations()];
-        for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
+        for (block, surface) in liquid.blocks().iter().zip(&self.surface) {
             let Some((coupling, factor)) = surface else { continue };
             for &(column, first) in &block.columns {
                 let local: Vec<f64> = (0..levels).map(|l| waves.get(column, l)).collect();
@@ -135,8 +134,8 @@ impl<'a> Condensed<'a> {
     pub fn wall_forces(&self, eta: &[f64]) -> Vec<f64> {
         let liquid = self.liquid;
         let levels = liquid.levels();
-        let mut image = Matrix::zeros(liquid.sectors, levels);
-        for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
+        let mut image = Matrix::zeros(liquid.sectors(), levels);
+        for (block, surface) in liquid.blocks().iter().zip(&self.surface) {
             let Some((coupling, factor)) = surface else { continue };
             for &(column, first) in &block.columns {
                 let force = coupling.transposed_times(&eta[first..first + factor.size()]);
@@ -145,7 +144,7 @@ impl<'a> Condensed<'a> {
                 }
             }
         }
-        product(&liquid.fourier, &image).data
+        product(liquid.fourier(), &image).data
     }
 }
 
@@ -162,4 +161,82 @@ pub(super) fn dense_factor(a: &Matrix) -> Result<Factor, LinalgError> {
         }
     }
     Arc::new(Symbolic::new(pattern, &Ordering::Given(all))?).factor(&sparse, Kind::Indefinite)
+}
+
+/// Values at the nodes of the wall as sectors × levels.
+fn rows_of(liquid: &HarmonicLiquid, w: &[f64]) -> Matrix {
+    Matrix { rows: liquid.sectors(), cols: liquid.levels(), data: w.to_vec() }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{PI, TAU};
+
+    use super::*;
+    use fem::linalg::dot;
+    use fem::liquid::LiquidMesh;
+
+    const RADIUS: f64 = 1.83;
+    const DEPTH: f64 = 1.525;
+    const SECTORS: usize = 9;
+
+    fn liquid(sloshing: u32) -> HarmonicLiquid {
+        let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+        let heights: Vec<f64> = [0.0, 0.1, 0.4, 1.0, 1.525].to_vec();
+        HarmonicLiquid::new(RADIUS, 1000.0, 9.81, SECTORS, &heights, &mesh, sloshing).unwrap()
+    }
+
+    fn vector(liquid: &HarmonicLiquid, w: impl Fn(f64, usize) -> f64) -> Matrix {
+        let mut x: Vec<f64> = Vec::new();
+        for (l, _) in liquid.heights().iter().enumerate() {
+            x.extend((0..SECTORS).map(|k| w(TAU * k as f64 / SECTORS as f64, l)));
+        }
+        x.resize(liquid.wall() + liquid.elevations(), 0.0);
+        Matrix { rows: x.len(), cols: 1, data: x }
+    }
+
+    /// A breathing wall lifts the surface by the displaced volume: 2πR H w = πR² η in the mean, stiffness ρ g (2πRHw)²/(πR²)
+    /// when the elevation is that mean everywhere.
+    #[test]
+    fn breathing_keeps_the_volume() {
+        let liquid = liquid(1);
+        let x = vector(&liquid, |_, _| 1.0);
+        let condensed = Condensed::new(&liquid, 0.0).unwrap();
+        let w = &x.data[..liquid.wall()];
+        let stiffness = dot(w, &condensed.times(w));
+        let exact = 9810.0 * (TAU * RADIUS * DEPTH).powi(2) / (PI * RADIUS * RADIUS);
+        assert!((stiffness / exact - 1.0).abs() < 1e-9, "{stiffness} {exact}");
+    }
+
+    /// The operator, its matrix and the condensation agree, and the matrix is symmetric.
+    #[test]
+    fn condensed_forms_agree() {
+        let liquid = liquid(2);
+        let s = 40.0;
+        let condensed = Condensed::new(&liquid, s).unwrap();
+        let a = condensed.matrix();
+        let w: Vec<f64> = (0..liquid.wall()).map(|i| ((i * 7 % 13) as f64 - 6.0) / 6.0).collect();
+        let times = condensed.times(&w);
+        let scale = times.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (x, y) in a.times(&w).iter().zip(&times) {
+            assert!((x - y).abs() < 1e-11 * scale);
+        }
+        // (K + s M)(w, η) with the η that follows from no force on the surface.
+        let eta = condensed.elevations(&w, &vec![0.0; liquid.elevations()]).unwrap();
+        let mut x = w.clone();
+        x.extend(&eta);
+        let n = x.len();
+        let x = Matrix { rows: n, cols: 1, data: x };
+        let (k, m) = (liquid.stiffness(&x), liquid.mass(&x));
+        for i in 0..n {
+            let force = k.data[i] + s * m.data[i];
+            let expected = times.get(i).copied().unwrap_or(0.0);
+            assert!((force - expected).abs() < 1e-10 * scale, "{i}: {force} {expected}");
+        }
+        for i in 0..a.rows {
+            for j in 0..i {
+                assert!((a.get(i, j) - a.get(j, i)).abs() < 1e-12 * scale);
+            }
+        }
+    }
 }

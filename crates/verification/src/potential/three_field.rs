@@ -33,8 +33,10 @@
 
 use std::sync::Arc;
 
-use super::pencil::{Pencil, Shifted, trusted};
-use super::{Cholesky, Factor, Kind, LinalgError, Matrix, Symbolic, Symmetric, dot, product, transposed_product};
+use fem::linalg::{
+    Cholesky, Factor, Kind, LinalgError, Matrix, Ordering, Pencil, Shifted, Symbolic, Symmetric, dot, product,
+    transposed_product, trusted,
+};
 
 /// A row sum of H below this part of the sum of magnitudes counts as zero: assembly leaves about 10⁻¹⁵.
 const CONSTANT: f64 = 1e-10;
@@ -107,7 +109,7 @@ impl<'a> ThreeField<'a> {
         for &k in &fixed {
             pin(&mut h, k);
         }
-        let order = super::Ordering::Given(suborder(&symbolic, &condensed, size));
+        let order = Ordering::Given(suborder(&symbolic, &condensed, size));
         let h_symbolic = Arc::new(Symbolic::new(h.pattern.clone(), &order)?);
         let potential = h_symbolic.factor(&h, Kind::Definite)?;
         Ok(ThreeField { stiffness, mass, symbolic, kept, condensed, potential, fixed, constraints })

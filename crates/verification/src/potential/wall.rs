@@ -23,9 +23,9 @@
 
 use std::sync::Arc;
 
-use super::HarmonicLiquid;
 use super::condensed::{Condensed, dense_factor};
-use crate::linalg::{Factor, Kind, LinalgError, Matrix, Pencil, Shifted, Symbolic, Symmetric, dot};
+use fem::linalg::{Factor, Kind, LinalgError, Matrix, Pencil, Shifted, Symbolic, Symmetric, dot};
+use fem::liquid::HarmonicLiquid;
 
 /// Row of R: (unknown of the wall, coefficient).
 pub type NormalRow = Vec<(usize, f64)>;

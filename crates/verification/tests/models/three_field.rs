@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use linalg::{
-    Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Search, Symbolic, Symmetric, ThreeField, generalized_eigen,
-    modes, product, transposed_product,
+use fem::linalg::{
+    Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Search, Symbolic, Symmetric, generalized_eigen, modes,
+    product, transposed_product,
 };
+use verification::potential::three_field::ThreeField;
 
 const G: f64 = 9.81;
 const RHO: f64 = 1000.0;
