@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 
 use codes::ALL;
 use codes::procedure::CodeError;
+use rayon::prelude::*;
 use tank::Case;
 use tank::assessment::{Excitation, Step};
 use tank::formula::Formula;
@@ -27,9 +28,10 @@ fn lines(case: &Case, mut each: impl FnMut(&str, &Step)) {
 
 #[test]
 fn every_line_is_what_it_says_and_every_branch_is_reached() {
-    let (mut count, mut seen) = (0, BTreeSet::new());
-    for case in family::cases() {
-        lines(&case, |id, step| {
+    let cases: Vec<Case> = family::cases().collect();
+    let checked = |case: &Case| {
+        let (mut count, mut seen) = (0, BTreeSet::new());
+        lines(case, |id, step| {
             count += 1;
             let of = format!("{id}, {}, {}: {step:?}", step.section, step.symbol);
             assert!(!step.section.is_empty() && !step.name.is_empty() && !step.clause.is_empty(), "{of}");
@@ -42,7 +44,9 @@ fn every_line_is_what_it_says_and_every_branch_is_reached() {
                 seen.insert((id.to_string(), step.formula.clone()));
             }
         });
-    }
+        (count, seen)
+    };
+    let (count, seen) = cases.par_iter().map(checked).reduce(Default::default, |a, b| (a.0 + b.0, &a.1 | &b.1));
     assert!(count > 90_000, "{count} lines");
     for (id, formulas) in BRANCHES {
         for formula in formulas {

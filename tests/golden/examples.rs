@@ -8,6 +8,8 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use rayon::prelude::*;
+
 use crate::accepted::{self, root};
 
 /// One tank file, its record or its set of records, and its accepted results, relative to the root of the repository.
@@ -80,23 +82,24 @@ pub(crate) fn examples() -> Vec<Example> {
 fn examples_give_their_accepted_results() {
     let examples = examples();
     assert!(examples.len() >= 9, "only {} example files found", examples.len());
-    let mut faults = Vec::new();
-    for example in &examples {
-        let home = tempfile::tempdir().expect("a temporary folder");
-        let out = home.path().join("out");
-        let run = compare(example, &out);
-        let code = run.status.code();
-        if !matches!(code, Some(0 | 1 | 4)) {
-            faults.push(format!("{}: exit code {code:?}\n{}", example.tank.display(), text(&run.stderr)));
-            continue;
-        }
-        faults.extend(accepted::check(&example.golden, &out, example.page));
-    }
+    let faults: Vec<String> = examples.par_iter().flat_map(faults).collect();
     assert!(
         faults.is_empty(),
         "{}\n\nIf the change is right and reviewed: TANKCHECK_BLESS=\"reason\" cargo test --test golden",
         faults.join("\n")
     );
+}
+
+/// What is wrong with an example.
+fn faults(example: &Example) -> Vec<String> {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let run = compare(example, &out);
+    let code = run.status.code();
+    if matches!(code, Some(0 | 1 | 4)) {
+        return accepted::check(&example.golden, &out, example.page);
+    }
+    vec![format!("{}: exit code {code:?}\n{}", example.tank.display(), text(&run.stderr))]
 }
 
 /// Runs the command of an example in the root of the repository.

@@ -15,6 +15,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Instant;
 
+use rayon::prelude::*;
 use results::numdiff;
 
 use crate::accepted::{self, NUMBERS, root};
@@ -156,30 +157,26 @@ fn tankcheck(command: &[&str], out: &Path) -> Output {
         .expect("tankcheck runs")
 }
 
-/// Runs a row and compares; what is wrong goes to `faults`.
-fn check(kept: &Kept, faults: &mut Vec<String>) {
+/// Runs a row and compares: what is wrong.
+fn check(kept: &Kept) -> Vec<String> {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
     let clock = Instant::now();
     let run = tankcheck(kept.command, &out);
     println!("{}: {:.1} s", kept.golden, clock.elapsed().as_secs_f64());
-    let mut fault = |what: String| faults.push(format!("{}: {what}", kept.golden));
+    let fault = |what: String| format!("{}: {what}", kept.golden);
     // 1: a check of the tank fails; 3: the wall collapses.
     if !matches!(run.status.code(), Some(0 | 1 | 3 | 4)) {
-        return fault(format!("exit code {:?}\n{}", run.status.code(), String::from_utf8_lossy(&run.stderr)));
+        return vec![fault(format!("exit code {:?}\n{}", run.status.code(), String::from_utf8_lossy(&run.stderr)))];
     }
     let page = std::fs::read_to_string(out.join("report.html")).expect("a report");
-    for words in kept.shows.iter().filter(|words| !page.contains(**words)) {
-        fault(format!("`{words}` is missing in the report"));
-    }
-    faults.extend(accepted::check(kept.golden, &out, kept.page()));
+    let missing = kept.shows.iter().filter(|words| !page.contains(**words));
+    let missing = missing.map(|words| fault(format!("`{words}` is missing in the report")));
+    missing.chain(accepted::check(kept.golden, &out, kept.page())).collect()
 }
 
 fn all_hold(kept: &[Kept]) {
-    let mut faults = Vec::new();
-    for row in kept {
-        check(row, &mut faults);
-    }
+    let faults: Vec<String> = kept.par_iter().flat_map(check).collect();
     assert!(
         faults.is_empty(),
         "{}\n\nIf the change is right and reviewed: TANKCHECK_BLESS=\"reason\" and the same command",

@@ -4,9 +4,12 @@
 //! Model:    examples 01 (two codes, an engine) and 05 (four grounds, two deciding codes, the longest sheets)
 //! Expected: see each test
 
+use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::{Mutex, PoisonError};
 
 use serde_json::Value;
 
@@ -30,13 +33,24 @@ fn root(file: &str) -> String {
     format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Results of an example in `out` of a new folder.
+/// Results of an example in `out` of a new folder; they are computed once.
 fn compared(example: &str, options: &[&str]) -> tempfile::TempDir {
+    static DONE: Mutex<BTreeMap<String, Vec<(OsString, Vec<u8>)>>> = Mutex::new(BTreeMap::new());
+    let mut done = DONE.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let (tank, quake) = (root(&format!("examples/{example}/tank.json")), root("examples/records/elcentro.csv"));
-    let arguments = [&["compare", &tank, "--quake", &quake, "--no-report", "--out", "out"][..], options].concat();
-    let run = tankcheck(folder.path(), &arguments, &[]);
-    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", said(&run));
+    let out = folder.path().join("out");
+    let files = done.entry(format!("{example} {options:?}")).or_insert_with(|| {
+        let (tank, quake) = (root(&format!("examples/{example}/tank.json")), root("examples/records/elcentro.csv"));
+        let arguments = [&["compare", &tank, "--quake", &quake, "--no-report", "--out", "out"][..], options].concat();
+        let run = tankcheck(folder.path(), &arguments, &[]);
+        assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", said(&run));
+        let entries = fs::read_dir(&out).expect("results").map(|entry| entry.expect("readable"));
+        entries.map(|entry| (entry.file_name(), fs::read(entry.path()).expect("a file"))).collect()
+    });
+    fs::create_dir_all(&out).expect("writable");
+    for (name, bytes) in files {
+        fs::write(out.join(name), bytes).expect("writable");
+    }
     folder
 }
 
@@ -345,10 +359,10 @@ pub(crate) fn the_workbook_takes_every_text(python: &Path) {
         "_x0041_<&>\"'",
         &long,
     ];
-    for text in texts {
+    for pair in texts.chunks(2) {
         let mut given: Value = serde_json::from_str(&tank).expect("plain JSON");
-        given["name"] = text.into();
-        given["project"]["client"] = text.into();
+        given["name"] = pair[0].into();
+        given["project"]["client"] = pair[pair.len() - 1].into();
         fs::write(home.join("tank.json"), given.to_string()).expect("writable");
         for arguments in [&["check", "tank.json", "--out", "out"][..], &["report", "out", "--format", "xlsx"]] {
             let run = tankcheck(home, arguments, &[]);
@@ -359,18 +373,22 @@ pub(crate) fn the_workbook_takes_every_text(python: &Path) {
             .current_dir(home)
             .output()
             .expect("python starts");
-        assert!(read.status.success(), "{text:?}: {}", said(&read));
+        assert!(read.status.success(), "{pair:?}: {}", said(&read));
         let parts: Value = serde_json::from_slice(&read.stdout).expect("JSON");
         assert_eq!(parts["formulas"], serde_json::json!([]));
-        let shown = files::text::visible(text);
         let cells = parts["texts"].as_array().expect("texts");
-        let own = |cell: &Value| match cell.as_str().unwrap_or_default() {
-            // A cell holds 32 767 characters.
-            cut if text.len() > 32_767 => cut.len() > 32_000 && cut.trim_end_matches('…').trim_matches('x').is_empty(),
-            // The form writes `_x0041_`, which stands for a character there, with its first sign as such a code.
-            cell => cell.replace("_x005F_", "_") == *shown,
-        };
-        assert!(cells.iter().any(own), "{text:?} is no cell");
+        for text in pair {
+            let shown = files::text::visible(text);
+            let own = |cell: &Value| match cell.as_str().unwrap_or_default() {
+                // A cell holds 32 767 characters.
+                cut if text.len() > 32_767 => {
+                    cut.len() > 32_000 && cut.trim_end_matches('…').trim_matches('x').is_empty()
+                }
+                // The form writes `_x0041_`, which stands for a character there, with its first sign as such a code.
+                cell => cell.replace("_x005F_", "_") == *shown,
+            };
+            assert!(cells.iter().any(own), "{text:?} is no cell");
+        }
     }
 }
 
