@@ -134,18 +134,25 @@ fn ready_law(ready: &Ready, modulus: f64) -> setup::Laws {
 }
 
 /// A wall under 2000 t of roof on ground of 1e13 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and
-/// moment of the engine within 5e-3. And the run itself is the one held down, to the last bit.
+/// moment of the engine within 5e-3. The law ends at 0.1 mrad, which the wall does not reach. In every run `the_body_is_that_of_the_engine`.
 #[test]
-fn a_heavy_wall_does_not_lift() {
-    let heavy = oil(2e6, 1e13, 0.1);
-    let ready = ready(heavy.clone());
+#[ignore = "slow: cargo test -p engines --lib a_heavy_wall_moves -- --ignored; last result in docs/verification/slow-tests.md"]
+fn a_heavy_wall_moves_as_the_one_held_down() {
+    let ready = ready(oil(2e6, 1e13, 0.1));
     let (setup, analysis) = (ready.setup(40), ready.analysis());
-    let law = ready_law(&ready, 1e13);
+    let law = law::law(&ready.setup(1), &Base::of(&ready.case).unwrap(), 1e-4).unwrap();
     let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
     for (channel, found) in [(Channel::BaseShear, peak(&history.shear)), (Channel::BaseMoment, peak(&history.moment))] {
         let expected = analysis.sides(channel).unwrap().0.peak().0;
         assert!((found / expected - 1.0).abs() < 5e-3, "{channel:?}: {found} {expected}");
     }
+    assert!(peak(&history.rotation) < 1e-4);
+}
+
+/// The run of a wall that does not lift is the one held down, to the last bit.
+#[test]
+fn a_heavy_wall_does_not_lift() {
+    let heavy = oil(2e6, 1e10, 0.1);
     let mut held = heavy.clone();
     held.tank.support = Support::Anchored;
     let run = |case: &Case| crate::linear::simulate(case, &Options::default()).unwrap();

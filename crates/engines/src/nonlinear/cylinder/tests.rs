@@ -302,9 +302,8 @@ fn threads_change_no_bit() {
         };
         let one = run(1);
         assert!(one.4.steps > 8);
-        for threads in [2, 3] {
-            assert!(run(threads) == one, "{threads} threads");
-        }
+        // Two threads: `resume`.
+        assert!(run(3) == one);
     }
 }
 
@@ -366,24 +365,26 @@ fn operator_is_the_dense_march() {
 
 /// A joint that may open follows the wall as long as it is in compression; pulled hard it opens near the surface, and the
 /// numbers stay finite. The penalty gives way by 1e-3 of the membrane, and peaks of a wall that rings at a frequency lower by
-/// half of
-/// that fall between other samples: 5e-3, not estimated further.
+/// half of that fall between other samples: 5e-3, not estimated further.
 #[test]
 fn contact_that_opens() {
     for (acceleration, opens) in [(0.2, false), (25.0, true)] {
         let case = shaken(elastic(), acceleration, 30);
         let bonded = options(&case, 8, 16);
         let own = NonlinearOptions { contact: Contact::Opening, ..bonded.clone() };
-        let [tight, found] = [&bonded, &own].map(|o| simulate(&case, o, None, &Silent).unwrap());
+        let found = simulate(&case, &own, None, &Silent).unwrap();
         let n = found.result.nonlinear.as_ref().unwrap();
         assert_eq!(found.result.end, End::Completed);
         assert!(n.energies.error < 1e-3, "{}", n.energies.error);
         let gap = n.maps.iter().find(|m| m.id == "separation").unwrap();
         assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
         assert_eq!(found.result.events.iter().any(|e| e.title == "the liquid separates from the wall"), opens);
-        for (quantity, a) in &found.values {
-            let b = tight.values[quantity];
-            assert!(opens || (a / b - 1.0).abs() < 5e-3, "{}: {a} {b}", quantity.id());
+        if !opens {
+            let tight = simulate(&case, &bonded, None, &Silent).unwrap();
+            for (quantity, a) in &found.values {
+                let b = tight.values[quantity];
+                assert!((a / b - 1.0).abs() < 5e-3, "{}: {a} {b}", quantity.id());
+            }
         }
     }
 }
@@ -396,7 +397,7 @@ fn collapse_at_rest_is_a_result() {
     layer.thickness = 0.04;
     layer.reinforcement.clear();
     case.tank.courses = vec![Course::layered(5.0, vec![layer])];
-    let found = simulate(&case, &options(&case, 6, 16), None, &Silent).unwrap();
+    let found = simulate(&case, &options(&case, 4, 8), None, &Silent).unwrap();
     assert!(
         matches!(found.result.end, End::Collapsed { load_factor: Some(f), .. } if f < 1.0),
         "{:?}",

@@ -179,20 +179,20 @@ fn piecewise(case: &Case, options: &NonlinearOptions, push: &PushOptions, kill: 
     panic!("no end");
 }
 
-/// Interrupted after every committed state, after every second one and at every third question (which also falls between a step
+/// Interrupted after every committed state, after every fourth one and at every seventh question (which also falls between a step
 /// that failed and its half): bit by bit the uninterrupted run.
 #[test]
 fn a_resumed_pushover_is_the_uninterrupted_one() {
     let case = small();
     let options = options(&case, 12);
-    for (form, kills) in [(Form::Weld, &[[1, u64::MAX], [u64::MAX, 3]][..]), (Form::Mode, &[[2, u64::MAX]])] {
+    for (form, kills) in [(Form::Weld, &[[1, u64::MAX], [u64::MAX, 7]][..]), (Form::Mode, &[[4, u64::MAX]])] {
         let push = imperfect(form);
         let whole = pushover(&case, &options, &push, None, &Kill::never()).unwrap();
         assert!(whole.shells.iter().all(|s| s.capacity.limit), "{form:?}");
         let states: usize = whole.shells.iter().map(|s| s.path.len()).sum();
         for &[each, question] in kills {
             let (pieces, runs) = piecewise(&case, &options, &push, || Kill::after(each, question));
-            assert!(runs >= states / 2 - 4, "{form:?}: {runs} runs, {states} states");
+            assert!(runs >= states / 7, "{form:?}: {runs} runs, {states} states");
             assert_eq!(text(&pieces), text(&whole), "{form:?}, {runs} runs");
         }
     }
@@ -282,9 +282,10 @@ fn a_forged_checkpoint_does_not_panic() {
         let sound = std::fs::read(&kept.path).unwrap();
         let end = sound.len() - 8;
         let mut refused = 0;
-        for k in 0..20 {
+        // Each place with each value.
+        for k in 0..12 {
             let mut forged = sound.clone();
-            // Counts stand at the beginning of their parts, the last numbers at the end: both are visited more often.
+            // Counts stand at the beginning of their parts, the last numbers at the end.
             let at = match k % 3 {
                 0 => HEAD + 8 * (k / 3),
                 1 => end - 8 * (k / 3 + 1),

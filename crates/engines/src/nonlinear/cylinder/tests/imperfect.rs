@@ -55,25 +55,10 @@ fn waves_are_those_of_three_dimensions() {
         imperfections,
         ..SolidOptions::default()
     };
-    let following = fe::solid::respond(&case, &linear, &solid, &Silent).unwrap();
-    let following = following.result.around.unwrap();
     let other = fe::solid::around_a_perfect_liquid(&case, &linear, &solid).unwrap().unwrap();
-    for n in [1, 2, 4] {
-        let [a, b, c] = [&found, &other, &following].map(|around| &around.waves[n]);
-        println!(
-            "n = {n}: {:.4e} m at {:.3} s; three-dimensional {:.4e} at {:.3}, ratio {:.3}; on a liquid that follows {:.4e} at {:.3}",
-            a.displacement,
-            a.time,
-            b.displacement,
-            b.time,
-            a.displacement / b.displacement,
-            c.displacement,
-            c.time
-        );
-    }
     for n in [1, 2, 4] {
         let [a, b] = [&found, &other].map(|around| &around.waves[n]);
         assert!(a.time < 0.39 && b.time < 0.39, "{n}: {} {}", a.time, b.time);
-        assert!((a.displacement / b.displacement - 1.0).abs() < 0.1, "{n}");
+        assert!((a.displacement / b.displacement - 1.0).abs() < 0.1, "{n}: {:e} {:e}", a.displacement, b.displacement);
     }
 }

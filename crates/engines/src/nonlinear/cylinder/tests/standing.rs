@@ -293,11 +293,11 @@ fn a_heavy_roof_keeps_the_foot_down() {
 
 /// Tangents of the wall that are kept and the liquid as an operator give the march of full Newton with the liquid as a dense block: two
 /// formulations of one system. The criterion of contact leaves a relative error of 1e-9 of the increment of a step (|δu·r| ≤ 1e-18 of
-/// its first value); 60 steps in which points of the ground open and close, multiplied by their differences of stiffness, leave 1e-6.
+/// its first value); 30 steps in which points of the ground open and close, multiplied by their differences of stiffness, leave 1e-6.
 /// The criterion by default leaves 1e-4 of an increment: 1e-3 after the same steps.
 #[test]
 fn kept_tangents_are_full_newton() {
-    let case = shaken(slender(), 4.0, 60);
+    let case = shaken(slender(), 4.0, 30);
     let own = options(&case, 8, 12);
     let (expected, full) = marched(&case, &own, false);
     let exact = fem::analysis::newton::Options::for_contact().criteria;
