@@ -1,6 +1,6 @@
 //! Bearing of the ground under the record, in the harmonic engine.
 
-use results::VerdictStatus::{Fails, Holds, Incomplete};
+use results::VerdictStatus::Holds;
 use serde_json::json;
 
 use super::engine::tank;
@@ -9,57 +9,6 @@ use super::*;
 /// Eurocode 8 alone, with a resistance of the ground [kPa].
 fn ground(resistance: f64) -> Value {
     json!({ "site": { "api650": null, "ec8": { "bearing_capacity": format!("{resistance} kPa") } } })
-}
-
-/// Tanks that must not hold.
-pub(super) fn failing() -> Vec<Tank> {
-    vec![
-        tank(
-            "engine-bearing",
-            "8.5 m of water press with 83.4 kPa at rest",
-            (Fails, "bearing"),
-            vec![ground(80.0)],
-        )
-        .open(&["bearing"]),
-        tank(
-            "engine-bearing-moment",
-            "83.4 kPa at rest; half of the water with 2 m/s² at 4 m makes 10.7 MNm, over π 10³/4 m³ 13.6 kPa more, and M′ above that",
-            (Fails, "bearing"),
-            vec![ground(90.0), anchors(90000.0), wall(&[28.0, 24.0, 20.0, 20.0])],
-        )
-        .open(&["bearing"])
-        .run(2.0),
-        tank(
-            "engine-bearing-ring",
-            "83.4 kPa at rest spread over the plan, but the wall stands on a ring of 5 cm, whose pressure the engine does not compare",
-            (Incomplete, "bearing"),
-            vec![
-                ground(200.0),
-                json!({ "tank": { "foundation": { "kind": "ring_wall", "width": "5 cm", "thickness": "1 m" } } }),
-            ],
-        )
-        .open(&["bearing"]),
-        tank(
-            "engine-bearing-missing",
-            "no resistance is given",
-            (Incomplete, "bearing"),
-            vec![only_ec8()],
-        )
-        .open(&["bearing"]),
-    ]
-}
-
-/// Tanks that hold.
-pub(super) fn sound() -> Vec<Tank> {
-    vec![
-        tank(
-            "engine-sound-bearing",
-            "83.4 kPa at rest on ground that bears 200 kPa",
-            (Holds, ANY),
-            vec![ground(200.0)],
-        )
-        .open(&["bearing"]),
-    ]
 }
 
 /// The ground accelerates by a (1 − cos)/2 in 200 s towards θ = 0, and all follow statically; on the bottom lies ρ a x more pressure.
