@@ -1,8 +1,11 @@
-//! Bad tank files through the command line: exit code 2, a message with file, place, found and expected value, empty standard
-//! output, no output folder.
+//! Bad tank files: a message with file, place, found and expected value; through the command line exit code 2, empty standard output and
+//! no output folder.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+
+use tankcheck::input::diagnostic::Source;
+use tankcheck::input::tank::parse;
 
 /// A valid file; the cases below spoil it in one place.
 const GOOD: &str = r#"{
@@ -61,10 +64,11 @@ pub(crate) fn message(content: impl AsRef<[u8]>) -> String {
     refused(folder.path(), "tank.json", None)
 }
 
-/// The message for the good file with one passage replaced.
+/// The message for the good file with one passage replaced, without running the program.
 fn spoiled(from: &str, to: &str) -> String {
     assert_eq!(GOOD.matches(from).count(), 1, "`{from}` must stand once in the good file");
-    message(GOOD.replace(from, to))
+    let source = Source::new("tank.json", GOOD.replace(from, to));
+    parse(&source).expect_err("a fault").render(&source, false)
 }
 
 pub(crate) fn has(message: &str, parts: &[&str]) {
@@ -104,8 +108,8 @@ fn truncated_anywhere() {
     let path = folder.path().join("tank.json");
     let end = GOOD.trim_end().len();
     for cut in (1..end).filter(|i| GOOD.is_char_boundary(*i)) {
-        let source = tankcheck::input::diagnostic::Source::new("tank.json", &GOOD[..cut]);
-        let faults = tankcheck::input::tank::parse(&source).expect_err("a prefix is not a document");
+        let source = Source::new("tank.json", &GOOD[..cut]);
+        let faults = parse(&source).expect_err("a prefix is not a document");
         assert!(faults.render(&source, false).contains("tank.json"));
     }
     std::fs::write(&path, &GOOD[..end / 2]).unwrap();
@@ -281,7 +285,7 @@ fn all_faults_at_once() {
 
 #[test]
 fn the_good_file_is_good() {
-    let source = tankcheck::input::diagnostic::Source::new("tank.json", GOOD);
-    assert!(tankcheck::input::tank::parse(&source).is_ok());
+    let source = Source::new("tank.json", GOOD);
+    assert!(parse(&source).is_ok());
     assert!(PathBuf::from(env!("CARGO_BIN_EXE_tankcheck")).exists());
 }

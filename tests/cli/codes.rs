@@ -1,9 +1,11 @@
 //! Codes of errors and warnings: every one is explained on a page that is fresh, used, and reached by a run of the program.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use files::code::{Code, Severity};
+
+use crate::study::tankcheck;
 
 /// A good tank; triggers spoil it in one place.
 const TANK: &str = r#"{
@@ -133,10 +135,6 @@ fn trigger(code: Code) -> Trigger {
         Code::Replaced => Sources("needs a results folder; tests/cli/overwrite.rs"),
         Code::StudyRemark => Sources("needs a merged study"),
     }
-}
-
-fn tankcheck(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tankcheck")).current_dir(folder).args(args).output().unwrap()
 }
 
 #[test]

@@ -1,7 +1,11 @@
 //! `compare`, `check`, `report` and `diff` as commands: files, output and exit codes.
 
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use crate::reproducible::{files, folder_of};
 
 /// Runs tankcheck with the repository as working folder.
 pub(crate) fn tankcheck(arguments: &[&str]) -> Output {
@@ -30,48 +34,54 @@ fn path(path: &Path) -> &str {
     path.to_str().expect("a temporary path is text")
 }
 
-fn compare(out: &Path) -> Output {
-    tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(out)])
+/// One run of the main command: its output, and a new folder with its files.
+fn compared() -> (&'static Output, tempfile::TempDir) {
+    static RUN: LazyLock<(Output, BTreeMap<PathBuf, Vec<u8>>)> = LazyLock::new(|| {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let out = home.path().join("out");
+        let run = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&out)]);
+        assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
+        (run, files(&out))
+    });
+    (&RUN.0, folder_of(&RUN.1))
 }
 
 #[test]
 fn the_main_command_writes_report_results_series_and_figures() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let out = home.path().join("out");
-    let run = compare(&out);
-    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
+    let (run, folder) = compared();
+    let out = folder.path();
     for file in ["report.html", "results.json", "series.csv"] {
         assert!(out.join(file).is_file(), "{file} is missing");
     }
     let figures = std::fs::read_dir(out.join("figures")).expect("figures/").count();
     assert!(figures >= 5, "only {figures} figures");
-    let table = stdout(&run);
+    let table = stdout(run);
     for word in ["Sloshing height", "housner", "ec8-2006", "api650-2020", "fe"] {
         assert!(table.contains(word), "`{word}` is missing in\n{table}");
     }
-    assert!(stderr(&run).contains("report.html"), "the last line gives the path of the report");
+    assert!(stderr(run).contains("report.html"), "the last line gives the path of the report");
 }
 
 #[test]
 fn results_are_the_same_in_every_run_but_for_the_volatile_fields() {
+    let (_, first) = compared();
     let home = tempfile::tempdir().expect("a temporary folder");
-    let read = |name: &str| {
-        let out = home.path().join(name);
-        compare(&out);
+    let second = home.path().join("b");
+    tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&second)]);
+    let read = |out: &Path| {
         let text = std::fs::read_to_string(out.join("results.json")).expect("results");
         let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
         value.as_object_mut().expect("an object").remove("volatile").expect("volatile fields");
         (value.to_string(), std::fs::read(out.join("series.csv")).expect("series"))
     };
-    assert_eq!(read("a"), read("b"));
+    assert_eq!(read(first.path()), read(&second));
 }
 
 #[test]
 fn quantities_carry_the_promised_ids_and_si_units() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let out = home.path().join("out");
-    let run = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&out), "--format", "json"]);
-    let results: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON on standard output");
+    let (_, folder) = compared();
+    let text = std::fs::read_to_string(folder.path().join("results.json")).expect("results");
+    let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let fe =
         results["methods"].as_array().and_then(|m| m.iter().find(|m| m["id"] == "fe")).expect("the engine is a method");
     for (id, unit) in [
@@ -96,26 +106,26 @@ fn quantities_carry_the_promised_ids_and_si_units() {
 #[test]
 fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let (a, b) = (home.path().join("a"), home.path().join("b"));
-    compare(&a);
-    assert_eq!(tankcheck(&["diff", path(&a), path(&a)]).status.code(), Some(0));
-    let refined = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&b), "--integrator", "newmark"]);
+    let (_, a) = compared();
+    let (a, b) = (a.path(), home.path().join("b"));
+    assert_eq!(tankcheck(&["diff", path(a), path(a)]).status.code(), Some(0));
+    let refined = tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(&b), "--refine", "0.5"]);
     assert!(matches!(refined.status.code(), Some(0 | 1 | 4)), "{}", stderr(&refined));
-    let diff = tankcheck(&["diff", path(&a), path(&b)]);
+    let diff = tankcheck(&["diff", path(a), path(&b)]);
     assert_eq!(diff.status.code(), Some(1), "{}", stderr(&diff));
     assert!(stdout(&diff).contains("moved"));
-    let bless = tankcheck(&["diff", path(&a), path(&b), "--bless", "--reason", "another integrator"]);
+    let bless = tankcheck(&["diff", path(a), path(&b), "--bless", "--reason", "another mesh"]);
     assert_eq!(bless.status.code(), Some(0), "{}", stderr(&bless));
-    assert_eq!(tankcheck(&["diff", path(&a), path(&b)]).status.code(), Some(0));
-    assert!(std::fs::read_to_string(a.join("accepted.json")).expect("kept").contains("another integrator"));
+    assert_eq!(tankcheck(&["diff", path(a), path(&b)]).status.code(), Some(0));
+    assert!(std::fs::read_to_string(a.join("accepted.json")).expect("kept").contains("another mesh"));
     // Histories that are not kept are named; lost ones are a difference.
     let numbers = home.path().join("numbers");
     std::fs::create_dir(&numbers).expect("writable");
     std::fs::copy(a.join("results.json"), numbers.join("results.json")).expect("writable");
-    let kept = tankcheck(&["diff", path(&numbers), path(&a)]);
+    let kept = tankcheck(&["diff", path(&numbers), path(a)]);
     assert_eq!(kept.status.code(), Some(0), "{}", stderr(&kept));
     assert!(stdout(&kept).contains("does not have it: time histories"), "{}", stdout(&kept));
-    let lost = tankcheck(&["diff", path(&a), path(&numbers), "--all"]);
+    let lost = tankcheck(&["diff", path(a), path(&numbers), "--all"]);
     assert_eq!(lost.status.code(), Some(1));
     assert!(stdout(&lost).contains("series.csv: columns"), "{}", stdout(&lost));
 }
@@ -166,12 +176,11 @@ fn a_diff_of_two_tanks_says_so_first() {
 
 #[test]
 fn the_report_is_rendered_again_from_the_folder_alone() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let out = home.path().join("out");
-    compare(&out);
+    let (_, out) = compared();
+    let out = out.path();
     let first = std::fs::read(out.join("report.html")).expect("a report");
     std::fs::remove_file(out.join("report.html")).expect("removable");
-    let run = tankcheck(&["report", path(&out)]);
+    let run = tankcheck(&["report", path(out)]);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     assert_eq!(first, std::fs::read(out.join("report.html")).expect("a report"));
 }

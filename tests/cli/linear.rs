@@ -1,9 +1,9 @@
-//! A file of the largest size with faults throughout is answered: the reader does not compare all of it with all of it.
+//! A large file with faults throughout is answered: the reader does not compare all of it with all of it.
 //!
 //! Source:    the reader's own contract: a file of 1 MiB is answered at once
 //! Goal:      an end to reading and rendering, and a message of bounded length
-//! Expected:  an answer within five minutes of processor time, fifty faults and the number of the rest
-//! Tolerance: seconds in practice; a nanosecond for each pair of bytes would take 18 minutes. A faster quadratic reader passes
+//! Expected:  128 KiB answered within 5 seconds of processor time, fifty faults and the number of the rest
+//! Tolerance: a second in practice; a nanosecond for each pair of bytes would take 17 seconds. A faster quadratic reader passes
 
 use std::time::{Duration, Instant};
 
@@ -97,15 +97,13 @@ const CASES: &[(&str, Make)] = &[
 ];
 
 #[test]
-fn a_mebibyte_of_faults_is_answered_with_fifty_and_the_number_of_the_rest() {
-    const SIZE: usize = 1 << 20;
+fn a_file_of_faults_is_answered_with_fifty_and_the_number_of_the_rest() {
+    const SIZE: usize = 1 << 17;
     for (name, make) in CASES {
         let text = make(SIZE);
         assert!((SIZE / 2..=SIZE).contains(&text.len()), "{name}: {} bytes", text.len());
         let (time, message) = answer(text);
-        println!("{name}: {time:?}, {}", message.lines().rfind(|l| l.starts_with("error: ")).unwrap_or_default());
-        // Seconds; a nanosecond for each pair of bytes would be 1,100.
-        assert!(time < Duration::from_secs(300), "{name}: {time:?}");
+        assert!(time < Duration::from_secs(5), "{name}: {time:?}");
         let shown = message.lines().filter(|l| l.starts_with("error")).count();
         // The last of them is the sum.
         assert!((2..=51).contains(&shown), "{name}: {shown} shown");

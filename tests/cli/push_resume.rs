@@ -22,7 +22,7 @@ const TANK: &str = r#"{
     "youngs_modulus": "210 GPa", "poisson_ratio": 0.3, "density": "7850 kg/m3", "yield_strength": "60 MPa",
     "behaviour": { "steel": { "tangent_modulus": "0 GPa", "kinematic_share": 1 } }
   } },
-  "analysis": { "nonlinear": { "elements": { "height": 24, "circumference": 32 }, "checkpoint": "1 s" } }
+  "analysis": { "nonlinear": { "elements": { "height": 20, "circumference": 24 }, "checkpoint": "1 s" } }
 }
 "#;
 
@@ -92,7 +92,7 @@ fn a_killed_pushover_goes_on() {
     let checkpoint = home.join("part.checkpoint");
     let mut kills = 0;
     // Right after a checkpoint, between two, and while one may be written.
-    for milliseconds in [0, 200, 1000, 450, 990, 5, 700, 1010, 50, 980] {
+    for milliseconds in [0, 450, 990, 5, 700] {
         let before = written(&checkpoint);
         let mut run = start(home, "part", &["--resume"]);
         if !has_kept(&mut run, &checkpoint, before) {

@@ -10,6 +10,8 @@ use serde_json::{Value, json};
 use tankcheck::input::diagnostic::Source;
 use tankcheck::input::tank::parse;
 
+use crate::verdict::merge;
+
 /// A usual tank under both codes.
 fn usual() -> Value {
     json!({
@@ -27,20 +29,6 @@ fn usual() -> Value {
             "api650": { "ss": 0.3, "s1": 0.1, "site_class": "C", "sug": 1, "tl": 4.0 }
         }
     })
-}
-
-fn merge(file: &mut Value, change: &Value) {
-    match (file, change) {
-        (Value::Object(file), Value::Object(change)) => {
-            for (key, value) in change {
-                match value {
-                    Value::Null => drop(file.remove(key)),
-                    _ => merge(file.entry(key.clone()).or_insert(Value::Null), value),
-                }
-            }
-        }
-        (file, change) => *file = change.clone(),
-    }
 }
 
 /// `{ "a": { "b": value } }` of the path "a.b".

@@ -63,10 +63,9 @@ fn commands(home: &Path) -> Vec<Vec<String>> {
     };
     [
         "check TANK",
-        "check TANK --format csv",
         "compare TANK --quake QUAKE --no-mesh-error --out @compare",
-        "compare TANK --quake QUAKE --no-mesh-error --format json --out @json",
-        "compare TANK --quake QUAKE --no-mesh-error --format csv --out @csv",
+        "check TANK --format json --out @json",
+        "check TANK --format csv --out @csv",
         "modes TANK",
         "spectrum QUAKE --points 20",
         "quake info QUAKE",
@@ -95,10 +94,6 @@ fn a_full_device_is_one_message_and_never_a_panic() {
     let home = tempfile::tempdir().expect("a temporary folder");
     for command in commands(home.path()) {
         let command: Vec<&str> = command.iter().map(String::as_str).collect();
-        let whole = run(&command, Stdio::piped(), Stdio::piped());
-        assert!(matches!(whole.status.code(), Some(0 | 1 | 4)), "{command:?}: {whole:?}");
-        assert!(!whole.stdout.is_empty(), "{command:?}");
-
         let out = run(&command, full(), Stdio::piped());
         let message = String::from_utf8_lossy(&out.stderr);
         assert_eq!(out.status.code(), Some(3), "{command:?}: {message}");
@@ -108,6 +103,13 @@ fn a_full_device_is_one_message_and_never_a_panic() {
             "{command:?}: {message}"
         );
 
+        // Nonlinear runs write their messages as the others do.
+        if ["ida", "push"].contains(&command[0]) {
+            continue;
+        }
+        let whole = run(&command, Stdio::piped(), Stdio::piped());
+        assert!(matches!(whole.status.code(), Some(0 | 1 | 4)), "{command:?}: {whole:?}");
+        assert!(!whole.stdout.is_empty(), "{command:?}");
         let err = run(&command, Stdio::piped(), full());
         assert_eq!(err.status.code(), whole.status.code(), "{command:?}");
         if !command.contains(&"--format") || !command.contains(&"json") {

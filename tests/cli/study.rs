@@ -1,9 +1,13 @@
 //! `tankcheck study`: state in files, whatever happens between.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
 use std::time::Duration;
+
+use crate::reproducible::{files, folder_of};
 
 const TANK: &str = include_str!("../../examples/01_broad_tank/tank.json");
 
@@ -54,6 +58,18 @@ pub(crate) fn planned() -> tempfile::TempDir {
     folder
 }
 
+/// The planned study with its results and merged rows, in a new folder, and the hash of the rows. It is run once, by two threads.
+pub(crate) fn finished() -> (tempfile::TempDir, String) {
+    static DONE: LazyLock<(BTreeMap<PathBuf, Vec<u8>>, String)> = LazyLock::new(|| {
+        let folder = planned();
+        let output = tankcheck(folder.path(), &["study", "run", "out", "--jobs", "2"]);
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        let rows = merged(folder.path(), "out");
+        (files(folder.path()), rows)
+    });
+    (folder_of(&DONE.0), DONE.1.clone())
+}
+
 /// Hash of the merged rows.
 pub(crate) fn merged(folder: &Path, out: &str) -> String {
     let output = tankcheck(folder, &["study", "merge", out]);
@@ -61,12 +77,18 @@ pub(crate) fn merged(folder: &Path, out: &str) -> String {
     fs::read_to_string(folder.join(out).join("rows.sha256")).unwrap()
 }
 
+/// The files of the results of a study, sorted.
+pub(crate) fn results(out: &Path) -> Vec<PathBuf> {
+    let folders = fs::read_dir(out.join("results")).unwrap().map(|e| e.unwrap().path());
+    let mut all: Vec<PathBuf> =
+        folders.flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path())).collect();
+    all.sort();
+    all
+}
+
 #[test]
 fn rows_of_every_tank_record_and_scale() {
-    let folder = planned();
-    let output = tankcheck(folder.path(), &["study", "run", "out", "--jobs", "2"]);
-    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
-    merged(folder.path(), "out");
+    let (folder, _) = finished();
     let rows = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     let lines: Vec<Vec<&str>> = rows.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(lines.len(), 41);
@@ -99,9 +121,7 @@ fn rows_of_every_tank_record_and_scale() {
 /// follows the record in `compare` and 20 Hz in a study.
 #[test]
 fn a_row_is_what_compare_gives() {
-    let folder = planned();
-    tankcheck(folder.path(), &["study", "run", "out"]);
-    merged(folder.path(), "out");
+    let (folder, _) = finished();
     let rows = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     let head: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
     let row: Vec<&str> = rows.lines().nth(3).unwrap().split(',').collect();
@@ -135,49 +155,37 @@ fn a_row_is_what_compare_gives() {
 
 #[test]
 fn shards_threads_and_torn_files_give_the_same_rows() {
-    let folder = planned();
+    let (folder, whole) = finished();
     let path = folder.path();
-    tankcheck(path, &["study", "run", "out", "--jobs", "1"]);
-    let serial = merged(path, "out");
-    for out in ["shards", "torn"] {
-        tankcheck(path, &["study", "plan", "study.json", "--out", out]);
-    }
+    tankcheck(path, &["study", "plan", "study.json", "--out", "shards"]);
     let refused = tankcheck(path, &["study", "merge", "shards"]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(said(&refused).contains("6 of 6 tasks have no result"), "{}", said(&refused));
     for shard in ["3/3", "1/3", "2/3"] {
-        tankcheck(path, &["study", "run", "shards", "--shard", shard, "--jobs", "2"]);
+        tankcheck(path, &["study", "run", "shards", "--shard", shard, "--jobs", "1"]);
     }
-    assert_eq!(merged(path, "shards"), serial);
+    assert_eq!(merged(path, "shards"), whole);
     // Half a file, and one with a changed number, are computed again; nothing else is.
-    tankcheck(path, &["study", "run", "torn"]);
-    let mut files = Vec::new();
-    for entry in fs::read_dir(path.join("torn/results")).unwrap() {
-        for file in fs::read_dir(entry.unwrap().path()).unwrap() {
-            files.push(file.unwrap().path());
-        }
-    }
+    let files = results(&path.join("out"));
     assert_eq!(files.len(), 6);
     let bytes = fs::read(&files[0]).unwrap();
     fs::write(&files[0], &bytes[..bytes.len() / 2]).unwrap();
     let text = fs::read_to_string(&files[1]).unwrap();
     fs::write(&files[1], text.replacen("\"factor\":", "\"factor\":1", 1)).unwrap();
-    let status = tankcheck(path, &["study", "status", "torn", "--format", "json"]);
+    let status = tankcheck(path, &["study", "status", "out", "--format", "json"]);
     let status: serde_json::Value = serde_json::from_slice(&status.stdout).unwrap();
     assert_eq!((&status["done"], &status["damaged"]), (&4.into(), &2.into()));
-    let again = tankcheck(path, &["study", "run", "torn"]);
+    let again = tankcheck(path, &["study", "run", "out"]);
     assert!(said(&again).contains("2 tasks computed, 4 kept"), "{}", said(&again));
-    assert_eq!(merged(path, "torn"), serial);
+    assert_eq!(merged(path, "out"), whole);
 }
 
 /// `kill -9` at moments spread over the run; what was finished is kept, and the rows are those of an undisturbed run.
 #[cfg(unix)]
 #[test]
 fn killed_workers_lose_nothing() {
-    let folder = planned();
+    let (folder, whole) = finished();
     let path = folder.path();
-    tankcheck(path, &["study", "run", "out"]);
-    let whole = merged(path, "out");
     tankcheck(path, &["study", "plan", "study.json", "--out", "killed"]);
     for k in 1..=20_u64 {
         let mut child = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
@@ -199,10 +207,8 @@ fn killed_workers_lose_nothing() {
 /// Two runners in one folder at once compute some tasks twice, and write the same bytes.
 #[test]
 fn two_runners_at_once_do_not_disturb_each_other() {
-    let folder = planned();
+    let (folder, whole) = finished();
     let path = folder.path();
-    tankcheck(path, &["study", "run", "out"]);
-    let whole = merged(path, "out");
     tankcheck(path, &["study", "plan", "study.json", "--out", "both"]);
     let start = || {
         Command::new(env!("CARGO_BIN_EXE_tankcheck"))
@@ -215,12 +221,7 @@ fn two_runners_at_once_do_not_disturb_each_other() {
     assert!(one.wait().unwrap().success() && other.wait().unwrap().success());
     assert_eq!(merged(path, "both"), whole);
     // No temporary file is left.
-    for entry in fs::read_dir(path.join("both/results")).unwrap() {
-        for file in fs::read_dir(entry.unwrap().path()).unwrap() {
-            let name = file.unwrap().file_name().to_string_lossy().into_owned();
-            assert!(name.ends_with(".jsonl"), "{name}");
-        }
-    }
+    assert!(results(&path.join("both")).iter().all(|file| file.extension().is_some_and(|e| e == "jsonl")));
 }
 
 #[test]

@@ -1,23 +1,14 @@
 //! `tankcheck study`: sets of files with one commit point, results that belong to their tasks, and what `plan` refuses.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::study::{STUDY, folder, merged, planned, said, tankcheck};
+use crate::study::{STUDY, finished, folder, merged, planned, results, said, tankcheck};
 
 fn json(path: &Path) -> serde_json::Value {
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
-
-/// The results of a study, sorted.
-fn results(out: &Path) -> Vec<PathBuf> {
-    let folders = fs::read_dir(out.join("results")).unwrap().map(|e| e.unwrap().path());
-    let mut all: Vec<PathBuf> =
-        folders.flat_map(|folder| fs::read_dir(folder).unwrap().map(|e| e.unwrap().path())).collect();
-    all.sort();
-    all
 }
 
 fn start(folder: &Path, arguments: &[&str]) -> Child {
@@ -45,10 +36,8 @@ fn one_set(out: &Path) -> u64 {
 
 #[test]
 fn merges_at_once_are_one_after_the_other() {
-    let folder = planned();
+    let (folder, whole) = finished();
     let path = folder.path();
-    tankcheck(path, &["study", "run", "out"]);
-    let whole = merged(path, "out");
     for round in 0..4 {
         let both = [0, 1, 2].map(|_| start(path, &["study", "merge", "out", "--quiet"]));
         for merge in both {
@@ -67,18 +56,17 @@ fn merges_at_once_are_one_after_the_other() {
 /// A merge with one task more or less over the files of the other is killed at any moment: the files are those of one of both.
 #[test]
 fn a_killed_merge_leaves_one_set() {
-    let folder = planned();
+    let (folder, _) = finished();
     let path = folder.path();
     let out = path.join("out");
     let merge = ["study", "merge", "out", "--partial", "--quiet"];
-    tankcheck(path, &["study", "run", "out"]);
     let first = json_lines(&out.join("tasks.jsonl"))[0]["key"].as_str().unwrap().to_owned();
     let file = out.join("results").join(&first[..2]).join(format!("{first}.jsonl"));
     let kept = fs::read(&file).unwrap();
     let began = Instant::now();
     merged(path, "out");
     let usual = began.elapsed();
-    let kills = 24;
+    let kills = 12;
     let mut seen = [0, 0];
     for k in 0..kills {
         match k % 2 {
@@ -145,11 +133,9 @@ fn a_plan_is_one_set() {
 #[cfg(unix)]
 #[test]
 fn a_result_of_another_task_is_damaged() {
-    let folder = planned();
+    let (folder, whole) = finished();
     let path = folder.path();
     let out = path.join("out");
-    tankcheck(path, &["study", "run", "out"]);
-    let whole = merged(path, "out");
     let files = results(&out);
     fs::copy(&files[0], &files[3]).unwrap();
     fs::remove_file(&files[1]).unwrap();

@@ -1,12 +1,8 @@
 //! `templates export`: what it writes gives the same report, and nothing is overwritten unasked.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
-fn tankcheck(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tankcheck"));
-    command.current_dir(folder).args(args).output().unwrap()
-}
+use crate::study::tankcheck;
 
 fn done(folder: &Path, args: &[&str]) {
     let output = tankcheck(folder, args);

@@ -7,6 +7,8 @@ use std::process::{Command, Output};
 
 use files::text::{line, visible};
 
+use crate::study::tankcheck;
+
 /// Texts in the place of every name.
 const TEXTS: [&str; 22] = [
     "=1+1",
@@ -60,7 +62,7 @@ fn tank(text: &str) -> String {
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck")).args(arguments).current_dir(folder).output().unwrap();
+    let output = tankcheck(folder, arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{arguments:?}: {said}");
     output
@@ -107,24 +109,24 @@ fn test_reports_are_well_formed_and_command_nothing() {
         let name = if i % 2 == 0 { name } else { format!("-{name}") };
         std::fs::write(folder.join(&name), tank(text)).unwrap();
         let check = |format: &str| run(folder, &["check", "--format", format, "--", &name]);
+        let [human, json, junit, sarif, csv] = ["human", "json", "junit", "sarif", "csv"].map(check);
         let github = check("github");
         no_commands(&github, &["::error file=", "::warning file=", "::notice file="]);
         assert_eq!(printed(&github).lines().count(), count, "{}", printed(&github));
         assert!(printed(&github).lines().all(|line| line.starts_with("::")), "{}", printed(&github));
-        let junit = check("junit");
         let document = roxmltree::Document::parse(printed(&junit)).unwrap_or_else(|e| panic!("{text:?}: {e}"));
         let suites = document.root_element().attribute("name").unwrap();
         let shown = visible(text).replace("##[", "\\u{23}#[").replace("##vso", "\\u{23}#vso");
         assert_eq!(suites, shown, "{text:?}");
-        let sarif: serde_json::Value = serde_json::from_slice(&check("sarif").stdout).unwrap();
-        let place = &sarif["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"];
+        let read: serde_json::Value = serde_json::from_slice(&sarif.stdout).unwrap();
+        let place = &read["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"];
         assert!(place.as_str().unwrap().is_ascii(), "{place}");
-        let json: serde_json::Value = serde_json::from_slice(&check("json").stdout).unwrap();
-        assert_eq!(json["name"], *text);
-        for format in ["human", "json", "junit", "sarif", "csv"] {
-            no_commands(&check(format), &[]);
+        let read: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+        assert_eq!(read["name"], *text);
+        for output in [&human, &json, &junit, &sarif, &csv] {
+            no_commands(output, &[]);
         }
-        for cell in cells(printed(&check("csv"))) {
+        for cell in cells(printed(&csv)) {
             let begins = cell.trim_start().starts_with(['=', '+', '-', '@']);
             assert!(!begins || cell.parse::<f64>().is_ok(), "{cell}");
         }
