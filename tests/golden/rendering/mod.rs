@@ -4,6 +4,8 @@ mod content;
 mod form;
 mod nonlinear;
 
+use std::sync::OnceLock;
+
 use report::template::Templates;
 use report::{Report, build};
 use results::{Results, Series};
@@ -22,10 +24,14 @@ pub(crate) fn rendered(results: &Results, series: &Series) -> Report {
     build(results, series, &templates, report::Level::Full).expect("the sample renders")
 }
 
-/// The report of a sample.
+/// The report of a sample, rendered once.
 pub(crate) fn report(kind: Kind) -> Report {
-    let (results, series) = sample(kind, TITLE);
-    rendered(&results, &series)
+    static DONE: [OnceLock<Report>; EVERY.len()] = [const { OnceLock::new() }; EVERY.len()];
+    let of = || {
+        let (results, series) = sample(kind, TITLE);
+        rendered(&results, &series)
+    };
+    DONE[kind as usize].get_or_init(of).clone()
 }
 
 /// Ids of the sections in their order.

@@ -223,8 +223,11 @@ fn integrators_agree_on_the_broad_tank() {
 }
 
 #[test]
-fn integrators_agree_on_other_tanks() {
-    integrators_agree(broad(1000.0), broad_band(0.0115, 12.0), 1.0);
-    integrators_agree(slender(1000.0, 5.0), broad_band(0.0115, 12.0), 1.0);
-    integrators_agree(strip(), broad_band(0.02, 12.0), 1.0);
+fn integrators_agree_on_the_slender_tank() {
+    integrators_agree(slender(1000.0, 5.0), broad_band(0.0115, 5.0), 1.0);
+}
+
+#[test]
+fn integrators_agree_on_the_strip() {
+    integrators_agree(strip(), broad_band(0.02, 5.0), 1.0);
 }

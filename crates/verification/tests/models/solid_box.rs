@@ -109,7 +109,9 @@ fn plates_of_a_dry_square_box() {
     let rigidity = 30e9 * thickness.powi(3) / (12.0 * (1.0 - 0.09));
     let unit = (rigidity / (2500.0 * thickness)).sqrt() / (side * side);
     let model = model(&dry, &options(1.0), &mesh(10, 20, 20), 15.0 * unit);
-    let found = parts(&model, 120, 3);
+    // Modes odd about both planes are not compared.
+    let of = |part| spectrum::of_harmonic(&model.0, &model.1, part, (120, 3), &Silent).unwrap();
+    let found: Vec<TankMode> = (0..3).flat_map(of).collect();
     let walls: Vec<&TankMode> = found.iter().filter(|m| m.kind == Kind::Structural).collect();
     let even: Vec<f64> = walls.iter().filter(|m| m.harmonic == 0).map(|m| m.omega / unit).collect();
     for expected in [12.687, 24.020] {
