@@ -141,6 +141,29 @@ pub enum ElementError {
     },
 }
 
+/// Refuses the parameter `found` of an element unless it is `good`.
+///
+/// Errors: [`ElementError::Parameter`].
+fn require(
+    good: bool,
+    kind: &'static str,
+    parameter: &'static str,
+    found: impl std::fmt::Display,
+    allowed: &'static str,
+) -> Result<(), ElementError> {
+    if good { Ok(()) } else { Err(ElementError::Parameter { kind, parameter, found: found.to_string(), allowed }) }
+}
+
+/// Whether a number is positive and finite.
+fn positive(x: f64) -> bool {
+    x > 0.0 && x.is_finite()
+}
+
+/// Whether a number is finite and not negative.
+fn not_negative(x: f64) -> bool {
+    x >= 0.0 && x.is_finite()
+}
+
 /// A quantity at a point of an element as a linear function of its dofs at the reference state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {

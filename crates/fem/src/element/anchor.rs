@@ -10,7 +10,7 @@
 //! Open, broken and yielding points keep r₀ = 10⁻¹² of the stiffness. Time steps take the force at their end
 //! ([`Contact::acts_at_end`]). An anchor that breaks does so at the end of a step; the energy it has stored is lost.
 
-use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial};
+use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial, positive, require};
 use crate::dofs::Dof;
 
 const KIND: &str = "anchor";
@@ -52,8 +52,8 @@ impl Anchor {
     ///
     /// Errors: a parameter that is not positive.
     pub fn new(node: usize, stiffness: f64, strength: f64) -> Result<Anchor, ElementError> {
-        positive("stiffness", stiffness, "> 0 N/m")?;
-        positive("strength", strength, "> 0 N")?;
+        require(positive(stiffness), KIND, "stiffness", stiffness, "> 0 N/m")?;
+        require(positive(strength), KIND, "strength", strength, "> 0 N")?;
         Ok(Anchor { node: [node], stiffness, strength, gap: 0.0, rupture: None })
     }
 
@@ -61,9 +61,7 @@ impl Anchor {
     ///
     /// Errors: a play that is not finite.
     pub fn with_gap(mut self, gap: f64) -> Result<Anchor, ElementError> {
-        if !gap.is_finite() {
-            return Err(refuse("gap", gap, "a finite length"));
-        }
+        require(gap.is_finite(), KIND, "gap", gap, "a finite length")?;
         self.gap = gap;
         Ok(self)
     }
@@ -72,7 +70,7 @@ impl Anchor {
     ///
     /// Errors: an elongation that is not positive.
     pub fn with_rupture(mut self, rupture: f64) -> Result<Anchor, ElementError> {
-        positive("rupture", rupture, "> 0 m")?;
+        require(positive(rupture), KIND, "rupture", rupture, "> 0 m")?;
         self.rupture = Some(rupture);
         Ok(self)
     }
@@ -86,17 +84,6 @@ impl Anchor {
             plastic: history[PLASTIC],
             broken,
         }
-    }
-}
-
-fn refuse(parameter: &'static str, found: f64, allowed: &'static str) -> ElementError {
-    ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }
-}
-
-fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Result<(), ElementError> {
-    match value > 0.0 && value.is_finite() {
-        true => Ok(()),
-        false => Err(refuse(parameter, value, allowed)),
     }
 }
 

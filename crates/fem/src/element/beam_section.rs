@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use materials::{Law, PointState};
 
-use super::ElementError;
+use super::{ElementError, not_negative, positive, require};
 
 const KIND: &str = "beam section";
 
@@ -84,10 +84,6 @@ pub struct CurvaturePoint {
     pub fibres: Vec<FibreState>,
 }
 
-fn refuse<T>(parameter: &'static str, found: String, allowed: &'static str) -> Result<T, ElementError> {
-    Err(ElementError::Parameter { kind: KIND, parameter, found, allowed })
-}
-
 fn law_error(source: materials::LawError) -> ElementError {
     ElementError::Law { kind: KIND, source }
 }
@@ -99,9 +95,7 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range.
     pub fn new(mass: f64) -> Result<FibreSection, ElementError> {
-        if !(mass >= 0.0 && mass.is_finite()) {
-            return refuse("mass", mass.to_string(), "≥ 0");
-        }
+        require(not_negative(mass), KIND, "mass", mass, "≥ 0")?;
         Ok(FibreSection { blocks: Vec::new(), layers: 0, slots: 1, mass, attached_mass: 0.0, shear: f64::INFINITY })
     }
 
@@ -109,9 +103,7 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range.
     pub fn with_attached_mass(mut self, mass: f64) -> Result<FibreSection, ElementError> {
-        if !(mass >= 0.0 && mass.is_finite()) {
-            return refuse("attached mass", mass.to_string(), "≥ 0");
-        }
+        require(not_negative(mass), KIND, "attached mass", mass, "≥ 0")?;
         self.attached_mass = mass;
         Ok(self)
     }
@@ -120,9 +112,7 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range.
     pub fn with_shear(mut self, stiffness: f64) -> Result<FibreSection, ElementError> {
-        if stiffness.is_nan() || stiffness <= 0.0 {
-            return refuse("shear stiffness", stiffness.to_string(), "> 0, or infinite");
-        }
+        require(stiffness > 0.0, KIND, "shear stiffness", stiffness, "> 0, or infinite")?;
         self.shear = stiffness;
         Ok(self)
     }
@@ -137,13 +127,10 @@ impl FibreSection {
         centre: f64,
         layers: usize,
     ) -> Result<FibreSection, ElementError> {
-        if !(width > 0.0 && height > 0.0 && (width * height).is_finite()) {
-            return refuse("width × height", format!("{width} × {height} m"), "> 0");
-        }
+        let area = width > 0.0 && height > 0.0 && (width * height).is_finite();
+        require(area, KIND, "width × height", format_args!("{width} × {height} m"), "> 0")?;
         // The rule for the places of the layers needs at least two.
-        if layers < 2 {
-            return refuse("layers", layers.to_string(), "2 or more");
-        }
+        require(layers >= 2, KIND, "layers", layers, "2 or more")?;
         let n = layers as f64;
         let outwards = 1.0 / (1.0 - 1.0 / (n * n)).sqrt();
         let fibres: Vec<[f64; 2]> = (0..layers)
@@ -159,9 +146,8 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range, bars already there.
     pub fn fibres(self, law: Arc<dyn Law<1>>, fibres: &[[f64; 2]]) -> Result<FibreSection, ElementError> {
-        if self.layers < self.fibre_count() {
-            return refuse("fibres", "fibres after bars".into(), "bars after all other fibres");
-        }
+        let no_bars = self.layers >= self.fibre_count();
+        require(no_bars, KIND, "fibres", "fibres after bars", "bars after all other fibres")?;
         let mut section = self.bars(law, fibres)?;
         section.layers += fibres.len();
         Ok(section)
@@ -171,8 +157,9 @@ impl FibreSection {
     ///
     /// Errors: a parameter out of range.
     pub fn bars(mut self, law: Arc<dyn Law<1>>, fibres: &[[f64; 2]]) -> Result<FibreSection, ElementError> {
-        if let Some([depth, area]) = fibres.iter().find(|[d, a]| !(d.is_finite() && a.is_finite() && *a > 0.0)) {
-            return refuse("fibre", format!("{area} m² at {depth} m"), "an area > 0 at a finite depth");
+        for [depth, area] in fibres {
+            let found = format_args!("{area} m² at {depth} m");
+            require(depth.is_finite() && positive(*area), KIND, "fibre", found, "an area > 0 at a finite depth")?;
         }
         let slots = law.history_len();
         self.slots += slots * fibres.len();

@@ -33,7 +33,10 @@ use nalgebra::Vector3;
 
 use super::contact8_area::Gap;
 pub use super::contact8_area::Integration;
-use super::{Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Trial};
+use super::{
+    Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Trial, not_negative, positive,
+    require,
+};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -96,18 +99,12 @@ impl ContactLaw {
     }
 
     fn check(&self) -> Result<(), ElementError> {
-        let refuse = |parameter, found: f64, allowed| {
-            Err(ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed })
-        };
-        if !(self.normal_stiffness > 0.0 && self.normal_stiffness.is_finite()) {
-            return refuse("normal_stiffness", self.normal_stiffness, "> 0");
-        }
-        if !(self.tangential_stiffness >= 0.0 && self.tangential_stiffness.is_finite()) {
-            return refuse("tangential_stiffness", self.tangential_stiffness, "≥ 0");
-        }
+        let check = |good, parameter, found: f64, allowed| require(good, KIND, parameter, found, allowed);
+        check(positive(self.normal_stiffness), "normal_stiffness", self.normal_stiffness, "> 0")?;
+        check(not_negative(self.tangential_stiffness), "tangential_stiffness", self.tangential_stiffness, "≥ 0")?;
         match self.opening {
-            Opening::Unilateral { residual } if !(0.0..1.0).contains(&residual) => {
-                refuse("residual", residual, "from 0 to below 1")
+            Opening::Unilateral { residual } => {
+                check((0.0..1.0).contains(&residual), "residual", residual, "from 0 to below 1")
             }
             _ => Ok(()),
         }
@@ -144,14 +141,8 @@ impl Contact8 {
         for normal in normals {
             let length = Vector3::from(normal).norm();
             // Normals are given to working accuracy; another length scales the penalty by its square.
-            if length.is_nan() || (length - 1.0).abs() > 1e-9 {
-                return Err(ElementError::Parameter {
-                    kind: KIND,
-                    parameter: "normal",
-                    found: format!("{normal:?} of length {length}"),
-                    allowed: "unit vectors",
-                });
-            }
+            let found = format_args!("{normal:?} of length {length}");
+            require((length - 1.0).abs() <= 1e-9, KIND, "normal", found, "unit vectors")?;
         }
         let mut nodes = [0; 8];
         nodes[..4].copy_from_slice(&top);

@@ -29,7 +29,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam_section::FibreSection;
-use super::{Element, ElementError, LocalMatrix, Response, Trial};
+use super::{Element, ElementError, LocalMatrix, Response, Trial, positive, require};
 use crate::dofs::Dof;
 use crate::model::Builder;
 use crate::shape::gauss;
@@ -112,21 +112,14 @@ impl FibreBeam {
         section: Arc<FibreSection>,
         options: Options,
     ) -> Result<FibreBeam, ElementError> {
-        let refuse =
-            |parameter, found: String, allowed| Err(ElementError::Parameter { kind: KIND, parameter, found, allowed });
         let [dx, dy, dz] = [0, 1, 2].map(|i| ends[1][i] - ends[0][i]);
         let length = dx.hypot(dz);
-        if !(length > 0.0 && length.is_finite()) {
-            return refuse("length in the plane x–z", length.to_string(), "> 0");
-        }
-        if dy.is_nan() || dy.abs() > 1e-9 * length {
-            return refuse("difference of the ends' y", dy.to_string(), "0");
-        }
+        require(positive(length), KIND, "length in the plane x–z", length, "> 0")?;
+        require(dy.abs() <= 1e-9 * length, KIND, "difference of the ends' y", dy, "0")?;
         let along = [dx / length, dz / length];
         let k = section.at_rest()?.tangent;
-        if !(k[0][0] > 0.0 && k[1][1] > 0.0) {
-            return refuse("E A, E I", format!("{}, {}", k[0][0], k[1][1]), "> 0");
-        }
+        let found = format_args!("{}, {}", k[0][0], k[1][1]);
+        require(k[0][0] > 0.0 && k[1][1] > 0.0, KIND, "E A, E I", found, "> 0")?;
         // E I about the centroid.
         let bending = k[1][1] - k[0][1] * k[0][1] / k[0][0];
         let phi = 12.0 * bending / (section.shear() * length * length);

@@ -21,7 +21,7 @@
 //! The element's pressure is that of its centre. It is **not** the pressure on the wall, which lies half an element away:
 //! on 12 elements along the radius of a tank it is 7 % less. Take wall pressures from nodal reactions over nodal areas.
 
-use super::ElementError;
+use super::{ElementError, not_negative, positive, require};
 
 /// Quadrature of ½ ∫ K e² dV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,11 +103,8 @@ impl LiquidProperties {
     ///
     /// Errors: density or bulk modulus not positive, a negative penalty, a rest above the centre.
     pub fn check(&self, kind: &'static str) -> Result<(), ElementError> {
-        let positive = [("density", self.density), ("bulk modulus", self.bulk_modulus)];
-        for (parameter, value) in positive {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(parameter_error(kind, parameter, value, "a positive number"));
-            }
+        for (parameter, value) in [("density", self.density), ("bulk modulus", self.bulk_modulus)] {
+            require(positive(value), kind, parameter, value, "a positive number")?;
         }
         let (first, second) = match self.rotation {
             RotationPart::None => (0.0, 0.0),
@@ -115,29 +112,9 @@ impl LiquidProperties {
             RotationPart::Split { centre, rest } => (centre, rest),
         };
         for value in [first, second] {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(parameter_error(kind, "rotation penalty", value, "a number ≥ 0"));
-            }
+            require(not_negative(value), kind, "rotation penalty", value, "a number ≥ 0")?;
         }
-        if first < second {
-            let found = format!("{second} next to {first} at the centre");
-            return Err(ElementError::Parameter {
-                kind,
-                parameter: "rotation penalty of the rest",
-                found,
-                allowed: "at most that of the centre",
-            });
-        }
-        Ok(())
+        let found = format_args!("{second} next to {first} at the centre");
+        require(first >= second, kind, "rotation penalty of the rest", found, "at most that of the centre")
     }
-}
-
-/// A parameter out of range.
-pub(super) fn parameter_error(
-    kind: &'static str,
-    parameter: &'static str,
-    value: f64,
-    allowed: &'static str,
-) -> ElementError {
-    ElementError::Parameter { kind, parameter, found: value.to_string(), allowed }
 }

@@ -10,8 +10,7 @@
 //! volume part is taken at one point, √g and the Jacobian are taken at the face's centre as well
 //! ([`FreeSurface::at_one_point`]).
 
-use super::fluid::parameter_error;
-use super::{Element, ElementError, Response, Trial};
+use super::{Element, ElementError, Response, Trial, positive, require};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -45,9 +44,7 @@ impl FreeSurface {
     }
 
     fn with(face: &Face, chart: Chart, weight_density: f64, one_point: bool) -> Result<FreeSurface, ElementError> {
-        if !(weight_density > 0.0 && weight_density.is_finite()) {
-            return Err(parameter_error(KIND, "weight density", weight_density, "a positive number"));
-        }
+        require(positive(weight_density), KIND, "weight density", weight_density, "a positive number")?;
         let centre = area_factor(face, chart, 0.0, 0.0)?;
         let mut matrix = [[0.0; 4]; 4];
         for &(r, wr) in gauss::TWO {

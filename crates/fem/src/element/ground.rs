@@ -14,7 +14,7 @@
 //!
 //! Source: Winkler 1867; Moreau 1999 (end of the step); Simo & Hughes 1998, chapter 2 (return mapping of the slip).
 
-use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial};
+use super::{Contact, Element, ElementError, Inspect, Motion, Response, Trial, not_negative, positive, require};
 use crate::dofs::Dof;
 
 const KIND: &str = "ground";
@@ -55,8 +55,8 @@ impl Ground {
     ///
     /// Errors: a parameter that is not positive.
     pub fn new(node: usize, modulus: f64, area: f64) -> Result<Ground, ElementError> {
-        positive("modulus", modulus, "> 0 N/m³")?;
-        positive("area", area, "> 0 m²")?;
+        require(positive(modulus), KIND, "modulus", modulus, "> 0 N/m³")?;
+        require(positive(area), KIND, "area", area, "> 0 m²")?;
         Ok(Ground { node: [node], stiffness: modulus * area, gap: 0.0, friction: None })
     }
 
@@ -64,9 +64,7 @@ impl Ground {
     ///
     /// Errors: a distance out of range.
     pub fn with_gap(mut self, gap: f64) -> Result<Ground, ElementError> {
-        if !(gap >= 0.0 && gap.is_finite()) {
-            return Err(refuse("gap", gap, "≥ 0 m"));
-        }
+        require(not_negative(gap), KIND, "gap", gap, "≥ 0 m")?;
         self.gap = gap;
         Ok(self)
     }
@@ -75,7 +73,7 @@ impl Ground {
     ///
     /// Errors: a coefficient out of range.
     pub fn with_friction(mut self, coefficient: f64) -> Result<Ground, ElementError> {
-        positive("friction", coefficient, "> 0")?;
+        require(positive(coefficient), KIND, "friction", coefficient, "> 0")?;
         self.friction = Some(coefficient);
         Ok(self)
     }
@@ -99,17 +97,6 @@ impl Ground {
     }
 }
 
-fn refuse(parameter: &'static str, found: f64, allowed: &'static str) -> ElementError {
-    ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }
-}
-
-fn positive(parameter: &'static str, value: f64, allowed: &'static str) -> Result<(), ElementError> {
-    match value > 0.0 && value.is_finite() {
-        true => Ok(()),
-        false => Err(refuse(parameter, value, allowed)),
-    }
-}
-
 impl Element for Ground {
     crate::answers!(KIND, node, Dof::TRANSLATIONS; massless contact inspect);
 
@@ -126,9 +113,7 @@ impl Element for Ground {
         if want.tangent {
             out.tangent.add(2, 2, slope);
         }
-        let Some(coefficient) = self.friction else {
-            return Ok(());
-        };
+        let Some(coefficient) = self.friction else { return Ok(()) };
         let k = self.stiffness;
         let limit = if open { 0.0 } else { coefficient * old[REACTION] };
         let trial: [f64; 2] = std::array::from_fn(|i| k * (motion.values[i] - old[SLIP + i]));

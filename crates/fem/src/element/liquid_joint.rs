@@ -18,7 +18,7 @@
 //!
 //! Source: Moreau 1999; Alart & Curnier 1991; theory sheet of this project (pressure of the displaced particle).
 
-use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial, positive, require};
 use crate::dofs::Dof;
 
 const KIND: &str = "liquid_joint";
@@ -68,20 +68,15 @@ impl LiquidJoint {
     ///
     /// Errors: no unknown or no point; a row that leaves the unknowns; a stiffness that is not positive.
     pub fn new(unknowns: &[(usize, Dof)], points: Vec<JointPoint>, opens: bool) -> Result<LiquidJoint, ElementError> {
-        let refuse =
-            |parameter, found: String, allowed| Err(ElementError::Parameter { kind: KIND, parameter, found, allowed });
-        if unknowns.is_empty() || points.is_empty() {
-            let found = format!("{} unknowns, {} points", unknowns.len(), points.len());
-            return refuse("points", found, "one or more of each");
-        }
+        let found = format_args!("{} unknowns, {} points", unknowns.len(), points.len());
+        require(!unknowns.is_empty() && !points.is_empty(), KIND, "points", found, "one or more of each")?;
         for point in &points {
-            let rows = point.closing.iter().chain(&point.relief);
-            if let Some((i, c)) = rows.copied().find(|(i, c)| *i >= unknowns.len() || !c.is_finite()) {
-                return refuse("row", format!("{c} on unknown {i}"), "finite, on unknowns of the element");
+            for &(i, c) in point.closing.iter().chain(&point.relief) {
+                let good = i < unknowns.len() && c.is_finite();
+                let found = format_args!("{c} on unknown {i}");
+                require(good, KIND, "row", found, "finite, on unknowns of the element")?;
             }
-            if !(point.stiffness > 0.0 && point.stiffness.is_finite()) {
-                return refuse("stiffness", point.stiffness.to_string(), "> 0 N/m");
-            }
+            require(positive(point.stiffness), KIND, "stiffness", point.stiffness, "> 0 N/m")?;
         }
         Ok(LiquidJoint {
             nodes: unknowns.iter().map(|u| u.0).collect(),
@@ -113,10 +108,7 @@ impl LiquidJoint {
     fn force(&self, point: &JointPoint, closing: f64, relief: f64) -> (f64, f64) {
         let k = point.stiffness;
         let pressing = k * closing + relief;
-        match pressing >= 0.0 || !self.opens {
-            true => (k * closing, k),
-            false => (-relief + RESIDUAL * pressing, RESIDUAL * k),
-        }
+        if pressing >= 0.0 || !self.opens { (k * closing, k) } else { (-relief + RESIDUAL * pressing, RESIDUAL * k) }
     }
 }
 

@@ -24,8 +24,7 @@
 
 use nalgebra::Matrix3;
 
-use super::potential_face::check_positive;
-use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial, positive, require};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Hexahedron;
@@ -49,7 +48,7 @@ impl Potential8 {
     ///
     /// Errors: a Jacobian or a density that is not positive.
     pub fn new(cell: &Hexahedron, chart: Chart, density: f64) -> Result<Potential8, ElementError> {
-        check_positive(KIND, "density", density)?;
+        require(positive(density), KIND, "density", density, "a positive number")?;
         let element = Potential8 { cell: *cell, chart, density };
         element.integrate(|_| {})?;
         Ok(element)

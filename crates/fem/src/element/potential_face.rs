@@ -67,12 +67,3 @@ pub(super) fn check_face(kind: &'static str, face: &Face, chart: Chart) -> Resul
     }
     Ok(())
 }
-
-/// Errors: a parameter that is not a positive number.
-pub(super) fn check_positive(kind: &'static str, parameter: &'static str, value: f64) -> Result<(), ElementError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(ElementError::Parameter { kind, parameter, found: value.to_string(), allowed: "a positive number" })
-    }
-}

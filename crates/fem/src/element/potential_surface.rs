@@ -8,8 +8,8 @@
 //!
 //! Source: Morand & Ohayon 1995, chapter 5. Limits: small waves, no surface tension.
 
-use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
+use super::potential_face::{check_face, gauss_points, point};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial, positive, require};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -30,8 +30,8 @@ impl PotentialSurface {
     ///
     /// Errors: area, density or gravity not positive.
     pub fn new(face: &Face, chart: Chart, density: f64, gravity: f64) -> Result<PotentialSurface, ElementError> {
-        check_positive(KIND, "density", density)?;
-        check_positive(KIND, "gravity", gravity)?;
+        require(positive(density), KIND, "density", density, "a positive number")?;
+        require(positive(gravity), KIND, "gravity", gravity, "a positive number")?;
         check_face(KIND, face, chart)?;
         Ok(PotentialSurface { face: *face, chart, density, gravity })
     }

@@ -51,7 +51,7 @@ use super::shell::director::turned;
 use super::shell::drilling::Corner;
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
-use super::{Buckling, Element, ElementError, LocalMatrix, Mixed, Response, Trial};
+use super::{Buckling, Element, ElementError, LocalMatrix, Mixed, Response, Trial, not_negative, require};
 use crate::dofs::Dof;
 
 pub use rows::{Row, SIZE};
@@ -148,14 +148,9 @@ impl Shell4 {
         let points = [at(-A, -A, 1.0)?, at(A, -A, 1.0)?, at(A, A, 1.0)?, at(-A, A, 1.0)?];
         let centre = at(0.0, 0.0, 4.0)?;
         for d in &directors {
-            if (d.norm() - 1.0).abs() > 1e-9 || d.dot(&centre.axis(2)) <= 0.0 {
-                return Err(ElementError::Parameter {
-                    kind: "shell4",
-                    parameter: "director",
-                    found: format!("({:.3e}, {:.3e}, {:.3e})", d.x, d.y, d.z),
-                    allowed: "a unit vector within 90 degrees of the normal",
-                });
-            }
+            let good = (d.norm() - 1.0).abs() <= 1e-9 && d.dot(&centre.axis(2)) > 0.0;
+            let found = format_args!("({:.3e}, {:.3e}, {:.3e})", d.x, d.y, d.z);
+            require(good, "shell4", "director", found, "a unit vector within 90 degrees of the normal")?;
         }
         Ok(Shell4 {
             nodes,
@@ -198,14 +193,7 @@ impl Shell4 {
     ///
     /// Errors: a degenerate corner, a negative factor.
     pub fn with_drilling(mut self, at: [bool; 4], factor: f64) -> Result<Shell4, ElementError> {
-        if !(factor >= 0.0 && factor.is_finite()) {
-            return Err(ElementError::Parameter {
-                kind: "shell4",
-                parameter: "drilling factor",
-                found: factor.to_string(),
-                allowed: "≥ 0 and finite",
-            });
-        }
+        require(not_negative(factor), "shell4", "drilling factor", factor, "≥ 0 and finite")?;
         self.drilling.clear();
         for corner in (0..4).filter(|&c| at[c]) {
             let area: f64 = self.points.iter().map(|p| p.n[corner] * p.area).sum();

@@ -33,7 +33,7 @@ use kernels::{add_isotropic_stiffness, add_stiffness, displacement_gradient, ten
 use nalgebra::{Matrix3, Vector3};
 
 use super::solid8_law::dyad;
-use super::{Contact, Element, ElementError, LocalMatrix, Response, Trial};
+use super::{Contact, Element, ElementError, LocalMatrix, Response, Trial, not_negative, require};
 use crate::dofs::Dof;
 use crate::shape::hex8::CORNERS;
 
@@ -113,14 +113,7 @@ impl Solid8 {
             ("damping_mass", material.damping_mass),
             ("damping_stiffness", material.damping_stiffness),
         ] {
-            if !(found >= 0.0 && found.is_finite()) {
-                return Err(ElementError::Parameter {
-                    kind: KIND,
-                    parameter,
-                    found: found.to_string(),
-                    allowed: "≥ 0",
-                });
-            }
+            require(not_negative(found), KIND, parameter, found, "≥ 0")?;
         }
         let element = Solid8 { nodes, coordinates, material, kinematics };
         for slopes in &SLOPES {

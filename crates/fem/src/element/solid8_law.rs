@@ -23,7 +23,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementError;
+use super::{ElementError, not_negative, positive, require};
 
 /// 6 × 6 matrix of a law, row by row.
 pub type Moduli = [[f64; 6]; 6];
@@ -77,31 +77,22 @@ impl Tension {
 impl Law {
     /// Refuses parameters out of range.
     pub(super) fn check(&self, kind: &'static str) -> Result<(), ElementError> {
-        let refuse = |parameter, found: f64, allowed| {
-            Err(ElementError::Parameter { kind, parameter, found: found.to_string(), allowed })
-        };
+        let check = |good, parameter, found: f64, allowed| require(good, kind, parameter, found, allowed);
         match *self {
-            Law::Isotropic { young_modulus, .. } if !(young_modulus > 0.0 && young_modulus.is_finite()) => {
-                refuse("young_modulus", young_modulus, "> 0")
+            Law::Isotropic { young_modulus, poisson_ratio: nu } => {
+                check(positive(young_modulus), "young_modulus", young_modulus, "> 0")?;
+                check(nu > -1.0 && nu < 0.5, "poisson_ratio", nu, "between −1 and 0.5")
             }
-            Law::Isotropic { poisson_ratio, .. } if !(poisson_ratio > -1.0 && poisson_ratio < 0.5) => {
-                refuse("poisson_ratio", poisson_ratio, "between −1 and 0.5")
+            Law::Core { e_normal, shear_modulus, .. } => {
+                check(positive(e_normal), "e_normal", e_normal, "> 0")?;
+                check(positive(shear_modulus), "shear_modulus", shear_modulus, "> 0")
             }
-            Law::NormalOnly { e_normal, .. } | Law::Core { e_normal, .. }
-                if !(e_normal > 0.0 && e_normal.is_finite()) =>
-            {
-                refuse("e_normal", e_normal, "> 0")
+            Law::NormalOnly { e_normal, tension } => {
+                check(positive(e_normal), "e_normal", e_normal, "> 0")?;
+                let Tension::None { residual, width } = tension else { return Ok(()) };
+                check(residual > 0.0 && residual < 1.0, "residual", residual, "between 0 and 1")?;
+                check(not_negative(width), "width", width, "≥ 0")
             }
-            Law::Core { shear_modulus, .. } if !(shear_modulus > 0.0 && shear_modulus.is_finite()) => {
-                refuse("shear_modulus", shear_modulus, "> 0")
-            }
-            Law::NormalOnly { tension: Tension::None { residual, .. }, .. } if !(residual > 0.0 && residual < 1.0) => {
-                refuse("residual", residual, "between 0 and 1")
-            }
-            Law::NormalOnly { tension: Tension::None { width, .. }, .. } if !(width >= 0.0 && width.is_finite()) => {
-                refuse("width", width, "≥ 0")
-            }
-            _ => Ok(()),
         }
     }
 

@@ -8,7 +8,7 @@
 //!
 //! The direction d is fixed (small displacements).
 
-use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial, not_negative, require};
 use crate::dofs::Dof;
 
 /// Motion that a spring resists.
@@ -38,14 +38,8 @@ impl Link {
         };
         let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
         // Another length scales the stiffness by its square.
-        if length.is_nan() || (length - 1.0).abs() > 1e-9 {
-            return Err(ElementError::Parameter {
-                kind,
-                parameter: "direction",
-                found: format!("{vector:?} of length {length}"),
-                allowed: "unit vectors",
-            });
-        }
+        let found = format_args!("{vector:?} of length {length}");
+        require((length - 1.0).abs() <= 1e-9, kind, "direction", found, "unit vectors")?;
         Ok(Link { nodes: [nodes[0], nodes[nodes.len() - 1]], count: nodes.len(), dofs, direction: vector })
     }
 
@@ -76,13 +70,6 @@ impl Link {
     }
 }
 
-fn check_constant(kind: &'static str, parameter: &'static str, value: f64) -> Result<(), ElementError> {
-    if value >= 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(ElementError::Parameter { kind, parameter, found: value.to_string(), allowed: "≥ 0" })
-}
-
 /// Linear spring.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
@@ -106,7 +93,7 @@ impl Spring {
     }
 
     fn new(nodes: &[usize], direction: Direction, stiffness: f64) -> Result<Spring, ElementError> {
-        check_constant("spring", "stiffness", stiffness)?;
+        require(not_negative(stiffness), "spring", "stiffness", stiffness, "≥ 0")?;
         let link = Link::new("spring", nodes, direction)?;
         Ok(Spring { link, stiffness })
     }
@@ -175,7 +162,7 @@ impl PointMass {
     ///
     /// Errors: a parameter out of range.
     pub fn new(node: usize, mass: f64) -> Result<PointMass, ElementError> {
-        check_constant("point mass", "mass", mass)?;
+        require(not_negative(mass), "point mass", "mass", mass, "≥ 0")?;
         Ok(PointMass { node: [node], mass })
     }
 }

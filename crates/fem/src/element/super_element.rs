@@ -20,7 +20,7 @@
 //!
 //! Source: Guyan 1965; Craig & Bampton 1968; Morand & Ohayon 1995, chapter 5.
 
-use super::{Element, ElementError, LocalMatrix, Response, Trial};
+use super::{Element, ElementError, LocalMatrix, Response, Trial, require};
 use crate::dofs::Dof;
 use crate::linalg::Matrix;
 
@@ -44,10 +44,8 @@ impl SuperElement {
     ///
     /// Errors: lists of different length; those of [`SuperElement::over`].
     pub fn new(nodes: Vec<usize>, dofs: Vec<&'static [Dof]>) -> Result<SuperElement, ElementError> {
-        if nodes.len() != dofs.len() {
-            let found = format!("{} nodes, dofs of {}", nodes.len(), dofs.len());
-            return Err(refuse("nodes", found, "as many lists of dofs as nodes"));
-        }
+        let found = format_args!("{} nodes, dofs of {}", nodes.len(), dofs.len());
+        require(nodes.len() == dofs.len(), KIND, "nodes", found, "as many lists of dofs as nodes")?;
         let own = |(node, dofs): (usize, &'static [Dof])| dofs.iter().map(move |&d| (node, d));
         let unknowns: Vec<(usize, Dof)> = nodes.into_iter().zip(dofs).flat_map(own).collect();
         SuperElement::over(&unknowns)
@@ -59,13 +57,12 @@ impl SuperElement {
     pub fn over(unknowns: &[(usize, Dof)]) -> Result<SuperElement, ElementError> {
         let mut sorted = unknowns.to_vec();
         sorted.sort_unstable();
-        let twice = sorted.windows(2).find(|p| p[0] == p[1]).map(|p| p[0]);
-        if let Some((node, dof)) = twice {
-            return Err(refuse("dofs", format!("{dof} of node {node} twice"), "every dof once"));
+        for pair in sorted.windows(2) {
+            let (node, dof) = pair[0];
+            let found = format_args!("{dof} of node {node} twice");
+            require(pair[0] != pair[1], KIND, "dofs", found, "every dof once")?;
         }
-        if unknowns.is_empty() {
-            return Err(refuse("dofs", "none".into(), "one or more"));
-        }
+        require(!unknowns.is_empty(), KIND, "dofs", "none", "one or more")?;
         // One local node a dof.
         Ok(SuperElement {
             nodes: unknowns.iter().map(|u| u.0).collect(),
@@ -113,31 +110,23 @@ impl SuperElement {
     /// The matrix made symmetric to the last digit; rejected if it is not symmetric up to rounding.
     fn checked(&self, parameter: &'static str, mut a: Matrix) -> Result<Matrix, ElementError> {
         let n = self.size();
-        if a.rows != n || a.cols != n {
-            let found = format!("{} × {}", a.rows, a.cols);
-            return Err(refuse(parameter, found, "as many rows and columns as dofs"));
-        }
+        let found = format_args!("{} × {}", a.rows, a.cols);
+        require(a.rows == n && a.cols == n, KIND, parameter, found, "as many rows and columns as dofs")?;
         let largest = a.data.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         for j in 0..n {
             for i in 0..=j {
                 let (upper, lower) = (a.get(i, j), a.get(j, i));
                 // Also false if one is not a number.
-                if (upper - lower).abs() <= ASYMMETRY * largest && largest.is_finite() {
-                    let mean = 0.5 * (upper + lower);
-                    a.data[i + j * n] = mean;
-                    a.data[j + i * n] = mean;
-                } else {
-                    let found = format!("{upper} in ({i}, {j}) and {lower} in ({j}, {i})");
-                    return Err(refuse(parameter, found, "a symmetric matrix of finite numbers"));
-                }
+                let good = (upper - lower).abs() <= ASYMMETRY * largest && largest.is_finite();
+                let found = format_args!("{upper} in ({i}, {j}) and {lower} in ({j}, {i})");
+                require(good, KIND, parameter, found, "a symmetric matrix of finite numbers")?;
+                let mean = 0.5 * (upper + lower);
+                a.data[i + j * n] = mean;
+                a.data[j + i * n] = mean;
             }
         }
         Ok(a)
     }
-}
-
-fn refuse(parameter: &'static str, found: String, allowed: &'static str) -> ElementError {
-    ElementError::Parameter { kind: KIND, parameter, found, allowed }
 }
 
 fn copy(from: &Option<Matrix>, out: &mut LocalMatrix) {

@@ -33,7 +33,7 @@ use super::shell::director::add_turn_block;
 use super::shell::director::turned;
 use super::shell4::{SIZE as SHELL_SIZE, Shell4};
 use super::solid8::{Elastic, Kinematics, Solid8};
-use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial, Want};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial, Want, require};
 use crate::dofs::Dof;
 
 mod abilities;
@@ -97,13 +97,8 @@ impl Wall {
     pub fn new(inner: Shell4, outer: Shell4, faces: [f64; 2], layer: &Layer) -> Result<Wall, ElementError> {
         let mut lever = [faces[0]; 8];
         lever[4..].fill(-faces[1]);
-        if let Some(found) = faces.iter().find(|f| !f.is_finite()) {
-            return Err(ElementError::Parameter {
-                kind: KIND,
-                parameter: "distance of a face",
-                found: found.to_string(),
-                allowed: "finite",
-            });
+        for face in faces {
+            require(face.is_finite(), KIND, "distance of a face", face, "finite")?;
         }
         let pick = |a: usize| if a < 4 { (&inner, a) } else { (&outer, a - 4) };
         let nodes = std::array::from_fn(|a| pick(a).0.nodes()[pick(a).1]);

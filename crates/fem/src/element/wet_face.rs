@@ -29,8 +29,8 @@
 
 use nalgebra::Vector3;
 
-use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial};
+use super::potential_face::{check_face, gauss_points, point};
+use super::{Element, ElementError, Inspect, LocalMatrix, Response, Sample, Trial, positive, require};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -69,7 +69,7 @@ impl WetFace {
         normals: [[f64; 3]; 4],
         density: f64,
     ) -> Result<WetFace, ElementError> {
-        check_positive(KIND, "density", density)?;
+        require(positive(density), KIND, "density", density, "a positive number")?;
         check_face(KIND, liquid, chart)?;
         check_normals(liquid, chart, &normals)?;
         let mut areas = [[0.0; 4]; 4];
@@ -101,7 +101,7 @@ impl WetFace {
         normals: [[f64; 3]; 4],
         density: f64,
     ) -> Result<Option<WetFace>, ElementError> {
-        check_positive(KIND, "density", density)?;
+        require(positive(density), KIND, "density", density, "a positive number")?;
         check_face(KIND, liquid, chart)?;
         check_face(KIND, wall, chart)?;
         let (own, other) = (Rectangle::of(liquid)?, Rectangle::of(wall)?);
@@ -211,14 +211,9 @@ fn check_normals(liquid: &Face, chart: Chart, normals: &[[f64; 3]; 4]) -> Result
     let outwards = point(liquid, chart, 0.0, 0.0).normal;
     for n in normals {
         let v = Vector3::from(*n);
-        if (v.norm() - 1.0).abs() > 1e-6 || v.dot(&outwards) <= 0.0 {
-            return Err(ElementError::Parameter {
-                kind: KIND,
-                parameter: "normal",
-                found: format!("{n:?} where the liquid's face has {:?}", outwards.as_slice()),
-                allowed: "a unit vector out of the liquid",
-            });
-        }
+        let good = (v.norm() - 1.0).abs() <= 1e-6 && v.dot(&outwards) > 0.0;
+        let found = format_args!("{n:?} where the liquid's face has {:?}", outwards.as_slice());
+        require(good, KIND, "normal", found, "a unit vector out of the liquid")?;
     }
     Ok(())
 }
@@ -243,12 +238,9 @@ struct Rectangle {
 
 impl Rectangle {
     fn of(face: &Face) -> Result<Rectangle, ElementError> {
-        let no_rectangle = || ElementError::NoAnswer {
-            kind: KIND,
-            reason: format!(
-                "the face of nodes {:?} is not a rectangle in chart coordinates; overlaps need rectangles",
-                face.nodes
-            ),
+        let no_rectangle = || {
+            let what = "is not a rectangle in chart coordinates; overlaps need rectangles";
+            ElementError::NoAnswer { kind: KIND, reason: format!("the face of nodes {:?} {what}", face.nodes) }
         };
         let range = |i: usize| {
             let values = face.chart.map(|c| c[i]);

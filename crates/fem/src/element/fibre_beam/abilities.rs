@@ -11,9 +11,7 @@ use crate::element::{
 impl Inspect for FibreBeam {
     /// `n_11` and `m_11` at the sections.
     fn samples(&self) -> Vec<Sample> {
-        let Ok(rest) = self.section.at_rest() else {
-            return Vec::new();
-        };
+        let Ok(rest) = self.section.at_rest() else { return Vec::new() };
         let mut samples = Vec::new();
         for station in &self.stations {
             for (name, k) in ["n_11", "m_11"].into_iter().zip(rest.tangent) {

@@ -36,7 +36,7 @@ use materials::{Law, LawError, Response};
 
 use super::rule::Rule;
 use super::section::{LayerState, SHEAR_CORRECTION, Section, SectionResponse};
-use crate::element::ElementError;
+use crate::element::{ElementError, not_negative, positive, require};
 
 const KIND: &str = "layered section";
 
@@ -130,17 +130,17 @@ impl LayeredSection {
         check(eccentricity.is_finite(), "eccentricity", eccentricity, "finite")?;
         for ply in plies {
             let (t, rho) = (ply.thickness, ply.density);
-            check(t > 0.0 && t.is_finite(), "thickness", t, "> 0 and finite")?;
-            check(rho >= 0.0 && rho.is_finite(), "density", rho, "≥ 0 and finite")?;
+            check(positive(t), "thickness", t, "> 0 and finite")?;
+            check(not_negative(rho), "density", rho, "≥ 0 and finite")?;
         }
         let thickness: f64 = plies.iter().map(|p| p.thickness).sum();
         for bar in bars {
             let (area, depth, rho) = (bar.area, bar.depth, bar.density);
-            check(area > 0.0 && area.is_finite(), "bar area", area, "> 0 and finite")?;
+            check(positive(area), "bar area", area, "> 0 and finite")?;
             let inside = depth.abs() <= 0.5 * thickness;
             check(inside, "depth of a bar", depth, "inside the plies, at most half their thickness")?;
             check(bar.angle.is_finite(), "angle of a bar", bar.angle, "finite")?;
-            check(rho >= 0.0 && rho.is_finite(), "density of a bar", rho, "≥ 0 and finite")?;
+            check(not_negative(rho), "density of a bar", rho, "≥ 0 and finite")?;
         }
         let mut section = LayeredSection {
             layers: Vec::new(),
@@ -167,7 +167,7 @@ impl LayeredSection {
     ///
     /// Errors: a factor that is not positive.
     pub fn with_shear_factor(mut self, factor: f64) -> Result<LayeredSection, ElementError> {
-        check(factor > 0.0 && factor.is_finite(), "shear factor", factor, "> 0 and finite")?;
+        check(positive(factor), "shear factor", factor, "> 0 and finite")?;
         for i in 6..8 {
             self.constant[i][i] = factor * self.shear;
             self.whole[i][i] = factor * self.shear;
@@ -306,10 +306,7 @@ fn failed(source: LawError) -> ElementError {
 }
 
 fn check(ok: bool, parameter: &'static str, found: f64, allowed: &'static str) -> Result<(), ElementError> {
-    match ok {
-        true => Ok(()),
-        false => Err(ElementError::Parameter { kind: KIND, parameter, found: found.to_string(), allowed }),
-    }
+    require(ok, KIND, parameter, found, allowed)
 }
 
 impl Section for LayeredSection {

@@ -35,9 +35,7 @@ pub fn centre_resultants(model: &Model, elements: &[usize], u: &[f64]) -> Vec<([
 pub fn nodal_resultants(model: &Model, elements: &[usize], u: &[f64]) -> BTreeMap<usize, [f64; 8]> {
     let mut sums: BTreeMap<usize, ([f64; 8], f64)> = BTreeMap::new();
     for &e in elements {
-        let Some((_, points)) = point_resultants(model, e, u) else {
-            continue;
-        };
+        let Some((_, points)) = point_resultants(model, e, u) else { continue };
         // Corner c lies at √3 times the Gauss point c; N_g there, with Gauss points as nodes.
         let (near, next, far) = (1.0 + 0.5 * 3.0_f64.sqrt(), -0.5, 1.0 - 0.5 * 3.0_f64.sqrt());
         for (c, &node) in model.elements()[e].nodes().iter().enumerate() {

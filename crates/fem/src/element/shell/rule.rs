@@ -17,7 +17,7 @@
 
 use std::f64::consts::PI;
 
-use crate::element::ElementError;
+use crate::element::{ElementError, require};
 
 /// Quadrature of one layer, with its number of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,14 +62,7 @@ impl Rule {
             }
             Rule::Trapezoid(_) => ((2..=1000).contains(&n), "2 to 1000 with the trapezoidal rule"),
         };
-        if !ok {
-            return Err(ElementError::Parameter {
-                kind: "layered section",
-                parameter: "number of points",
-                found: n.to_string(),
-                allowed,
-            });
-        }
+        require(ok, "layered section", "number of points", n, allowed)?;
         let count = n as f64;
         let equidistant = |k: usize| -1.0 + 2.0 * k as f64 / (count - 1.0);
         Ok(match self {

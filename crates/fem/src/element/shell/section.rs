@@ -17,7 +17,7 @@
 
 use materials::PointState;
 
-use crate::element::ElementError;
+use crate::element::{ElementError, not_negative, positive, require};
 
 /// Resultants of one point and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,15 +135,11 @@ impl ElasticSection {
         thickness: f64,
         density: f64,
     ) -> Result<ElasticSection, ElementError> {
-        let check = |ok: bool, parameter, found: f64, allowed| match ok {
-            true => Ok(()),
-            false => Err(ElementError::Parameter { kind: "shell4", parameter, found: found.to_string(), allowed }),
-        };
-        let positive = |x: f64| x > 0.0 && x.is_finite();
+        let check = |good, parameter, found: f64, allowed| require(good, "shell4", parameter, found, allowed);
         check(positive(youngs_modulus), "Young's modulus", youngs_modulus, "> 0 and finite")?;
         check(poisson_ratio > -1.0 && poisson_ratio <= 0.5, "Poisson's ratio", poisson_ratio, "above −1, at most 0.5")?;
         check(positive(thickness), "thickness", thickness, "> 0 and finite")?;
-        check(density >= 0.0 && density.is_finite(), "density", density, "≥ 0 and finite")?;
+        check(not_negative(density), "density", density, "≥ 0 and finite")?;
         let mut section = ElasticSection {
             youngs_modulus,
             poisson_ratio,
@@ -160,14 +156,7 @@ impl ElasticSection {
     ///
     /// Errors: a value that is not finite.
     pub fn eccentric(mut self, eccentricity: f64) -> Result<ElasticSection, ElementError> {
-        if !eccentricity.is_finite() {
-            return Err(ElementError::Parameter {
-                kind: "shell4",
-                parameter: "eccentricity",
-                found: eccentricity.to_string(),
-                allowed: "finite",
-            });
-        }
+        require(eccentricity.is_finite(), "shell4", "eccentricity", eccentricity, "finite")?;
         self.eccentricity = eccentricity;
         self.fill();
         Ok(self)

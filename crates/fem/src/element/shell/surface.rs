@@ -122,10 +122,7 @@ pub fn directors(
         for (c, &g) in list.iter().zip(&group) {
             out.corners[c.cell][c.corner] = mean(g);
         }
-        let kind = match group.iter().all(|&g| g == group[0]) {
-            true => NodeKind::Smooth(mean(group[0])),
-            false => NodeKind::Fold,
-        };
+        let kind = if group.iter().all(|&g| g == group[0]) { NodeKind::Smooth(mean(group[0])) } else { NodeKind::Fold };
         out.nodes.insert(node, kind);
     }
     Ok(out)

@@ -46,9 +46,7 @@ impl Shell4 {
         for p in std::iter::once(&self.centre).chain(&self.points) {
             let position = blend(&p.n, &self.x).into();
             // A section that fails at zero strain has no samples.
-            let Ok(rows) = self.resultant_rows(p) else {
-                return Vec::new();
-            };
+            let Ok(rows) = self.resultant_rows(p) else { return Vec::new() };
             out.extend(RESULTANTS.iter().zip(&rows).map(|(&name, row)| Sample {
                 name,
                 position,

@@ -232,9 +232,7 @@ impl WallMesh<'_> {
         let found = [self.directors(builder, &nodes[0])?, self.directors(builder, &nodes[1])?];
         let mut rows = vec![Vec::new(); builds.len()];
         for (c, (&cell, &row)) in self.footprint.cells.iter().zip(&self.footprint.rows).enumerate() {
-            let Build::Layered(leaves, layer) = &builds[row] else {
-                continue;
-            };
+            let Build::Layered(leaves, layer) = &builds[row] else { continue };
             let shell = |side: usize| -> Result<Shell4, ElementError> {
                 let corners = cell.map(|p| nodes[side][p]);
                 let positions = corners.map(|n| builder.position(n));
@@ -275,15 +273,9 @@ impl WallMesh<'_> {
         directors(|n| builder.position(n), &cells, Normals::Exact(&self.normal(nodes[0])))
     }
 
-    fn place_shells(
-        &self,
-        builder: &mut Builder,
-        builds: &[Build],
-        inner: Vec<usize>,
-        level: Vec<ShellCell>,
-    ) -> Result<(PlacedWall, Vec<usize>), ElementError> {
-        let mut cells = Vec::new();
-        let mut row_of = Vec::new();
+    /// Shells of the wall and the row of each; the caller has sorted out rows of two layers.
+    fn shells(&self, builds: &[Build], inner: &[usize]) -> (Vec<ShellCell>, Vec<usize>) {
+        let (mut cells, mut row_of) = (Vec::new(), Vec::new());
         for (cell, &row) in self.footprint.cells.iter().zip(&self.footprint.rows) {
             let nodes = cell.map(|p| inner[p]);
             let mut add = |leaf: &Leaf, suffix: &str| {
@@ -296,17 +288,24 @@ impl WallMesh<'_> {
                     add(&leaves[0], " inner");
                     add(&leaves[1], " outer");
                 }
-                // Sorted out by the caller.
                 Build::Layered(..) => {}
             }
         }
+        (cells, row_of)
+    }
+
+    fn place_shells(
+        &self,
+        builder: &mut Builder,
+        builds: &[Build],
+        inner: Vec<usize>,
+        level: Vec<ShellCell>,
+    ) -> Result<(PlacedWall, Vec<usize>), ElementError> {
+        let (mut cells, row_of) = self.shells(builds, &inner);
         let of_wall = cells.len();
         cells.extend(level);
         let own = self.normal(inner[0]);
-        let normal = |cell: usize, node: usize| match cell < of_wall {
-            true => own(cell, node),
-            false => Vector3::z(),
-        };
+        let normal = |cell: usize, node: usize| if cell < of_wall { own(cell, node) } else { Vector3::z() };
         let surface = ShellSurface {
             cells,
             normals: Normals::Exact(&normal),
