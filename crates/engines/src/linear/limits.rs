@@ -60,14 +60,8 @@ pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
         Shape::Cylinder { .. } => "radius",
         Shape::Rectangle { .. } => "half length",
     };
-    let limit = |id: &str, name: String, limit: f64, consequence: &str| Limit {
-        id: id.into(),
-        name,
-        value: wave,
-        limit,
-        dimension: Dimension::Length,
-        holds: wave <= limit,
-        note: if wave <= limit { String::new() } else { consequence.into() },
+    let limit = |id: &str, name: String, limit: f64, consequence: &str| {
+        limit_of(id, name, [wave, limit], Dimension::Length, wave <= limit, || consequence.into())
     };
     [
         limit(
@@ -88,21 +82,13 @@ pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
 /// Breadth of a box against that from which its walls are cantilevers.
 fn breadth(case: &Case) -> Option<Limit> {
     let ratio = case.tank.breadth_to_height()?;
+    let name = format!("Breadth over the height of the wall against {PLANE_WALLS:.0}");
     let holds = !case.tank.bends_as_plates();
-    Some(Limit {
-        id: "breadth_against_height".into(),
-        name: format!("Breadth over the height of the wall against {PLANE_WALLS:.0}"),
-        value: ratio,
-        limit: PLANE_WALLS,
-        dimension: Dimension::Dimensionless,
-        holds,
-        note: match holds {
-            true => String::new(),
-            false => "The walls across the shaking bend as plates held at the base and both sides; the engine computes \
-                      cantilevers: impulsive period and mass, forces and stresses are outside the model, the wave is not."
-                .into(),
-        },
-    })
+    Some(limit_of("breadth_against_height", name, [ratio, PLANE_WALLS], Dimension::Dimensionless, holds, || {
+        "The walls across the shaking bend as plates held at the base and both sides; the engine computes \
+         cantilevers: impulsive period and mass, forces and stresses are outside the model, the wave is not."
+            .into()
+    }))
 }
 
 /// Total pressure below the trough: above it the wall is simply dry when the surface sinks.
@@ -125,36 +111,24 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Arou
         }
     }
     let (total, z, time, side) = worst?;
-    let holds = total >= 0.0;
-    Some(Limit {
-        id: "suction".into(),
-        name: "Smallest total pressure on the wall below the wave trough".into(),
-        value: total,
-        limit: 0.0,
-        dimension: Dimension::Stress,
-        holds,
-        note: if holds {
-            String::new()
-        } else {
-            let place = match (case.tank.shape, side.as_str()) {
-                (Shape::Rectangle { .. }, "0°") => "wall at +x".to_owned(),
-                (Shape::Rectangle { .. }, _) => "wall at −x".to_owned(),
-                _ => format!("θ = {side}"),
-            };
-            format!(
-                "Suction at z = {}, {place}, t = {time:.2} s: the liquid separates from the wall, which the linear \
-                 engine does not model.",
-                display(z, Dimension::Length)
-            )
-        },
-    })
+    let name = "Smallest total pressure on the wall below the wave trough";
+    Some(limit_of("suction", name, [total, 0.0], Dimension::Stress, total >= 0.0, || {
+        let place = match (case.tank.shape, side.as_str()) {
+            (Shape::Rectangle { .. }, "0°") => "wall at +x".to_owned(),
+            (Shape::Rectangle { .. }, _) => "wall at −x".to_owned(),
+            _ => format!("θ = {side}"),
+        };
+        format!(
+            "Suction at z = {}, {place}, t = {time:.2} s: the liquid separates from the wall, which the linear \
+             engine does not model.",
+            display(z, Dimension::Length)
+        )
+    }))
 }
 
 /// Tension at the base of an anchored cylinder's wall, static and seismic, against its anchors.
 fn uplift(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Around>) -> Option<Limit> {
-    let Shape::Cylinder { radius } = case.tank.shape else {
-        return None;
-    };
+    let Shape::Cylinder { radius } = case.tank.shape else { return None };
     let channel = Channel::Base(OnWall::Axial);
     let probe = model.horizontal.coupled.probe(channel)?;
     let (front, back) = analysis.sides(channel)?;
@@ -169,31 +143,22 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Aroun
         a.capacity.map(|c| c / spacing)
     });
     let limit = capacity.unwrap_or(0.0);
-    let holds = tension <= limit;
     let place = format!("at θ = {side}, t = {time:.2} s");
-    Some(Limit {
-        id: UPLIFT.into(),
-        name: match capacity {
-            Some(_) => "Tension at the base of the wall against the anchors".into(),
-            None => "Tension at the base of the wall".into(),
-        },
-        value: tension,
-        limit,
-        dimension: Dimension::LineForce,
-        holds,
-        note: match (holds, capacity, case.tank.support) {
-            (true, ..) => String::new(),
-            (false, _, Support::Unanchored) => {
-                format!(
-                    "The wall lifts off {place}: an unanchored tank uplifts, which the linear engine does not model."
-                )
-            }
-            (false, None, _) => format!(
+    let name = match capacity {
+        Some(_) => "Tension at the base of the wall against the anchors",
+        None => "Tension at the base of the wall",
+    };
+    Some(limit_of(UPLIFT, name, [tension, limit], Dimension::LineForce, tension <= limit, || {
+        match (capacity, case.tank.support) {
+            (_, Support::Unanchored) => format!(
+                "The wall lifts off {place}: an unanchored tank uplifts, which the linear engine does not model."
+            ),
+            (None, _) => format!(
                 "The wall pulls {place}; the linear engine holds it down. Give the capacity of the anchors to have it checked."
             ),
-            (false, Some(_), _) => format!("The anchors are overstressed {place}: the wall lifts off."),
-        },
-    })
+            (Some(_), _) => format!("The anchors are overstressed {place}: the wall lifts off."),
+        }
+    }))
 }
 
 /// Largest tension of the foot of a wall that is held down, static and seismic [N/m]; none of a wall without that stress.
@@ -213,43 +178,36 @@ fn degrees(theta: f64) -> String {
 pub(crate) fn compressibility(case: &Case, fastest: f64) -> Limit {
     let acoustic = SOUND / (4.0 * case.liquid.fill_height);
     let limit = ACOUSTIC_SHARE * acoustic;
-    let holds = fastest <= limit;
-    Limit {
-        id: "compressibility".into(),
-        name: "First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = 1435 m/s".into(),
-        value: fastest,
-        limit,
-        dimension: Dimension::Frequency,
-        holds,
-        note: if holds {
-            String::new()
-        } else {
-            "The compressibility of the liquid is left out; it lowers such high frequencies by about half the square of \
-             the quotient of both."
-                .into()
-        },
-    }
+    let name = "First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = 1435 m/s";
+    limit_of("compressibility", name, [fastest, limit], Dimension::Frequency, fastest <= limit, || {
+        "The compressibility of the liquid is left out; it lowers such high frequencies by about half the square of \
+         the quotient of both."
+            .into()
+    })
 }
 
 /// Step of the record [s] against the period of the wall's mode, whose circular frequency is `omega` [rad/s].
 pub(crate) fn record(omega: f64, record_step: f64) -> Limit {
     let limit = std::f64::consts::TAU / omega / RECORD_STEPS;
-    let holds = record_step <= limit;
-    Limit {
-        id: "record_step".into(),
-        name: "Time step of the record against a tenth of the impulsive period".into(),
-        value: record_step,
-        limit,
-        dimension: Dimension::Time,
-        holds,
-        note: if holds {
-            String::new()
-        } else {
-            "The record holds little of the motion that excites the wall's mode, and straight lines between its samples \
-             damp that part further: the impulsive response is as good as the record there."
-                .into()
-        },
-    }
+    let name = "Time step of the record against a tenth of the impulsive period";
+    limit_of("record_step", name, [record_step, limit], Dimension::Time, record_step <= limit, || {
+        "The record holds little of the motion that excites the wall's mode, and straight lines between its samples \
+         damp that part further: the impulsive response is as good as the record there."
+            .into()
+    })
+}
+
+/// A limit of validity; `note` says what follows where it does not hold.
+pub(crate) fn limit_of(
+    id: &str,
+    name: impl Into<String>,
+    [value, limit]: [f64; 2],
+    dimension: Dimension,
+    holds: bool,
+    note: impl FnOnce() -> String,
+) -> Limit {
+    let note = if holds { String::new() } else { note() };
+    Limit { id: id.into(), name: name.into(), value, limit, dimension, holds, note }
 }
 
 #[cfg(test)]

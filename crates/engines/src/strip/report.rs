@@ -6,6 +6,7 @@ use tank::units::{Dimension, display, significant};
 use super::describe;
 use super::simulate::Report;
 use super::walls::WALLS;
+use crate::linear::limits::limit_of;
 use results::channel::OnWall;
 use results::{Balance, Envelope, Labelled, Limit};
 use tank::options::nonlinear::Damping;
@@ -154,45 +155,35 @@ impl Report<'_> {
             }
         }
         let (value, z, time, name) = worst?;
-        let holds = value >= 0.0;
-        Some(Limit {
-            id: "suction".into(),
-            name: "Smallest pressure of the liquid at the wall below the wave trough".into(),
-            value,
-            limit: 0.0,
-            dimension: Dimension::Stress,
-            holds,
-            note: if holds {
-                String::new()
-            } else {
-                format!(
-                    "Suction at z = {}, {name}, t = {time:.2} s: the liquid would separate from the wall if air entered; the \
-                     model keeps it in contact.",
-                    display(z, Dimension::Length)
-                )
-            },
-        })
+        let label = "Smallest pressure of the liquid at the wall below the wave trough";
+        Some(limit_of("suction", label, [value, 0.0], Dimension::Stress, value >= 0.0, || {
+            format!(
+                "Suction at z = {}, {name}, t = {time:.2} s: the liquid would separate from the wall if air entered; the \
+                 model keeps it in contact.",
+                display(z, Dimension::Length)
+            )
+        }))
+    }
+
+    fn collapse(&self, wall: usize) -> String {
+        match self.walls.load_factor(wall) {
+            Some(factor) => format!(
+                "The {} does not carry its weight and the hydrostatic pressure, only {} % of them. There is no response.",
+                WALLS[wall],
+                significant(100.0 * factor, 3)
+            ),
+            None => format!(
+                "Collapse: the {} fails after {:.3} s. All numbers are those until then and are lower bounds; the other \
+                 wall is not computed further.",
+                WALLS[wall], self.walls.runs[wall].run.time
+            ),
+        }
     }
 
     pub(super) fn notes(&self) -> Vec<String> {
         let model = &self.strip.model;
-        let mut notes = Vec::new();
-        if let Some(wall) = self.walls.collapsed()
-            && self.walls.left(wall).is_none()
-        {
-            notes.push(match self.walls.load_factor(wall) {
-                Some(factor) => format!(
-                    "The {} does not carry its weight and the hydrostatic pressure, only {} % of them. There is no response.",
-                    WALLS[wall],
-                    significant(100.0 * factor, 3)
-                ),
-                None => format!(
-                    "Collapse: the {} fails after {:.3} s. All numbers are those until then and are lower bounds; the other \
-                     wall is not computed further.",
-                    WALLS[wall], self.walls.runs[wall].run.time
-                ),
-            });
-        }
+        let collapsed = self.walls.collapsed().filter(|wall| self.walls.left(*wall).is_none());
+        let mut notes: Vec<String> = collapsed.map(|wall| self.collapse(wall)).into_iter().collect();
         if self.walls.interrupted() {
             notes.push(format!(
                 "Interrupted: all numbers are those until {:.2} s; maps and events of each wall are those of its last step.",

@@ -5,7 +5,7 @@ use tank::units::Dimension;
 
 use super::search::MOST;
 use super::{Free, words};
-use crate::linear::limits::UPLIFT;
+use crate::linear::limits::{UPLIFT, limit_of};
 
 /// The limits of validity of a run, those of its base among them: in place of the tension of a wall held down, where the base was free.
 pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
@@ -18,16 +18,8 @@ pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
             Some([angle, _]) => {
                 limits.retain(|limit| limit.id != UPLIFT);
                 // It concerns all of wall and base: before the others.
-                let rotation = Limit {
-                    id: "base_rotation".into(),
-                    name: words::TURNS.into(),
-                    value: angle,
-                    limit: MOST,
-                    dimension: Dimension::Angle,
-                    holds: false,
-                    note: beyond.note.clone(),
-                };
-                limits.insert(0, rotation);
+                let note = || beyond.note.clone();
+                limits.insert(0, limit_of("base_rotation", words::TURNS, [angle, MOST], Dimension::Angle, false, note));
             }
             None => {
                 for limit in limits.iter_mut().filter(|limit| limit.id == UPLIFT) {
@@ -46,47 +38,24 @@ pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
 /// Anchors hold the tank in place as long as they do not break.
 fn unbroken(free: &Free) -> Option<Limit> {
     let anchors = free.moved()?.result.anchors.as_ref()?;
-    let rupture = anchors.rupture_elongation?;
-    let holds = anchors.broken == 0;
-    Some(Limit {
-        id: "anchor_rupture".into(),
-        name: words::ANCHOR_RUPTURE.into(),
-        value: anchors.largest_elongation,
-        limit: rupture,
-        dimension: Dimension::Length,
-        holds,
-        note: if holds { String::new() } else { words::anchors_break(anchors.broken, anchors.count) },
-    })
+    let values = [anchors.largest_elongation, anchors.rupture_elongation?];
+    Some(limit_of("anchor_rupture", words::ANCHOR_RUPTURE, values, Dimension::Length, anchors.broken == 0, || {
+        words::anchors_break(anchors.broken, anchors.count)
+    }))
 }
 
 /// Strips are welded to a wall that does not yield.
 fn elastic_wall(free: &Free) -> Option<Limit> {
     let moved = free.moved().filter(|moved| moved.yields)?;
-    let [stress, strength] = moved.wall?;
-    let holds = stress <= strength;
-    Some(Limit {
-        id: "base_wall".into(),
-        name: words::WALL.into(),
-        value: stress,
-        limit: strength,
-        dimension: Dimension::Stress,
-        holds,
-        note: if holds { String::new() } else { words::WALL_YIELDS.into() },
-    })
+    let values = moved.wall?;
+    let holds = values[0] <= values[1];
+    Some(limit_of("base_wall", words::WALL, values, Dimension::Stress, holds, || words::WALL_YIELDS.into()))
 }
 
 pub(super) fn repeats(free: &Free) -> Option<Limit> {
     let spread = free.moved()?.result.spread?;
-    Some(Limit {
-        id: "base_repeats".into(),
-        name: words::SPREAD.into(),
-        value: spread.relative(),
-        limit: BaseSpread::REPEATS,
-        dimension: Dimension::Dimensionless,
-        holds: spread.repeats(),
-        note: match spread.repeats() {
-            true => String::new(),
-            false => words::does_not_repeat(&spread),
-        },
-    })
+    let values = [spread.relative(), BaseSpread::REPEATS];
+    Some(limit_of("base_repeats", words::SPREAD, values, Dimension::Dimensionless, spread.repeats(), || {
+        words::does_not_repeat(&spread)
+    }))
 }

@@ -6,7 +6,7 @@ use super::march::Cylinder;
 use super::points::Look;
 use super::recorded::{WAVE_BACK, WAVE_FRONT};
 use super::watch::Watch;
-use crate::linear::limits;
+use crate::linear::limits::{self, limit_of};
 use results::Limit;
 
 /// Displacements of the wall beyond this share of the radius change the liquid's domain, and with it the added mass, by as much
@@ -43,41 +43,19 @@ pub(super) fn limits(cylinder: &Cylinder<'_>, watch: &Watch<'_>, worst: &Look) -
 
 fn displacement(radius: f64, (value, time): (f64, f64)) -> Limit {
     let limit = SMALL_DISPLACEMENT * radius;
-    let holds = value <= limit;
-    Limit {
-        id: "wall_displacement".into(),
-        name: format!("Radial displacement of the wall against {SMALL_DISPLACEMENT} of the radius"),
-        value,
-        limit,
-        dimension: Dimension::Length,
-        holds,
-        note: match holds {
-            true => String::new(),
-            false => {
-                format!("The liquid is that of the undeformed tank: its pressure after {time:.2} s is indicative only.")
-            }
-        },
-    }
+    let name = format!("Radial displacement of the wall against {SMALL_DISPLACEMENT} of the radius");
+    limit_of("wall_displacement", name, [value, limit], Dimension::Length, value <= limit, || {
+        format!("The liquid is that of the undeformed tank: its pressure after {time:.2} s is indicative only.")
+    })
 }
 
 fn crack(value: f64) -> Limit {
-    let holds = value <= WIDE_CRACK;
-    Limit {
-        id: "crack_width".into(),
-        name: "Widest crack against that at which slip of bars and loss of liquid matter".into(),
-        value,
-        limit: WIDE_CRACK,
-        dimension: Dimension::Length,
-        holds,
-        note: match holds {
-            true => String::new(),
-            false => {
-                "Bars are bonded in the model and the wall is tight: crack widths and the demand after this crack are \
-                      indicative only."
-                    .into()
-            }
-        },
-    }
+    let name = "Widest crack against that at which slip of bars and loss of liquid matter";
+    limit_of("crack_width", name, [value, WIDE_CRACK], Dimension::Length, value <= WIDE_CRACK, || {
+        "Bars are bonded in the model and the wall is tight: crack widths and the demand after this crack are \
+         indicative only."
+            .into()
+    })
 }
 
 /// Lowest pressure of a displaced particle under the trough, where the model keeps the liquid at the wall.
@@ -89,21 +67,12 @@ fn suction(watch: &Watch<'_>) -> Option<Limit> {
     let below = |(height, pressure): &(f64, f64)| *height < found.trough && pressure.is_finite();
     let lowest = watch.separation.lowest_pressures().filter(below);
     let (height, value) = lowest.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let holds = value >= 0.0;
-    Some(Limit {
-        id: "suction".into(),
-        name: "Smallest pressure of the liquid at the wall below the wave trough".into(),
-        value,
-        limit: 0.0,
-        dimension: Dimension::Stress,
-        holds,
-        note: match holds {
-            true => String::new(),
-            false => format!(
-                "Suction at z = {}: the liquid would separate from the wall if air entered; the model keeps it in contact \
-                 (`contact` opening models the separation).",
-                display(height, Dimension::Length)
-            ),
-        },
-    })
+    let name = "Smallest pressure of the liquid at the wall below the wave trough";
+    Some(limit_of("suction", name, [value, 0.0], Dimension::Stress, value >= 0.0, || {
+        format!(
+            "Suction at z = {}: the liquid would separate from the wall if air entered; the model keeps it in contact \
+             (`contact` opening models the separation).",
+            display(height, Dimension::Length)
+        )
+    }))
 }
