@@ -61,9 +61,7 @@ impl Band {
     pub(crate) fn solve(&mut self, x: &mut [f64]) -> bool {
         for i in 0..self.size {
             // Columns of zeros follow the last one.
-            let Some([column, after @ ..]) = self.columns[i..].first_chunk_mut::<COLUMN>() else {
-                return false;
-            };
+            let Some([column, after @ ..]) = self.columns[i..].first_chunk_mut::<COLUMN>() else { return false };
             let pivot = column[0];
             if pivot == 0.0 || !pivot.is_finite() {
                 return false;

@@ -164,9 +164,7 @@ impl Law {
         if after == 0 {
             return 0.0;
         }
-        let Some(next) = rest.get(after) else {
-            return self.largest();
-        };
+        let Some(next) = rest.get(after) else { return self.largest() };
         let last = &rest[after - 1];
         let share = -last.uplift / (next.uplift - last.uplift);
         last.rotation + share * (next.rotation - last.rotation)
@@ -331,10 +329,7 @@ pub struct Losses(Vec<(f64, f64)>);
 impl Losses {
     /// Up to an uplift [m], at shares of it; none of a plate that does not yield.
     fn up_to(base: &Base, largest: f64, shares: &[f64]) -> Result<Losses, BaseError> {
-        match base.yields() {
-            true => losses(base, largest, shares).map(Losses),
-            false => Ok(Losses::default()),
-        }
+        if base.yields() { losses(base, largest, shares).map(Losses) } else { Ok(Losses::default()) }
     }
 
     fn at(&self, uplift: f64) -> f64 {

@@ -86,9 +86,7 @@ impl Base {
 
     fn built(case: &Case, net: bool, gravity: f64) -> Result<Base, Missing> {
         let tank = &case.tank;
-        let Shape::Cylinder { radius } = tank.shape else {
-            return Err(Missing::Cylinder);
-        };
+        let Shape::Cylinder { radius } = tank.shape else { return Err(Missing::Cylinder) };
         let bottom = tank.bottom.as_ref().ok_or(Missing::Plate)?;
         if !bottom.material.is_metal() {
             return Err(Missing::Metal);
@@ -196,10 +194,7 @@ impl Base {
         let levels = if suction { &LEVELS[..] } else { &LEVELS[..1] };
         let curves = side_by_side(levels, |level| {
             let pressure = level * self.pressure;
-            let strip = match self.long {
-                true => self.coarse_strip(pressure)?,
-                false => self.strip(pressure)?,
-            };
+            let strip = if self.long { self.coarse_strip(pressure)? } else { self.strip(pressure)? };
             Ok((pressure, Curve::of(&strip, self.weight, from, to)?))
         })?;
         Rocking::new(self.radius, self.weight, curves)

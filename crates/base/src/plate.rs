@@ -81,9 +81,7 @@ impl Plate {
             ek: 0.0,
             kk: self.bending_stiffness(),
         };
-        let Some(limit) = self.yield_stress else {
-            return elastic;
-        };
+        let Some(limit) = self.yield_stress else { return elastic };
         let ((old, yielded), (new, yields)) = (old, new);
         if !yielded && modulus * (e.abs() + (t / 2.0 * k).abs()) <= limit {
             if *yields {

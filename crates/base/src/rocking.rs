@@ -106,10 +106,7 @@ impl Rocking {
             let others = self.curves.iter().enumerate().filter(|(j, _)| *j != i);
             let away = others.map(|(_, (other, _))| p - other).product::<f64>();
             // At the pressure of another curve there is nothing of this one.
-            match away == 0.0 {
-                true => 0.0,
-                false => self.factors[i] * away * self.curves[i].1.hold_down(uplift),
-            }
+            if away == 0.0 { 0.0 } else { self.factors[i] * away * self.curves[i].1.hold_down(uplift) }
         };
         (0..self.curves.len()).map(term).sum()
     }

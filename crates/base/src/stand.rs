@@ -175,9 +175,7 @@ fn grown(drawn: &RefCell<Vec<Drawn>>, radius: f64, weight: f64, rotation: f64) -
             };
             plane_section_by(PANELS, radius, weight, (from, to), rotation, &hold)
         };
-        let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else {
-            return tried;
-        };
+        let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else { return tried };
         let up = wanted > 0.5 * (from + to);
         if up && to > LIFT * radius {
             return tried;

@@ -61,11 +61,11 @@ pub(crate) fn check_depth(case: &Case) -> Result<(), FeError> {
     if case.liquid.fill_height >= least {
         return Ok(());
     }
-    Err(FeError::Option {
-        option: "liquid.fill_height".into(),
-        found: format!("{} m", case.liquid.fill_height),
-        allowed: format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
-    })
+    Err(FeError::option(
+        "liquid.fill_height",
+        format!("{} m", case.liquid.fill_height),
+        format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
+    ))
 }
 
 /// The ground motion of a case.

@@ -58,11 +58,11 @@ impl Damper {
             DampingModel::Caughey(pairs) => Ok(Damper::Caughey(Caughey::fit(pairs.pairs()).map_err(refused)?)),
             DampingModel::Coefficients { mass, stiffness } => {
                 if !(mass.is_finite() && stiffness.is_finite()) {
-                    return Err(FeError::Option {
-                        option: "Rayleigh coefficients".into(),
-                        found: format!("a_M = {mass} 1/s, a_K = {stiffness} s"),
-                        allowed: "finite numbers".into(),
-                    });
+                    return Err(FeError::option(
+                        "Rayleigh coefficients",
+                        format!("a_M = {mass} 1/s, a_K = {stiffness} s"),
+                        "finite numbers",
+                    ));
                 }
                 Ok(Damper::Rayleigh(Rayleigh { mass, stiffness }))
             }
@@ -163,11 +163,11 @@ impl Damper {
             ));
         }
         if let Some(worst) = modes.iter().find(|m| rayleigh.ratio(m.omega) <= -1.0) {
-            return Err(FeError::Option {
-                option: "Rayleigh damping".into(),
-                found: format!("ratio {:.3} at the mode {:.4} rad/s", rayleigh.ratio(worst.omega), worst.omega),
-                allowed: "a ratio above −1 at every mode".into(),
-            });
+            return Err(FeError::option(
+                "Rayleigh damping",
+                format!("ratio {:.3} at the mode {:.4} rad/s", rayleigh.ratio(worst.omega), worst.omega),
+                "a ratio above −1 at every mode",
+            ));
         }
         Ok(notes)
     }
@@ -191,15 +191,11 @@ impl Damper {
 /// The error of a series that feeds energy into a mode between its pairs.
 fn negative(caughey: &Caughey, modes: &[CoupledMode]) -> Option<FeError> {
     let worst = modes.iter().find(|m| caughey.ratio(m.omega) < 0.0)?;
-    Some(FeError::Option {
-        option: "analysis.damping.caughey".into(),
-        found: format!(
-            "ratio {:.4} at the mode {:.4} rad/s, between the pairs",
-            caughey.ratio(worst.omega),
-            worst.omega
-        ),
-        allowed: "pairs whose series is not negative at any mode: fewer or closer ones".into(),
-    })
+    Some(FeError::option(
+        "analysis.damping.caughey",
+        format!("ratio {:.4} at the mode {:.4} rad/s, between the pairs", caughey.ratio(worst.omega), worst.omega),
+        "pairs whose series is not negative at any mode: fewer or closer ones",
+    ))
 }
 
 /// A refusal as an error of the options.

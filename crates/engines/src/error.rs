@@ -77,6 +77,13 @@ pub enum FeError {
     },
 }
 
+impl FeError {
+    /// An option out of range.
+    pub(crate) fn option(option: impl Into<String>, found: impl Into<String>, allowed: impl Into<String>) -> FeError {
+        FeError::Option { option: option.into(), found: found.into(), allowed: allowed.into() }
+    }
+}
+
 /// Help for an unusable checkpoint.
 fn way_out(error: &CheckpointError) -> &'static str {
     match error {

@@ -213,9 +213,7 @@ impl Response {
     ///
     /// Errors: a sloshing period so long that the free vibration passes [`LONGEST_TAIL`].
     pub fn of(case: &Case, after: AfterRecord) -> Result<Option<Response>, FeError> {
-        let Some(motion) = &case.ground_motion else {
-            return Ok(None);
-        };
+        let Some(motion) = &case.ground_motion else { return Ok(None) };
         let period = sloshing_period(case);
         let tail = after.duration(period);
         // A period that is not a number counts as too long.
@@ -234,11 +232,6 @@ impl Response {
     /// Number of samples.
     pub fn samples(&self) -> f64 {
         ((self.duration + self.tail) / self.dt).ceil() + 1.0
-    }
-
-    /// Smallest step of a resampled record whose response has at most `samples` [s].
-    pub fn step_for(&self, samples: f64) -> f64 {
-        (self.duration + self.tail) / (samples - 2.0).max(1.0)
     }
 }
 

@@ -20,13 +20,14 @@ pub(crate) mod turned;
 pub(crate) mod units;
 mod waves;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fem::progress::{Progress, Silent};
 use tank::Case;
 use tank::case::GroundMotion;
 use tank::demand::Demands;
-use tank::{Shape, Support};
+use tank::{Quantity, Shape, Support};
 
 pub(crate) use around::Across;
 use around::Around;
@@ -49,6 +50,18 @@ use tank::options::linear::Integrator;
 
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;
+/// Remark on a rectangular tank in the harmonic engine.
+const SIDE_WALLS: &str = "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
+     corners are left out.";
+/// Remark on dashpots beside a spectrum.
+const NO_DASHPOTS: &str =
+    "`analysis.damping.dashpots`: the response-spectrum method combines uncoupled modes and leaves the dashpots out.";
+/// Remark on two records.
+const TWO_STEPS: &str =
+    "The records differ in their time step: the vertical one is linearised within the steps of the analysis.";
+
+/// The comparable values of a run.
+type Values = BTreeMap<Quantity, f64>;
 
 /// Time history of the coupled tank and liquid; its modes alone for a case that has a site and no record.
 ///
@@ -109,10 +122,7 @@ pub(crate) fn simulate_to(
             Some(motion) => analyse_on(&model, motion, (&mesh.options, extent), &Silent)?.values(&model, round),
             None => units::properties(&model),
         };
-        let units = match case.site.is_given() {
-            true => Some(units::units(&model, &mesh.options)?),
-            false => None,
-        };
+        let units = case.site.is_given().then(|| units::units(&model, &mesh.options)).transpose()?;
         Ok(Second { ratio: mesh.ratio, values, wave: None, units })
     };
     let (first, other) = rayon::join(first, || SecondMesh::of(options).map(second));
@@ -216,6 +226,56 @@ fn review(model: &Model) -> Result<Vec<String>, FeError> {
     Ok(notes)
 }
 
+/// A base that moves: on isolators, or a bottom plate that lifts or slides.
+struct MovingBase {
+    isolated: Option<isolation::Isolated>,
+    free: rocking::Free,
+}
+
+impl MovingBase {
+    /// The base of a tank whose response with the wall held down is `analysis`.
+    ///
+    /// Errors: a march on isolators that fails.
+    fn of(
+        case: &Case,
+        options: &Options,
+        linear: &Linear<'_>,
+        analysis: &Analysis<'_>,
+        motion: &GroundMotion,
+    ) -> Result<MovingBase, FeError> {
+        let of = (linear.engine, linear.model);
+        let asked = (options, linear.extent, linear.known, linear.states);
+        Ok(MovingBase {
+            isolated: isolation::isolated(case, of, analysis, motion, options)?,
+            free: rocking::free(case, of, analysis, motion, asked),
+        })
+    }
+
+    /// The model on this base, where it moves.
+    fn model(&self, held: &Model) -> Option<Model> {
+        match &self.isolated {
+            Some(found) => Some(found.model(held)),
+            None => self.free.moved().map(|moved| moved.model(held)),
+        }
+    }
+
+    /// The motion of the ground as the tank feels it: on isolators that of the slab.
+    fn motion(&self, ground: &GroundMotion) -> GroundMotion {
+        self.isolated.as_ref().map_or_else(|| ground.clone(), |found| found.motion.clone())
+    }
+
+    /// Puts the base's own values to those of the wall; `held`: those of the wall held down.
+    fn put(&mut self, analysis: &Analysis<'_>, held: &Values, values: &mut Values) {
+        if let Some(moved) = self.free.moved_mut() {
+            moved.complete(analysis, values, held);
+        }
+        if let Some(found) = &self.isolated {
+            rocking::of_base(&found.values, values);
+        }
+        self.free.rest(values);
+    }
+}
+
 /// Everything that is reported of a finished analysis.
 ///
 /// Errors: a response that is not finite.
@@ -227,106 +287,46 @@ fn report(
     motion: &GroundMotion,
     mut notes: Vec<String>,
 ) -> Result<Simulation, FeError> {
-    let model = linear.model;
-    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    notes.extend(model_notes(case, linear.engine));
-    if !options.dashpots.is_empty() && case.site.is_given() {
-        notes.push(
-            "`analysis.damping.dashpots`: the response-spectrum method combines uncoupled modes and leaves the dashpots out.".into(),
-        );
-    }
-    if motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt) {
-        notes.push(
-            "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
-                .into(),
-        );
-    }
-    let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
-    let mut free = rocking::free(
-        case,
-        (linear.engine, model),
-        &analysis,
-        motion,
-        (options, linear.extent, linear.known, linear.states),
-    );
+    let (model, round) = (linear.model, matches!(case.tank.shape, Shape::Cylinder { .. }));
+    notes.extend(remarks(case, options, linear, motion));
+    let mut base = MovingBase::of(case, options, linear, &analysis, motion)?;
     let held = analysis.values(model, round);
     // Where the hoop stress of the wall held down is largest: there are those of its modes.
     let hoop_place = analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst);
-    let moving = match &isolated {
-        Some(found) => Some(found.model(model)),
-        None => free.moved().map(|moved| moved.model(model)),
-    };
-    // The ground as the tank feels it: on isolators the motion of the slab.
-    let driven = isolated.as_ref().map_or_else(|| motion.clone(), |found| found.motion.clone());
+    let (moving, driven) = (base.model(model), base.motion(motion));
     let (mut analysis, mut demands) = match &moving {
         Some(moving) => demands::beside(case, moving, &driven, (options, linear.extent))?,
-        None => {
-            let demands = demands::demands(case, model, &analysis.kept, &driven)?;
-            (analysis, demands)
-        }
+        None => demands::demands(case, model, &analysis.kept, &driven).map(|demands| (analysis, demands))?,
     };
     // What is observed, on the moving base where it moves.
     let seen = moving.as_ref().unwrap_or(model);
     let mut values = analysis.values(seen, round);
-    if let Some(moved) = free.moved_mut() {
-        moved.complete(&analysis, &mut values, &held);
-    }
-    if let Some(found) = &isolated {
-        rocking::of_base(&found.values, &mut values);
-    }
-    free.rest(&mut values);
+    base.put(&analysis, &held, &mut values);
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     demands.wave = around.as_ref().map_or_else(|| demands::wave(&analysis), |around| around.wave);
-    notes.extend(Around::notes(motion));
-    notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
-    let coupled = &model.horizontal.coupled;
-    if let Some(found) = &mut isolated {
+    if let Some(found) = &mut base.isolated {
         found.complete(&analysis, &values, &held, &mut demands);
         notes.extend(found.notes());
     }
-    free.demands(&mut demands, (model, seen), &analysis, motion)?;
-    if let Some(second) = linear.across {
-        demands::across(&mut demands, (model, second.model), motion, options)?;
-    }
+    base.free.demands(&mut demands, (model, seen), &analysis, motion)?;
+    demands::across(&mut demands, (model, linear.across.map(|second| second.model)), motion, options)?;
     if linear.extent == Extent::Values && moving.is_none() {
         return Ok(Simulation::unreported(linear.engine, values, demands));
-    }
-    let mut histories = histories(motion, &analysis);
-    if let Some(around) = &around {
-        around.add(&mut histories);
     }
     let (soil, fixed_place) = soil::outcome(case, model, &analysis, motion, options)?.unzip();
     let hoop_place = fixed_place.flatten().or(hoop_place);
     notes.extend(soil::note(case, linear.engine, soil.is_some()));
-    if let Some(found) = &isolated {
-        isolation::push(found, &mut histories);
+    let histories = histories(linear.extent, motion, &analysis, around.as_ref(), &base);
+    if let Some(found) = &base.isolated {
         analysis.grid = found.record_grid(analysis.grid);
     }
-    let isolators = isolated.iter().map(|found| found.part());
-    let parts = isolators.chain(soil).collect();
     let mut assumptions = describe::assumptions(case, options, linear.engine);
-    let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
-    rocking::say(&free, options.heave.is_some(), &mut notes, &mut assumptions);
-    if let rocking::Free::Moves(found) = &free {
-        found.add(&mut histories);
-    }
-    // Other runs have not the extremes of all lines.
-    let mut envelopes = match linear.extent {
-        Extent::Whole => envelopes(seen, &analysis),
-        _ => Vec::new(),
-    };
-    if let Some(moved) = free.moved() {
-        moved.correct(&mut envelopes);
-    }
-    let snapshots = free.take_states();
-    if linear.extent == Extent::Selected {
-        histories = Histories::at(Vec::new());
-    }
+    let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
+    rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
     let of_wall = limits::limits(case, seen, (&analysis, around.as_ref()), (motion.horizontal.dt, linear.engine));
-    let limits = rocking::limits::limits(&free, of_wall);
+    let snapshots = base.free.take_states();
     let result = Run {
-        mesh: coupled.mesh.clone(),
         modes: modes(case, model),
         modal: modal::parts(&model.on_fixed_base(), hoop_place),
         hoop_height: hoop_place.and_then(|place| demands::height(case, model, place)),
@@ -334,13 +334,14 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
-        parts,
-        base: free.result(),
-        envelopes,
+        parts: base.isolated.iter().map(|found| found.part()).chain(soil).collect(),
+        envelopes: envelopes(linear.extent, seen, &analysis, base.free.moved()),
+        limits: rocking::limits::limits(&base.free, of_wall),
+        base: base.free.result(),
         record_end: Some(record_end(motion)),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
-        limits,
+        mesh: model.horizontal.coupled.mesh.clone(),
         ..Run::new(linear.engine)
     };
     let mut simulation = Simulation {
@@ -351,10 +352,7 @@ fn report(
         notes,
         snapshots,
         demands: Some(Demands { plates: linear.engine == EngineId::Solid, ..demands }),
-        units: match case.site.is_given() {
-            true => Some(units::units(model, options)?),
-            false => None,
-        },
+        units: case.site.is_given().then(|| units::units(model, options)).transpose()?,
         of_modes,
         second: None,
     };
@@ -362,20 +360,31 @@ fn report(
     Ok(simulation)
 }
 
+/// Remarks on what model and analysis leave out of the tank and its motion.
+fn remarks(case: &Case, options: &Options, linear: &Linear<'_>, motion: &GroundMotion) -> Vec<String> {
+    let mut notes = model_notes(case, linear.engine);
+    notes.extend(applying([
+        (!options.dashpots.is_empty() && case.site.is_given(), NO_DASHPOTS),
+        (motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt), TWO_STEPS),
+    ]));
+    notes.extend(Around::notes(motion));
+    notes.extend(linear.model.held().impulsive().and_then(|found| found.note()));
+    notes
+}
+
 /// What the model of a tank leaves out.
 fn model_notes(case: &Case, engine: EngineId) -> Vec<String> {
-    let mut notes = Vec::new();
-    if case.tank.support == Support::Unanchored {
-        notes.push(rocking::HELD_DOWN.into());
-    }
-    if let (EngineId::Harmonic, Shape::Rectangle { strip: false, .. }) = (engine, case.tank.shape) {
-        notes.push(
-            "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
-             corners are left out."
-                .into(),
-        );
-    }
-    notes
+    let four_walls = matches!(case.tank.shape, Shape::Rectangle { strip: false, .. });
+    let said = applying([
+        (case.tank.support == Support::Unanchored, rocking::HELD_DOWN),
+        (engine == EngineId::Harmonic && four_walls, SIDE_WALLS),
+    ]);
+    said.collect()
+}
+
+/// The remarks whose condition is met.
+fn applying(said: [(bool, &str); 2]) -> impl Iterator<Item = String> {
+    said.into_iter().filter(|(applies, _)| *applies).map(|(_, text)| text.to_owned())
 }
 
 /// Resulting damping ratios of all systems.
@@ -399,8 +408,17 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
     model.held_systems().flat_map(listed).collect()
 }
 
-/// Ground motion and scalars.
-fn histories(motion: &GroundMotion, analysis: &Analysis) -> Histories {
+/// Ground motion, scalars and the base's own histories; runs to some extents have none.
+fn histories(
+    extent: Extent,
+    motion: &GroundMotion,
+    analysis: &Analysis,
+    around: Option<&Around>,
+    base: &MovingBase,
+) -> Histories {
+    if extent == Extent::Selected {
+        return Histories::at(Vec::new());
+    }
     let grid = &analysis.grid;
     let mut histories = Histories::at((0..grid.samples).map(|k| k as f64 * grid.dt).collect());
     histories.push_ground(motion);
@@ -412,6 +430,15 @@ fn histories(motion: &GroundMotion, analysis: &Analysis) -> Histories {
         let info = SeriesInfo::of(scalar.channel, scalar.static_value, history.extreme.peak());
         histories.push(info, history.values.clone());
     }
+    if let Some(around) = around {
+        around.add(&mut histories);
+    }
+    if let Some(found) = &base.isolated {
+        isolation::push(found, &mut histories);
+    }
+    if let Some(found) = base.free.moved() {
+        found.add(&mut histories);
+    }
     histories
 }
 
@@ -421,11 +448,10 @@ fn record_end(motion: &GroundMotion) -> f64 {
     motion.horizontal.duration().max(vertical)
 }
 
-/// Envelopes at θ = 0 with the static state.
-fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
-    let lines = &model.horizontal.coupled.lines;
-    lines
-        .iter()
+/// Envelopes at θ = 0 with the static state; none of a run that has not the extremes of all lines.
+fn envelopes(extent: Extent, model: &Model, analysis: &Analysis, moved: Option<&rocking::Moved>) -> Vec<Envelope> {
+    let lines = model.horizontal.coupled.lines.iter().filter(|_| extent == Extent::Whole);
+    let mut all: Vec<Envelope> = lines
         .zip(&analysis.lines)
         .map(|(line, extremes)| Envelope {
             id: line.what.id().into(),
@@ -436,5 +462,9 @@ fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
             min: extremes.front.iter().map(|e| e.min).collect(),
             max: extremes.front.iter().map(|e| e.max).collect(),
         })
-        .collect()
+        .collect();
+    if let Some(moved) = moved {
+        moved.correct(&mut all);
+    }
+    all
 }

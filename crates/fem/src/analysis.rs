@@ -107,9 +107,12 @@ pub(crate) fn check_length(option: &'static str, found: usize, expected: usize) 
     if found == expected {
         return Ok(());
     }
-    Err(AnalysisError::Option {
-        option,
-        found: format!("{found} entries"),
-        allowed: format!("{expected}, one an equation"),
-    })
+    Err(AnalysisError::option(option, format!("{found} entries"), format!("{expected}, one an equation")))
+}
+
+impl AnalysisError {
+    /// A parameter out of range.
+    pub(crate) fn option(option: &'static str, found: impl Into<String>, allowed: impl Into<String>) -> AnalysisError {
+        AnalysisError::Option { option, found: found.into(), allowed: allowed.into() }
+    }
 }

@@ -158,10 +158,7 @@ fn places_of(pattern: &Pattern, equations: &[u32], starts: &[usize], unassembled
 pub fn local_values(model: &Model, element: &dyn Element, u: &[f64]) -> Vec<f64> {
     let mut out = Vec::with_capacity(local_size(element));
     for (a, &node) in element.nodes().iter().enumerate() {
-        let at = match element.own_axes() {
-            true => model.own_at_node(u, node),
-            false => model.at_node(u, node),
-        };
+        let at = if element.own_axes() { model.own_at_node(u, node) } else { model.at_node(u, node) };
         out.extend(element.dofs(a).iter().map(|d| at[d.index()]));
     }
     out

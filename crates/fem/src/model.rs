@@ -132,12 +132,8 @@ impl Builder {
         for (number, element) in self.elements.iter().enumerate() {
             for (a, &node) in element.nodes().iter().enumerate() {
                 let Some(row) = used.get_mut(node) else {
-                    return Err(ModelError::Node {
-                        element: number,
-                        kind: element.kind(),
-                        node,
-                        nodes: self.nodes.len(),
-                    });
+                    let (kind, nodes) = (element.kind(), self.nodes.len());
+                    return Err(ModelError::Node { element: number, kind, node, nodes });
                 };
                 for dof in element.dofs(a) {
                     row[dof.index()] = true;

@@ -210,12 +210,8 @@ impl Factor {
             Kind::Indefinite => {
                 let p = &self.pivots;
                 let permutation = PermRef::new_checked(&p.forward, &p.inverse, self.size());
-                IntranodeLbltRef::new(symbolic, &self.values, &p.couplings, permutation).solve_in_place_with_conj(
-                    Conj::No,
-                    out,
-                    Par::Seq,
-                    stack,
-                );
+                let factor = IntranodeLbltRef::new(symbolic, &self.values, &p.couplings, permutation);
+                factor.solve_in_place_with_conj(Conj::No, out, Par::Seq, stack);
             }
         }
         self.scale_rows(b);

@@ -282,9 +282,7 @@ impl Graph {
             position[i as usize] = k as u32;
         }
         // Row i of the factor is the part of the elimination tree between the columns of row i of the matrix and i.
-        let mut parent = vec![NONE; n];
-        let mut ancestor = vec![NONE; n];
-        let mut seen = vec![NONE; n];
+        let (mut parent, mut ancestor, mut seen) = (vec![NONE; n], vec![NONE; n], vec![NONE; n]);
         let mut below = vec![0usize; n];
         for i in 0..n {
             let node = order[i] as usize;

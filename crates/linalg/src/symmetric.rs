@@ -48,13 +48,7 @@ impl Pattern {
         for j in 0..size {
             let column = &mut rows[starts[j]..starts[j + 1]];
             column.sort_unstable();
-            let mut last = usize::MAX;
-            for &i in column.iter() {
-                if i != last {
-                    packed.push(i);
-                    last = i;
-                }
-            }
+            packed.extend(column.chunk_by(|a, b| a == b).map(|same| same[0]));
             packed_starts[j + 1] = packed.len();
         }
         packed.shrink_to_fit();

@@ -227,12 +227,10 @@ pub fn duhamel(ground: &[f64], h: f64, omega: f64, damping: f64, sub_steps: usiz
     // Weights of Simpson's rule times the kernel at the distance from the end of the step.
     let nodes: Vec<(f64, f64, f64)> = (0..=2 * n)
         .map(|j| {
-            let weight = if j == 0 || j == 2 * n {
-                1.0
-            } else if j % 2 == 1 {
-                4.0
-            } else {
-                2.0
+            let weight = match j % 2 {
+                1 => 4.0,
+                _ if j == 0 || j == 2 * n => 1.0,
+                _ => 2.0,
             };
             let fraction = j as f64 / (2 * n) as f64;
             let (re, im) = kernel(h * (1.0 - fraction));

@@ -96,9 +96,7 @@ fn friction_that_falls_at_rest_moves_the_base_further() {
 #[test]
 fn a_vertical_acceleration_adds_to_the_weight() {
     let heavy = run(&[pendulum(0.06, 0.0)], &vec![0.1 * 9.81; 1000]).unwrap();
-    let Isolator::FrictionPendulum { friction, .. } = pendulum(0.06, 0.0) else {
-        return;
-    };
+    let Isolator::FrictionPendulum { friction, .. } = pendulum(0.06, 0.0) else { return };
     let stiffer = Isolator::FrictionPendulum {
         radius: 2.0 / 1.1,
         friction: Friction::constant(1.1 * friction.fast),

@@ -38,10 +38,7 @@ pub(super) fn translation(run: &Run<'_>, state: &State, sums: &Sums, (ground, wa
         let terms =
             [constant, mass * (ground + c), turning * b, (1.0 - BEGIN) * along, BEGIN * (state.drag + state.dashed)];
         let residual: f64 = terms.iter().sum();
-        stiff = match slides {
-            true => 0.0,
-            false => share * answer.tangent + (1.0 - BEGIN) * state.dashpot * GAMMA * h,
-        };
+        stiff = if slides { 0.0 } else { share * answer.tangent + (1.0 - BEGIN) * state.dashpot * GAMMA * h };
         let scale = terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
         if residual.abs() <= 1e-13 * scale {
             break;

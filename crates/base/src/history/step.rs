@@ -50,10 +50,7 @@ pub(super) fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), Bas
     };
     let slipping = if sliding == 0.0 { 0.0 } else { found[0] - ground };
     // As the velocities of the modes.
-    let acceleration = match sliding == 0.0 {
-        true => 0.0,
-        false => (1.0 - GAMMA) * state.slipping + GAMMA * slipping,
-    };
+    let acceleration = if sliding == 0.0 { 0.0 } else { (1.0 - GAMMA) * state.slipping + GAMMA * slipping };
     let velocity = state.slip[1] + h * acceleration;
     // The slip runs against the inertia force; it ends where it would turn round, and the body sticks or slides back at once.
     let turns = sliding != 0.0 && velocity * sliding > 0.0;
@@ -112,9 +109,7 @@ fn drag(
 fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Way) -> Result<[f64; 2], BaseError> {
     let h = run.step;
     let translation = |b: f64| translation(run, state, sums, (ground, way), b);
-    let Some(law) = run.law else {
-        return Ok([translation(0.0)[0], 0.0]);
-    };
+    let Some(law) = run.law else { return Ok([translation(0.0)[0], 0.0]) };
     let predicted = predicted(&state.psi, h);
     let psi = |b: f64| predicted[0] + BETA * h * h * b;
     let velocity = |b: f64| predicted[1] + GAMMA * h * b;
@@ -193,10 +188,7 @@ fn lift(run: &Run<'_>, (heave, law): (&Heave, &Law), state: &State, (psi, pressu
 
 /// Dashpot of the base at a rotation [rad]: it opens with the contact [N m s].
 pub(super) fn dashpot(run: &Run<'_>, law: &Law, psi: f64) -> f64 {
-    match run.dashpot == 0.0 {
-        true => 0.0,
-        false => run.dashpot * law.contact(psi),
-    }
+    if run.dashpot == 0.0 { 0.0 } else { run.dashpot * law.contact(psi) }
 }
 
 /// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].

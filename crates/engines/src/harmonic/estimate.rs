@@ -147,10 +147,7 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let lifts = round && case.tank.support == Support::Unanchored;
     // The spectrum of the site upwards has a system of its own.
-    let systems = match round && shaken_upwards(case) {
-        true => 2.0,
-        false => directions,
-    };
+    let systems = if round && shaken_upwards(case) { 2.0 } else { directions };
     // Two meshes side by side.
     let second = (response.is_some() || case.site.is_given())
         .then(|| SecondMesh::of(options))

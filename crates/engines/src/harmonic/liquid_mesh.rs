@@ -142,9 +142,7 @@ fn counts(case: &Case, aim: Option<Aim>) -> Option<(f64, u32)> {
 /// The mesh of a case; the default one where it suffices. Every count is multiplied by `refine`.
 pub(super) fn mesh(case: &Case, refine: f64) -> LiquidMesh {
     let (half, depth) = (case.tank.shape.half_length(), case.liquid.fill_height);
-    let Some((vertical, parts)) = counts(case, Aim::of(case)) else {
-        return LiquidMesh::graded(half, depth, refine);
-    };
+    let Some((vertical, parts)) = counts(case, Aim::of(case)) else { return LiquidMesh::graded(half, depth, refine) };
     // Elements 2^(j−1), …, 2, 1 parts of the outermost one.
     let smallest = LAST / f64::from(2_u32.pow(parts) - 1);
     let inner = (0..parts).rev().map(|j| 1.0 - smallest * f64::from(2_u32.pow(j) - 1));
@@ -182,10 +180,7 @@ fn with_midpoints(corners: Vec<f64>) -> Vec<f64> {
 /// What the mesh is made for, in words; none without ground motion and site.
 pub(super) fn label(case: &Case) -> Option<Labelled> {
     let aim = Aim::of(case)?;
-    let source = match aim.record {
-        true => "99 % of the record's energy lies below",
-        false => "design spectra without a record",
-    };
+    let source = if aim.record { "99 % of the record's energy lies below" } else { "design spectra without a record" };
     let content = format!("{} Hz ({source})", significant(aim.frequency, 3));
     let text = match counts(case, Some(aim)) {
         None => format!("the default suffices for structural modes up to {content}"),

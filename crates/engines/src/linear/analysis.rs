@@ -15,7 +15,7 @@ use crate::modes::{CoupledMode, Kind};
 use crate::probe::ProbeLine;
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
-use crate::response::observe::{Extreme, History};
+use crate::response::observe::{Extreme, History, Observed};
 use crate::response::superpose::{self, ModalSystem, Observable};
 use results::channel::{OnWall, Side};
 use results::{Channel, EnergyBalance, Omittable};
@@ -179,10 +179,7 @@ impl Extent {
 
     /// The extent of a run of which nobody needs these parts.
     pub(crate) fn without(parts: &[Omittable]) -> Extent {
-        match Extent::LEAVES_OUT.iter().all(|part| parts.contains(part)) {
-            true => Extent::Selected,
-            false => Extent::Whole,
-        }
+        if Extent::LEAVES_OUT.iter().all(|part| parts.contains(part)) { Extent::Selected } else { Extent::Whole }
     }
 
     /// Whether extremes along a line are observed.
@@ -220,17 +217,8 @@ pub(crate) fn analyse_on<'a>(
     (options, extent): (&Options, Extent),
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
-    let records = (&motion.horizontal, motion.vertical.as_ref());
     let both_sides = model.vertical.is_some();
-    let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };
-    let lines = &model.horizontal.coupled.lines;
-    let mut on_lines: Vec<Observable> = Vec::new();
-    for line in lines.iter().filter(|line| extent.has(line.what)) {
-        for &opposite in sides {
-            on_lines.extend((0..line.z.len()).map(|i| model.observable_on_line(line, i, opposite)));
-        }
-    }
-
+    let on_lines = on_lines(model, extent);
     let kept = model.kept(options.wave_modes);
     let systems = model
         .systems()
@@ -238,7 +226,7 @@ pub(crate) fn analyse_on<'a>(
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
     let grid = model.grid(motion, Integrator::Modal)?;
-    let ground = model.motions(records, &grid);
+    let ground = model.motions((&motion.horizontal, motion.vertical.as_ref()), &grid);
     let ground: Vec<&Motion> = ground.iter().collect();
     progress.stage("linear response", 2 * grid.steps() as u64);
     let mut extremes = match extent.follows_hoop() {
@@ -274,32 +262,61 @@ pub(crate) fn analyse_on<'a>(
     if !extent.follows_hoop() {
         extremes = collect(model, &lines_found, both_sides, extent);
     }
-    let (mut used, mut energy, mut difference) = (grid, None, None);
-    if options.integrator == Integrator::Newmark {
-        used = model.grid(motion, Integrator::Newmark)?;
-        let ground = model.motions(records, &used);
-        let ground: Vec<&Motion> = ground.iter().collect();
-        let systems: Vec<DirectSystem> =
-            model.systems().map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper)).collect();
-        let others: Vec<Observable> = opposite.iter().chain(&on_lines).cloned().collect();
-        progress.stage("linear response, direct integration", used.steps() as u64);
-        let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others, progress)?;
-        extremes = collect(model, &direct.extremes.split_off(opposite.len()), both_sides, extent);
-        difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
-        // The energies of the two parts of a lifting wall's motion do not add up to that of the whole.
-        energy = model.turned.is_none().then_some(balance);
-        observed = direct;
-    }
-    Ok(Analysis {
-        grid: used,
+    let mut found = Analysis {
+        grid,
         back: observed.extremes,
-        scalars: scalars.into_iter().zip(observed.scalars).collect(),
         lines: extremes,
         kept,
         waves,
-        energy,
-        difference,
-    })
+        energy: None,
+        difference: None,
+        scalars: Vec::new(),
+    };
+    let mut histories = observed.scalars;
+    if options.integrator == Integrator::Newmark {
+        let others: Vec<Observable> = opposite.into_iter().chain(on_lines).collect();
+        let (grid, mut direct, balance) = integrated(model, motion, &observables, &others, progress)?;
+        found.grid = grid;
+        found.lines = collect(model, &direct.extremes.split_off(found.back.len()), both_sides, extent);
+        found.difference = largest_difference(&scalars, &histories, &direct.scalars);
+        // The energies of the two parts of a lifting wall's motion do not add up to that of the whole.
+        found.energy = model.turned.is_none().then_some(balance);
+        (histories, found.back) = (direct.scalars, direct.extremes);
+    }
+    found.scalars = scalars.into_iter().zip(histories).collect();
+    Ok(found)
+}
+
+/// What is observed along the wall to an extent: line by line at θ = 0, and at 180° where the two differ.
+fn on_lines(model: &Model, extent: Extent) -> Vec<Observable<'_>> {
+    let sides: &[bool] = if model.vertical.is_some() { &[false, true] } else { &[false] };
+    let mut all = Vec::new();
+    for line in model.horizontal.coupled.lines.iter().filter(|line| extent.has(line.what)) {
+        for &opposite in sides {
+            all.extend((0..line.z.len()).map(|i| model.observable_on_line(line, i, opposite)));
+        }
+    }
+    all
+}
+
+/// Direct integration of all unknowns, with its grid and energies.
+///
+/// Errors: an effective matrix that cannot be factored, a response that is not finite.
+fn integrated(
+    model: &Model,
+    motion: &GroundMotion,
+    observables: &[Observable<'_>],
+    others: &[Observable<'_>],
+    progress: &dyn Progress,
+) -> Result<(Grid, Observed, EnergyBalance), FeError> {
+    let grid = model.grid(motion, Integrator::Newmark)?;
+    let ground = model.motions((&motion.horizontal, motion.vertical.as_ref()), &grid);
+    let ground: Vec<&Motion> = ground.iter().collect();
+    let systems: Vec<DirectSystem> =
+        model.systems().map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper)).collect();
+    progress.stage("linear response, direct integration", grid.steps() as u64);
+    let (observed, balance) = direct::respond(&systems, &ground, grid, observables, others, progress)?;
+    Ok((grid, observed, balance))
 }
 
 /// The same observation at θ = 180°: m = 1 with the other sign.

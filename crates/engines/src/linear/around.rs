@@ -67,10 +67,7 @@ pub(crate) struct Ends {
 impl Ends {
     /// The one of larger size.
     fn largest(&self) -> Peak {
-        match -self.min.value > self.max.value {
-            true => Peak { value: -self.min.value, ..self.min },
-            false => self.max,
-        }
+        if -self.min.value > self.max.value { Peak { value: -self.min.value, ..self.min } } else { self.max }
     }
 }
 
@@ -142,9 +139,7 @@ impl Around {
 
     /// Remarks, one sentence each.
     pub(crate) fn notes(motion: &GroundMotion) -> Vec<String> {
-        let Some(across) = &motion.transverse else {
-            return Vec::new();
-        };
+        let Some(across) = &motion.transverse else { return Vec::new() };
         let mut notes = vec![
             "Two horizontal components: values of the comparison are those along x, which the codes assess; resultants of both \
              directions are listed apart, and limit states are checked with both around the circumference."

@@ -148,22 +148,18 @@ pub(super) fn beside<'a>(
 /// Errors: a response that is not finite.
 pub(crate) fn across(
     demands: &mut Demands,
-    (model, other): (&Model, &Model),
+    (model, other): (&Model, Option<&Model>),
     motion: &GroundMotion,
     options: &LinearOptions,
 ) -> Result<(), FeError> {
-    let Some(record) = &motion.transverse else {
-        return Ok(());
-    };
+    let (Some(record), Some(other)) = (&motion.transverse, other) else { return Ok(()) };
     let grid = model.grid(motion, Integrator::Modal)?;
     let stride = stride(model, &grid);
     let kept = [superpose::keep(&other.horizontal.coupled, &other.horizontal.modes, &other.damper, options.wave_modes)];
     let forces =
         [(Channel::BaseShear, &mut demands.base_shear), (Channel::OverturningMoment, &mut demands.overturning_moment)];
     for (channel, terms) in forces {
-        let (Some(own), Some(probe)) = (terms.as_ref(), other.horizontal.coupled.probe(channel)) else {
-            continue;
-        };
+        let (Some(own), Some(probe)) = (terms.as_ref(), other.horizontal.coupled.probe(channel)) else { continue };
         let found = combine(other, &kept, (record, None), (grid, stride), &[vec![(0, 1.0, probe)]])?;
         let sum = |terms: &Terms, states: &[Vec<f64>]| -> Vec<f64> {
             let value = |k: usize| terms.iter().map(|&(state, factor)| factor * states[state][k]).sum();

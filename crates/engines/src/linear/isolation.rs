@@ -51,9 +51,7 @@ pub(super) fn isolated(
     motion: &GroundMotion,
     options: &Options,
 ) -> Result<Option<Isolated>, FeError> {
-    let Some(given) = case.tank.isolators.filter(|_| engine == EngineId::Harmonic) else {
-        return Ok(None);
-    };
+    let Some(given) = case.tank.isolators.filter(|_| engine == EngineId::Harmonic) else { return Ok(None) };
     if !options.dashpots.is_empty() {
         return Err(FeError::Unsupported(words::DASHPOTS.into()));
     }
@@ -83,9 +81,7 @@ pub struct IsolatedBody {
 ///
 /// Errors: those of the model on a fixed base.
 pub fn isolated_body(case: &Case, options: &Options) -> Result<Option<IsolatedBody>, FeError> {
-    let (Some(given), Some(motion)) = (case.tank.isolators, case.ground_motion.as_ref()) else {
-        return Ok(None);
-    };
+    let (Some(given), Some(motion)) = (case.tank.isolators, case.ground_motion.as_ref()) else { return Ok(None) };
     let model = Model::new(case, options, false, Places::Usual)?;
     let grid = model.grid(motion, options.integrator)?;
     let setup = Setup::new(case, &model, &given, grid, motion, options);

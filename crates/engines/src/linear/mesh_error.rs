@@ -133,9 +133,7 @@ pub(crate) fn extrapolated(model: &Model, other: &Model, ratio: f64) -> Model {
     let mut limit = model.clone();
     for mode in limit.horizontal.modes.iter_mut().filter(|m| m.kind == Kind::Sloshing) {
         let mut partners = coarse.modes.iter().filter(|m| m.kind == Kind::Sloshing);
-        let Some(partner) = partners.find(|m| m.number == mode.number) else {
-            continue;
-        };
+        let Some(partner) = partners.find(|m| m.number == mode.number) else { continue };
         let shares = [(own, &*mode), (coarse, partner)].map(|(harmonic, mode)| wave_share(harmonic, mode));
         // A mode that the coarser mesh does not resolve may extrapolate to nothing, or to its opposite: it keeps half of what it was.
         let omega = limit_of(mode.omega, partner.omega).max(0.5 * mode.omega);

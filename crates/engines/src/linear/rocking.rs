@@ -173,9 +173,7 @@ pub(super) fn free(
     if case.tank.support == Support::Anchored {
         return on_anchors(case, model, analysis, motion, (options, extent, known, states));
     }
-    let Ok(base) = Base::of(case) else {
-        return Free::Held;
-    };
+    let Ok(base) = Base::of(case) else { return Free::Held };
     if let Some(reason) = words::unsupported(motion.transverse.is_some(), !options.dashpots.is_empty()) {
         return Free::NotComputed(reason);
     }
@@ -205,9 +203,7 @@ fn on_anchors(
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
     };
-    let Some(pull) = super::limits::pull(case, model, analysis) else {
-        return Free::Held;
-    };
+    let Some(pull) = super::limits::pull(case, model, analysis) else { return Free::Held };
     let force = pull * std::f64::consts::TAU * case.tank.shape.half_length() / f64::from(anchors.count.max(1));
     if force <= yields {
         let stretches = anchors.stiffness.is_some() && Base::of(case).is_ok();
@@ -215,18 +211,14 @@ fn on_anchors(
     }
     let said = |reason: &str| words::anchors_not_computed(force, yields, reason);
     let held = |reason: &str| Free::NotComputed(said(reason));
-    let Some(stiffness) = anchors.stiffness else {
-        return held("`tank.anchors.stiffness` is missing");
-    };
+    let Some(stiffness) = anchors.stiffness else { return held("`tank.anchors.stiffness` is missing") };
     if model.fixed.is_some() {
         return held("anchors that yield on a slab that moves are not modelled");
     }
     if motion.transverse.is_some() || !options.dashpots.is_empty() {
         return held("anchors that yield under two horizontal components, or with dashpots, are not modelled");
     }
-    let Ok(base) = Base::of(case) else {
-        return held("`tank.bottom` is missing, the plate that lifts with the wall");
-    };
+    let Ok(base) = Base::of(case) else { return held("`tank.bottom` is missing, the plate that lifts with the wall") };
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return held("the model has no rows of base moment or pressure");
     };
@@ -282,9 +274,7 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, setu
 
 /// Whether the shear of the wall held down overcomes friction.
 fn slides(setup: &Setup, analysis: &Analysis<'_>) -> bool {
-    let Some(friction) = &setup.friction else {
-        return false;
-    };
+    let Some(friction) = &setup.friction else { return false };
     let shear = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear);
     shear.is_some_and(|(_, history)| {
         history.values.iter().enumerate().any(|(k, v)| {

@@ -37,9 +37,7 @@ impl Shared {
     /// Errors: no motion; an invalid record; an option out of range; a model that cannot be built or factored.
     pub fn new(case: &Case, options: &Options, motions: &[&GroundMotion]) -> Result<Shared, FeError> {
         let highest = motions.iter().max_by(|a, b| content(a).total_cmp(&content(b)));
-        let Some(&highest) = highest else {
-            return Err(FeError::NoRecord);
-        };
+        let Some(&highest) = highest else { return Err(FeError::NoRecord) };
         let case = Case { ground_motion: Some(highest.clone()), ..case.clone() };
         checked_motion(&case)?;
         let vertical = motions.iter().any(|motion| motion.vertical.is_some());
@@ -101,10 +99,7 @@ impl Shared {
                     ratio: mesh.ratio,
                     values: analyse_on(&model, motion, (&mesh.options, Extent::Quick), &Silent)?.values(&model, round),
                     wave: None,
-                    units: match self.case.site.is_given() {
-                        true => Some(units::units(&model, &mesh.options)?),
-                        false => None,
-                    },
+                    units: if self.case.site.is_given() { Some(units::units(&model, &mesh.options)?) } else { None },
                 })
             }
         };

@@ -36,9 +36,7 @@ const PEAK: [f64; 13] = [-16.0, -8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0
 ///
 /// Errors: a stiffness matrix that is not positive definite; an undamped resonance.
 pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options) -> Result<(), FeError> {
-    let Some(wanted) = &options.frequency else {
-        return Ok(());
-    };
+    let Some(wanted) = &options.frequency else { return Ok(()) };
     let kept = superpose::keep(&model.horizontal.coupled, &model.horizontal.modes, &model.damper, options.wave_modes);
     let ratio = |mode: &CoupledMode| model.damper.of(mode);
     if let Some(mode) = kept.iter().find(|mode| ratio(mode) <= 0.0) {

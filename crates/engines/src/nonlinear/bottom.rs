@@ -34,6 +34,7 @@ use super::arcs::shares;
 use super::cylinder::section::row;
 use super::laws::unsupported;
 use crate::FeError;
+use crate::error::failed;
 use crate::floor_pressure::impulsive_pressure;
 use tank::options::nonlinear::Integration;
 
@@ -138,10 +139,7 @@ impl Plate {
         // A change of thickness lies on a ring.
         let joint = bottom.sketch.and(bottom.width).filter(|w| *w < (1.0 - CORE) * radius);
         while x < (1.0 - CORE) * radius {
-            let longest = match x < FINE {
-                true => (0.5 * sinking).max(FIRST * plate.thickness),
-                false => 0.1 * radius,
-            } / mesh;
+            let longest = if x < FINE { (0.5 * sinking).max(FIRST * plate.thickness) } else { 0.1 * radius } / mesh;
             let next = x + width;
             x = match joint {
                 Some(at) if x < at * (1.0 - 1e-9) && next > at - 0.3 * width => at,
@@ -156,9 +154,8 @@ impl Plate {
         let pressure = |r: &f64| {
             if *r > radius * (1.0 + 1e-9) { 0.0 } else { impulsive_pressure(case, radius, *r) }
         };
-        let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
         Ok(Plate {
-            friction: friction.filter(|mu| *mu > 0.0).unwrap_or(FRICTION),
+            friction: case.tank.foundation.and_then(|f| f.friction).filter(|mu| *mu > 0.0).unwrap_or(FRICTION),
             impulsive: radii.iter().map(pressure).collect(),
             foot: outside,
             radii,
@@ -264,16 +261,12 @@ impl Plate {
         [follower, rubs, slides]: [bool; 3],
         dead: &mut NodalLoads,
     ) -> Result<Vec<Vec<usize>>, FeError> {
-        let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
         let mut ground = Vec::new();
         for (ring, area) in rings.iter().zip(self.areas()) {
             let mut row = Vec::new();
             for (&node, share) in ring.iter().zip(shares(angles)) {
                 let ground = Ground::new(node, self.base.modulus, area * share);
-                let ground = match rubs {
-                    true => ground.and_then(|g| g.with_friction(self.friction)),
-                    false => ground,
-                };
+                let ground = if rubs { ground.and_then(|g| g.with_friction(self.friction)) } else { ground };
                 let element = ground.map_err(failed)?;
                 row.push(builder.element(GROUND, element));
             }
@@ -301,10 +294,7 @@ impl Plate {
             }
         }
         for &node in rings.last().into_iter().flatten() {
-            let held: &[Dof] = match slides {
-                true => &[Dof::Rx, Dof::Ry],
-                false => &[Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry],
-            };
+            let held: &[Dof] = if slides { &[Dof::Rx, Dof::Ry] } else { &[Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry] };
             held.iter().for_each(|&dof| builder.hold(node, dof));
         }
         Ok(ground)
@@ -323,7 +313,6 @@ impl Plate {
         (angles, ring): (&[f64], &[usize]),
         dead: &mut NodalLoads,
     ) -> Result<usize, FeError> {
-        let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
         let radius = self.radii[self.radii.len() - 1];
         let area = 0.5 * PI * radius * radius;
         let node = builder.node([0.0; 3]);

@@ -104,32 +104,32 @@ pub fn pushover(
     let plan = Plan::new(case, options, push.plane_foot || options.plane_foot)?;
     let height = case.tank.wall_height();
     if let Some(z) = push.height.filter(|z| !(0.0..=height).contains(z)) {
-        return Err(FeError::Option {
-            option: "height of the imperfection".into(),
-            found: format!("{z} m"),
-            allowed: format!("0 to {height} m, the height of the wall"),
-        });
+        return Err(FeError::option(
+            "height of the imperfection",
+            format!("{z} m"),
+            format!("0 to {height} m, the height of the wall"),
+        ));
     }
     if push.height.is_some() && push.form == Form::Mode {
-        return Err(FeError::Option {
-            option: "height of the imperfection".into(),
-            found: "a height together with the buckling mode".into(),
-            allowed: "a height for a weld only; a mode determines its height".into(),
-        });
+        return Err(FeError::option(
+            "height of the imperfection",
+            "a height together with the buckling mode",
+            "a height for a weld only; a mode determines its height",
+        ));
     }
     if plan.plate.is_some() && push.imperfection.is_some() && push.form == Form::Mode {
-        return Err(FeError::Option {
-            option: "form of the imperfection".into(),
-            found: "the buckling mode of an unanchored tank, whose base has no linear state".into(),
-            allowed: "a weld depression, or \"support\": \"anchored\"".into(),
-        });
+        return Err(FeError::option(
+            "form of the imperfection",
+            "the buckling mode of an unanchored tank, whose base has no linear state",
+            "a weld depression, or \"support\": \"anchored\"",
+        ));
     }
     if plan.plate.is_none() && push.plane_foot {
-        return Err(FeError::Option {
-            option: "plane foot".into(),
-            found: "a wall that is clamped at its base".into(),
-            allowed: "a plane foot for an unanchored tank alone".into(),
-        });
+        return Err(FeError::option(
+            "plane foot",
+            "a wall that is clamped at its base",
+            "a plane foot for an unanchored tank alone",
+        ));
     }
     let mut keeper = Keeper::new(checkpoint, &plan);
     let kept = keeper.resume(&plan)?;
@@ -169,9 +169,7 @@ fn shells(
             (found.shell(), None)
         }
     };
-    let Some(amplitude) = push.imperfection else {
-        return Ok((vec![perfect], false));
-    };
+    let Some(amplitude) = push.imperfection else { return Ok((vec![perfect], false)) };
     if perfect.interrupted {
         return Ok((vec![perfect], true));
     }

@@ -19,6 +19,8 @@ use crate::strip::section as fibres;
 use crate::{FeError, out_of_round, strip};
 use tank::options::nonlinear::{NonlinearOptions, StripWall, WallElements};
 
+/// Help on default elements.
+const OWN: &str = "the engine chose them: set analysis.nonlinear.elements";
 /// Size so small that only parameters of a law can be at fault [m].
 const TINY: f64 = 1e-3;
 
@@ -145,11 +147,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
                     shells::plane_concrete(&concrete, own, nu, layer, [size, size]).map(|_| ())
                 }
             };
-            let softens = match concrete.law {
-                // The others have no softening in tension.
-                law if law.cracks() => concrete.largest_element(young),
-                _ => f64::INFINITY,
-            };
+            let softens = softens(&concrete, young);
             check(index, layer, &concrete, softens, &law, &rows, None, all);
         }
         let longest = rows.longest(index, rows.count());
@@ -197,11 +195,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
         for (layer, concrete) in concretes(&layers) {
             let (young, nu) = (layer.material.youngs_modulus, layer.material.poisson_ratio);
             let law = |size: f64| shells::plane_concrete(&concrete, young, nu, layer, [size, size]).map(|_| ());
-            let softens = match concrete.law {
-                // The others have no softening in tension.
-                law if law.cracks() => concrete.largest_element(young),
-                _ => f64::INFINITY,
-            };
+            let softens = softens(&concrete, young);
             if sized {
                 let around = Some(Around { arc, perimeter: TAU * radius, half: cells.half });
                 check(index, layer, &concrete, softens, &law, &rows, around, all);
@@ -250,6 +244,11 @@ fn one_shell(case: &Case, all: &mut Vec<Refusal>) {
     }
 }
 
+/// Largest element whose cracks do not snap back [m]; laws that do not crack have no softening in tension.
+fn softens(concrete: &Concrete, young: f64) -> f64 {
+    if concrete.law.cracks() { concrete.largest_element(young) } else { f64::INFINITY }
+}
+
 /// Layers of concrete that cracks.
 fn concretes(layers: &[Layer]) -> impl Iterator<Item = (&Layer, Concrete)> {
     layers.iter().filter_map(|layer| match layer.material.behaviour {
@@ -266,9 +265,7 @@ fn in_words(course: &Course) -> String {
 }
 
 fn interlayer_in_words(layer: &Layer) -> String {
-    let Behaviour::Interlayer(i) = layer.material.behaviour else {
-        return layer.material.behaviour.kind().to_owned();
-    };
+    let Behaviour::Interlayer(i) = layer.material.behaviour else { return layer.material.behaviour.kind().to_owned() };
     let modulus = |value: f64| display(value, Dimension::Stress);
     format!(
         "e_normal {}, e_parallel {}, shear_modulus {}, {} tension",
@@ -344,71 +341,97 @@ fn check(
         all.push(against_law(layer, concrete, error));
         return;
     }
-    let name = &layer.material.name;
-    let length = |size: f64| display(size, Dimension::Length);
     let sizes = [(Place::Rows, rows.longest(course, rows.count())), (Place::Sectors, around.map_or(0.0, |a| a.arc))];
     for (place, size) in sizes {
         if size <= TINY || law(size).is_ok() {
             continue;
         }
         let largest = rounded_down(largest(law, size));
-        let most = if place == Place::Rows { MOST_ROWS } else { MOST_SECTORS };
-        let needed = match (&place, around) {
-            (Place::Sectors, Some(around)) => {
-                let n = (around.perimeter / largest).ceil();
-                // Half a tank needs an even number.
-                let even = |n: u32| if around.half { n.next_multiple_of(2) } else { n };
-                (n <= f64::from(most)).then_some(even(n as u32))
-            }
-            _ if rows.given.is_some() || around.is_none() => rows.needed(course, largest),
-            _ => None,
-        };
         let cracks = concrete.band(size) > softens;
-        let message = match cracks {
-            true => {
-                format!("the softening of `{name}` is too steep for elements of {}: cracks snap back", length(size))
-            }
-            false => format!("the crushing of `{name}` is too brittle for elements of {}: it snaps back", length(size)),
+        all.push(TooLarge { place, size, largest, cracks, course, rows, around }.refusal(layer, concrete));
+    }
+}
+
+/// Elements that are too large for a law of concrete.
+struct TooLarge<'a> {
+    /// Along which direction.
+    place: Place,
+    /// Their size, and the largest one allowed [m].
+    size: f64,
+    largest: f64,
+    /// Whether cracks snap back, or else crushing.
+    cracks: bool,
+    course: usize,
+    rows: &'a Rows<'a>,
+    around: Option<Around>,
+}
+
+impl TooLarge<'_> {
+    fn refusal(self, layer: &Layer, concrete: &Concrete) -> Refusal {
+        let name = &layer.material.name;
+        let size = display(self.size, Dimension::Length);
+        let message = match self.cracks {
+            true => format!("the softening of `{name}` is too steep for elements of {size}: cracks snap back"),
+            false => format!("the crushing of `{name}` is too brittle for elements of {size}: it snaps back"),
         };
-        let formula = if cracks { " (0.98 E·G_f/f_t²)" } else { "" };
-        let bound = format!("elements of at most {}{formula}", length(largest));
+        let formula = if self.cracks { " (0.98 E·G_f/f_t²)" } else { "" };
+        let bound = format!("elements of at most {}{formula}", display(self.largest, Dimension::Length));
+        let needed = self.needed();
+        let given = self.rows.given.is_some();
         let allowed = match needed {
             Some(n) => format!("{bound}: {n} or more"),
-            None if rows.given.is_some() => format!("{bound}, which needs more than the limit of {most}"),
+            None if given => format!("{bound}, which needs more than the limit of {}", self.most()),
             None => bound,
         };
-        let spacing = format!("a crack_spacing of at most {}", length(largest));
-        let help = match (needed, cracks, rows.given.is_some()) {
-            (Some(_), true, true) => format!("more elements, a larger fracture_energy, or {spacing}"),
-            (Some(_), false, true) => "more elements".to_owned(),
-            (None, true, true) => match concrete.softening {
+        let help = self.help(needed.is_some(), concrete);
+        // Default elements are not at fault: the material that does not suit them is.
+        let place = if given { self.place } else { Place::Concrete(name.clone()) };
+        Refusal::new(place, message, allowed).help(help)
+    }
+
+    /// The limit of the number of elements.
+    fn most(&self) -> u32 {
+        if self.place == Place::Rows { MOST_ROWS } else { MOST_SECTORS }
+    }
+
+    /// Least number of elements that are small enough, if within the limit.
+    fn needed(&self) -> Option<u32> {
+        match (&self.place, self.around) {
+            (Place::Sectors, Some(around)) => {
+                let n = (around.perimeter / self.largest).ceil();
+                // Half a tank needs an even number.
+                let even = |n: u32| if around.half { n.next_multiple_of(2) } else { n };
+                (n <= f64::from(self.most())).then_some(even(n as u32))
+            }
+            _ if self.rows.given.is_some() || self.around.is_none() => self.rows.needed(self.course, self.largest),
+            _ => None,
+        }
+    }
+
+    /// What to change; `possible`: whether a number of elements within the limit suffices.
+    fn help(&self, possible: bool, concrete: &Concrete) -> String {
+        let spacing = format!("a crack_spacing of at most {}", display(self.largest, Dimension::Length));
+        match (self.rows.given.is_some(), self.cracks, possible) {
+            (true, true, true) => format!("more elements, a larger fracture_energy, or {spacing}"),
+            (true, false, true) => "more elements".to_owned(),
+            (true, true, false) => match concrete.softening {
                 Softening::FractureEnergy(energy) => {
-                    let finest = match (&place, around) {
-                        (Place::Sectors, Some(around)) => around.perimeter / f64::from(most),
-                        _ => rows.longest(course, most),
+                    let finest = match (&self.place, self.around) {
+                        (Place::Sectors, Some(around)) => around.perimeter / f64::from(self.most()),
+                        _ => self.rows.longest(self.course, self.most()),
                     };
                     format!(
-                        "{spacing}; or a fracture_energy of at least {}, with {most} elements",
-                        display(energy * finest / largest, Dimension::LineForce)
+                        "{spacing}; or a fracture_energy of at least {}, with {} elements",
+                        display(energy * finest / self.largest, Dimension::LineForce),
+                        self.most()
                     )
                 }
                 _ => spacing,
             },
-            (None, false, true) => "the law `cracked`, which does not soften in compression".to_owned(),
-            (_, _, false) => {
-                let own = "the engine chose them: set analysis.nonlinear.elements";
-                match cracks {
-                    true => format!("{own}, or {spacing}"),
-                    false => own.to_owned(),
-                }
-            }
-        };
-        // Default elements are not at fault: the material that does not suit them is.
-        let place = match rows.given {
-            Some(_) => place,
-            None => Place::Concrete(name.clone()),
-        };
-        all.push(Refusal::new(place, message, allowed).help(help));
+            (true, false, false) => "the law `cracked`, which does not soften in compression".to_owned(),
+            (false, true, _) => format!("{OWN}, or {spacing}"),
+            (false, false, _) => OWN.to_owned(),
+        }
     }
 }
 

@@ -179,10 +179,7 @@ pub fn transfer(
 ) -> Result<Vec<Vec<Complex<f64>>>, FeError> {
     let basis = basis(std::slice::from_ref(system), &[0]).map_err(failed)?;
     let none = vec![0.0; system.damping.len()];
-    let (viscous, hysteretic) = match hysteretic {
-        true => (&none, &system.damping),
-        false => (&system.damping, &none),
-    };
+    let (viscous, hysteretic) = if hysteretic { (&none, &system.damping) } else { (&system.damping, &none) };
     let rows = functionals(&[&system.block], observables);
     Reduced::modal(&basis, viscous, hysteretic).and_then(|reduced| reduced.transfer(&rows, 0, omega)).map_err(failed)
 }

@@ -20,6 +20,7 @@ use super::ritz::{Growing, Ritz};
 use super::symmetry::Harmonic;
 use super::system::System;
 use crate::FeError;
+use crate::error::failed;
 use crate::modes::CoupledMode;
 use tank::imperfection::Imperfections;
 
@@ -61,18 +62,14 @@ pub(super) fn reduce(
     let twins = !tank.imperfections.is_symmetric(height);
     let coupled = harmonics(&tank.imperfections.waves(height), harmonic);
     if coupled.len() > MOST {
-        return Err(FeError::Option {
-            option: "analysis.imperfections".into(),
-            found: format!("waves that are coupled to {} harmonics", coupled.len()),
-            allowed: format!("at most {MOST}; smooth the table, or give fewer waves"),
-        });
+        let found = format!("waves that are coupled to {} harmonics", coupled.len());
+        let allowed = format!("at most {MOST}; smooth the table, or give fewer waves");
+        return Err(FeError::option("analysis.imperfections", found, allowed));
     }
     let mut space = Growing::renewed(system);
     let own = Harmonic::new(tank, harmonic).with_twins(twins);
     space.grow(load, VECTORS, &|x| own.project(x), progress)?;
-    let Some(first) = space.first().map(<[f64]>::to_vec) else {
-        return space.finish();
-    };
+    let Some(first) = space.first().map(<[f64]>::to_vec) else { return space.finish() };
     let forces = system.stiffness_times(&first);
     let scale = dot(&forces, &first).abs() / dot(load, &first).abs().max(f64::MIN_POSITIVE);
     for k in coupled {
@@ -86,9 +83,8 @@ pub(super) fn reduce(
         space.grow(&start, COUPLED, &|x| other.project(x), progress)?;
         // An amplitude of zero leaves rounding.
         if space.len() == before && dot(&start, &start) > 1e-24 * dot(&forces, &forces) {
-            return Err(FeError::Analysis(format!(
-                "the reduced space holds no motion of harmonic {k}, to which the imperfections couple the ground motion"
-            )));
+            let what = "to which the imperfections couple the ground motion";
+            return Err(failed(format!("the reduced space holds no motion of harmonic {k}, {what}")));
         }
     }
     // Last: to first order they lie in the sum of the spaces before, and a chain ends with a vector that adds nothing.

@@ -166,10 +166,7 @@ impl Direct for OwnUnknowns<'_> {
         let before: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
         for ((scalar, history), found) in analysis.scalars.iter_mut().zip(&transient.observed.scalars) {
             let factor = scalar.observable.first().map_or(1.0, |t| t.1);
-            let extreme = match factor < 0.0 {
-                true => mirrored(&found.extreme),
-                false => found.extreme,
-            };
+            let extreme = if factor < 0.0 { mirrored(&found.extreme) } else { found.extreme };
             *history = History {
                 values: found.values.iter().map(|v| factor * v).collect(),
                 extreme: Extreme { min: factor.abs() * extreme.min, max: factor.abs() * extreme.max, ..extreme },

@@ -146,7 +146,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         _ if shaken_upwards(case) => 2.0,
         _ => 1.0,
     };
-    let mut parts = vec![
+    let parts = vec![
         (THE_PROGRAM, PROGRAM),
         ("elements", cells * liquid[1] + shells * SHELL),
         ("matrices", NUMBER * MATRICES * places),
@@ -155,51 +155,16 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     ];
     // A solve for each vector at one of the poles, and the vectors before it.
     let sweep = 2.0 * NUMBER * factors.entries / (1.0 + poles) + ORTHOGONAL * 2.0 * NUMBER * vectors * n;
-    let mut seconds = REST
+    let seconds = REST
         + factors.flops / FACTOR_RATE
         + (SOLVES - VECTORS as f64 + vectors) * directions * sweep / SWEEP_RATE
         + CELL_TIME * (cells + shells);
-    let (mut samples, mut steps) = (0.0, 0.0);
-    if let Some(response) = response {
-        samples = response.samples();
-        let omega = crate::estimate::first_wall_frequency(case);
-        let in_sample = |(per_period, most): (f64, f64)| {
-            (response.dt * per_period * omega / std::f64::consts::TAU).ceil().clamp(1.0, most)
-        };
-        steps = samples * in_sample((25.0, 40.0));
-        seconds += 3.0 * directions * steps * MODAL_STEP;
-        // And a second mesh with elements twice as long.
-        if solid.mesh.is_none() && options.mesh_error {
-            seconds *= 1.2;
-        }
-        let upwards = case.ground_motion.as_ref().is_some_and(|m| m.vertical.is_some());
-        let states = if upwards { 2.0 * STATES } else { STATES };
-        parts.extend(limit_states(case, steps, states, nodes.wall));
-        parts.push(("histories", NUMBER * samples * HISTORIES));
-        if let Some(interval) = solid.snapshot_interval {
-            let states = (response.duration / interval).floor() + 1.0;
-            let numbers = 3.0 * (nodes.sectors * nodes.radial * nodes.depth + shells) + cells + 7.0 * shells;
-            parts.push(("states for ParaView (--vtu-every)", NUMBER * states * numbers));
-            seconds += states * numbers * STATE_TIME;
-        }
-        if options.integrator == Integrator::Newmark {
-            let direct = samples * in_sample(DIRECT);
-            seconds += direct * (2.0 * NUMBER * factors.entries / SWEEP_RATE + 3.0 * NUMBER * places / PRODUCT_RATE);
-            parts.push(("direct integration", NUMBER * (factors.entries + 2.0 * places + direct)));
-            steps = direct;
-        }
-    }
-    // A box along y is a model of its own, built before the other.
-    let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
-    if two && matches!(case.tank.shape, Shape::Rectangle { .. }) {
-        seconds *= 2.0;
-    }
-    Ok(Estimate {
+    let mut found = Estimate {
         run: RUN,
         size: format!("{} elements, {n:.0} unknowns", division.size()),
         parts,
-        samples,
-        steps,
+        samples: 0.0,
+        steps: 0.0,
         seconds,
         inelastic: None,
         lever: Lever {
@@ -210,7 +175,66 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
             }
             .into(),
         },
-    })
+    };
+    if let Some(response) = response {
+        let integrated = Integrated { response, nodes: &nodes, cells, shells, directions, places, factors };
+        integrated.add_to(&mut found, case, options, solid);
+    }
+    // A box along y is a model of its own, built before the other.
+    let two = case.ground_motion.as_ref().is_some_and(|motion| motion.transverse.is_some());
+    if two && matches!(case.tank.shape, Shape::Rectangle { .. }) {
+        found.seconds *= 2.0;
+    }
+    Ok(found)
+}
+
+/// A response in time on a mesh.
+struct Integrated<'a> {
+    response: Response,
+    nodes: &'a Nodes,
+    /// Elements of liquid and wall.
+    cells: f64,
+    shells: f64,
+    /// Directions of motion with systems of their own.
+    directions: f64,
+    /// Entries of a matrix.
+    places: f64,
+    factors: Fill,
+}
+
+impl Integrated<'_> {
+    /// Adds its memory and time.
+    fn add_to(&self, found: &mut Estimate, case: &Case, options: &Options, solid: &SolidOptions) {
+        let Integrated { response, nodes, cells, shells, places, factors, .. } = self;
+        found.samples = response.samples();
+        let omega = crate::estimate::first_wall_frequency(case);
+        let steps = |(per_period, most): (f64, f64)| {
+            found.samples * (response.dt * per_period * omega / std::f64::consts::TAU).ceil().clamp(1.0, most)
+        };
+        let (modal, direct) = (steps((25.0, 40.0)), steps(DIRECT));
+        found.steps = modal;
+        found.seconds += 3.0 * self.directions * modal * MODAL_STEP;
+        // And a second mesh with elements twice as long.
+        if solid.mesh.is_none() && options.mesh_error {
+            found.seconds *= 1.2;
+        }
+        let upwards = case.ground_motion.as_ref().is_some_and(|m| m.vertical.is_some());
+        let states = if upwards { 2.0 * STATES } else { STATES };
+        found.parts.extend(limit_states(case, modal, states, nodes.wall));
+        found.parts.push(("histories", NUMBER * found.samples * HISTORIES));
+        if let Some(interval) = solid.snapshot_interval {
+            let states = (response.duration / interval).floor() + 1.0;
+            let numbers = 3.0 * (nodes.sectors * nodes.radial * nodes.depth + shells) + cells + 7.0 * shells;
+            found.parts.push(("states for ParaView (--vtu-every)", NUMBER * states * numbers));
+            found.seconds += states * numbers * STATE_TIME;
+        }
+        if options.integrator == Integrator::Newmark {
+            found.seconds +=
+                direct * (2.0 * NUMBER * factors.entries / SWEEP_RATE + 3.0 * NUMBER * places / PRODUCT_RATE);
+            found.parts.push(("direct integration", NUMBER * (factors.entries + 2.0 * places + direct)));
+            found.steps = direct;
+        }
+    }
 }
 
 fn unknowns(nodes: &Nodes, liquid: Liquid) -> f64 {

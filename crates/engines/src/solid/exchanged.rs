@@ -13,9 +13,7 @@ pub(super) const TWO_DIRECTIONS: &str = "Two horizontal components of a box: eac
 /// half breadth of the box itself [m]. None of other cases.
 pub(super) fn exchanged(case: &Case, solid: &SolidOptions) -> Option<(Case, SolidOptions, [f64; 2])> {
     case.ground_motion.as_ref()?.transverse.as_ref()?;
-    let Shape::Rectangle { length, breadth, strip } = case.tank.shape else {
-        return None;
-    };
+    let Shape::Rectangle { length, breadth, strip } = case.tank.shape else { return None };
     let (mut other, mut own) = (case.clone(), solid.clone());
     // Its modes see records alone.
     other.site = Site::default();

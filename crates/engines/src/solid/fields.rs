@@ -50,9 +50,8 @@ impl Drawing {
             return Drawing::of_rectangle(tank);
         }
         let sectors = tank.division.sectors;
-        let step = sectors.div_ceil(RAYS);
         // Rays must divide the circle.
-        let step = (step..=sectors).find(|s| sectors.is_multiple_of(*s)).unwrap_or(1);
+        let step = (sectors.div_ceil(RAYS)..=sectors).find(|s| sectors.is_multiple_of(*s)).unwrap_or(1);
         let rays: Vec<usize> = (0..sectors).step_by(step).collect();
         let n = rays.len();
         let levels = thinned(tank.wall.rows.len(), LEVELS);

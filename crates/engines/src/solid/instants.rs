@@ -34,11 +34,8 @@ pub(super) fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
 ///
 /// Errors: a time after the end of the histories; the peak of a history that the run does not have.
 pub(super) fn asked(result: &Run, end: f64, instants: &[Instant]) -> Result<Vec<(String, f64)>, FeError> {
-    let refused = |i: usize, found: String, allowed: String| FeError::Option {
-        option: format!("analysis.snapshots[{i}]"),
-        found,
-        allowed,
-    };
+    let refused =
+        |i: usize, found: String, allowed: String| FeError::option(format!("analysis.snapshots[{i}]"), found, allowed);
     let resolve = |(i, instant): (usize, &Instant)| match *instant {
         Instant::At(time) if time > end * (1.0 + 1e-9) => {
             Err(refused(i, format!("{time} s"), format!("at most {end:.3} s, the end of record and free vibration")))

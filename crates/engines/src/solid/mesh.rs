@@ -165,11 +165,11 @@ fn check(size: MeshSize, round: bool) -> Result<(), FeError> {
     let least = if round { 4 } else { 2 };
     let sides = if round { "mesh, sectors" } else { "mesh, elements over the breadth" };
     if !round && !size.sectors.is_multiple_of(2) {
-        return Err(FeError::Option {
-            option: sides.into(),
-            found: size.sectors.to_string(),
-            allowed: "an even number: the middle of the wall is where results are read".into(),
-        });
+        return Err(FeError::option(
+            sides,
+            size.sectors.to_string(),
+            "an even number: the middle of the wall is where results are read",
+        ));
     }
     for (option, found, least) in [
         ("mesh, elements over the radius", size.radial, 1),
@@ -177,11 +177,7 @@ fn check(size: MeshSize, round: bool) -> Result<(), FeError> {
         ("mesh, elements over the height", size.vertical, 1),
     ] {
         if !(least..=MOST).contains(&found) {
-            return Err(FeError::Option {
-                option: option.into(),
-                found: found.to_string(),
-                allowed: format!("{least} to {MOST}"),
-            });
+            return Err(FeError::option(option, found.to_string(), format!("{least} to {MOST}")));
         }
     }
     Ok(())
@@ -280,11 +276,11 @@ pub(crate) fn check_levels(tank: &Tank, depth: f64, refine: f64) -> Result<(), F
     if count <= MOST_LEVELS {
         return Ok(());
     }
-    Err(FeError::Option {
-        option: "mesh, elements over the height by √(R t)".into(),
-        found: format!("{count:.3e}"),
-        allowed: format!("at most {MOST_LEVELS}; check radius, heights and thicknesses of the wall"),
-    })
+    Err(FeError::option(
+        "mesh, elements over the height by √(R t)",
+        format!("{count:.3e}"),
+        format!("at most {MOST_LEVELS}; check radius, heights and thicknesses of the wall"),
+    ))
 }
 
 /// Parts between two features of the wall in which ∫ dz/h is summed up.

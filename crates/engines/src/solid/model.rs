@@ -103,10 +103,7 @@ impl TankModel {
         let division = Division::new(&case.tank, depth, options, solid, matching)?;
         refuse_the_hopeless(&division, solid)?;
         refuse_the_unresolved(case, &division, solid)?;
-        let loaded = match solid.about_loaded_state() {
-            true => Some(LoadedState::new(case, &division, form)?),
-            false => None,
-        };
+        let loaded = if solid.about_loaded_state() { Some(LoadedState::new(case, &division, form)?) } else { None };
         let plan = division.plan();
         let mut builder = Builder::new();
         let mut wall = add_wall(case, &division, (plan.as_ref(), form), &mut builder)?;
@@ -149,10 +146,7 @@ impl TankModel {
             density: case.liquid.density,
             gravity: case.gravity,
             joint,
-            imperfections: match form.imperfections.is_empty() {
-                true => Imperfections::NONE,
-                false => form.imperfections.clone(),
-            },
+            imperfections: if form.imperfections.is_empty() { Imperfections::NONE } else { form.imperfections.clone() },
             loaded,
         })
     }
@@ -200,9 +194,7 @@ impl TankModel {
 /// What the engine does not model of a rectangular tank.
 pub fn refused(case: &Case, solid: &SolidOptions) -> Vec<Refusal> {
     let mut found = Vec::new();
-    let Shape::Rectangle { strip, .. } = case.tank.shape else {
-        return found;
-    };
+    let Shape::Rectangle { strip, .. } = case.tank.shape else { return found };
     if strip {
         let message = "the three-dimensional engine models boxes with four walls, not a strip of a long tank";
         let refusal = Refusal::new(Place::Shape, message, "a rectangle with its breadth");
@@ -248,11 +240,7 @@ fn lines(division: &Division, plan: Option<&Plan>, volume: &Volume) -> [Vec<usiz
 fn refuse_the_unresolved(case: &Case, division: &Division, solid: &SolidOptions) -> Result<(), FeError> {
     let mesh = (division.sectors, division.wall.len() - 1);
     match unresolved(case, solid, mesh) {
-        Some(refusal) => Err(FeError::Option {
-            option: "analysis.imperfections".into(),
-            found: refusal.found,
-            allowed: refusal.allowed,
-        }),
+        Some(refusal) => Err(FeError::option("analysis.imperfections", refusal.found, refusal.allowed)),
         None => Ok(()),
     }
 }

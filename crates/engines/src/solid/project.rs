@@ -86,9 +86,7 @@ impl Projector<'_> {
         for &z in &options.stations {
             let level = self.level_of(z);
             let courses = self.tank.wall.courses();
-            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
-                continue;
-            };
+            let Some(course) = courses.iter().find(|c| c.contains(&level)) else { continue };
             for line in STRESSES {
                 let probe = Probe::new(Channel::At { what: line.0, z });
                 probes.push(self.wall_probe(probe, line.1, course, z));
@@ -124,15 +122,12 @@ impl Projector<'_> {
             Resultant::Around,
             Resultant::Twist,
         ];
-        let courses = self.tank.wall.courses();
-        let perfect = self.tank.imperfections.is_empty();
+        let (courses, perfect) = (self.tank.wall.courses(), self.tank.imperfections.is_empty());
         let mut probes = Vec::new();
         for station in options.force_stations.iter().filter(|_| self.tank.is_round()) {
             let (z, degrees) = (station.z, station.degrees());
             let level = self.level_of(z);
-            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
-                continue;
-            };
+            let Some(course) = courses.iter().find(|c| c.contains(&level)) else { continue };
             let poisson = self.tank.wall.poisson_ratio[course.start];
             for (what, resultant) in OnWall::FORCES.into_iter().zip(FORCES) {
                 let odd = matches!(resultant, Resultant::Shear | Resultant::Twist);
@@ -142,8 +137,8 @@ impl Projector<'_> {
                     (true, false) => 0.0,
                 };
                 let mut at = self.observer.at_angle(angle);
-                // The shares of a harmonic are not those of a mean.
                 let sum: f64 = at.iter().map(|(_, share)| share).sum();
+                // The shares of a harmonic are not those of a mean.
                 if self.observer.harmonic != 1 {
                     at.iter_mut().for_each(|(_, share)| *share /= sum);
                 }
@@ -231,18 +226,20 @@ impl Projector<'_> {
         self.probe(probe, row)
     }
 
+    /// Pressure at the wet levels of the wall under a liquid of this `weight` [N/m³].
+    fn pressure_line(&self, weight: f64) -> ProbeLine {
+        let z = self.tank.division.liquid.clone();
+        let pressure = |(i, z): (usize, &f64)| {
+            let static_value = weight * (self.tank.depth - z).max(0.0);
+            let probe = Probe { static_value, ..ProbeLine::probe(OnWall::Pressure, i, *z) };
+            self.probe(probe, &self.observer.pressure(i))
+        };
+        ProbeLine { what: OnWall::Pressure, probes: z.iter().enumerate().map(pressure).collect(), z }
+    }
+
     /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
     pub(super) fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
-        let wetted = &self.tank.division.liquid;
-        let weight = case.liquid.density * case.gravity;
-        let pressure = wetted.iter().enumerate().map(|(i, z)| {
-            let probe = Probe {
-                static_value: weight * (self.tank.depth - z).max(0.0),
-                ..ProbeLine::probe(OnWall::Pressure, i, *z)
-            };
-            self.probe(probe, &self.observer.pressure(i))
-        });
-        let mut lines = vec![ProbeLine { what: OnWall::Pressure, z: wetted.clone(), probes: pressure.collect() }];
+        let mut lines = vec![self.pressure_line(case.liquid.density * case.gravity)];
         let z = &self.tank.wall.z;
         // Both sides of a joint of courses.
         let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())

@@ -137,6 +137,24 @@ pub(super) fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> 
     Ok((rigid, load))
 }
 
+/// Basis and reduced matrices for a load.
+///
+/// Errors: a matrix that is not positive definite; not enough memory.
+fn ritz(
+    tank: &TankModel,
+    system: &System,
+    load: &[f64],
+    harmonic: u32,
+    progress: &dyn Progress,
+) -> Result<Ritz, FeError> {
+    if !tank.imperfections.is_empty() {
+        return coupling::reduce(tank, system, load, harmonic, progress);
+    }
+    let symmetry = Symmetry::new(tank, harmonic);
+    let loads: Vec<(usize, &[f64])> = (0..system.poles()).map(|pole| (pole, load)).collect();
+    reduce(system, &loads, VECTORS, &|x| symmetry.project(x), progress)
+}
+
 /// Reduces a tank for the motion of one harmonic: 1 along x, 0 along z.
 ///
 /// Errors: a matrix that is not positive definite; not enough memory.
@@ -149,14 +167,7 @@ pub(super) fn new(
     progress: &dyn Progress,
 ) -> Result<(Coupled, Space), FeError> {
     let (rigid, load) = rigid_motion(tank, system, harmonic)?;
-    let Ritz { basis, mass, stiffness } = match tank.imperfections.is_empty() {
-        true => {
-            let symmetry = Symmetry::new(tank, harmonic);
-            let loads: Vec<(usize, &[f64])> = (0..system.poles()).map(|pole| (pole, &*load)).collect();
-            reduce(system, &loads, VECTORS, &|x| symmetry.project(x), progress)?
-        }
-        false => coupling::reduce(tank, system, &load, harmonic, progress)?,
-    };
+    let Ritz { basis, mass, stiffness } = ritz(tank, system, &load, harmonic, progress)?;
     let factor = Cholesky::factor(&mass).map_err(failure("the reduced mass matrix"))?;
     let influence = factor.solve_vector(&basis.transposed_times(&load));
     let statics = statics(tank)?;
@@ -172,48 +183,29 @@ pub(super) fn new(
     };
     let probes = projector.probes(case, options)?;
     let lines = projector.lines(case, &probes);
-    let moment_arm = match probes.iter().find(|p| p.channel == Channel::BaseMoment) {
-        // In free vibration q = −K⁻¹ M q̈, so that d·q + a·q̈ = (M κ)·q̈ with κ = M⁻¹ a − K⁻¹ d.
-        Some(moment) if harmonic == 1 => {
-            let mut arm = factor.solve_vector(&moment.absolute_acceleration);
-            if !moment.displacement.is_empty() {
-                let elastic = Cholesky::factor(&stiffness).map_err(failure("the reduced stiffness matrix"))?;
-                for (a, d) in arm.iter_mut().zip(elastic.solve_vector(&moment.displacement)) {
-                    *a -= d;
-                }
-            }
-            arm
-        }
-        _ => vec![0.0; influence.len()],
-    };
     let shape_rows = projector.shape_rows();
-    let around = match tank.imperfections.is_empty() {
-        true => Vec::new(),
-        false => around_probes::probes(&projector)?,
-    };
+    let around = if tank.imperfections.is_empty() { Vec::new() } else { around_probes::probes(&projector)? };
     let dashpots = dashpots(&projector.observer, options);
-    let reduced = dashpots.iter().map(|(row, c)| {
-        let project = |j: usize| sparse_dot(row, basis.column(j));
-        ((0..basis.cols).map(project).collect(), *c)
-    });
-    let reduced = reduced.collect();
     let rows = projector.rows.into_inner();
-    let surface = surface_part(tank, &basis)?;
+    let on_basis = |row: &SparseRow| (0..basis.cols).map(|j| sparse_dot(row, basis.column(j))).collect();
     let coupled = Coupled {
         harmonic,
-        surface,
+        surface: surface_part(tank, &basis)?,
         rotation: rotation_part(case, tank, &basis)?,
-        probes,
         lines,
         level: case.liquid.fill_height,
         shear: None,
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
-        moment_arm,
+        moment_arm: match harmonic {
+            1 => moment_arm(&probes, &factor, &stiffness)?,
+            _ => vec![0.0; influence.len()],
+        },
         structure: (!tank.is_round() && harmonic == 1).then(|| structure(tank, &basis)),
-        dashpots: reduced,
+        dashpots: dashpots.iter().map(|(row, c)| (on_basis(row), *c)).collect(),
         mesh: describe(tank, system, basis.cols),
         shape_rows,
+        probes,
         mass,
         stiffness,
         influence,
@@ -230,6 +222,25 @@ pub(super) fn new(
         mean_elevation: system.mean_elevation.clone(),
     };
     Ok((coupled, space))
+}
+
+/// κ of the base moment in free vibration: with q = −K⁻¹ M q̈, d·q + a·q̈ = (M κ)·q̈ with κ = M⁻¹ a − K⁻¹ d.
+///
+/// * `mass`: factor of M
+///
+/// Errors: a stiffness matrix that is not positive definite.
+fn moment_arm(probes: &[Probe], mass: &Cholesky, stiffness: &Matrix) -> Result<Vec<f64>, FeError> {
+    let Some(moment) = probes.iter().find(|p| p.channel == Channel::BaseMoment) else {
+        return Ok(vec![0.0; stiffness.rows]);
+    };
+    let mut arm = mass.solve_vector(&moment.absolute_acceleration);
+    if !moment.displacement.is_empty() {
+        let elastic = Cholesky::factor(stiffness).map_err(failure("the reduced stiffness matrix"))?;
+        for (a, d) in arm.iter_mut().zip(elastic.solve_vector(&moment.displacement)) {
+            *a -= d;
+        }
+    }
+    Ok(arm)
 }
 
 /// Rings of dashpots, one at every sector.

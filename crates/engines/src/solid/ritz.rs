@@ -120,9 +120,7 @@ impl<'a> Growing<'a> {
             let mut x = self.system.solve_at(pole, &right)?;
             purify(&mut x);
             self.system.complete(&mut x)?;
-            let Some((x, image)) = self.orthogonal(x)? else {
-                break;
-            };
+            let Some((x, image)) = self.orthogonal(x)? else { break };
             right.clone_from(&image);
             self.basis.push(x);
             self.images.push(image);

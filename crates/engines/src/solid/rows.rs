@@ -144,9 +144,7 @@ impl Observer<'_> {
 
     /// Wave height at the corner x, y > 0 of a rectangle: the highest node numbers in both directions of the surface's grid.
     pub(super) fn corner_elevation(&self) -> Row {
-        let Some(&node) = self.tank.volume.surface_nodes.last() else {
-            return Row::default();
-        };
+        let Some(&node) = self.tank.volume.surface_nodes.last() else { return Row::default() };
         let dof = match self.tank.model.dofs().equation(node, Dof::Eta) {
             Some(_) => Dof::Eta,
             None => Dof::Uz,
@@ -181,9 +179,7 @@ impl Observer<'_> {
     pub(super) fn corner(&self) -> Vec<(usize, f64)> {
         let y = &self.tank.division.breadth;
         let last = y.len() - 1;
-        let Some(before) = last.checked_sub(2) else {
-            return vec![(0, 1.0)];
-        };
+        let Some(before) = last.checked_sub(2) else { return vec![(0, 1.0)] };
         let share = (y[last] - y[last - 1]) / (y[last] - y[before]);
         vec![(last - 1, 1.0 + share), (last - 2, -share)]
     }

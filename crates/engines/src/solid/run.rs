@@ -134,9 +134,7 @@ impl Prepared {
 
     /// Modes of the reduced systems on the whole model, of one direction and kind, at most `count`.
     fn expanded(&self, direction: usize, kind: Kind, count: usize) -> Vec<TankMode> {
-        let Some(harmonic) = self.model.systems().nth(direction) else {
-            return Vec::new();
-        };
+        let Some(harmonic) = self.model.systems().nth(direction) else { return Vec::new() };
         let space = &self.spaces[direction];
         harmonic
             .modes

@@ -46,10 +46,7 @@ pub(super) fn search(
 
 /// Numbers of Ritz vectors to try.
 fn vectors(tank: &TankModel) -> &'static [usize] {
-    match tank.is_round() {
-        true => &[VECTORS],
-        false => &[FIRST_VECTORS, PART_VECTORS],
-    }
+    if tank.is_round() { &[VECTORS] } else { &[FIRST_VECTORS, PART_VECTORS] }
 }
 
 /// Modes of one number: with the first number of vectors that gives all that are asked for, or with the last.

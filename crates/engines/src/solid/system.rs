@@ -134,22 +134,11 @@ impl System {
         let phase = Phase::new(model, assembler, poles.len())?;
         allow(phase.bytes, limit)?;
         let Phase { stiffness, mass: full_mass, own, phi, own_stiffness, symbolic, whole, liquid, bytes } = phase;
-        let dofs = model.dofs();
         let own_symbolic = symbolic.clone();
         let factor = symbolic.factor(&own_stiffness, Kind::Definite).map_err(failure("the stiffness matrix"))?;
-        let mut mass = full_mass.clone();
-        let mut is_phi = vec![false; dofs.len()];
-        phi.iter().for_each(|&e| is_phi[e] = true);
-        for j in 0..dofs.len() {
-            for p in mass.pattern.starts[j]..mass.pattern.starts[j + 1] {
-                if is_phi[j] || is_phi[mass.pattern.rows[p]] {
-                    mass.values[p] = 0.0;
-                }
-            }
-        }
         let mut system = System {
             stiffness,
-            mass,
+            mass: without(&full_mass, &phi),
             own,
             factor,
             potential: None,
@@ -346,4 +335,19 @@ pub fn symbolic(matrix: &Symmetric, model: &Model, equations: &[usize]) -> Resul
 pub fn columns(vectors: &[Vec<f64>]) -> Matrix {
     let rows = vectors.first().map_or(0, Vec::len);
     Matrix { rows, cols: vectors.len(), data: vectors.concat() }
+}
+
+/// A matrix without the entries of these unknowns.
+fn without(matrix: &Symmetric, unknowns: &[usize]) -> Symmetric {
+    let mut rest = matrix.clone();
+    let mut gone = vec![false; rest.pattern.size()];
+    unknowns.iter().for_each(|&e| gone[e] = true);
+    for j in 0..gone.len() {
+        for p in rest.pattern.starts[j]..rest.pattern.starts[j + 1] {
+            if gone[j] || gone[rest.pattern.rows[p]] {
+                rest.values[p] = 0.0;
+            }
+        }
+    }
+    rest
 }

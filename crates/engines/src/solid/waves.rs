@@ -40,8 +40,7 @@ pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
         }
         (factor * c, factor * s)
     };
-    let mut best = None::<(f64, usize, Vec<_>)>;
-    let mut total = 0.0;
+    let (mut best, mut total) = (None::<(f64, usize, Vec<_>)>, 0.0);
     for n in 0..=sectors / 2 {
         let line: Vec<(f64, f64)> = radial.iter().map(|level| amplitude(level, n)).collect();
         let mean = if n == 0 { 1.0 } else { 0.5 };
@@ -61,9 +60,7 @@ pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
         if value.abs() < SMALL * norm {
             continue;
         }
-        if last != 0.0 && value.signum() != last.signum() {
-            changes += 1;
-        }
+        changes += u32::from(last != 0.0 && value.signum() != last.signum());
         last = value;
     }
     Some(Waves { circumferential: n as u32, axial: changes + 1, share: energy / total })

@@ -49,9 +49,7 @@ impl Strip {
     ///
     /// Errors: no record; a tank that is not a strip; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<Strip, FeError> {
-        let Some(motion) = &case.ground_motion else {
-            return Err(FeError::NoRecord);
-        };
+        let Some(motion) = &case.ground_motion else { return Err(FeError::NoRecord) };
         let Shape::Rectangle { length, strip: true, .. } = case.tank.shape else {
             return unsupported(
                 "the tank is not a strip; the nonlinear engine runs strips of long rectangular tanks (shape rectangle, strip true)",

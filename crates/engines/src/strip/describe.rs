@@ -19,13 +19,10 @@ use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOp
 pub(super) fn damping(damping: Damping, liquid: &StripLiquid) -> Result<StripDamping, FeError> {
     Ok(match damping {
         Damping::ByGroup { wall, sloshing } => StripDamping::ByGroup { wall, sloshing },
-        Damping::Rayleigh { first, second, allow_negative } => {
-            StripDamping::Rayleigh(Rayleigh::fit(first, second, allow_negative).map_err(|e| FeError::Option {
-                option: "damping".into(),
-                found: e.to_string(),
-                allowed: "coefficients ≥ 0, or allow_negative".into(),
-            })?)
-        }
+        Damping::Rayleigh { first, second, allow_negative } => StripDamping::Rayleigh(
+            Rayleigh::fit(first, second, allow_negative)
+                .map_err(|e| FeError::option("damping", e.to_string(), "coefficients ≥ 0, or allow_negative"))?,
+        ),
         Damping::MassProportional { ratio, at } => {
             let omega = match at {
                 MassProportionalAt::FirstSloshing => liquid.sloshing_frequency(0),

@@ -62,10 +62,7 @@ fn kind(model: &StripModel, j: usize) -> Kind {
     let phi = model.modes.vectors.column(j);
     let spring = model.tank.liquid.spring();
     let surface: f64 = model.amplitudes.iter().map(|&e| spring * phi[e] * phi[e]).sum();
-    match surface > 0.5 * model.modes.omega[j].powi(2) {
-        true => Kind::Sloshing,
-        false => Kind::Structural,
-    }
+    if surface > 0.5 * model.modes.omega[j].powi(2) { Kind::Sloshing } else { Kind::Structural }
 }
 
 fn shape(model: &StripModel, phi: &[f64]) -> ModeShape {

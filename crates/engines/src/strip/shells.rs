@@ -54,10 +54,9 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
         allowed: "ascending from 0",
     };
     let footprint = Footprint::strip(0.0, &[0.0, BREADTH], &tank.levels).map_err(mesh_error)?;
-    let courses = |row: usize| shells.rows[row].build.clone();
     let mesh = WallMesh {
         footprint: &footprint,
-        courses: &courses,
+        courses: &|row| shells.rows[row].build.clone(),
         offsets: [0.0, shells.gap],
         name: group,
         mass: MassKind::Consistent,
@@ -67,10 +66,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
         placed.hold(builder, level, &[Dof::Uy, Dof::Ry]);
     }
     placed.hold(builder, &footprint.levels[0], Dof::SHELL);
-    let bending = match shells.main {
-        0 => &placed.inner,
-        _ => &placed.outer,
-    };
+    let bending = if shells.main == 0 { &placed.inner } else { &placed.outer };
     let base = &footprint.levels[0];
     Ok(Nodes {
         axis: footprint.levels.iter().map(|l| bending[l[0]]).collect(),

@@ -194,9 +194,7 @@ impl Report<'_> {
             }
         }
         for (run, side) in self.walls.runs.iter().zip(Side::BOTH) {
-            let Some(openings) = &run.history.openings else {
-                continue;
-            };
+            let Some(openings) = &run.history.openings else { continue };
             let depth = self.case.liquid.fill_height;
             lines.push(Line {
                 channel: Channel::OpenOn(side),

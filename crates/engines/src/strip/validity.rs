@@ -103,7 +103,6 @@ impl Validity {
             self.before = [u.clone(), force.clone()];
         }
         let stored = energies.internal - self.joints - (dissipated - at_start);
-
         let section = reaction.section[2] + reaction.load[2];
         self.moments[1] = self.moments[1].max(section.abs());
         let total = reaction.total()[2].abs();
@@ -112,7 +111,6 @@ impl Validity {
             false => 0.0,
         };
         self.moments[0] = self.moments[0].max(total);
-
         let (acceleration, place) = strip.largest_acceleration(&now.state.committed.a, now.ground[0]);
         let energy = -rest - ENERGY_SHARE * self.largest;
         for (kind, passed, height, value, limit) in [

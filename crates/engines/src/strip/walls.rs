@@ -113,9 +113,7 @@ impl Walls<'_> {
         if self.interrupted() {
             return End::Interrupted { time: self.time() };
         }
-        let Some(wall) = self.collapsed() else {
-            return End::Completed;
-        };
+        let Some(wall) = self.collapsed() else { return End::Completed };
         if let Some(left) = self.left(wall) {
             return End::Left { time: left.time, departure: left };
         }

@@ -87,9 +87,7 @@ pub fn lowest(
     let loaded = at(low);
     let pencil = Sparse::new(&loaded, stiffness, symbolic.clone());
     let found = modes(&pencil, &Search::lowest(1)).map_err(failed("buckling modes"))?;
-    let Some(&kappa) = found.lambda.first() else {
-        return Ok(None);
-    };
+    let Some(&kappa) = found.lambda.first() else { return Ok(None) };
     let vector = found.vectors.column(0);
     let largest = vector.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
     Ok(Some(Buckling { factor: low / (1.0 - kappa), mode: vector.iter().map(|v| v / largest).collect() }))

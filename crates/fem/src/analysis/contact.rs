@@ -103,9 +103,7 @@ fn balance(
     tangent: &mut Symmetric,
 ) -> Result<(usize, Vec<bool>), AnalysisError> {
     let norm = |x: &[f64]| dot(x, x).sqrt();
-    let mut previous: Option<Vec<bool>> = None;
-    let mut seen: Vec<Vec<bool>> = Vec::new();
-    let mut last = f64::INFINITY;
+    let (mut previous, mut seen, mut last) = (None, Vec::new(), f64::INFINITY);
     for iteration in 0..=settings.iterations {
         let force = assembler
             .respond(model, state, Want::ALL, tangent)
@@ -130,11 +128,8 @@ fn balance(
         }
         state.increment(model, &du);
     }
-    Err(AnalysisError::Option {
-        option: "contact",
-        found: format!("no equilibrium with a repeating set in {} iterations", settings.iterations),
-        allowed: "fewer; smaller load steps, or a smaller penalty".into(),
-    })
+    let found = format!("no equilibrium with a repeating set in {} iterations", settings.iterations);
+    Err(AnalysisError::option("contact", found, "fewer; smaller load steps, or a smaller penalty"))
 }
 
 /// Switches of all elements at the trial state; none in a model without joints.

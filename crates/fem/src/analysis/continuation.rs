@@ -182,10 +182,7 @@ impl<'a> Continuation<'a> {
                 self.lambda = lambda;
                 self.last = Some(self.increment(state));
                 state.commit();
-                let negative = match self.watch {
-                    true => Some(self.negative()?),
-                    false => None,
-                };
+                let negative = if self.watch { Some(self.negative()?) } else { None };
                 Ok(PathPoint { factor: lambda, iterations, negative })
             }
             Err(failure) => {

@@ -18,11 +18,11 @@
 //!
 //! Source: Clough & Penzien 1993, chapter 6; exponential window: Kausel & Roësset 1992.
 
-use fourier::Transforms;
+use fourier::{ComplexToReal, RealToComplex, Transforms};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::modal::ModalBasis;
-use super::motion::Grid;
+use super::motion::{Grid, Motion};
 use super::observable::{Observable, apply};
 use super::observer::{Extreme, History};
 use super::system::System;
@@ -184,7 +184,6 @@ impl Reduced {
     /// Histories of `observables` at the samples of the grid, extremes at its sub-steps.
     ///
     /// Errors: nodal forces, a window out of range, a system that is singular at a frequency.
-    // Long: window, transforms and solutions of one record after the other.
     pub fn respond(
         &self,
         load: &Load,
@@ -195,35 +194,14 @@ impl Reduced {
         if !load.forces.is_empty() {
             return Err(refuse("nodal forces".into(), "ground motion; forces by direct integration"));
         }
-        let (h, count) = (grid.h(), grid.steps() + 1);
-        let (length, sigma) = match window {
-            Window::Zeros(t) if t >= 0.0 && t.is_finite() => (count + (t / h).ceil() as usize, 0.0),
-            Window::Exponential(digits) if (2.0..=10.0).contains(&digits) => {
-                (count, digits * std::f64::consts::LN_10 / (count as f64 * h))
-            }
-            other => return Err(refuse(format!("{other:?}"), "zeros ≥ 0 s, or 2 to 10 digits")),
-        };
-        let length = smooth(length);
-        let Transforms { forward, inverse } = Transforms::new(length);
-        let mut spectra = Vec::new();
-        for (k, motion) in load.ground.iter().enumerate() {
-            let Some(motion) = motion else { continue };
-            let mut a = vec![0.0; length];
-            for (i, a) in a.iter_mut().enumerate().take(count) {
-                // Where the record jumps (at its ends, as a rule) a sample counts with the mean of both sides.
-                let before = if i > 0 { motion.interval(i - 1).1 } else { 0.0 };
-                *a = 0.5 * (before + motion.interval(i).0) * (-sigma * h * i as f64).exp();
-            }
-            let mut transform = forward.make_output_vec();
-            (forward.process(&mut a, &mut transform)).expect("buffers were made by the plan");
-            spectra.push((k, transform));
-        }
+        let period = Period::new(grid, window)?;
+        let Transforms { forward, inverse } = Transforms::new(period.length);
+        let motions = load.ground.iter().enumerate().filter_map(|(k, motion)| Some((k, motion.as_ref()?)));
+        let spectra: Vec<_> = motions.map(|(k, motion)| (k, period.spectrum(motion, &*forward))).collect();
         let projected: Vec<_> = observables.iter().map(|o| self.project(o)).collect();
         let mut outputs = vec![inverse.make_input_vec(); observables.len()];
-        let frequencies = length / 2 + 1;
-        for f in 0..frequencies {
-            // The highest frequency of an even length is real: its sine vanishes at the samples.
-            let s = Complex::new(sigma, std::f64::consts::TAU * f as f64 / (length as f64 * h));
+        for f in 0..=period.length / 2 {
+            let s = period.frequency(f);
             let mut right = DVector::from_element(self.mass.nrows(), Complex::new(0.0, 0.0));
             let mut ground = [Complex::new(0.0, 0.0); 3];
             for (k, a) in &spectra {
@@ -240,31 +218,7 @@ impl Reduced {
                 out[f] = follows + amplitude(p, &y, s);
             }
         }
-        let mut histories = Vec::new();
-        for mut out in outputs {
-            out[0].im = 0.0;
-            if length.is_multiple_of(2) {
-                out[frequencies - 1].im = 0.0;
-            }
-            let mut y = inverse.make_output_vec();
-            (inverse.process(&mut out, &mut y)).expect("imaginary parts were cleared where they must be");
-            let mut history = History { values: Vec::new(), extreme: Extreme::REST };
-            for (i, y) in y.iter().enumerate().take(count) {
-                let value = y / length as f64 * (sigma * h * i as f64).exp();
-                if !value.is_finite() {
-                    return Err(AnalysisError::NotFinite {
-                        time: grid.time(i),
-                        cause: "ground motion that is not finite, or an undamped resonance",
-                    });
-                }
-                if i.is_multiple_of(grid.sub_steps) {
-                    history.values.push(value);
-                }
-                history.extreme.include(value, grid.time(i));
-            }
-            histories.push(history);
-        }
-        Ok(histories)
+        outputs.into_iter().map(|out| period.history(out, &*inverse)).collect()
     }
 
     fn project(&self, row: &Observable) -> super::modal::Projected {
@@ -283,6 +237,79 @@ impl Reduced {
             acceleration: on(&row.acceleration),
             ground,
         }
+    }
+}
+
+/// The time of a transform: the steps of a grid, followed by zeros or decaying by e^{−σ t}.
+struct Period {
+    grid: Grid,
+    /// Samples of the grid and of the transform.
+    count: usize,
+    length: usize,
+    /// σ [1/s].
+    sigma: f64,
+}
+
+impl Period {
+    /// Errors: a window out of range.
+    fn new(grid: Grid, window: Window) -> Result<Period, AnalysisError> {
+        let (h, count) = (grid.h(), grid.steps() + 1);
+        let (length, sigma) = match window {
+            Window::Zeros(t) if t >= 0.0 && t.is_finite() => (count + (t / h).ceil() as usize, 0.0),
+            Window::Exponential(digits) if (2.0..=10.0).contains(&digits) => {
+                (count, digits * std::f64::consts::LN_10 / (count as f64 * h))
+            }
+            other => return Err(refuse(format!("{other:?}"), "zeros ≥ 0 s, or 2 to 10 digits")),
+        };
+        Ok(Period { grid, count, length: smooth(length), sigma })
+    }
+
+    /// s of a transform's term.
+    fn frequency(&self, f: usize) -> Complex<f64> {
+        // The highest frequency of an even length is real: its sine vanishes at the samples.
+        Complex::new(self.sigma, std::f64::consts::TAU * f as f64 / (self.length as f64 * self.grid.h()))
+    }
+
+    fn spectrum(&self, motion: &Motion, forward: &dyn RealToComplex<f64>) -> Vec<Complex<f64>> {
+        let mut a = vec![0.0; self.length];
+        for (i, a) in a.iter_mut().enumerate().take(self.count) {
+            // Where the record jumps (at its ends, as a rule) a sample counts with the mean of both sides.
+            let before = if i > 0 { motion.interval(i - 1).1 } else { 0.0 };
+            *a = 0.5 * (before + motion.interval(i).0) * (-self.sigma * self.grid.h() * i as f64).exp();
+        }
+        let mut transform = forward.make_output_vec();
+        (forward.process(&mut a, &mut transform)).expect("buffers were made by the plan");
+        transform
+    }
+
+    /// The history of a spectrum.
+    ///
+    /// Errors: a value that is not finite.
+    fn history(
+        &self,
+        mut spectrum: Vec<Complex<f64>>,
+        inverse: &dyn ComplexToReal<f64>,
+    ) -> Result<History, AnalysisError> {
+        spectrum[0].im = 0.0;
+        if let Some(last) = spectrum.last_mut().filter(|_| self.length.is_multiple_of(2)) {
+            last.im = 0.0;
+        }
+        let mut y = inverse.make_output_vec();
+        (inverse.process(&mut spectrum, &mut y)).expect("imaginary parts were cleared where they must be");
+        let mut history = History { values: Vec::new(), extreme: Extreme::REST };
+        for (i, y) in y.iter().enumerate().take(self.count) {
+            let time = self.grid.time(i);
+            let value = y / self.length as f64 * (self.sigma * self.grid.h() * i as f64).exp();
+            if !value.is_finite() {
+                let cause = "ground motion that is not finite, or an undamped resonance";
+                return Err(AnalysisError::NotFinite { time, cause });
+            }
+            if i.is_multiple_of(self.grid.sub_steps) {
+                history.values.push(value);
+            }
+            history.extreme.include(value, time);
+        }
+        Ok(history)
     }
 }
 

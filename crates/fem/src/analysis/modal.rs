@@ -80,11 +80,11 @@ impl ModalBasis {
         statics: [Option<&[f64]>; 3],
     ) -> Result<ModalBasis, AnalysisError> {
         if let Some(w) = omega.iter().find(|w| !(**w > 0.0 && w.is_finite())) {
-            return Err(AnalysisError::Option {
-                option: "modal superposition",
-                found: format!("a mode with ω = {w} rad/s"),
-                allowed: "positive frequencies".into(),
-            });
+            return Err(AnalysisError::option(
+                "modal superposition",
+                format!("a mode with ω = {w} rad/s"),
+                "positive frequencies",
+            ));
         }
         let mut residual: [Vec<f64>; 3] = Default::default();
         for (k, given) in statics.iter().enumerate() {
@@ -265,44 +265,36 @@ impl ModalBasis {
         sub_steps: &[usize],
     ) -> Result<Vec<Snapshot>, AnalysisError> {
         self.check(ratios, load)?;
-        let m = self.len();
         let mut out: Vec<Snapshot> = Vec::new();
         self.march(ratios, load, grid, |chunk| {
-            while let Some(&i) = sub_steps.get(out.len()) {
-                if i >= chunk.start + chunk.len {
-                    break;
-                }
-                let k = i.saturating_sub(chunk.start);
-                let at = |state: usize| chunk.state(state)[k];
-                let ground = [0, 1, 2].map(|axis| at(2 * m + axis));
-                let y: Vec<f64> = (0..m).map(at).collect();
-                let v: Vec<f64> = (0..m).map(|j| at(m + j)).collect();
-                let by_dashpots = self.coupled(&v);
-                let a: Vec<f64> = (0..m)
-                    .map(|j| {
-                        let w = self.omega[j];
-                        let damped = 2.0 * ratios[j] * w * v[j] + by_dashpots[j];
-                        -damped - w * w * y[j] - dot(&self.participation[j], &ground)
-                    })
-                    .collect();
-                let mut u = self.vectors.times(&y);
-                for (r, a) in self.residual.iter().zip(&ground) {
-                    for (u, r) in u.iter_mut().zip(r) {
-                        *u -= r * a;
-                    }
-                }
-                out.push(Snapshot {
-                    at: SnapshotAt::Time(grid.time(i)),
-                    time: grid.time(i),
-                    ground,
-                    u,
-                    v: self.vectors.times(&v),
-                    a: self.vectors.times(&a),
-                });
+            while let Some(&i) = sub_steps.get(out.len()).filter(|i| **i < chunk.start + chunk.len) {
+                out.push(self.snapshot(ratios, chunk, i.saturating_sub(chunk.start), grid.time(i)));
             }
             out.len() < sub_steps.len()
         })?;
         Ok(out)
+    }
+
+    /// Fields at a place of a chunk.
+    fn snapshot(&self, ratios: &[f64], chunk: &Chunk, k: usize, time: f64) -> Snapshot {
+        let m = self.len();
+        let at = |state: usize| chunk.state(state)[k];
+        let ground = [0, 1, 2].map(|axis| at(2 * m + axis));
+        let y: Vec<f64> = (0..m).map(at).collect();
+        let v: Vec<f64> = (0..m).map(|j| at(m + j)).collect();
+        let by_dashpots = self.coupled(&v);
+        let acceleration = |j: usize| {
+            let w = self.omega[j];
+            let damped = 2.0 * ratios[j] * w * v[j] + by_dashpots[j];
+            -damped - w * w * y[j] - dot(&self.participation[j], &ground)
+        };
+        let a: Vec<f64> = (0..m).map(acceleration).collect();
+        let mut u = self.vectors.times(&y);
+        for (r, a) in self.residual.iter().zip(&ground) {
+            u.iter_mut().zip(r).for_each(|(u, r)| *u -= r * a);
+        }
+        let (v, a) = (self.vectors.times(&v), self.vectors.times(&a));
+        Snapshot { at: SnapshotAt::Time(time), time, ground, u, v, a }
     }
 
     fn check(&self, ratios: &[f64], load: &Load) -> Result<(), AnalysisError> {

@@ -214,19 +214,19 @@ impl<'a> Newton<'a> {
         options: Options,
     ) -> Result<Newton<'a>, AnalysisError> {
         if inertia.is_some_and(|i| i.damping.modal.is_some()) {
-            return Err(AnalysisError::Option {
-                option: "Newton's method",
-                found: "modal damping".into(),
-                allowed: "Rayleigh damping, by group, dashpots, damping matrices of super-elements".into(),
-            });
+            return Err(AnalysisError::option(
+                "Newton's method",
+                "modal damping",
+                "Rayleigh damping, by group, dashpots, damping matrices of super-elements",
+            ));
         }
         let given = &options.tangent_damping;
         if given.len() > model.groups().len() || given.iter().any(|a| !(*a >= 0.0 && a.is_finite())) {
-            return Err(AnalysisError::Option {
-                option: "tangent damping",
-                found: format!("{given:?} for {} groups", model.groups().len()),
-                allowed: "a finite a_K ≥ 0 a group".into(),
-            });
+            return Err(AnalysisError::option(
+                "tangent damping",
+                format!("{given:?} for {} groups", model.groups().len()),
+                "a finite a_K ≥ 0 a group",
+            ));
         }
         let viscous = given.iter().any(|a| *a != 0.0) && inertia.is_some();
         let zoned = options.zone.clone().map(|zone| Zoned::new(zone, assembler));
@@ -428,11 +428,8 @@ impl<'a> Newton<'a> {
     ///
     /// Errors: no inertia was given, a matrix that cannot be factored.
     pub fn accelerate(&mut self, state: &mut State, force: &[f64], h: f64) -> Result<(), AnalysisError> {
-        let inertia = self.inertia.ok_or(AnalysisError::Option {
-            option: "Newton's method",
-            found: "no mass".into(),
-            allowed: "a mass matrix for time steps".into(),
-        })?;
+        let inertia =
+            self.inertia.ok_or(AnalysisError::option("Newton's method", "no mass", "a mass matrix for time steps"))?;
         let rest = |a: &[f64]| {
             let mut rest = force.to_vec();
             inertia.mass.add_product(-1.0, a, &mut rest);

@@ -110,11 +110,7 @@ pub fn peaks(
     direction: DirectionRule,
     observables: &[Observable],
 ) -> Result<Vec<Peak>, AnalysisError> {
-    let refuse = |found: String, allowed: &str| AnalysisError::Option {
-        option: "response-spectrum method",
-        found,
-        allowed: allowed.into(),
-    };
+    let refuse = |found: String, allowed: &str| AnalysisError::option("response-spectrum method", found, allowed);
     let m = basis.len();
     if ratios.len() != m {
         return Err(refuse(format!("{} damping ratios", ratios.len()), "one a mode"));

@@ -49,11 +49,11 @@ impl Statics {
             stiffness.add_product(-1.0, x.column(j), &mut rest);
             let (rest, scale) = (dot(&rest, &rest).sqrt(), dot(p, p).sqrt());
             if !(rest <= RESIDUAL * scale || scale == 0.0) {
-                return Err(AnalysisError::Option {
-                    option: "static solution",
-                    found: format!("relative residual {:.1e} in load case {}", rest / scale, j + 1),
-                    allowed: format!("{RESIDUAL:.0e}: the stiffness matrix is singular or nearly so"),
-                });
+                return Err(AnalysisError::option(
+                    "static solution",
+                    format!("relative residual {:.1e} in load case {}", rest / scale, j + 1),
+                    format!("{RESIDUAL:.0e}: the stiffness matrix is singular or nearly so"),
+                ));
             }
         }
         Ok((0..loads.len()).map(|j| x.column(j).to_vec()).collect())

@@ -350,11 +350,11 @@ fn check(system: &System, loads: &[Load], settings: &Settings, scalars: usize) -
         if let SnapshotAt::Peak(k) = at
             && *k >= scalars
         {
-            return Err(AnalysisError::Option {
-                option: "snapshot",
-                found: format!("peak of scalar observable {k}"),
-                allowed: format!("numbers below {scalars}"),
-            });
+            return Err(AnalysisError::option(
+                "snapshot",
+                format!("peak of scalar observable {k}"),
+                format!("numbers below {scalars}"),
+            ));
         }
     }
     Ok(())

@@ -94,9 +94,7 @@ impl Dense {
         let mut out = Dense::default();
         for b in 0..n {
             for a in b..n {
-                let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else {
-                    continue;
-                };
+                let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else { continue };
                 let (outer, place) = at(i, j);
                 let to = if outer { &mut out.outer } else { &mut out.inner };
                 if let Some(place) = place {

@@ -299,9 +299,10 @@ impl Assembler {
         let Slots { old, new, kept } = slots;
         let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
         let Room { gather, response } = room;
-        match want.tangent {
-            true => response.reset(dofs.len()),
-            false => response.reset_force(dofs.len()),
+        if want.tangent {
+            response.reset(dofs.len())
+        } else {
+            response.reset_force(dofs.len())
         }
         let motion: Motion<'_> = match self.turned[e] {
             true => gather.turned(trial, element, &nodes.values),

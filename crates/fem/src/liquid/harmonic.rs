@@ -240,9 +240,7 @@ fn matrices(
     Cholesky::factor(&mass.select(&free, &free))?.solve(&mut follow);
     let part = transposed_product(&coupling, &follow);
     let mut added = mass.select(&wall, &wall);
-    for (v, p) in added.data.iter_mut().zip(&part.data) {
-        *v -= p;
-    }
+    added.data.iter_mut().zip(&part.data).for_each(|(v, p)| *v -= p);
     Ok((added, Matrix::zeros(wall.len(), wall.len()), None))
 }
 

@@ -133,9 +133,7 @@ impl CondensedLiquid {
         };
         let mut first = wall;
         for (m, block) in liquid.blocks.iter().enumerate() {
-            let Some(&(column, _)) = block.columns.first() else {
-                continue;
-            };
+            let Some(&(column, _)) = block.columns.first() else { continue };
             let g: Vec<f64> = (0..meridians)
                 .map(|k| {
                     let twice = if k == 0 || 2 * k == sectors { 1.0 } else { 2.0 };

@@ -13,10 +13,7 @@ fn matrix(size: usize, eliminated: usize) -> Symmetric {
     for j in 0..size {
         for p in pattern.starts[j]..pattern.starts[j + 1] {
             let i = pattern.rows[p];
-            a.values[p] = match i == j {
-                true => 40.0 + (j as f64).sin(),
-                false => ((3 * i + 7 * j) as f64).cos(),
-            };
+            a.values[p] = if i == j { 40.0 + (j as f64).sin() } else { ((3 * i + 7 * j) as f64).cos() };
         }
     }
     a

@@ -88,9 +88,7 @@ fn terminal_speeds() {
     for exponent in [0.5, 1.0, 2.0] {
         let damper = Isolator::Damper { coefficient: 4e5, exponent };
         let found = pushed(&[], &[damper], 1.0, 0.02, 2000);
-        let [.., before, last] = found.displacement[..] else {
-            return;
-        };
+        let [.., before, last] = found.displacement[..] else { return };
         let speed = (last[0] - before[0]).hypot(last[1] - before[1]) / 0.01;
         close(speed, (0.5 * 5.0_f64.sqrt()).powf(1.0 / exponent), 1e-6);
     }

@@ -201,10 +201,7 @@ impl<'a> ThreeField<'a> {
             for p in sum.pattern.starts[j]..sum.pattern.starts[j + 1] {
                 if let (Some(a), Some(b)) = (place[j], place[sum.pattern.rows[p]]) {
                     let pinned = self.fixed.contains(&a) || self.fixed.contains(&b);
-                    sum.values[p] = match pinned {
-                        true => -f64::from(a == b),
-                        false => self.mass.values[p],
-                    };
+                    sum.values[p] = if pinned { -f64::from(a == b) } else { self.mass.values[p] };
                 }
             }
         }

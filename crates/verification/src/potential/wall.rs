@@ -283,11 +283,8 @@ impl<'a> WallSolver<'a> {
         let mut iterations = 0;
         while rz > self.tolerance * self.tolerance * size {
             if iterations == ITERATIONS {
-                return Err(LinalgError::Iteration {
-                    iterations,
-                    residual: (rz / size).sqrt(),
-                    allowed: self.tolerance,
-                });
+                let residual = (rz / size).sqrt();
+                return Err(LinalgError::Iteration { iterations, residual, allowed: self.tolerance });
             }
             let ap = self.times(&p);
             let step = rz / dot(&p, &ap);

@@ -92,9 +92,7 @@ pub(super) fn items<'a>(model: &'a Model, second: Option<Across<'a>>) -> Vec<Ite
         .collect();
     for what in lines(second.is_some()) {
         let Some(line) = coupled.line(what) else { continue };
-        let Some(turned) = other.line(what).filter(|same| same.z == line.z) else {
-            continue;
-        };
+        let Some(turned) = other.line(what).filter(|same| same.z == line.z) else { continue };
         let upwards = model.vertical.as_ref().and_then(|v| v.coupled.line(what));
         let upwards = upwards.filter(|same| same.z == line.z);
         for (i, (odd, &z)) in line.probes.iter().zip(&line.z).enumerate() {

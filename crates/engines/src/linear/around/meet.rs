@@ -63,9 +63,7 @@ pub(super) fn extreme_directions(meet: Meet, x: &[f64], y: &[f64], even: &[f64])
     let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut directions = [(1.0, 0.0), (-1.0, 0.0)];
     for ((&x, &y), &even) in x.iter().zip(y).zip(even) {
-        let Some([(up, high), (down, low)]) = meet.ends(x, y) else {
-            continue;
-        };
+        let Some([(up, high), (down, low)]) = meet.ends(x, y) else { continue };
         if even + high > highest {
             (highest, directions[0]) = (even + high, up);
         }

@@ -180,17 +180,15 @@ impl Isolated {
             Bearing::LeadRubber { .. } => "lead_rubber",
             Bearing::Elastomer { .. } => "elastomer",
         };
-        let dampers = if self.given.damper.is_some() { "yes" } else { "no" };
         let isolators = Message::new("isolation-isolators")
             .with("kind", kind)
-            .with("dampers", dampers)
+            .with("dampers", if self.given.damper.is_some() { "yes" } else { "no" })
             .with("slab", Amount::new(self.given.slab_mass, Dimension::Mass))
             .with("mass", Amount::new(self.setup.mass, Dimension::Mass))
             .with("step", Amount::new(self.setup.step, Dimension::Time).form(Form::Given));
         let energy = &self.history.energy;
-        let closes = Amount::ratio(energy.deviation().abs().max(1e-16)).form(Form::Significant(1));
         let balance = Message::new("isolation-balance")
-            .with("error", closes)
+            .with("error", Amount::ratio(energy.deviation().abs().max(1e-16)).form(Form::Significant(1)))
             .with("superposition", Amount::percent(self.superposition));
         let mut channels = vec![Channel::IsolatorDisplacement];
         channels.extend(self.motion.transverse.is_some().then_some(Channel::IsolatorDisplacementY));

@@ -104,10 +104,7 @@ impl Floor {
         let cos = theta.cos();
         let rim = now.centre - now.rotation * self.radius * cos;
         let swing = now.pressure * cos;
-        let lower = match self.suction > 0.0 {
-            true => (-swing / self.suction).clamp(-1.0, 1.0),
-            false => 0.0,
-        };
+        let lower = if self.suction > 0.0 { (-swing / self.suction).clamp(-1.0, 1.0) } else { 0.0 };
         let strip = self.rest - lower * self.suction;
         let place = self.uplifts.partition_point(|w| *w < rim).clamp(1, UPLIFTS - 1);
         let (a, b) = (self.uplifts[place - 1], self.uplifts[place]);
@@ -123,10 +120,7 @@ impl Floor {
                 let dry = distance < -1e-9;
                 let liquid = if dry { 0.0 } else { self.rest + swing * shape };
                 let more = if dry { 0.0 } else { liquid - strip };
-                let pressure = match deflection < 0.0 {
-                    true => (more - self.modulus * deflection).max(0.0),
-                    false => 0.0,
-                };
+                let pressure = if deflection < 0.0 { (more - self.modulus * deflection).max(0.0) } else { 0.0 };
                 Under {
                     distance,
                     deflection: if pressure > 0.0 { -pressure / self.modulus } else { deflection.max(0.0) },
@@ -236,9 +230,7 @@ fn plates(base: Base, uplifts: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
 
 /// Straight between places that fall.
 fn along(places: &[f64], values: &[f64], at: f64) -> f64 {
-    let (Some(last), true) = (values.last(), values.len() == places.len()) else {
-        return 0.0;
-    };
+    let (Some(last), true) = (values.last(), values.len() == places.len()) else { return 0.0 };
     let i = places.partition_point(|x| *x > at);
     match i {
         0 => values[0],

@@ -13,9 +13,7 @@ const CRUSHED: f64 = 500e6;
 ///
 /// Errors: no equilibrium.
 pub(super) fn laws(setup: &Setup, base: &Base, largest: f64) -> Result<Arc<Laws>, BaseError> {
-    let Some(known) = &setup.known else {
-        return law(setup, base, largest).map(Arc::new);
-    };
+    let Some(known) = &setup.known else { return law(setup, base, largest).map(Arc::new) };
     if let Some(found) = known.reaching(base.modulus, largest) {
         return Ok(found);
     }
@@ -72,9 +70,7 @@ fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Option<Hea
 
 /// c_ψ = π R³ ρ_s V_La B of the rim's strip on soil with shear waves; 0 without.
 pub(super) fn dashpot(setup: &Setup, base: &Base) -> f64 {
-    let Some((soil, velocity, density)) = setup.soil else {
-        return 0.0;
-    };
+    let Some((soil, velocity, density)) = setup.soil else { return 0.0 };
     let analogue = 3.4 * velocity / (std::f64::consts::PI * (1.0 - soil.poisson_ratio));
     let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
     std::f64::consts::PI * base.radius.powi(3) * density * analogue * width

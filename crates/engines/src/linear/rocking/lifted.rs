@@ -135,8 +135,7 @@ impl Moved {
     ) -> Result<(), FeError> {
         // The foot is a plastic joint, not built in.
         demands.places.iter_mut().for_each(|place| place.bending = None);
-        let base = demands.places.iter().find(|place| place.z == 0.0 && place.course == 0);
-        if let Some(place) = base {
+        if let Some(place) = demands.places.iter().find(|place| place.z == 0.0 && place.course == 0) {
             let [even, odd] = self.excess(demands, &place.axial);
             let number = demands.states.len();
             demands.states.extend([even, odd]);
@@ -153,9 +152,8 @@ impl Moved {
             let kept = &analysis.kept[..model.systems().count()];
             let found = combine(model, kept, records, (grid, stride), &[vec![(0, 1.0, probe)]])?;
             let value = |k: usize| found.terms[0].iter().map(|&(state, c)| c * found.states[state][k]).sum();
-            let shear: Vec<f64> = (0..demands.times.len()).map(value).collect();
             held_shear = Some(vec![(demands.states.len(), 1.0)]);
-            demands.states.push(shear);
+            demands.states.push((0..demands.times.len()).map(value).collect());
         }
         demands.base = Some(FreeBase {
             lifts: self.value("uplift") > 0.0,

@@ -139,10 +139,10 @@ pub(super) fn moved(
     let history = &found.history;
     let states = states(base, &found, history);
     let peaks = Peaks::of(base, states.turns.iter().copied(), &found.laws, history);
-    let energy = history.energy;
-    let (peak, radius) = (peaks.rotation.1, base.radius);
     let lifted_at = peaks.uplift.1;
     let lean = history.rotation[lifted_at];
+    let [around, lifted] = around(base, &found, states.turns[lifted_at].centre, lean);
+    let highest = now(&states, history, lifted_at);
     let result = BaseRun {
         modulus: base.modulus,
         origin: match base.origin {
@@ -160,53 +160,20 @@ pub(super) fn moved(
         anchors: found.laws.ring.as_ref().map(|ring| anchors(ring, history)),
         held: BTreeMap::new(),
         superposition: 0.0,
-        energy: BaseEnergy {
-            input: energy.input,
-            viscous: energy.viscous,
-            base_elastic: energy.base_elastic,
-            base_hysteretic: energy.base_hysteretic,
-            anchors: energy.anchors,
-            base_radiated: energy.base_radiated,
-            friction: energy.friction,
-            body: energy.body,
-            error: history.balance,
-        },
+        energy: energy(history),
         band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
         missed: grounds.into_iter().filter_map(Result::err).collect(),
         spread: spread(&found, &peaks),
-        backbone: (0..=BACKBONE)
-            .map(|i| {
-                let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);
-                [psi, found.laws.law.respond(psi, 0.0, 0.0, &[]).moment]
-            })
-            .collect(),
-        cycles: cycles(setup, &found, peak),
-        around: (0..=72)
-            .map(|i| {
-                let degrees = 5.0 * f64::from(i);
-                let w = states.turns[lifted_at].centre - lean * radius * degrees.to_radians().cos();
-                [degrees, w]
-            })
-            .collect(),
-        lifted: Vec::new(),
-        ground: None,
+        backbone: backbone(&found, 1.1 * peaks.rotation.0.abs()),
+        cycles: cycles(setup, &found, peaks.rotation.1),
+        around,
+        lifted,
+        ground: floor(setup, base, &[highest]).map(|f| f.plan(&highest, lifted_at as f64 * setup.step)),
         joint: base.yields().then(|| joint_cycles(&states, &found)),
         assumptions: words::assumptions(setup, base, &found),
     };
-    let width = |[degrees, w]: &[f64; 2]| [*degrees, found.laws.rocking.curve().at(*w).lifted_width];
-    let lifted = result.around.iter().map(width).collect();
-    let now = |i: usize| now(&states, history, i);
-    let ground = floor(setup, base, &[now(lifted_at)]).map(|f| f.plan(&now(lifted_at), lifted_at as f64 * setup.step));
-    let pictures = setup.states.and_then(|interval| {
-        let steps = every(interval, &grid, states.turns.len());
-        let instants: Vec<(f64, Now)> = steps.into_iter().map(|i| (i as f64 * setup.step, now(i))).collect();
-        let all: Vec<Now> = instants.iter().map(|(_, now)| *now).collect();
-        let joint = |w: f64| plastic(&found, w);
-        Some(floor(setup, base, &all)?.states(&instants, &joint))
-    });
-    let result = BaseRun { lifted, ground, ..result };
     Moved {
-        states: pictures,
+        states: pictures(setup, base, &found, &states, &grid),
         columns: columns(setup, &states, &found),
         result,
         march: [peaks.shear.0.abs(), largest(&found.history.resistance).0.abs()],
@@ -223,6 +190,48 @@ pub(super) fn moved(
             rotation: found.history.rotational_acceleration,
         },
     }
+}
+
+fn energy(history: &History) -> BaseEnergy {
+    let energy = history.energy;
+    BaseEnergy {
+        input: energy.input,
+        viscous: energy.viscous,
+        base_elastic: energy.base_elastic,
+        base_hysteretic: energy.base_hysteretic,
+        anchors: energy.anchors,
+        base_radiated: energy.base_radiated,
+        friction: energy.friction,
+        body: energy.body,
+        error: history.balance,
+    }
+}
+
+/// Rotations up to `largest` [rad] with their moments on the first way up [N m].
+fn backbone(found: &Found, largest: f64) -> Vec<[f64; 2]> {
+    let point = |i: usize| {
+        let psi = largest * (i as f64 / BACKBONE as f64).powi(2);
+        [psi, found.laws.law.respond(psi, 0.0, 0.0, &[]).moment]
+    };
+    (0..=BACKBONE).map(point).collect()
+}
+
+/// Uplift of the rim [m] and width that is off the ground [m] over the angle [°] of a base that leans by `lean` [rad] about its `centre` [m].
+fn around(base: &Base, found: &Found, centre: f64, lean: f64) -> [Vec<[f64; 2]>; 2] {
+    let degrees = (0..=72).map(|i| 5.0 * f64::from(i));
+    let uplifts: Vec<[f64; 2]> = degrees.map(|at| [at, centre - lean * base.radius * at.to_radians().cos()]).collect();
+    let width = |[at, w]: &[f64; 2]| [*at, found.laws.rocking.curve().at(*w).lifted_width];
+    let widths = uplifts.iter().map(width).collect();
+    [uplifts, widths]
+}
+
+/// States of the bottom at intervals; none where nobody asks for them or a strip has no equilibrium.
+fn pictures(setup: &Setup, base: &Base, found: &Found, states: &States, grid: &Grid) -> Option<Snapshots> {
+    let steps = every(setup.states?, grid, states.turns.len());
+    let at = |i: usize| (i as f64 * setup.step, now(states, &found.history, i));
+    let instants: Vec<(f64, Now)> = steps.into_iter().map(at).collect();
+    let all: Vec<Now> = instants.iter().map(|(_, now)| *now).collect();
+    Some(floor(setup, base, &all)?.states(&instants, &|w| plastic(found, w)))
 }
 
 /// The base at a step.
@@ -256,10 +265,7 @@ pub(super) fn floor(setup: &Setup, base: &Base, instants: &[Now]) -> Option<Floo
 
 /// Plastic rotation of the joint where the rim is lifted by `uplift` [m] for the first time [rad]; none of one that is pressed down.
 fn plastic(found: &Found, uplift: f64) -> f64 {
-    match uplift > 0.0 {
-        true => found.laws.rocking.curve().at(uplift).plastic_rotation,
-        false => 0.0,
-    }
+    if uplift > 0.0 { found.laws.rocking.curve().at(uplift).plastic_rotation } else { 0.0 }
 }
 
 /// Cycles of the joint at θ = 0 or 180°, that with the larger range.

@@ -4,7 +4,7 @@ mod missed;
 
 use ::base::history::{Run, march};
 use oscillator::record::Record;
-use tank::{Bottom, Foundation, FoundationKind, Material};
+use tank::Material;
 
 use super::*;
 use crate::harmonic::{Places, test_tanks};
@@ -22,27 +22,8 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
         (870.0, 15.0),
     );
     let steel = Material { yield_strength: Some(205e6), ..case.tank.courses[0].material.clone() };
-    case.tank.support = Support::Unanchored;
     case.tank.roof.mass = roof;
-    case.tank.bottom = Some(Bottom {
-        thickness: 0.01,
-        corrosion: 0.0,
-        width: None,
-        sketch: None,
-        projection: 0.0,
-        subgrade_modulus: None,
-        material: steel,
-    });
-    case.tank.foundation = Some(Foundation {
-        width: None,
-        kind: FoundationKind::Soil,
-        stiffness: Some(stiffness),
-        shear_wave_velocity: None,
-        soil_density: 1900.0,
-        soil_poisson_ratio: 0.33,
-        thickness: None,
-        friction: None,
-    });
+    test_tanks::on_ground(&mut case, 0.01, steel, stiffness);
     // Bursts of waves that swell and fade, near the period of the wall.
     let dt = 0.01;
     let acceleration = (0..600).map(|i| {

@@ -153,9 +153,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
-    if setup.corrodes {
-        list.push(AS_BUILT.into());
-    }
+    list.extend(setup.corrodes.then(|| AS_BUILT.into()));
     if let Some(heave) = &found.laws.heave {
         list.push(format!(
             "The foot lifts and drops the mass of wall and roof, {}; its bounce has {} % of critical damping while all of the rim is on the \
@@ -170,52 +168,58 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
             display(setup.step, Dimension::Time)
         ));
     }
-    if base.yields() && found.hysteretic < ROUNDING {
-        list.push(
-            "The bottom plate does not yield beyond its first uplift: no share of the base's moment is hysteretic."
-                .into(),
-        );
-    } else if base.yields() {
-        list.push(format!(
-            "A share of {} of the base's moment is hysteretic, so that a cycle to the largest rotation loses what the strips lose in \
-             their second cycle; the share of the largest rotation of the run differs by {}.",
-            significant(found.hysteretic, 3),
-            significant(found.settled, 2)
-        ));
-        if found.settled > SETTLED {
-            list.push("The hysteretic share does not settle: the largest rotation jumps between two shares; the smaller one, which loses less, is taken.".into());
-        }
-    } else {
-        list.push("The material of the bottom plate has no yield strength: the joint loses no energy.".into());
-    }
-    list.push(match (&setup.anchors, &setup.friction) {
-        (Some(anchors), _) => format!(
-            "{} anchors, elastic-plastic springs without pretension that pull only{}; what they stretch beyond {} stays as play. They hold the \
-             tank in place{}.",
-            anchors.count,
-            if anchors.rupture.is_some() { " until they break" } else { ", and do not break" },
-            display(anchors.yield_force, Dimension::Force),
-            match found.history.bolts.broken.contains(&true) {
-                true => ", also where they break",
-                false => ": it does not slide",
-            }
-        ),
-        (None, Some(friction)) => format!(
-            "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight. The foot of the wall drags the \
-             bottom plate along ground that is as stiff along its surface as across it; the plate slips from the wall inwards.",
-            significant(friction.coefficient, 3),
-            if setup.vertical {
-                ", with the vertical acceleration"
-            } else {
-                ""
-            }
-        ),
-        (None, None) => "Without `tank.foundation.friction` the tank does not slide, and the bottom plate does not give way along the ground.".into(),
-    });
+    list.extend(joint(base, found));
+    list.push(held(setup, found));
     list.push(if found.dashpot > 0.0 {
         "The soil under the rim radiates energy where it is in contact.".into()
     } else {
         "The soil radiates no energy: `tank.foundation.shear_wave_velocity` is not given.".into()
     });
     list
+}
+
+/// What the joint of plate and wall loses.
+fn joint(base: &Base, found: &Found) -> Vec<String> {
+    if !base.yields() {
+        return vec!["The material of the bottom plate has no yield strength: the joint loses no energy.".into()];
+    }
+    if found.hysteretic < ROUNDING {
+        let text =
+            "The bottom plate does not yield beyond its first uplift: no share of the base's moment is hysteretic.";
+        return vec![text.into()];
+    }
+    let mut list = vec![format!(
+        "A share of {} of the base's moment is hysteretic, so that a cycle to the largest rotation loses what the strips lose in \
+         their second cycle; the share of the largest rotation of the run differs by {}.",
+        significant(found.hysteretic, 3),
+        significant(found.settled, 2)
+    )];
+    if found.settled > SETTLED {
+        list.push("The hysteretic share does not settle: the largest rotation jumps between two shares; the smaller one, which loses less, is taken.".into());
+    }
+    list
+}
+
+/// What holds the tank in place along the ground.
+fn held(setup: &Setup, found: &Found) -> String {
+    if let Some(anchors) = &setup.anchors {
+        let rupture = if anchors.rupture.is_some() { " until they break" } else { ", and do not break" };
+        let slides =
+            if found.history.bolts.broken.contains(&true) { ", also where they break" } else { ": it does not slide" };
+        return format!(
+            "{} anchors, elastic-plastic springs without pretension that pull only{rupture}; what they stretch beyond {} stays as play. They hold the \
+             tank in place{slides}.",
+            anchors.count,
+            display(anchors.yield_force, Dimension::Force),
+        );
+    }
+    let Some(friction) = &setup.friction else {
+        return "Without `tank.foundation.friction` the tank does not slide, and the bottom plate does not give way along the ground.".into();
+    };
+    format!(
+        "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight. The foot of the wall drags the \
+         bottom plate along ground that is as stiff along its surface as across it; the plate slips from the wall inwards.",
+        significant(friction.coefficient, 3),
+        if setup.vertical { ", with the vertical acceleration" } else { "" }
+    )
 }

@@ -47,9 +47,7 @@ pub(crate) struct Rigid {
 impl Rigid {
     /// Rigid motion of a coupled system of harmonic 1; `None` without the row of the overturning moment.
     pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
-        let Shape::Cylinder { radius } = case.tank.shape else {
-            return None;
-        };
+        let Shape::Cylinder { radius } = case.tank.shape else { return None };
         let floor = Floor { density: case.liquid.density, radius, depth: case.liquid.fill_height };
         let below = coupled.probe(Channel::OverturningMoment)?;
         let (row, arm, t) = (&below.absolute_acceleration, &coupled.moment_arm, slab.thickness);
@@ -142,21 +140,12 @@ impl OnSlab<'_> {
         let n = self.held.influence.len();
         let a = &probe.absolute_acceleration;
         let still = a.is_empty() && probe.ground_acceleration == 0.0;
-        let moved = match a.is_empty() {
-            true => 0.0,
-            false => dot(a, &self.held.influence),
-        };
-        let mut row = match a.is_empty() {
-            true => vec![0.0; n + ADDED],
-            false => longer(a),
-        };
+        let moved = if a.is_empty() { 0.0 } else { dot(a, &self.held.influence) };
+        let mut row = if a.is_empty() { vec![0.0; n + ADDED] } else { longer(a) };
         row[n] = self.scale[0] * (moved + probe.ground_acceleration);
         row[n + 1] = self.scale[1] * self.rigid.turned(probe, z, self.held);
         Probe {
-            displacement: match probe.displacement.is_empty() {
-                true => Vec::new(),
-                false => longer(&probe.displacement),
-            },
+            displacement: if probe.displacement.is_empty() { Vec::new() } else { longer(&probe.displacement) },
             absolute_acceleration: if still { Vec::new() } else { row },
             ground_acceleration: 0.0,
             ..probe.clone()

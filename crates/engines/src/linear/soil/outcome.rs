@@ -64,12 +64,8 @@ pub(crate) fn outcome(
     motion: &GroundMotion,
     options: &Options,
 ) -> Result<Option<(Part, Option<usize>)>, FeError> {
-    let (Some(slab), true) = (Slab::of(case)?, model.fixed.is_some()) else {
-        return Ok(None);
-    };
-    let Some(mode) = impulsive(case, model, &slab) else {
-        return Ok(None);
-    };
+    let (Some(slab), true) = (Slab::of(case)?, model.fixed.is_some()) else { return Ok(None) };
+    let Some(mode) = impulsive(case, model, &slab) else { return Ok(None) };
     let failed = |e: SoilError| FeError::Analysis(format!("the tank on soil: {e}"));
     let structure = mode.structure();
     let on = OnSoil::new(structure, slab.disc).map_err(failed)?;

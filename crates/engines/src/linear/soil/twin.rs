@@ -16,9 +16,7 @@ use crate::linear::model::Model;
 ///
 /// Errors: those of the model on a fixed base.
 pub fn slab_body(case: &Case, options: &Options) -> Result<Option<(Body, Disc)>, FeError> {
-    let Some(slab) = Slab::of(case)? else {
-        return Ok(None);
-    };
+    let Some(slab) = Slab::of(case)? else { return Ok(None) };
     let model = Model::new(case, options, false, Places::Usual)?;
     Ok(body(case, &model, &slab).map(|body| (body, slab.disc)))
 }

@@ -69,9 +69,7 @@ impl Join<'_> {
         for &cell in &self.footprint.cells {
             let nodes = self.wall.inner_cell(cell);
             let of = nodes.map(|n| number.get(&n).copied());
-            let [Some(a), Some(b), Some(c), Some(d)] = of else {
-                continue;
-            };
+            let [Some(a), Some(b), Some(c), Some(d)] = of else { continue };
             let positions = nodes.map(|n| builder.position(n));
             for [x, y] in CORNERS {
                 let (shape, area, at) = point([gauss * x, gauss * y], &positions);

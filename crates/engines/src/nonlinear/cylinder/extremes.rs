@@ -20,6 +20,21 @@ use tank::units::Dimension;
 /// Limit of the plastic rotation of the joint, EN 1998-4:2006 A.9, recalled [rad].
 const JOINT_LIMIT: f64 = 0.20;
 
+/// Extremes of a stress of the wall, as changes from that at rest.
+fn of_stress(e: &Extremes, what: OnWall, side: Side) -> TwoSided {
+    let title = Channel::BaseOn(what, side).title();
+    TwoSided {
+        title: match what {
+            OnWall::Hoop => title.replace(" at the base", ", row of its largest change"),
+            _ => title,
+        },
+        dimension: what.dimension(),
+        rest: e.rest,
+        min: Some(At { value: e.min - e.rest, time: Some(e.min_time) }),
+        max: At { value: e.max - e.rest, time: Some(e.max_time) },
+    }
+}
+
 /// Everything that was watched.
 pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]) -> Vec<TwoSided> {
     let recorder = &watch.recorder;
@@ -43,22 +58,8 @@ pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]
         .collect();
     for (meridian, side) in watch.seen.sides.iter().zip(Side::BOTH) {
         let hoop = meridian.hoop.iter().max_by(|a, b| a.swing().0.total_cmp(&b.swing().0));
-        let of = |found: Option<&Extremes>, what: OnWall| {
-            let title = Channel::BaseOn(what, side).title();
-            let title = match what {
-                OnWall::Hoop => title.replace(" at the base", ", row of its largest change"),
-                _ => title,
-            };
-            found.map(|e| TwoSided {
-                title,
-                dimension: what.dimension(),
-                rest: e.rest,
-                min: Some(At { value: e.min - e.rest, time: Some(e.min_time) }),
-                max: At { value: e.max - e.rest, time: Some(e.max_time) },
-            })
-        };
-        out.extend(of(hoop, OnWall::Hoop));
-        out.extend(of(meridian.axial.first(), OnWall::Axial));
+        out.extend(hoop.map(|e| of_stress(e, OnWall::Hoop, side)));
+        out.extend(meridian.axial.first().map(|e| of_stress(e, OnWall::Axial, side)));
     }
     if tank.standing.is_some() {
         out.extend(standing(watch));

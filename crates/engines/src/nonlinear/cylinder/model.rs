@@ -21,11 +21,11 @@ use fem::analysis::march::Problem;
 use fem::analysis::system::System;
 use fem::analysis::zone::Zone;
 use fem::assembly::{Assembler, order};
-use fem::dofs::Dof;
-use fem::element::interlayer;
+use fem::dofs::{Dof, DofMap};
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
+use fem::element::{Element, interlayer};
 use fem::linalg::{Ordering, Pattern, Symbolic};
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
@@ -272,31 +272,24 @@ impl Parts {
         let floor = plate.as_ref().map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
         let (liquid, amplitudes, liquid_element) =
             add_liquid(case, builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
-        let joints = match options.contact {
-            Contact::Bonded => None,
-            Contact::Opening => {
-                let join = Join {
-                    footprint: &footprint,
-                    wall: &wall,
-                    nodes: [&inner, &wetted],
-                    amplitudes: &amplitudes,
-                    liquid: &liquid,
-                    gravity: case.gravity,
-                    depth,
-                    unit_weight,
-                    penalty: penalty(case, radius),
-                };
-                Some(join.add_to(builder)?)
-            }
+        let join = Join {
+            footprint: &footprint,
+            wall: &wall,
+            nodes: [&inner, &wetted],
+            amplitudes: &amplitudes,
+            liquid: &liquid,
+            gravity: case.gravity,
+            depth,
+            unit_weight,
+            penalty: penalty(case, radius),
         };
+        let joints = (options.contact == Contact::Opening).then(|| join.add_to(builder)).transpose()?;
         let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
         let (mut pressure, areas) =
             pressures(builder, &footprint, &wall, &cells, [unit_weight, depth], &pressed, options);
-        if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
+        if let (Some(plate), Some(standing), Some(floor)) = (&plate, &mut standing, &floor) {
             standing.found(plate, case, builder, options, &mut pressure)?;
-            if let Some(floor) = &floor {
-                standing.wet(plate, builder, floor, operator)?;
-            }
+            standing.wet(plate, builder, floor, operator)?;
         }
         Ok(Parts {
             radius,
@@ -450,36 +443,20 @@ impl CylinderModel {
 /// joins; or minimum degree if that takes fewer operations.
 fn symbolic(model: &Model, assembler: &Assembler, liquid: usize) -> Result<Arc<Symbolic>, FeError> {
     let dofs = model.dofs();
-    let mut joined = vec![false; dofs.len()];
     let element = &model.elements()[liquid];
     if element.operator().is_some() {
         let found = Symbolic::new(assembler.pattern().clone(), &order(model, assembler.pattern()));
         return Ok(Arc::new(found.map_err(failed)?));
     }
-    for (local, &node) in element.nodes().iter().enumerate() {
-        for &dof in element.dofs(local) {
-            if let Some(e) = dofs.equation(node, dof) {
-                joined[e] = true;
-            }
-        }
-    }
+    let mut joined = vec![false; dofs.len()];
+    equations(dofs, &**element).for_each(|e| joined[e] = true);
     let rest: Vec<usize> = (0..dofs.len()).filter(|&e| !joined[e]).collect();
     let mut place = vec![usize::MAX; dofs.len()];
     rest.iter().enumerate().for_each(|(k, &e)| place[e] = k);
-    let cliques: Vec<Vec<usize>> = model
-        .elements()
-        .iter()
-        .enumerate()
-        .filter(|(e, _)| *e != liquid)
-        .map(|(_, element)| {
-            let mut own: Vec<usize> = Vec::new();
-            for (local, &node) in element.nodes().iter().enumerate() {
-                let equations = element.dofs(local).iter().filter_map(|&d| dofs.equation(node, d));
-                own.extend(equations.map(|e| place[e]).filter(|k| *k != usize::MAX));
-            }
-            own
-        })
-        .collect();
+    let others = model.elements().iter().enumerate().filter(|(e, _)| *e != liquid);
+    let places = |e: usize| Some(place[e]).filter(|k| *k != usize::MAX);
+    let cliques: Vec<Vec<usize>> =
+        others.map(|(_, element)| equations(dofs, &**element).filter_map(places).collect()).collect();
     let pattern = Pattern::from_cliques(rest.len(), cliques.iter().map(Vec::as_slice));
     let node_of: Vec<usize> = rest.iter().map(|&e| dofs.unknown(e).0).collect();
     let given = match Ordering::best(&pattern, &node_of, model.nodes()) {
@@ -492,8 +469,13 @@ fn symbolic(model: &Model, assembler: &Assembler, liquid: usize) -> Result<Arc<S
     };
     let of = |ordering: &Ordering| Symbolic::new(assembler.pattern().clone(), ordering).map_err(failed);
     let (dissected, degree) = (of(&given)?, of(&Ordering::MinimumDegree)?);
-    Ok(Arc::new(match degree.flops() < dissected.flops() {
-        true => degree,
-        false => dissected,
-    }))
+    Ok(Arc::new(if degree.flops() < dissected.flops() { degree } else { dissected }))
+}
+
+/// Equations of the unknowns of an element, in its order.
+fn equations<'a>(dofs: &'a DofMap, element: &'a dyn Element) -> impl Iterator<Item = usize> + 'a {
+    let of = move |(local, &node): (usize, &'a usize)| {
+        element.dofs(local).iter().filter_map(move |&dof| dofs.equation(node, dof))
+    };
+    element.nodes().iter().enumerate().flat_map(of)
 }

@@ -79,9 +79,7 @@ impl<'a> Pictures<'a> {
     /// Pressure of the ground by node, 0 of those that are not of the bottom.
     fn pressures(&self, displacement: &[[f64; 3]]) -> Vec<f64> {
         let mut out = vec![0.0; displacement.len()];
-        let Some(standing) = &self.tank.standing else {
-            return out;
-        };
+        let Some(standing) = &self.tank.standing else { return out };
         for &node in self.states.bottom.iter().flatten() {
             out[node] = standing.pressure(displacement[node][2]);
         }

@@ -87,9 +87,7 @@ pub(super) fn look(tank: &CylinderModel, state: &State) -> Look {
             let mut widest: [Option<[Option<Crack>; 2]>; 2] = [None, None];
             element.material_points(motion, &state.old[state.history(e)], &mut |p| {
                 let leaf = p.point / 4;
-                let Some(part) = parts.get(leaf).and_then(|l| l.get(p.layer)) else {
-                    return;
-                };
+                let Some(part) = parts.get(leaf).and_then(|l| l.get(p.layer)) else { return };
                 out.see(cell, part, p);
                 if let Part::Concrete { band, .. } = part {
                     let strains = p.state.cracks.iter().flatten().map(|c| c.largest);

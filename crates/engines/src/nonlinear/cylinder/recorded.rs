@@ -55,8 +55,7 @@ pub(super) fn base_reaction(
         // The force of the liquid at the base of the wall goes into the ground there.
         .chain(tank.wetted[..tank.footprint.levels[0].len()].iter().copied())
         .collect();
-    let copies = tank.cells.copies();
-    let nodes = tank.model.nodes();
+    let (copies, nodes) = (tank.cells.copies(), tank.model.nodes());
     let field = |node: usize| {
         let mut field = [0.0; KINDS];
         if !base.contains(&node) {

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use fem::analysis::march::{Outcome, Run};
-use tank::Quantity;
-use tank::Support;
+use tank::{Case, Quantity, Support};
 
 use super::curve::departures;
 use super::demands::demands;
@@ -28,7 +27,7 @@ use crate::histories::Histories;
 use crate::hoop;
 use crate::linear::both_directions;
 use results::channel::{OnWall, Side};
-use results::nonlinear::{End, EventKind, Nonlinear};
+use results::nonlinear::{End, Event, EventKind, Nonlinear};
 use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, SeriesInfo};
 
 /// Everything that is reported of a run.
@@ -43,31 +42,8 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         let known = values.entry(quantity).or_default();
         *known = value.max(*known);
     }
-    let mut notes = case.ground_motion.as_ref().map_or_else(Vec::new, both_directions);
-    if case.tank.support == Support::Unanchored && tank.standing.is_none() {
-        notes.push(HELD_DOWN.into());
-    }
-    notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, false));
-    let end = end(tank, run);
-    match &end {
-        End::Completed | End::Left { .. } => {}
-        End::Interrupted { time } => {
-            notes.push(format!("Interrupted at {time:.3} s: all results end there."));
-        }
-        End::Collapsed { time, reason, .. } => notes.push(format!(
-            "Collapse: no equilibrium after {time:.3} s ({reason}). All numbers are those until then and are lower bounds."
-        )),
-    }
-    let events = events(tank, watch);
-    let kept = || events.iter().find(|e| e.kind == EventKind::LowPressure);
-    if let (None, Some(parts)) = (&tank.joints, kept()) {
-        notes.push(format!(
-            "The liquid separates from the wall ({}, first at {:.2} s); the engine keeps it in contact.",
-            parts.place, parts.time
-        ));
-    }
-    let balance = &run.balance;
-    let energies = energies(run, watch);
+    let (end, events) = (end(tank, run), events(tank, watch));
+    let notes = notes(case, tank, &end, &events);
     let maps = maps(case, tank, watch, &worst, &last);
     let nonlinear = Nonlinear {
         grid: grid(tank),
@@ -75,25 +51,17 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         maps,
         cracks: pictures(watch, &last, run.time),
         loops: loops(watch),
-        energies,
+        energies: energies(run, watch),
         cost: cost(tank, watch, run),
         moments: Vec::new(),
         departures: departures(tank, watch),
     };
-    let total = balance.samples.last().copied().unwrap_or_default();
-    let copies = tank.cells.copies();
     let result = Finished {
         end,
         events,
         mesh: mesh(tank),
         integration: integration(tank, options, span, watch, run),
-        energy: Some(EnergyBalance {
-            input: copies * total.input,
-            kinetic: copies * total.kinetic,
-            elastic: copies * (total.internal - total.hysteretic),
-            damping: copies * total.damping,
-            error: balance.error(),
-        }),
+        energy: Some(balance(tank, run)),
         envelopes: envelopes(tank, watch),
         record_end: span.record_end(),
         limits: limits(cylinder, watch, &worst),
@@ -115,6 +83,45 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         units: None,
         of_modes: None,
         second: None,
+    }
+}
+
+/// Remarks on a run that ended so.
+fn notes(case: &Case, tank: &CylinderModel, end: &End, events: &[Event]) -> Vec<String> {
+    let mut notes = case.ground_motion.as_ref().map_or_else(Vec::new, both_directions);
+    if case.tank.support == Support::Unanchored && tank.standing.is_none() {
+        notes.push(HELD_DOWN.into());
+    }
+    notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, false));
+    match end {
+        End::Completed | End::Left { .. } => {}
+        End::Interrupted { time } => {
+            notes.push(format!("Interrupted at {time:.3} s: all results end there."));
+        }
+        End::Collapsed { time, reason, .. } => notes.push(format!(
+            "Collapse: no equilibrium after {time:.3} s ({reason}). All numbers are those until then and are lower bounds."
+        )),
+    }
+    let parts = events.iter().find(|e| e.kind == EventKind::LowPressure).filter(|_| tank.joints.is_none());
+    notes.extend(parts.map(|parts| {
+        format!(
+            "The liquid separates from the wall ({}, first at {:.2} s); the engine keeps it in contact.",
+            parts.place, parts.time
+        )
+    }));
+    notes
+}
+
+/// Energies at the end of a run, those of the whole tank.
+fn balance(tank: &CylinderModel, run: &Run) -> EnergyBalance {
+    let total = run.balance.samples.last().copied().unwrap_or_default();
+    let copies = tank.cells.copies();
+    EnergyBalance {
+        input: copies * total.input,
+        kinetic: copies * total.kinetic,
+        elastic: copies * (total.internal - total.hysteretic),
+        damping: copies * total.damping,
+        error: run.balance.error(),
     }
 }
 

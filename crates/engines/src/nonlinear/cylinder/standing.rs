@@ -115,9 +115,7 @@ impl Standing {
         let mut more = |builder: &mut Builder, wall: &[usize]| {
             let own: Vec<usize> = foot.iter().map(|p| wall[*p]).collect();
             rings = plate.nodes(builder, &angles, &own);
-            let Some(bottom) = &case.tank.bottom else {
-                return Ok(Vec::new());
-            };
+            let Some(bottom) = &case.tank.bottom else { return Ok(Vec::new()) };
             let (cells, soft) = plate.cells(bottom, &rings, &options.integration).map_err(refused)?;
             bending = soft;
             Ok(cells)
@@ -181,8 +179,8 @@ impl Standing {
                     .and_then(|a| match own.and_then(|o| o.rupture_elongation) {
                         Some(rupture) => a.with_rupture(rupture),
                         None => Ok(a),
-                    });
-                let anchor = anchor.map_err(failed)?;
+                    })
+                    .map_err(failed)?;
                 self.anchors.push((builder.element(ANCHOR, anchor.clone()), anchor));
             }
             self.bolts = bolts;

@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use fem::analysis::AnalysisError;
-use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::{Quantity, Reaction};
 use fem::dofs::{Dof, KINDS};
 use fem::state::{Gather, State};
@@ -35,13 +34,11 @@ impl Standing {
         let field = |node: usize| {
             let mut field = [0.0; KINDS];
             if held.is_some_and(|ring| ring.contains(&node)) {
-                let along = if moment { Dof::Ry } else { Dof::Ux };
-                field[along.index()] = copies;
+                field[if moment { Dof::Ry } else { Dof::Ux }.index()] = copies;
             }
             field
         };
-        let rayleigh = |e: usize| -> Rayleigh { tank.rayleigh[tank.model.group_of(e)] };
-        let reaction = Reaction::new(tank.problem(), name, field, rayleigh)?;
+        let reaction = Reaction::new(tank.problem(), name, field, |e| tank.rayleigh[tank.model.group_of(e)])?;
         let ground = match moment {
             false => match &self.holds {
                 Holds::Key(element, along) => vec![(*element, along.iter().map(|w| copies * w).collect())],
@@ -59,10 +56,9 @@ impl Standing {
                     }
                     (share.element, force)
                 });
-                let foot = self.anchors.iter().zip(&self.angles).map(|((e, _), angle)| {
-                    let lever = self.radii[self.foot] * angle.cos();
-                    (*e, vec![0.0, 0.0, -copies * lever])
-                });
+                let lever = |angle: &f64| self.radii[self.foot] * angle.cos();
+                let foot = self.anchors.iter().zip(&self.angles);
+                let foot = foot.map(|((e, _), angle)| (*e, vec![0.0, 0.0, -copies * lever(angle)]));
                 let at = |(ring, radius): (&Vec<usize>, &f64)| -> Vec<(usize, Vec<f64>)> {
                     let nodes = ring.iter().zip(&self.angles);
                     nodes.map(|(&e, angle)| (e, vec![0.0, 0.0, -copies * radius * angle.cos()])).collect()

@@ -31,28 +31,19 @@ fn middle(tank: &CylinderModel, cell: usize) -> String {
 }
 
 pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
-    let mut out: Vec<Event> = watch
-        .seen
-        .first
-        .iter()
-        .map(|&(what, time, cell)| {
-            let (kind, title) = match what {
-                Happening::Crack => (EventKind::FirstCrack, "first crack"),
-                Happening::Yield => (EventKind::FirstYield, "first yielding of a plate"),
-                Happening::BarYield => (EventKind::FirstBarYield, "first yielding of a bar"),
-                Happening::Tears => (EventKind::AboveStrength, "a plate exceeds its tensile strength"),
-                Happening::BarRupture => (EventKind::BarRupture, "a bar exceeds its rupture strain"),
-                Happening::Crushing => (EventKind::Crushing, "concrete reaches its compressive strength"),
-            };
-            Event {
-                kind,
-                title: title.into(),
-                time,
-                place: middle(tank, cell),
-                note: if time == 0.0 { "In the static state.".into() } else { String::new() },
-            }
-        })
-        .collect();
+    let first = |&(what, time, cell): &(Happening, f64, usize)| {
+        let (kind, title) = match what {
+            Happening::Crack => (EventKind::FirstCrack, "first crack"),
+            Happening::Yield => (EventKind::FirstYield, "first yielding of a plate"),
+            Happening::BarYield => (EventKind::FirstBarYield, "first yielding of a bar"),
+            Happening::Tears => (EventKind::AboveStrength, "a plate exceeds its tensile strength"),
+            Happening::BarRupture => (EventKind::BarRupture, "a bar exceeds its rupture strain"),
+            Happening::Crushing => (EventKind::Crushing, "concrete reaches its compressive strength"),
+        };
+        let note = if time == 0.0 { "In the static state.".into() } else { String::new() };
+        Event { kind, title: title.into(), time, place: middle(tank, cell), note }
+    };
+    let mut out: Vec<Event> = watch.seen.first.iter().map(first).collect();
     out.extend(parting(watch, tank));
     let separation = watch.separation.result();
     if let Some(first) = separation.places.iter().filter(|p| p.below_trough).min_by(|a, b| a.first.total_cmp(&b.first))
@@ -119,101 +110,73 @@ fn bar_strength(case: &Case) -> Option<f64> {
     strengths.min_by(f64::total_cmp)
 }
 
-pub(super) fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
-    let mut out = Vec::new();
-    let mut push = |id: &str, title: &str, dimension, values: &[f64], mark: Option<f64>, note: &str| {
-        if !values.is_empty() {
-            out.push(CellMap {
-                id: id.into(),
-                title: title.into(),
-                dimension,
-                values: values.to_vec(),
-                mark,
-                note: note.into(),
-            });
-        }
-    };
-    let number = Dimension::Dimensionless;
-    push(
+/// Id, title and note of the maps of the wall.
+const MAPS: [[&str; 3]; 7] = [
+    [
         "utilisation",
         "Utilisation of the plate, largest over time",
-        number,
-        &worst.utilisation,
-        Some(1.0),
         "Von Mises stress over the yield stress, hardening included; 1: yielding.",
-    );
-    push(
+    ],
+    [
         "plastic_strain",
         "Plastic strain of the plate at the end",
-        number,
-        &last.plastic_strain,
-        None,
         "Accumulated equivalent plastic strain, the largest over the thickness.",
-    );
-    push(
-        "crack_width_inner",
-        "Largest crack width, inner face",
-        Dimension::Length,
-        &worst.crack_width[0],
-        None,
-        "Crack strain times the length over which a crack is smeared; the widest so far.",
-    );
-    push(
-        "crack_width_outer",
-        "Largest crack width, outer face",
-        Dimension::Length,
-        &worst.crack_width[1],
-        None,
-        "Crack strain times the length over which a crack is smeared; the widest so far.",
-    );
-    push(
+    ],
+    ["crack_width_inner", "Largest crack width, inner face", CRACKS],
+    ["crack_width_outer", "Largest crack width, outer face", CRACKS],
+    [
         "compression",
         "Compression of the concrete over its strength, largest over time",
-        number,
-        &worst.compression,
-        Some(1.0),
         "Smallest principal stress over the uniaxial strength; above 1 under biaxial compression.",
-    );
-    push(
+    ],
+    [
         "bar_stress",
         "Stress of the bars, largest over time",
-        Dimension::Stress,
-        &worst.bar_stress,
-        bar_strength(case),
         "Tension or compression, the larger, of all bars of a cell; the mark is their yield strength.",
-    );
-    push(
-        "bar_plastic_strain",
-        "Plastic strain of the bars at the end",
-        number,
-        &last.bar_plastic_strain,
-        None,
-        "Accumulated, the largest of all bars of a cell.",
-    );
+    ],
+    ["bar_plastic_strain", "Plastic strain of the bars at the end", "Accumulated, the largest of all bars of a cell."],
+];
+const CRACKS: &str = "Crack strain times the length over which a crack is smeared; the widest so far.";
+/// Id, title and note of the maps of a liquid that leaves the wall.
+const GAP: [&str; 3] = [
+    "separation",
+    "Largest gap between liquid and wall",
+    "Widest gap at the corners of the cell; 0 where the liquid has stayed in contact.",
+];
+const LOW_PRESSURE: [&str; 3] = [
+    "separation",
+    "Share of the time in which the liquid separates from the wall",
+    "Pressure of the displaced particle below zero, under the lowest surface.",
+];
+
+pub(super) fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
+    let map = |[id, title, note]: [&str; 3], dimension, values: &[f64], mark| {
+        let text = |text: &str| text.to_owned();
+        CellMap { id: text(id), title: text(title), dimension, values: values.to_vec(), mark, note: text(note) }
+    };
+    let number = Dimension::Dimensionless;
+    let [inner, outer] = &worst.crack_width;
+    let of_wall = [
+        (number, &worst.utilisation, Some(1.0)),
+        (number, &last.plastic_strain, None),
+        (Dimension::Length, inner, None),
+        (Dimension::Length, outer, None),
+        (number, &worst.compression, Some(1.0)),
+        (Dimension::Stress, &worst.bar_stress, bar_strength(case)),
+        (number, &last.bar_plastic_strain, None),
+    ];
+    let of_wall = MAPS.into_iter().zip(of_wall).filter(|(_, (_, values, _))| !values.is_empty());
+    let mut out: Vec<CellMap> =
+        of_wall.map(|(text, (dimension, values, mark))| map(text, dimension, values, mark)).collect();
     if let (Some(openings), Some(joints)) = (&watch.openings, &tank.joints) {
-        let widest = joints.numbers.iter().copied().zip(openings.widest());
-        let gaps = around_nodes(tank, widest);
-        push(
-            "separation",
-            "Largest gap between liquid and wall",
-            Dimension::Length,
-            &gaps,
-            None,
-            "Widest gap at the corners of the cell; 0 where the liquid has stayed in contact.",
-        );
+        let gaps = around_nodes(tank, joints.numbers.iter().copied().zip(openings.widest()));
+        out.push(map(GAP, Dimension::Length, &gaps, None));
     }
     let found = watch.separation.result();
     if found.places.iter().any(|p| p.below_trough) {
         let parted = found.places.iter().filter(|p| p.below_trough);
         let share = around_nodes(tank, parted.map(|p| (p.number, p.share)));
-        push(
-            "separation",
-            "Share of the time in which the liquid separates from the wall",
-            number,
-            &share,
-            None,
-            "Pressure of the displaced particle below zero, under the lowest surface.",
-        );
+        out.push(map(LOW_PRESSURE, number, &share, None));
     }
     out
 }

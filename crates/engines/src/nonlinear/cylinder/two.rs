@@ -218,8 +218,7 @@ impl TwoSeen {
         let title = "Wave height at the wall".to_owned();
         out.push(directional("wave_height".into(), title, Channel::WaveLargest, waves, self.wave));
         for (what, stress) in [(OnWall::Hoop, &self.hoop), (OnWall::Axial, &self.axial)] {
-            let row = stress.all.row;
-            let z = 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]);
+            let z = 0.5 * (tank.cells.z[stress.all.row] + tank.cells.z[stress.all.row + 1]);
             let (id, title) = (what.id().to_owned(), what.title().to_owned());
             let channel = Channel::Largest { what, z };
             out.push(Directional {
@@ -241,9 +240,7 @@ fn largest_wave([front, back, left, right]: [f64; 4]) -> (f64, f64) {
 pub(super) fn trough(recorder: &QuantityObserver) -> Option<f64> {
     let last = |k: usize| recorder.histories.get(k)?.last().copied();
     let of = [WAVE_FRONT, WAVE_BACK, WAVE_LEFT, WAVE_RIGHT].map(last);
-    let [Some(front), Some(back), Some(left), Some(right)] = of else {
-        return None;
-    };
+    let [Some(front), Some(back), Some(left), Some(right)] = of else { return None };
     Some(-largest_wave([-front, -back, -left, -right]).0)
 }
 

@@ -24,9 +24,7 @@ pub(super) fn base(
     toe_stress: f64,
     state: &State,
 ) -> Result<Option<PushBase>, FeError> {
-    let (Some(plate), Some(bottom)) = (&plan.plate, &model.bottom) else {
-        return Ok(None);
-    };
+    let (Some(plate), Some(bottom)) = (&plan.plate, &model.bottom) else { return Ok(None) };
     let angles = &model.angles;
     let up = |node: usize| model.model.at_node(&state.committed.u, node)[Dof::Uz.index()];
     let foot = &bottom.rings[plate.foot];
@@ -84,9 +82,7 @@ pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
     let uplift = bases().map(|b| b.uplift).fold(0.0, f64::max);
     let toe = bases().map(|b| b.toe).fold(0.0, f64::max);
     // The plane foot of the strips lifts and sinks otherwise than the warped one.
-    let Ok(rocking) = plate.base.rocking(-0.02 - 3.0 * toe, 0.02 + 2.0 * uplift, true) else {
-        return;
-    };
+    let Ok(rocking) = plate.base.rocking(-0.02 - 3.0 * toe, 0.02 + 2.0 * uplift, true) else { return };
     let at = |p: &mut PushPoint| {
         let acceleration = p.acceleration;
         if let Some(base) = p.base.as_mut().filter(|b| b.rotation > 0.0) {

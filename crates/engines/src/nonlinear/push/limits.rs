@@ -61,10 +61,7 @@ fn beam(plan: &Plan, z: f64, acceleration: f64) -> f64 {
 /// Axial compression of beam theory at z under a moment [Pa].
 pub(super) fn stress(plan: &Plan, z: f64, moment: f64) -> f64 {
     let t = plan.case.tank.course_at(z).thickness;
-    let weight = match plan.options.self_weight {
-        true => masses(plan, z).0 * plan.case.gravity,
-        false => 0.0,
-    };
+    let weight = if plan.options.self_weight { masses(plan, z).0 * plan.case.gravity } else { 0.0 };
     (moment / (PI * plan.radius * plan.radius) + weight / (2.0 * PI * plan.radius)) / t
 }
 

@@ -188,11 +188,11 @@ impl<'a> Plan<'a> {
         check_depth(case)?;
         let sectors = options.elements.map_or(SECTORS, |e| e.circumference);
         if sectors < 8 || sectors % 2 == 1 {
-            return Err(FeError::Option {
-                option: "analysis.nonlinear.elements.circumference".into(),
-                found: sectors.to_string(),
-                allowed: "an even number for a pushover, whose model is half the wall; 8 or more".into(),
-            });
+            return Err(FeError::option(
+                "analysis.nonlinear.elements.circumference",
+                sectors.to_string(),
+                "an even number for a pushover, whose model is half the wall; 8 or more",
+            ));
         }
         let depth = case.liquid.fill_height;
         let rows = |refine: f64| based_levels(&case.tank, depth, BASE, refine);
@@ -224,10 +224,7 @@ impl<'a> Plan<'a> {
             }
             _ => None,
         };
-        let normal = |cell: usize, node: usize| match cell < of_wall {
-            true => normals[node],
-            false => Vector3::z(),
-        };
+        let normal = |cell: usize, node: usize| if cell < of_wall { normals[node] } else { Vector3::z() };
         let surface =
             ShellSurface { normals: Normals::Exact(&normal), axes: Axes::HOOP_Z, ..ShellSurface::new(corners) };
         let placed = surface.place(&mut builder).map_err(failed)?;
@@ -382,9 +379,7 @@ impl<'a> Plan<'a> {
         let tank = &self.case.tank;
         let lever = tank.roof_height() - tank.wall_height();
         let (mut weight, mut inertia) = (NodalLoads::new(), NodalLoads::new());
-        let Some(edge) = rings.last().filter(|_| tank.roof.mass > 0.0) else {
-            return (weight, inertia);
-        };
+        let Some(edge) = rings.last().filter(|_| tank.roof.mass > 0.0) else { return (weight, inertia) };
         let per_angle = tank.roof.mass / (2.0 * PI);
         for ((&node, share), cosine) in edge.iter().zip(shares(&self.angles)).zip(cosine_shares(&self.angles)) {
             weight.force(node, [0.0, 0.0, -per_angle * share * self.case.gravity]);

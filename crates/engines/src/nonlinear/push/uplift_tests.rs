@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use results::PushBase;
 use tank::options::nonlinear::WallElements;
 use tank::reference::{case, material};
-use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
+use tank::{Behaviour, Case, Shape, Steel};
 
 use super::super::bottom;
 use super::*;
+use crate::harmonic::test_tanks;
 
 /// Example 05 in brief: 40 m wide, 15 m of oil, 10 mm of bottom plate, on 10⁸ N/m³.
 fn oil(yield_strength: f64) -> Case {
@@ -22,26 +23,7 @@ fn oil(yield_strength: f64) -> Case {
     });
     let courses = [(2.4, 0.025), (2.4, 0.021), (2.4, 0.018), (2.4, 0.014), (7.2, 0.01)];
     let mut case = case(Shape::Cylinder { radius: 20.0 }, &courses, &steel, (870.0, 15.0));
-    case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        thickness: 0.01,
-        corrosion: 0.0,
-        width: None,
-        sketch: None,
-        projection: 0.0,
-        subgrade_modulus: None,
-        material: steel,
-    });
-    case.tank.foundation = Some(Foundation {
-        width: None,
-        kind: FoundationKind::Soil,
-        stiffness: Some(1e8),
-        shear_wave_velocity: None,
-        soil_density: 1900.0,
-        soil_poisson_ratio: 0.33,
-        thickness: None,
-        friction: None,
-    });
+    test_tanks::on_ground(&mut case, 0.01, steel, 1e8);
     case
 }
 

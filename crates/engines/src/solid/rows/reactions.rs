@@ -31,13 +31,9 @@ impl Observer<'_> {
         let (mut elastic, mut inertia, mut held) = (BTreeMap::new(), BTreeMap::new(), 0.0);
         let elements = tank.wall.elements.iter().chain(&tank.wall.loaded);
         for element in elements.map(|&e| &*tank.model.elements()[e]) {
-            let Some(corner) = element.nodes().iter().position(|&n| n == node) else {
-                continue;
-            };
+            let Some(corner) = element.nodes().iter().position(|&n| n == node) else { continue };
             let before: usize = (0..corner).map(|a| element.dofs(a).len()).sum();
-            let Some(place) = element.dofs(corner).iter().position(|&d| d == dof) else {
-                continue;
-            };
+            let Some(place) = element.dofs(corner).iter().position(|&d| d == dof) else { continue };
             let (i, n) = (before + place, local_size(element));
             let k = reference_stiffness(element).map_err(failed)?;
             let m = reference_mass(element);

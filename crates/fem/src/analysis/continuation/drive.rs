@@ -67,11 +67,7 @@ impl Continuation<'_> {
         mut each: impl FnMut(f64, &PathPoint, &State),
     ) -> Result<Path, AnalysisError> {
         if row.is_empty() {
-            return Err(AnalysisError::Option {
-                option: "controlled displacement",
-                found: "a held or unused dof".into(),
-                allowed: "an unknown".into(),
-            });
+            return Err(AnalysisError::option("controlled displacement", "a held or unused dof", "an unknown"));
         }
         let value = |state: &State| row.iter().map(|&(e, c)| c * state.committed.u[e]).sum::<f64>();
         let mut path = Path::default();
@@ -190,10 +186,12 @@ impl Continuation<'_> {
             step = (0.5 * step).max(tolerance);
         }
         self.watch = watched;
-        found.ok_or_else(|| AnalysisError::Option {
-            option: "largest load factor of a search for instability",
-            found: format!("stable up to {:.4}", self.lambda),
-            allowed: "one beyond the first instability".into(),
+        found.ok_or_else(|| {
+            AnalysisError::option(
+                "largest load factor of a search for instability",
+                format!("stable up to {:.4}", self.lambda),
+                "one beyond the first instability",
+            )
         })
     }
 }

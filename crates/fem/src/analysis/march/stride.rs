@@ -149,9 +149,7 @@ impl Strides {
         let u = &state.committed.u;
         let away = self.moving.iter().zip(&self.rest).map(|(&e, r)| (u[e] - r).powi(2));
         self.largest = self.largest.max(away.sum::<f64>().sqrt());
-        let Some(&next) = self.chain.get(self.at + 1) else {
-            return;
-        };
+        let Some(&next) = self.chain.get(self.at + 1) else { return };
         let growth = (next as f64 / self.now() as f64).powi(3);
         if error * growth <= 0.5 * self.tolerance * self.largest {
             self.calm += 1;

@@ -17,6 +17,24 @@ const NOTHING: [f64; 2] = [1e-24, 1e-18];
 const LITTLE: f64 = 1e-4;
 /// Unknowns from which a second thread is worth its start.
 const MANY: usize = 10_000;
+/// Work |δu·r| of the increments of a step: the first, the last, and the one before.
+struct Work {
+    first: f64,
+    last: f64,
+    before: f64,
+}
+
+impl Work {
+    const NONE: Work = Work { first: 0.0, last: f64::INFINITY, before: f64::INFINITY };
+
+    /// Whether the last increment is negligible: against the first, or against the largest first one of all steps, `reference`.
+    fn is_small(&self, criterion: f64, reference: f64) -> bool {
+        self.last <= criterion * self.first
+            || self.last <= NOTHING[0] * reference
+            || (self.last <= NOTHING[1] * reference && self.last >= SLOW * self.before)
+    }
+}
+
 /// So many iterations without a new smallest residual are a failure.
 const PATIENCE: usize = 10;
 
@@ -61,15 +79,49 @@ impl Newton<'_> {
         Ok(())
     }
 
-    /// Renews the factor where the iteration asks for it: always, or after a slow one if `modified`. Returns whether the zone remains to be
-    /// factored with the next solution.
+    /// Forces and r at the trial state, on a shorter increment where the last one overshot; returns the sum of the norms of the
+    /// terms of r.
+    ///
+    /// * `slope`: δu·r at the beginning of that increment
+    fn balance(
+        &mut self,
+        scheme: &dyn Scheme,
+        state: &mut State,
+        loads: [&[f64]; 2],
+        slope: Option<f64>,
+        modified: bool,
+    ) -> Result<f64, StepFailure> {
+        scheme.correct(&state.committed, &mut state.trial);
+        let want = if modified { Want::FORCE } else { Want::ALL };
+        self.evaluate(state, want, scheme.collocation().1)?;
+        let scale = self.residual(scheme, state, loads);
+        let Some(slope) = slope.filter(|g0| self.options.line_search && self.overshoots(*g0)) else { return Ok(scale) };
+        self.secants.clear();
+        let scale = self.search(scheme, state, loads, slope)?;
+        if !modified {
+            self.evaluate(state, Want::ALL, scheme.collocation().1)?;
+        }
+        Ok(scale)
+    }
+
+    /// Renews the factor where the iteration asks for it: always, after a slow one if `modified`, or once if `initial`. Returns whether
+    /// the zone remains to be factored with the next solution.
     fn refresh(
         &mut self,
         scheme: &dyn Scheme,
         state: &mut State,
-        modified: bool,
-        slow: bool,
+        [modified, initial]: [bool; 2],
+        residuals: &[f64],
     ) -> Result<bool, StepFailure> {
+        if initial && self.zoned.is_none() {
+            if residuals.len() == 1 {
+                self.take_initial()?;
+                self.refactor(scheme).map_err(StepFailure::Tangent)?;
+            }
+            return Ok(false);
+        }
+        let rate = if self.zoned.is_some() { SLOW_WITH_ZONE } else { SLOW };
+        let slow = matches!(residuals, [.., before, now] if *now > rate * before);
         if self.zoned.is_some() {
             let renew = self.what_to_renew(scheme.weights(), slow);
             if renew != Renew::Nothing {
@@ -90,7 +142,6 @@ impl Newton<'_> {
     }
 
     /// Iterates from the committed state; `initial`: with the initial stiffness.
-    // Long: one iteration from top to bottom, as in the documentation of the module.
     pub(super) fn iterate(
         &mut self,
         scheme: &dyn Scheme,
@@ -100,27 +151,14 @@ impl Newton<'_> {
         initial: bool,
     ) -> Result<StepReport, StepFailure> {
         let modified = self.options.modified || initial || self.zoned.is_some();
+        let criteria = self.options.criteria;
         self.begin(scheme, state)?;
         let mut residuals: Vec<f64> = Vec::new();
-        let (mut first, mut energy, mut before) = (0.0_f64, f64::INFINITY, f64::INFINITY);
-        // du·r at the beginning of the last increment.
+        let mut work = Work::NONE;
         let mut slope = None;
         let (mut best, mut best_at) = (f64::INFINITY, 0);
         for iteration in 0..=limit {
-            scheme.correct(&state.committed, &mut state.trial);
-            let want = if modified { Want::FORCE } else { Want::ALL };
-            self.evaluate(state, want, scheme.collocation().1)?;
-            let mut scale = self.residual(scheme, state, loads);
-            if let Some(g0) = slope
-                && self.options.line_search
-                && self.overshoots(g0)
-            {
-                self.secants.clear();
-                scale = self.search(scheme, state, loads, g0)?;
-                if !modified {
-                    self.evaluate(state, Want::ALL, scheme.collocation().1)?;
-                }
-            }
+            let scale = self.balance(scheme, state, loads, slope, modified)?;
             if self.zoned.is_some() && iteration > 0 {
                 self.secants.learn(&self.room.du, &self.room.r);
             }
@@ -129,13 +167,10 @@ impl Newton<'_> {
             if !norm.is_finite() || norm > 1e8 * (residuals[0] + scale) {
                 return Err(self.divergence(iteration, norm));
             }
-            let tiny = energy <= NOTHING[0] * self.reference
-                || (energy <= NOTHING[1] * self.reference && energy >= SLOW * before);
-            let quiet = energy <= self.options.criteria.energy * first || tiny;
             if norm <= ROUNDING * scale
                 || (iteration > 0 && norm <= LINEAR * residuals[0])
                 // Loads that are elements themselves (follower pressure) are part of the forces and vanish with them.
-                || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
+                || (work.is_small(criteria.energy, self.reference) && norm <= criteria.force * scale.max(residuals[0]))
             {
                 return Ok(StepReport { iterations: iteration, residuals });
             }
@@ -144,35 +179,25 @@ impl Newton<'_> {
                 (best, best_at) = (norm, iteration);
             }
             if iteration == limit || (!initial && iteration >= best_at + PATIENCE) {
-                return Err(self.no_convergence(iteration, norm, self.options.criteria.force * scale));
+                return Err(self.no_convergence(iteration, norm, criteria.force * scale));
             }
-            let rate = if self.zoned.is_some() { SLOW_WITH_ZONE } else { SLOW };
-            let slow = iteration > 0 && norm > rate * residuals[iteration - 1];
-            let renewed = match initial && self.zoned.is_none() {
-                true if iteration == 0 => {
-                    self.take_initial()?;
-                    self.refactor(scheme).map_err(StepFailure::Tangent)?;
-                    false
-                }
-                true => false,
-                false => self.refresh(scheme, state, modified, slow)?,
-            };
+            let renewed = self.refresh(scheme, state, [modified, initial], &residuals)?;
             self.solve(renewed).map_err(StepFailure::Tangent)?;
-            let work = dot(&self.room.du, &self.room.r);
-            (before, energy) = (energy, work.abs());
-            if !work.is_finite() {
+            let done = dot(&self.room.du, &self.room.r);
+            work = Work { last: done.abs(), before: work.last, ..work };
+            if !done.is_finite() {
                 return Err(self.divergence(iteration, norm));
             }
             if iteration == 0 {
-                first = energy;
-                self.reference = self.reference.max(energy);
+                work.first = work.last;
+                self.reference = self.reference.max(work.first);
             }
             // Neither another tangent outside of the zone nor more iterations bring such a step back; a shorter one converges. The first increment of
             // a short step says little: a point that meets the ground within it does more work.
-            if self.zoned.is_some() && iteration > 1 && energy > first.max(LITTLE * self.reference) {
+            if self.zoned.is_some() && iteration > 1 && work.last > work.first.max(LITTLE * self.reference) {
                 return Err(self.divergence(iteration, norm));
             }
-            slope = Some(work);
+            slope = Some(done);
             if self.options.line_search {
                 match &mut self.room.base {
                     Some(base) => base.clone_from(&state.trial),
@@ -287,10 +312,7 @@ impl Newton<'_> {
         let (mut b, mut du) = (std::mem::take(&mut self.room.blend), std::mem::take(&mut self.room.du));
         b.clone_from(&self.room.r);
         let alphas = self.secants.ahead(&mut b);
-        let solved = match renewed {
-            true => self.renew_and_substitute(&b, &mut du),
-            false => self.back_substitute(&b, &mut du),
-        };
+        let solved = if renewed { self.renew_and_substitute(&b, &mut du) } else { self.back_substitute(&b, &mut du) };
         self.secants.after(&mut du, &alphas);
         (self.room.blend, self.room.du) = (b, du);
         solved

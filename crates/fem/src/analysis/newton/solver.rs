@@ -78,9 +78,7 @@ impl Newton<'_> {
 
     /// The mean of the effective tangent, or of that with the initial stiffness if it is not positive definite; joints as they are.
     fn ring_solver(&self, w: Weights, before: Option<Solver>) -> Result<RingSolver, AnalysisError> {
-        let Some(layout) = &self.rings else {
-            return Err(failed(WHAT)(LinalgError::Singular { size: 0 }));
-        };
+        let Some(layout) = &self.rings else { return Err(failed(WHAT)(LinalgError::Singular { size: 0 })) };
         let shares = self.shares(w);
         let (model, assembler) = (self.model, self.assembler);
         let make = |before: Option<Solver>, sparse: &Symmetric| match before {
@@ -106,11 +104,11 @@ impl Newton<'_> {
 
     /// x = A⁻¹ b with the factor there is.
     pub(super) fn back_substitute(&mut self, b: &[f64], x: &mut Vec<f64>) -> Result<(), AnalysisError> {
-        let (solver, _) = self.factor.as_ref().ok_or(AnalysisError::Option {
-            option: "Newton's method",
-            found: "no factor".into(),
-            allowed: "a factor of the effective tangent".into(),
-        })?;
+        let (solver, _) = self.factor.as_ref().ok_or(AnalysisError::option(
+            "Newton's method",
+            "no factor",
+            "a factor of the effective tangent",
+        ))?;
         match solver {
             Solver::Direct(factor) => {
                 x.clear();
@@ -146,12 +144,11 @@ impl Newton<'_> {
         };
         let mut regular = inertia.mass.clone();
         regular.add(epsilon, inertia.stiffness);
-        let after = failed("the acceleration after a jump");
+        let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
+        let (of_mass, after) = (failed("the mass matrix"), failed("the acceleration after a jump"));
         if let Some(zoned) = &self.zoned {
-            let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
-            let mut solver =
-                ZoneSolver::new(&zoned.zone, Keep::Double, self.threads).map_err(failed("the mass matrix"))?;
-            solver.renew(&regular, None, &shares).map_err(failed("the mass matrix"))?;
+            let mut solver = ZoneSolver::new(&zoned.zone, Keep::Double, self.threads).map_err(&of_mass)?;
+            solver.renew(&regular, None, &shares).map_err(&of_mass)?;
             let [mut first, mut second] = [Vec::new(), Vec::new()];
             solver.solve(force, &mut first);
             solver.solve(&rest(&first), &mut second);
@@ -159,16 +156,14 @@ impl Newton<'_> {
         }
         match &self.rings {
             None => {
-                let factor = self.symbolic.factor(&regular, self.kind).map_err(failed("the mass matrix"))?;
+                let factor = self.symbolic.factor(&regular, self.kind).map_err(&of_mass)?;
                 let first = factor.solve_vector(force).map_err(&after)?;
                 let second = factor.solve_vector(&rest(&first)).map_err(&after)?;
                 Ok([first, second])
             }
             Some(layout) => {
-                let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
                 let (model, assembler) = (self.model, self.assembler);
-                let solver = RingSolver::new(layout, model, assembler, &regular, &shares);
-                let solver = solver.map_err(failed("the mass matrix"))?;
+                let solver = RingSolver::new(layout, model, assembler, &regular, &shares).map_err(&of_mass)?;
                 let solve = |b: &[f64]| {
                     let mut x = Vec::new();
                     let solved = solver.solve(model, assembler, &regular, b, &mut x, EXACT);

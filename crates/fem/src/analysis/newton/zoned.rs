@@ -62,10 +62,7 @@ impl Zoned {
     /// The residual corrects what a rounded factor leaves, as it does with that of an earlier state. Without inertia a thin wall is too badly
     /// conditioned for that, and a step that has failed gets no rounded factor.
     pub(super) fn keep(&self, w: Weights) -> Keep {
-        match w.mass > 0.0 && self.always == Renew::Nothing {
-            true => Keep::Single,
-            false => Keep::Double,
-        }
+        if w.mass > 0.0 && self.always == Renew::Nothing { Keep::Single } else { Keep::Double }
     }
 
     pub(super) fn save(&self, to: &mut Writer) {
@@ -163,9 +160,7 @@ impl Newton<'_> {
     pub(super) fn what_to_renew(&mut self, weights: Weights, slow: bool) -> Renew {
         let exchanged = self.exchange(weights);
         let current = self.factor.as_ref().is_some_and(|(_, w)| *w == weights);
-        let Some(zoned) = &mut self.zoned else {
-            return Renew::Nothing;
-        };
+        let Some(zoned) = &mut self.zoned else { return Renew::Nothing };
         zoned.slow = if slow { zoned.slow + 1 } else { 0 };
         let stale = zoned.slow > SLUGGISH || (zoned.slow > 1 && zoned.zone.share_outside(&self.room.r) > STALE);
         let renew = if !current || zoned.always == Renew::Whole || stale {

@@ -53,10 +53,8 @@ impl Open {
     pub(super) fn close(layout: &RingLayout, sparse: &Symmetric, mean: &mut [f64]) -> Open {
         let ring = layout.ring();
         // On the plane half of a joint is there.
-        let part = |k: usize| {
-            let on_plane = ring.is_half() && (k == 0 || k + 1 == ring.meridians());
-            if on_plane { 0.5 } else { 1.0 }
-        };
+        let on_plane = |k: usize| ring.is_half() && (k == 0 || k + 1 == ring.meridians());
+        let part = |k: usize| if on_plane(k) { 0.5 } else { 1.0 };
         let mut levels: Vec<(usize, Level)> = Vec::new();
         for (number, pair) in layout.pairs().iter().enumerate() {
             let slope: Vec<f64> = pair.places.iter().map(|&p| -sparse.values[p]).collect();

@@ -68,10 +68,8 @@ impl RingLayout {
     ///
     /// Errors: a model without rings, unknowns that are on none.
     pub fn new(model: &Model, assembler: &Assembler) -> Result<RingLayout, AnalysisError> {
-        let missing = |found: String| AnalysisError::Option {
-            option: "elements that are not assembled",
-            found,
-            allowed: "a model whose nodes are named as rings".into(),
+        let missing = |found: String| {
+            AnalysisError::option("elements that are not assembled", found, "a model whose nodes are named as rings")
         };
         let rings = model.rings().ok_or_else(|| missing("no rings of nodes".into()))?;
         let dofs = model.dofs();

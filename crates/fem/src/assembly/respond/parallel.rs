@@ -17,7 +17,7 @@ use crate::assembly::Assembler;
 use crate::assembly::turn::Nodes;
 use crate::element::ElementError;
 use crate::model::Model;
-use crate::state::State;
+use crate::state::{Fields, State};
 
 /// Elements that a thread takes at a time.
 const CHUNK: usize = 16;
@@ -40,7 +40,24 @@ struct Store {
     elements: Range<usize>,
     forces: Vec<f64>,
     matrices: Vec<f64>,
-    failure: Option<(usize, ElementError)>,
+    failure: Option<Failure>,
+}
+
+/// A failure with the number of its element.
+type Failure = (usize, ElementError);
+
+/// What the elements of an evaluation read.
+struct Evaluation<'a> {
+    assembler: &'a Assembler,
+    model: &'a Model,
+    trial: &'a Fields,
+    nodes: &'a Nodes,
+    ask: Ask<'a>,
+    /// Committed history, and the start of each element's part.
+    old: &'a [f64],
+    starts: &'a [usize],
+    /// Start of each element's kept data; empty without any.
+    kept_starts: &'a [usize],
 }
 
 /// First `len` variables, taken off.
@@ -50,11 +67,74 @@ fn take<'a>(from: &mut &'a mut [f64], len: usize) -> &'a mut [f64] {
     own
 }
 
+impl Evaluation<'_> {
+    /// The elements of `rest` up to `end`, taken off with their variables.
+    fn cut<'v>(&self, rest: &mut Chunk<'v>, end: usize) -> Chunk<'v> {
+        let from = std::mem::replace(&mut rest.elements.start, end);
+        let kept = match self.kept_starts {
+            [] => 0,
+            starts => starts[end] - starts[from],
+        };
+        Chunk {
+            elements: from..end,
+            new: take(&mut rest.new, self.starts[end] - self.starts[from]),
+            kept: take(&mut rest.kept, kept),
+        }
+    }
+
+    /// Takes the first element off a chunk and evaluates it in `room`; whether it has a result.
+    fn first(&self, chunk: &mut Chunk<'_>, room: &mut Room) -> Result<bool, Failure> {
+        let e = chunk.elements.start;
+        let Chunk { new, kept, .. } = self.cut(chunk, e + 1);
+        if self.assembler.is_replaced(e, self.ask) {
+            return Ok(false);
+        }
+        let slots = Slots { old: &self.old[self.starts[e]..self.starts[e + 1]], new, kept };
+        let done = self.assembler.local(self.model, e, self.ask, (self.trial, self.nodes), slots, room);
+        done.map(|()| true).map_err(|error| (e, error))
+    }
+
+    /// Evaluates a chunk up to its first failure.
+    fn fill(&self, mut chunk: Chunk<'_>, store: &mut Store, room: &mut Room) {
+        store.clear(chunk.elements.clone());
+        while !chunk.elements.is_empty() {
+            let e = chunk.elements.start;
+            match self.first(&mut chunk, room) {
+                Ok(true) => store.push(self.ask.wants_tangent(e), room),
+                Ok(false) => {}
+                Err(failure) => {
+                    store.failure = Some(failure);
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Evaluates a round on its threads, each chunk into its store.
+    fn share(&self, chunks: Vec<Chunk<'_>>, stores: &mut [Store]) {
+        let threads = self.ask.threads.min(chunks.len());
+        let queue = Mutex::new(chunks.into_iter().zip(stores));
+        let work = || {
+            let mut room = Room::default();
+            loop {
+                let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+                let Some((chunk, store)) = next else { break };
+                self.fill(chunk, store, &mut room);
+            }
+        };
+        std::thread::scope(|scope| {
+            for _ in 1..threads {
+                scope.spawn(work);
+            }
+            work();
+        });
+    }
+}
+
 impl Assembler {
     /// Calls `accept(element, force, matrix)` in the order of the elements, without those that `ask` replaces.
     ///
     /// Errors: the first element that fails, with its number.
-    // Long: with one thread and with several the same closure takes its variables off the same slices.
     pub(super) fn evaluate(
         &self,
         model: &Model,
@@ -63,89 +143,35 @@ impl Assembler {
         ask: Ask<'_>,
         kept: Option<&mut Kept>,
         mut accept: impl FnMut(usize, &[f64], &[f64]),
-    ) -> Result<(), (usize, ElementError)> {
+    ) -> Result<(), Failure> {
         let count = model.elements().len();
-        let (trial, old, mut new, starts) = state.split();
-        let (mut kept, kept_starts): (&mut [f64], &[usize]) = match kept {
+        let (trial, old, new, starts) = state.split();
+        let (kept, kept_starts): (&mut [f64], &[usize]) = match kept {
             Some(kept) => (&mut kept.values, &kept.offsets),
             None => (&mut [], &[]),
         };
-        let kept_len = |from: usize, to: usize| match kept_starts {
-            [] => 0,
-            starts => starts[to] - starts[from],
-        };
-        // Element `e` with the first of the variables; whether it has a result.
-        let one = |e: usize, new: &mut &mut [f64], kept: &mut &mut [f64], room: &mut Room| {
-            let slots = Slots {
-                old: &old[starts[e]..starts[e + 1]],
-                new: take(new, starts[e + 1] - starts[e]),
-                kept: take(kept, kept_len(e, e + 1)),
-            };
-            if self.is_replaced(e, ask) {
-                return Ok(false);
-            }
-            let done = self.local(model, e, ask, (trial, nodes), slots, room);
-            done.map(|()| true).map_err(|error| (e, error))
-        };
+        let run = Evaluation { assembler: self, model, trial, nodes, ask, old, starts, kept_starts };
+        let mut rest = Chunk { elements: 0..count, new, kept };
         if ask.threads < 2 || count < FEW {
             let mut room = Room::default();
             for e in 0..count {
-                if one(e, &mut new, &mut kept, &mut room)? {
+                if run.first(&mut rest, &mut room)? {
                     accept(e, &room.response.force, &room.response.tangent.data);
                 }
             }
             return Ok(());
         }
-        let compute = |chunk: Chunk<'_>, store: &mut Store, room: &mut Room| {
-            let Chunk { elements, mut new, mut kept } = chunk;
-            store.clear(elements.clone());
-            for e in elements {
-                match one(e, &mut new, &mut kept, room) {
-                    Ok(true) => store.push(ask.wants_tangent(e), room),
-                    Ok(false) => {}
-                    Err(failure) => {
-                        store.failure = Some(failure);
-                        break;
-                    }
-                }
-            }
-        };
         let mut stores: Vec<Store> = Vec::new();
-        let mut first = 0;
-        while first < count {
-            let last = self.round(first, count, ask);
-            let mut chunks = Vec::new();
-            for from in (first..last).step_by(CHUNK) {
-                let to = (from + CHUNK).min(last);
-                chunks.push(Chunk {
-                    elements: from..to,
-                    new: take(&mut new, starts[to] - starts[from]),
-                    kept: take(&mut kept, kept_len(from, to)),
-                });
-            }
-            let used = chunks.len();
-            if stores.len() < used {
-                stores.resize_with(used, Store::default);
-            }
-            let queue = Mutex::new(chunks.into_iter().zip(&mut stores));
-            let work = || {
-                let mut room = Room::default();
-                loop {
-                    let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-                    let Some((chunk, store)) = next else { break };
-                    compute(chunk, store, &mut room);
-                }
-            };
-            std::thread::scope(|scope| {
-                for _ in 1..ask.threads.min(used) {
-                    scope.spawn(work);
-                }
-                work();
-            });
-            for store in &mut stores[..used] {
+        while !rest.elements.is_empty() {
+            let round = rest.elements.start..self.round(rest.elements.start, count, ask);
+            let cut = |from: usize| run.cut(&mut rest, (from + CHUNK).min(round.end));
+            let chunks: Vec<Chunk<'_>> = round.clone().step_by(CHUNK).map(cut).collect();
+            stores.resize_with(stores.len().max(chunks.len()), Store::default);
+            let stores = &mut stores[..chunks.len()];
+            run.share(chunks, stores);
+            for store in stores {
                 self.accept(store, ask, &mut accept)?;
             }
-            first = last;
         }
         Ok(())
     }
@@ -177,7 +203,7 @@ impl Assembler {
         store: &mut Store,
         ask: Ask<'_>,
         accept: &mut impl FnMut(usize, &[f64], &[f64]),
-    ) -> Result<(), (usize, ElementError)> {
+    ) -> Result<(), Failure> {
         let (mut forces, mut matrices) = (&store.forces[..], &store.matrices[..]);
         let end = store.failure.as_ref().map_or(store.elements.end, |(e, _)| *e);
         for e in (store.elements.start..end).filter(|&e| !self.is_replaced(e, ask)) {

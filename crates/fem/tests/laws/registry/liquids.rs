@@ -164,10 +164,7 @@ fn wet_faces() -> Vec<Specimen> {
         };
         let positions: Vec<[f64; 3]> = WALL.into_iter().chain(WALL).collect();
         Specimen {
-            turns: match shared {
-                true => Turns::None("it joins faces on one coordinate plane"),
-                false => Turns::Any,
-            },
+            turns: if shared { Turns::None("it joins faces on one coordinate plane") } else { Turns::Any },
             mass: Mass::Joins { left: |_| one(Dof::Phi), right: |_| one(Dof::Uy), value: DENSITY * 1.3 * 0.9 },
             ..Specimen::new("WetFace", what, &positions, build)
         }

@@ -131,11 +131,7 @@ impl CylinderModel {
                 return Ok(());
             }
             Wanted::Rayleigh { first, second, allow_negative } => Rayleigh::fit(first, second, allow_negative)
-                .map_err(|e| FeError::Option {
-                    option: "damping".into(),
-                    found: e.to_string(),
-                    allowed: "coefficients ≥ 0, or allow_negative".into(),
-                })?,
+                .map_err(|e| FeError::option("damping", e.to_string(), "coefficients ≥ 0, or allow_negative"))?,
             Wanted::MassProportional { ratio, at } => {
                 let omega = match at {
                     MassProportionalAt::FirstSloshing => self.sloshing_omega,

@@ -4,13 +4,14 @@ use fem::progress::Silent;
 use results::Channel;
 use results::channel::Side;
 use results::nonlinear::End;
-use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
+use tank::{Behaviour, Case, Shape, Steel, Support};
 
 use super::super::super::simulate_with_states;
 use super::super::march::Cylinder;
 use super::super::model::CylinderModel;
 use super::{marched, marched_to, options, shaken};
 use crate::floor_pressure::impulsive_pressure;
+use crate::harmonic::test_tanks;
 use tank::options::nonlinear::NonlinearOptions;
 use tank::reference::{case, material};
 
@@ -25,26 +26,7 @@ pub(super) fn slender() -> Case {
         ultimate_strength: None,
     });
     let mut case = case(Shape::Cylinder { radius: 5.0 }, &[(10.0, 8e-3)], &steel, (1000.0, 9.0));
-    case.tank.support = Support::Unanchored;
-    case.tank.bottom = Some(Bottom {
-        thickness: 6e-3,
-        corrosion: 0.0,
-        width: None,
-        sketch: None,
-        projection: 0.0,
-        subgrade_modulus: None,
-        material: steel,
-    });
-    case.tank.foundation = Some(Foundation {
-        width: None,
-        kind: FoundationKind::Soil,
-        stiffness: Some(1e8),
-        shear_wave_velocity: None,
-        soil_density: 1900.0,
-        soil_poisson_ratio: 0.33,
-        thickness: None,
-        friction: None,
-    });
+    test_tanks::on_ground(&mut case, 6e-3, steel, 1e8);
     case
 }
 
