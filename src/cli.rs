@@ -53,7 +53,7 @@ mod verify;
 mod wall;
 
 pub use global::{Format, Global, When};
-pub(crate) use global::{json, spinner, stamp};
+pub(crate) use global::{json, no_csv, show, spinner, stamp};
 pub(crate) use terminal::print;
 
 /// Seismic verification of liquid storage tanks.

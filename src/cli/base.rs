@@ -6,9 +6,9 @@ use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Turn};
 use serde_json::{Value, json};
 use tank::units::{Dimension, UnitError, display, parse};
 
-use crate::cli::global::{Format, Global, json as pretty};
+use crate::cli::global::{Format, Global, show};
 use crate::cli::table::Table;
-use crate::cli::terminal::{print, warn};
+use crate::cli::terminal::warn;
 use crate::error::{EXIT_OK, Error};
 use crate::input;
 use files::code::{Code, Warning};
@@ -95,11 +95,13 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let rotations = list("--rotation", args.rotation.as_deref(), &ROTATIONS, Dimension::Angle, [0.0, ROTATION])?;
     let grounds = BAND.map(|factor| on_ground(factor, &base, suction, &uplifts, &rotations));
     let grounds = grounds.into_iter().collect::<Result<Vec<_>, _>>()?;
-    match args.format {
-        Format::Human => print(&human(&tank.case.name, &base, suction, &grounds))?,
-        Format::Json => print(&pretty(&document(&tank.case.name, &base, suction, &grounds))?)?,
-        Format::Csv => print(&csv(&grounds))?,
-    }
+    let name = &tank.case.name;
+    show(
+        args.format,
+        || human(name, &base, suction, &grounds),
+        || document(name, &base, suction, &grounds),
+        || Ok(csv(&grounds)),
+    )?;
     Ok(EXIT_OK)
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, json as printed, print};
+use crate::cli::{Format, Global, show};
 use crate::curves::{Asked, Curve, FORMAT};
 use crate::error::{EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::input::fragility::{self as input, STATE};
@@ -129,11 +129,7 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         ];
         write_whole(path, nrml(&components(&curves), &args.im, 1.0, range).as_bytes())?;
     }
-    match args.format {
-        Format::Human => print(&human(&curves))?,
-        Format::Json => print(&printed(&document(&curves))?)?,
-        Format::Csv => print(&csv(&curves))?,
-    }
+    show(args.format, || human(&curves), || document(&curves), || Ok(csv(&curves)))?;
     Ok(match curves.iter().any(|c| c.curve().is_some()) {
         true => EXIT_OK,
         false => EXIT_NOT_CHECKED,
@@ -204,46 +200,52 @@ fn human(curves: &[Curve]) -> String {
     }
     let mut said = table.to_string();
     for curve in curves {
-        let name = text::line(&curve.damage_state);
-        if let Some(reason) = &curve.reason {
-            let bound = |b: Option<f64>| b.map_or("unknown".into(), |b| b.to_string());
-            let bounds = curve
-                .bounds
-                .map_or(String::new(), |b| format!("; the median is between {} and {}", bound(b[0]), bound(b[1])));
-            said.push_str(&format!("{name}: not identifiable: {}{bounds}\n", text::line(reason)));
-        }
-        if let Some(common) = &curve.common {
-            said.push_str(&format!(
-                "{name}: the curves cross within the data; with one dispersion: median {:.6}, dispersion {:.6}\n",
-                common.median, common.dispersion
-            ));
-        }
-        if let Some(scatter) = curve.scatter.as_ref().filter(|s| s.not_identified > 0) {
-            said.push_str(&format!(
-                "{name}: {} of {} resamples identify no curve; the bands are of the others\n",
-                scatter.not_identified, scatter.resamples
-            ));
-        }
-        if let Some(risk) = curve.risk.as_ref().filter(|r| r.share_beyond_last > 0.05) {
-            said.push_str(&format!(
-                "{name}: {:.0} % of the rate comes from beyond the last point of the hazard curve, which is extrapolated\n",
-                100.0 * risk.share_beyond_last
-            ));
-        }
-        if let Some(cloud) = &curve.cloud {
-            said.push_str(&format!(
-                "{name}: ln edp = {:.4} + {:.4} ln im, scatter {:.4}, R² {:.3}\n",
-                cloud.intercept, cloud.slope, cloud.deviation, cloud.determination
-            ));
-            if cloud.collapsed > 0 {
-                said.push_str(&format!(
-                    "{name}: {} runs collapsed and are not in this curve: the probability of damage is larger\n",
-                    cloud.collapsed
-                ));
-            }
+        for remark in remarks(curve) {
+            said.push_str(&format!("{}: {remark}\n", text::line(&curve.damage_state)));
         }
     }
     said
+}
+
+/// What a curve has beside its numbers.
+fn remarks(curve: &Curve) -> Vec<String> {
+    let mut all = Vec::new();
+    if let Some(reason) = &curve.reason {
+        let bound = |b: Option<f64>| b.map_or("unknown".into(), |b| b.to_string());
+        let bounds = |b: [Option<f64>; 2]| format!("; the median is between {} and {}", bound(b[0]), bound(b[1]));
+        all.push(format!("not identifiable: {}{}", text::line(reason), curve.bounds.map_or(String::new(), bounds)));
+    }
+    if let Some(common) = &curve.common {
+        all.push(format!(
+            "the curves cross within the data; with one dispersion: median {:.6}, dispersion {:.6}",
+            common.median, common.dispersion
+        ));
+    }
+    if let Some(scatter) = curve.scatter.as_ref().filter(|s| s.not_identified > 0) {
+        all.push(format!(
+            "{} of {} resamples identify no curve; the bands are of the others",
+            scatter.not_identified, scatter.resamples
+        ));
+    }
+    if let Some(risk) = curve.risk.as_ref().filter(|r| r.share_beyond_last > 0.05) {
+        all.push(format!(
+            "{:.0} % of the rate comes from beyond the last point of the hazard curve, which is extrapolated",
+            100.0 * risk.share_beyond_last
+        ));
+    }
+    if let Some(cloud) = &curve.cloud {
+        all.push(format!(
+            "ln edp = {:.4} + {:.4} ln im, scatter {:.4}, R² {:.3}",
+            cloud.intercept, cloud.slope, cloud.deviation, cloud.determination
+        ));
+        if cloud.collapsed > 0 {
+            all.push(format!(
+                "{} runs collapsed and are not in this curve: the probability of damage is larger",
+                cloud.collapsed
+            ));
+        }
+    }
+    all
 }
 
 fn csv(curves: &[Curve]) -> String {

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant, SystemTime};
 use files::text;
 use results::{Volatile, finite};
 
+use crate::cli::terminal::print;
 use crate::error::Error;
 
 /// Options of every subcommand.
@@ -62,6 +63,29 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
     finite::check("the result", value)?;
     let text = serde_json::to_string_pretty(value).map_err(|e| Error::report(e.to_string()))?;
     Ok(format!("{}\n", text::json(&text)))
+}
+
+/// Prints a result in the form that was asked for.
+///
+/// * `csv`: [`no_csv`] of a result that is not a table
+///
+/// Errors: a number that is not finite; an output that cannot be written.
+pub(crate) fn show<V: serde::Serialize>(
+    format: Format,
+    human: impl FnOnce() -> String,
+    value: impl FnOnce() -> V,
+    csv: impl FnOnce() -> Result<String, Error>,
+) -> Result<(), Error> {
+    print(&match format {
+        Format::Human => human(),
+        Format::Json => json(&value())?,
+        Format::Csv => csv()?,
+    })
+}
+
+/// Rejects `--format csv`.
+pub(crate) fn no_csv() -> Result<String, Error> {
+    Err(Error::conflict("--format: found csv, expected human or json"))
 }
 
 /// Variable with the time that stands for the time of the run, in seconds since 1970 (<https://reproducible-builds.org/specs/source-date-epoch/>):

@@ -9,7 +9,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::style::StyleArg;
 use crate::cli::table::Table;
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, json, print, stamp};
+use crate::cli::{Format, Global, show, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::ida;
 use crate::input::records::plausible;
@@ -87,13 +87,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let watch = Watch::new(global, "incremental dynamic analysis");
     let found = ida::run(&job, || stamp(started), &watch)?;
     watch.finish();
-    match args.format {
-        Format::Human => print(&format!("{}\n\n{}", text::line(&found.name), Table::of(&report::ida::table(&found))))?,
-        Format::Json => {
-            print(&json(&found)?)?;
-        }
-        Format::Csv => print(&ida_csv(&found))?,
-    }
+    let human = || format!("{}\n\n{}", text::line(&found.name), Table::of(&report::ida::table(&found)));
+    show(args.format, human, || &found, || Ok(ida_csv(&found)))?;
     for line in words::record_set::beyond_of_ida(&found) {
         say!("warning: {line}");
     }

@@ -9,7 +9,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::style::StyleArg;
 use crate::cli::table::Table;
 use crate::cli::terminal::{say, warn};
-use crate::cli::{Format, Global, json, nonlinear, print, stamp};
+use crate::cli::{Format, Global, nonlinear, show, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::PushJob;
 use crate::push;
@@ -108,18 +108,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
     })?;
     watch.finish();
-    match args.format {
-        Format::Human => {
-            // One row per quantity: eleven columns are too wide for a terminal.
-            let summary = Table::turned(&report::push::summary(&found));
-            let limits = Table::of(&report::push::limits(&found));
-            print(&format!("{}\n\n{summary}\n{limits}", text::line(&found.name)))?;
-        }
-        Format::Json => {
-            print(&json(&found)?)?;
-        }
-        Format::Csv => print(&report::push::csv(&found))?,
-    }
+    let human = || {
+        // One row per quantity: eleven columns are too wide for a terminal.
+        let summary = Table::turned(&report::push::summary(&found));
+        let limits = Table::of(&report::push::limits(&found));
+        format!("{}\n\n{summary}\n{limits}", text::line(&found.name))
+    };
+    show(args.format, human, || &found, || Ok(report::push::csv(&found)))?;
     if !global.quiet {
         for line in found.shells.iter().flat_map(words::terminal::path) {
             say!("{line}");

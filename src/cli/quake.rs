@@ -16,7 +16,7 @@ use tank::STANDARD_GRAVITY;
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
 use crate::cli::terminal::warn;
-use crate::cli::{Format, Global, json, print};
+use crate::cli::{Format, Global, no_csv, show};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, ReadRecord};
 use results::finite;
@@ -113,15 +113,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     for warning in records::plausible::doubts(&read.record, &records::Processing::default()) {
         warn("", &warning);
     }
-    match info.format {
-        Format::Human => print(&human(&facts))?,
-        Format::Json => {
-            print(&json(&facts)?)?;
-        }
-        Format::Csv => {
-            return Err(Error::conflict("--format: found csv, expected human or json"));
-        }
-    }
+    show(info.format, || human(&facts), || &facts, no_csv)?;
     Ok(EXIT_OK)
 }
 

@@ -253,12 +253,7 @@ fn converted(report: &Report) -> Result<Vec<u8>, Error> {
     for (name, svg) in &document.figures {
         put(&place.join(name), svg)?;
     }
-    let has = |program: &str| {
-        let mut command = Command::new(program);
-        command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok_and(|s| s.success())
-    };
-    if !has("rsvg-convert") {
+    if !browser::starts(Path::new("rsvg-convert")) {
         say!(
             "warning: rsvg-convert is not installed (Debian: librsvg2-bin): the document has its figures as SVG alone, which many text \
              processors do not show"

@@ -7,7 +7,7 @@ use tank::STANDARD_GRAVITY;
 use tank::units::{self, Dimension};
 
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, compare, json, print, style};
+use crate::cli::{Format, Global, compare, show, style};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_NOT_CHECKED, Error};
 use crate::job::Job;
 use crate::solve::{self, Answer, Found, Solution, Variable, rounded};
@@ -54,12 +54,8 @@ pub(crate) fn run(job: &Job, variable: &str, (format, strict): (Format, bool), g
         let _units = style::terminal(job.project.as_ref());
         style::sentence(&paragraph(&solution))
     };
-    let text = match format {
-        Format::Human => format!("{}\n", sentence()),
-        Format::Json => json(&answered(&solution))?,
-        Format::Csv => csv(&answered(&solution)),
-    };
-    print(&text)?;
+    let answer = answered(&solution);
+    show(format, || format!("{}\n", sentence()), || &answer, || Ok(csv(&answer)))?;
     if format != Format::Human && !global.quiet && !matches!(solution.found, Found::Edge { .. }) {
         say!("note: {}", sentence());
     }

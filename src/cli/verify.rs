@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, json, print, spinner};
+use crate::cli::{Format, Global, show, spinner};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::selftest::{ROWS, Row};
 use files::text::cell;
@@ -35,11 +35,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let watch = spinner(global, "self-test");
     let lines: Vec<Line> = ROWS.iter().map(|row| Line::of(row, !args.list)).collect();
     watch.finish_and_clear();
-    print(&match args.format {
-        Format::Json => json(&lines.iter().map(Line::json).collect::<Vec<_>>())?,
-        Format::Csv => csv(&lines),
-        Format::Human => human(&lines),
-    })?;
+    let value = || lines.iter().map(Line::json).collect::<Vec<_>>();
+    show(args.format, || human(&lines), value, || Ok(csv(&lines)))?;
     Ok(match lines.iter().any(Line::fails) {
         true => EXIT_CHECK_FAILED,
         false => EXIT_OK,

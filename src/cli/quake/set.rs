@@ -13,7 +13,7 @@ use tank::units::{self, Dimension};
 use super::target::Target;
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
-use crate::cli::{Format, json, print};
+use crate::cli::{Format, no_csv, show};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::input::{self, records};
 use crate::study::rule::{self, FIVE, Question, Wanted};
@@ -170,13 +170,7 @@ impl Set {
             records: rows,
             periods: answer.periods.iter().map(of_period).collect(),
         };
-        match self.format {
-            Format::Human => print(&human(&found))?,
-            Format::Json => print(&json(&found)?)?,
-            Format::Csv => {
-                return Err(Error::conflict("--format: found csv, expected human or json"));
-            }
-        }
+        show(self.format, || human(&found), || &found, no_csv)?;
         Ok(if found.holds { EXIT_OK } else { EXIT_CHECK_FAILED })
     }
 

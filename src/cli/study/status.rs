@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use super::departure::departure;
-use crate::cli::{Format, Global, json, print};
+use crate::cli::{Format, Global, no_csv, show};
 use crate::error::{EXIT_OK, Error};
 use crate::study::folder;
 use crate::study::plan::{Plan, Task};
@@ -76,13 +76,7 @@ pub(super) fn status(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         }
         found.failures.extend(failure(&args.folder, task));
     }
-    match args.format {
-        Format::Json => print(&json(&found)?)?,
-        Format::Human => print(&human(&plan, &found))?,
-        Format::Csv => {
-            return Err(Error::conflict("--format: found csv, expected human or json"));
-        }
-    }
+    show(args.format, || human(&plan, &found), || &found, no_csv)?;
     Ok(EXIT_OK)
 }
 
