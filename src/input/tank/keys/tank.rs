@@ -64,7 +64,7 @@ object! {
         /// How the roof is carried. The mass of a floating roof does not load the wall; it displaces its own mass of liquid below the
         /// level of fill_height.
         ///
-        /// Of an open tank the mass is that of the girders on top of the wall.
+        /// An open tank has the mass of the girders on top of its wall.
         r#type: Opt<RoofKind> = default(RoofKind::Fixed),
         /// Mass of the roof with its loads.
         mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
