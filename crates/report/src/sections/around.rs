@@ -10,7 +10,7 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart};
 use crate::figure::{Figure, HALF, WIDE, map};
 use crate::number::{Scale, fixed, ratio};
-use crate::table::{Column, Table, columns, spread_with_extremes};
+use crate::table::{Rows, Table, columns, spread_with_extremes};
 use crate::words::figures::around as words;
 use crate::words::labels;
 use files::error::Error;
@@ -64,35 +64,21 @@ fn table(around: &Around) -> Table {
     let deviation = Scale::of(Dimension::Length, around.waves.iter().map(|w| w.deviation));
     let displacement = Scale::of(Dimension::Length, around.waves.iter().map(|w| w.displacement));
     let stress = Scale::of(Dimension::Stress, around.waves.iter().filter_map(|w| w.stress));
-    let stresses = around.waves.iter().any(|w| w.stress.is_some());
-    let mut columns = columns![
-        "n" => "", "Deviation" => deviation.symbol(), "Radial displacement" => displacement.symbol(),
-        "over n = 1" => "", "at z" => "m", "at t" => "s",
-    ];
-    if stresses {
-        columns.push(Column::numbers(labels::BASE_STRESS, stress.symbol()));
-        columns.push(Column::numbers("over n = 1", ""));
-    }
-    let mut table = Table::new(columns);
     let moved = first(around, |w| Some(w.displacement));
     let stressed = first(around, |w| w.stress);
     let share = |value: f64, of: Option<f64>| of.map_or("–".into(), |of| ratio(value / of));
-    for wave in &around.waves {
-        let mut row = vec![
-            wave.n.to_string(),
-            deviation.text(wave.deviation),
-            displacement.text(wave.displacement),
-            share(wave.displacement, moved),
-            fixed(wave.z, 3),
-            fixed(wave.time, 2),
-        ];
-        if stresses {
-            row.push(wave.stress.map_or("–".into(), |s| stress.text(s)));
-            row.push(wave.stress.map_or("–".into(), |s| share(s, stressed)));
-        }
-        table.row(row);
+    let mut rows = Rows::of(&around.waves);
+    rows.numbers("n", "", |w| w.n.to_string());
+    rows.numbers("Deviation", deviation.symbol(), |w| deviation.text(w.deviation));
+    rows.numbers("Radial displacement", displacement.symbol(), |w| displacement.text(w.displacement));
+    rows.numbers("over n = 1", "", |w| share(w.displacement, moved));
+    rows.numbers("at z", "m", |w| fixed(w.z, 3));
+    rows.numbers("at t", "s", |w| fixed(w.time, 2));
+    if around.waves.iter().any(|w| w.stress.is_some()) {
+        rows.numbers(labels::BASE_STRESS, stress.symbol(), |w| w.stress.map_or("–".into(), |s| stress.text(s)));
+        rows.numbers("over n = 1", "", |w| w.stress.map_or("–".into(), |s| share(s, stressed)));
     }
-    table
+    rows.table
 }
 
 fn figures(engine: &str, with_map: bool, around: &Around) -> Result<Vec<Figure>, Error> {

@@ -5,7 +5,7 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::figure::{Figure, shapes};
 use crate::number::{Scale, fixed, percent, significant};
-use crate::table::{Column, Table, columns, spread};
+use crate::table::{Rows, Table, columns, spread};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::{Mode, Run};
@@ -55,37 +55,28 @@ fn groups(modes: &[&Mode]) -> Vec<Option<usize>> {
 }
 
 fn table(source: &Source, modes: &[&Mode]) -> Table {
-    let groups = groups(modes);
-    let grouped = groups.iter().any(Option::is_some);
+    let liquid = source.results.tank.liquid_mass;
     let mass = Scale::of(Dimension::Mass, modes.iter().map(|m| m.effective_mass));
     let height = Scale::of(Dimension::Length, modes.iter().map(|m| m.effective_height));
-    let mut columns = columns![
-        "m" => "", "Kind", "No." => "", "Period" => "s", "Frequency" => "Hz", "Damping" => "",
-        "Effective mass" => mass.symbol(), "of liquid" => "", "Effective height" => height.symbol(),
-    ];
-    if grouped {
-        columns.push(Column::numbers("Closely spaced", ""));
+    let moving = |mode: &Mode, text: String| match mode.effective_mass.abs() > 1e-9 * liquid {
+        true => text,
+        false => "–".into(),
+    };
+    let all: Vec<(&Mode, Option<usize>)> = modes.iter().copied().zip(groups(modes)).collect();
+    let mut rows = Rows::of(&all);
+    rows.numbers("m", "", |(m, _)| m.harmonic.to_string());
+    rows.words("Kind", |(m, _)| m.kind.clone());
+    rows.numbers("No.", "", |(m, _)| m.number.to_string());
+    rows.numbers("Period", "s", |(m, _)| significant(m.period, 4));
+    rows.numbers("Frequency", "Hz", |(m, _)| significant(1.0 / m.period, 4));
+    rows.numbers("Damping", "", |(m, _)| percent(m.damping));
+    rows.numbers("Effective mass", mass.symbol(), |(m, _)| moving(m, mass.text(m.effective_mass)));
+    rows.numbers("of liquid", "", |(m, _)| moving(m, percent(m.effective_mass / liquid)));
+    rows.numbers("Effective height", height.symbol(), |(m, _)| moving(m, height.text(m.effective_height)));
+    if all.iter().any(|(_, group)| group.is_some()) {
+        rows.numbers("Closely spaced", "", |(_, group)| group.map_or("–".into(), |g| g.to_string()));
     }
-    let mut table = Table::new(columns);
-    for (m, group) in modes.iter().zip(groups) {
-        let moves = m.effective_mass.abs() > 1e-9 * source.results.tank.liquid_mass;
-        let mut row = vec![
-            m.harmonic.to_string(),
-            m.kind.clone(),
-            m.number.to_string(),
-            significant(m.period, 4),
-            significant(1.0 / m.period, 4),
-            percent(m.damping),
-            if moves { mass.text(m.effective_mass) } else { "–".into() },
-            if moves { percent(m.effective_mass / source.results.tank.liquid_mass) } else { "–".into() },
-            if moves { height.text(m.effective_height) } else { "–".into() },
-        ];
-        if grouped {
-            row.push(group.map_or("–".into(), |g| g.to_string()));
-        }
-        table.row(row);
-    }
-    table
+    rows.table
 }
 
 /// The first three sloshing and the first two structural modes of the harmonic that is shaken.

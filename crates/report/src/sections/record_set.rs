@@ -7,7 +7,7 @@ use crate::figure::chart::{Axis, Chart, Mark, Rule};
 use crate::figure::{Figure, HALF, WIDE};
 use crate::level::Level;
 use crate::number::{Scale, count, fixed, percent, significant, utilisation};
-use crate::table::{Column, Table, columns, spread};
+use crate::table::{Column, Rows, Table, columns, spread};
 use crate::words::record_set::{self as words, captions, heads, legend};
 use files::error::Error;
 use results::{Compatibility, FE, RecordSet, SetPeriod, SetQuantity, SetRun, SetScatter};
@@ -224,54 +224,42 @@ fn checks(set: &RecordSet) -> Table {
 
 fn records(source: &Source, set: &RecordSet) -> Table {
     let gravity = source.results.tank.gravity;
-    let shown = governing(set);
-    let scales: Vec<Scale> = shown.iter().map(|row| Scale::of(row.dimension, values(set, row))).collect();
-    let usable = set.records.iter().any(|r| r.usable_period.is_some());
-    let limits = set.records.iter().any(|r| !r.limits_exceeded.is_empty());
-    let utilised = set.records.iter().any(|r| !r.utilisations.is_empty());
-    let mut columns = columns!["No." => "", "Record", "PGA" => "g", heads::DURATION => "s"];
-    if usable {
-        columns.push(Column::numbers(heads::USABLE, "s"));
-    }
-    columns.extend(shown.iter().zip(&scales).map(|(row, scale)| Column::numbers(&row.title, scale.symbol())));
-    if utilised {
-        columns.push(Column::numbers("Largest utilisation", ""));
-        columns.push(Column::words("Check"));
-    }
-    if limits {
-        columns.push(Column::words(heads::LIMITS));
-    }
-    let mut table = Table::new(columns);
-    table.caption = captions::RECORDS.into();
-    for (i, run) in set.records.iter().enumerate() {
-        let mut row = vec![
-            count(i + 1),
-            run.id.clone(),
-            fixed(run.peaks[0] / gravity, 3),
-            significant(run.significant_duration, 3),
-        ];
-        if usable {
+    let all: Vec<(usize, &SetRun)> = set.records.iter().enumerate().collect();
+    let mut rows = Rows::of(&all);
+    rows.numbers("No.", "", |(i, _)| count(i + 1));
+    rows.words("Record", |(_, run)| run.id.clone());
+    rows.numbers("PGA", "g", |(_, run)| fixed(run.peaks[0] / gravity, 3));
+    rows.numbers(heads::DURATION, "s", |(_, run)| significant(run.significant_duration, 3));
+    if set.records.iter().any(|r| r.usable_period.is_some()) {
+        rows.numbers(heads::USABLE, "s", |(_, run)| {
             let mark = if run.sloshing_beyond_usable { " ✗" } else { "" };
-            row.push(run.usable_period.map_or("–".into(), |t| significant(t, 3) + mark));
-        }
-        for (quantity, scale) in shown.iter().zip(&scales) {
-            row.push(scale.text(values(set, quantity)[i]));
-        }
-        if utilised {
-            let largest = run.utilisations.iter().max_by(|a, b| a.1.total_cmp(b.1));
-            let (value, check) = match (run.without_capacity.first(), largest) {
-                (Some(lost), _) => (words::NO_CAPACITY.to_owned(), lost.as_str()),
-                (None, Some((id, u))) => (utilisation(*u), id.as_str()),
-                (None, None) => ("–".to_owned(), "–"),
-            };
-            row.push(value);
-            row.push(crate::words::limit_state(check));
-        }
-        if limits {
-            let exceeded: Vec<String> = run.limits_exceeded.iter().map(|id| crate::words::limit_state(id)).collect();
-            row.push(exceeded.join(", "));
-        }
-        table.row(row);
+            run.usable_period.map_or("–".into(), |t| significant(t, 3) + mark)
+        });
     }
-    table
+    for quantity in governing(set) {
+        let values = values(set, quantity);
+        let scale = Scale::of(quantity.dimension, values.iter().copied());
+        rows.numbers(&quantity.title, scale.symbol(), |(i, _)| scale.text(values[*i]));
+    }
+    if set.records.iter().any(|r| !r.utilisations.is_empty()) {
+        rows.numbers("Largest utilisation", "", |(_, run)| worst(run).0);
+        rows.words("Check", |(_, run)| crate::words::limit_state(worst(run).1));
+    }
+    if set.records.iter().any(|r| !r.limits_exceeded.is_empty()) {
+        rows.words(heads::LIMITS, |(_, run)| {
+            let exceeded = run.limits_exceeded.iter().map(|id| crate::words::limit_state(id));
+            exceeded.collect::<Vec<_>>().join(", ")
+        });
+    }
+    Table { caption: captions::RECORDS.into(), ..rows.table }
+}
+
+/// The largest utilisation of a record, and its check.
+fn worst(run: &SetRun) -> (String, &str) {
+    let largest = run.utilisations.iter().max_by(|a, b| a.1.total_cmp(b.1));
+    match (run.without_capacity.first(), largest) {
+        (Some(lost), _) => (words::NO_CAPACITY.to_owned(), lost.as_str()),
+        (None, Some((id, u))) => (utilisation(*u), id.as_str()),
+        (None, None) => ("–".to_owned(), "–"),
+    }
 }

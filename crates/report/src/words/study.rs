@@ -137,14 +137,10 @@ pub fn at_least(k: usize) -> String {
 /// Verdict of a tank.
 pub fn verdict(tank: &StudyTank) -> String {
     match tank.verdict {
-        Some(VerdictStatus::Holds) => "holds",
-        Some(VerdictStatus::Fails) => "fails",
-        Some(VerdictStatus::Incomplete) => "incomplete",
-        Some(VerdictStatus::NotAssessed) => "not assessed",
-        None if tank.samples[0] > 0 => "not possible",
-        None => "no result",
+        Some(status) => status.id().replace('_', " "),
+        None if tank.samples[0] > 0 => "not possible".into(),
+        None => "no result".into(),
     }
-    .into()
 }
 
 /// How many samples have the verdict of the tank.
@@ -329,17 +325,8 @@ pub fn facts(study: &Study) -> Vec<(&'static str, String)> {
         }
     }
     all.push(("Rows", count(study.rows[1])));
-    all.push(("Engine", engine(study).into()));
+    all.push(("Engine", study.engine.map_or("none: codes alone", EngineId::id).into()));
     all
-}
-
-fn engine(study: &Study) -> &'static str {
-    match study.engine {
-        Some(EngineId::Harmonic) => "harmonic",
-        Some(EngineId::Solid) => "solid",
-        Some(EngineId::Nonlinear) => "nonlinear",
-        None => "none: codes alone",
-    }
 }
 
 /// Over the table of tanks.
