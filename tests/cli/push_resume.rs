@@ -77,8 +77,9 @@ fn entries(folder: &Path) -> Vec<String> {
 }
 
 /// Killed at several moments of both shells and resumed each time: the results equal those of an uninterrupted run, and no other
-/// file is left.
+/// file is left. In every run `kill_battery` kills a pushover, and the engine's `a_resumed_pushover_is_the_uninterrupted_one` stops at every state.
 #[test]
+#[ignore = "slow: cargo test --test cli a_killed_pushover -- --ignored; last result in docs/verification/slow-tests.md"]
 fn a_killed_pushover_goes_on() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let home = home.path();
