@@ -161,8 +161,7 @@ fn human(facts: &Facts) -> String {
     row("duration", format!("{:.3}", facts.duration), "s     ");
     row("time step", format!("{}", facts.dt), "s     ");
     row("samples", format!("{}", facts.samples), "      ");
-    let mut text = table.to_string();
-    text.push_str(&format!("\nformat   {}\n", facts.format));
+    let mut text = format!("{table}\nformat   {}\n", facts.format);
     if let Some(channel) = facts.channel {
         text.push_str(&format!("channel  {channel}\n"));
     }

@@ -81,9 +81,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         Ok(assessment) => (assessment, Status::Computed),
         Err(CodeError::NotApplicable(n)) => not_applicable(n.clause, n.reason),
         Err(CodeError::Data { clause, reason }) => not_applicable(clause, reason),
-        Err(source) => {
-            return Err(Error::Code { procedure: procedure.id().into(), source });
-        }
+        Err(source) => return Err(Error::Code { procedure: procedure.id().into(), source }),
     };
     let (mut assumptions, ingredients) = (assessment.assumptions, assessment.ingredients);
     let across = job.case.ground_motion.as_ref().and_then(|m| m.transverse.as_ref());

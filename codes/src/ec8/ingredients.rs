@@ -71,9 +71,8 @@ fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
     let wave = work.demand.ordinate(a_w, t_w, damping.sloshing, 1.0);
     let (tank, roof) = (&case.tank, case.tank.roof.mass);
     type Arm = fn(&Lumped) -> f64;
-    let shear: Arm = |_| 1.0;
     let arms: [(Quantity, Arm, bool); 3] = [
-        (Quantity::BaseShear, shear, false),
+        (Quantity::BaseShear, |_| 1.0, false),
         (Quantity::BaseMoment, |part| part.lever, true),
         (Quantity::OverturningMoment, |part| part.lever_with_base, true),
     ];
@@ -99,8 +98,7 @@ fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
             combination,
             vertical: None,
         };
-        let ingredients = Ingredients::response(Quantity::SloshingHeight, response);
-        work.out.ingredients.push(ingredients);
+        work.out.ingredients.push(Ingredients::response(Quantity::SloshingHeight, response));
     }
 }
 

@@ -105,8 +105,7 @@ impl<'a> Ready<'a> {
                 let searched = |place: &'a Place| {
                     let course = case.tank.courses.get(place.course)?;
                     let lost = course.thickness / course.net_thickness();
-                    let poisson = course.material.poisson_ratio;
-                    Some(Searched::new(demands, place, lost, &peaks).bent(poisson, &directions))
+                    Some(Searched::new(demands, place, lost, &peaks).bent(course.material.poisson_ratio, &directions))
                 };
                 wall = demands.places.iter().filter_map(searched).collect();
             }
@@ -119,8 +118,7 @@ impl<'a> Ready<'a> {
             let of = |row: Range<usize>| a[row].iter().copied().fold(f64::INFINITY, f64::min);
             rows(a.len()).map(of).collect()
         };
-        let isolation = demands.isolation.iter();
-        let bounds = isolation.flat_map(|isolation| &isolation.bounds);
+        let bounds = demands.isolation.iter().flat_map(|isolation| &isolation.bounds);
         Ready {
             bounds: bounds.map(|(scale, demands)| (*scale, Ready::new(case, demands))).collect(),
             least_upwards: vertical.as_ref().map(least).unwrap_or_default(),

@@ -153,8 +153,7 @@ impl Law<6> for TwoSurface {
     fn respond(&self, strain: &[f64; 6], old: &[f64], new: &mut [f64]) -> Result<Response<6>, LawError> {
         let (s, trial) = self.trial(strain, old);
         if !(trial[0].is_finite() && trial[1].is_finite()) {
-            let increment = f64::NAN;
-            return Err(LawError::NoConvergence { law: KIND, increment });
+            return Err(LawError::NoConvergence { law: KIND, increment: f64::NAN });
         }
         let [g, bulk] = self.moduli();
         let Projected { at: [p, r], jacobian, dissipation } = self.project(trial);

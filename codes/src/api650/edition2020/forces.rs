@@ -68,14 +68,12 @@ impl Run<'_> {
         let v = sheet.calc("V", "base shear", "√(V_i² + V_c²)", Force, E6_1);
         let formula = "A_i·(W_i·X_i + W_s·X_s + W_r·X_r)";
         sheet.calc("M_rwi", "impulsive ringwall moment", formula, Moment, E6_1_5);
-        let formula = "A_c·W_c·X_c";
-        sheet.calc("M_rwc", "convective ringwall moment", formula, Moment, E6_1_5);
+        sheet.calc("M_rwc", "convective ringwall moment", "A_c·W_c·X_c", Moment, E6_1_5);
         let (name, formula) = ("ringwall moment, just above the bottom", "√(M_rwi² + M_rwc²)");
         let m_rw = sheet.calc("M_rw", name, formula, Moment, E6_1_5);
         let formula = "A_i·(W_i·X_is + W_s·X_s + W_r·X_r)";
         sheet.calc("M_si", "impulsive slab moment", formula, Moment, E6_1_5);
-        let formula = "A_c·W_c·X_cs";
-        sheet.calc("M_sc", "convective slab moment", formula, Moment, E6_1_5);
+        sheet.calc("M_sc", "convective slab moment", "A_c·W_c·X_cs", Moment, E6_1_5);
         let (name, formula) = ("slab moment, with base pressure", "√(M_si² + M_sc²)");
         let m_s = sheet.calc("M_s", name, formula, Moment, E6_1_5);
         Forces { v, m_rw, m_s, w_i, w_c, x_i, x_c, x_is, x_cs }

@@ -30,9 +30,8 @@ pub(super) fn assess(work: &mut Work, places: &[&Place]) -> String {
             for place in places.iter().filter(seismic) {
                 let needed = needed(place, factors.gamma_c, factors.gamma_s, face);
                 let larger = match (needed, governing.as_ref().map(|g| g.0)) {
-                    (_, None) => true,
+                    (_, None) | (None, Some(Some(_))) => true,
                     (Some(a), Some(Some(b))) => a > b,
-                    (None, Some(Some(_))) => true,
                     (_, Some(None)) => false,
                 };
                 if larger {

@@ -35,6 +35,10 @@ pub(super) struct Projector<'a> {
     pub rows: RefCell<BTreeMap<String, Row>>,
 }
 
+/// Resultants of the internal forces of a wall, in the order of [`OnWall::FORCES`].
+const FORCES: [Resultant; 6] =
+    [Resultant::Axial, Resultant::Hoop, Resultant::Shear, Resultant::Moment, Resultant::Around, Resultant::Twist];
+
 impl Projector<'_> {
     fn project(&self, row: &[(usize, f64)]) -> Vec<f64> {
         if row.is_empty() {
@@ -114,14 +118,6 @@ impl Projector<'_> {
 
     /// Internal forces at the stations of a cylinder: amplitudes of the first harmonic of a perfect one, else values at the place itself.
     fn forces(&self, options: &Options) -> Vec<Probe> {
-        const FORCES: [Resultant; 6] = [
-            Resultant::Axial,
-            Resultant::Hoop,
-            Resultant::Shear,
-            Resultant::Moment,
-            Resultant::Around,
-            Resultant::Twist,
-        ];
         let (courses, perfect) = (self.tank.wall.courses(), self.tank.imperfections.is_empty());
         let mut probes = Vec::new();
         for station in options.force_stations.iter().filter(|_| self.tank.is_round()) {

@@ -14,7 +14,7 @@
 //! no entry.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::decimal::commas;
 use super::made::is_made;
@@ -88,16 +88,11 @@ impl Catalogue {
     fn add(&mut self, name: &str, at: usize, english: &str, german: &str) {
         let (from, to) = (pieces(english), pieces(german));
         let holes = |pieces: &[Piece]| {
-            let mut found: Vec<usize> = pieces
-                .iter()
-                .filter_map(|p| match p {
-                    Piece::Hole(i, _) => Some(*i),
-                    Piece::Text(_) => None,
-                })
-                .collect();
-            found.sort_unstable();
-            found.dedup();
-            found
+            let numbers = pieces.iter().filter_map(|p| match p {
+                Piece::Hole(i, _) => Some(*i),
+                Piece::Text(_) => None,
+            });
+            numbers.collect::<BTreeSet<usize>>()
         };
         let (filled, used) = (holes(&from), holes(&to));
         if used.iter().any(|i| !filled.contains(i)) {

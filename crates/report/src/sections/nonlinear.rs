@@ -120,8 +120,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
         }
         End::Interrupted { time } => fail(outcome::interrupted(*time), vec![bounds()]),
         End::Collapsed { time, load_factor, reason, place } => {
-            let mut text = Vec::new();
-            text.extend(load_factor.map(outcome::carried));
+            let mut text: Vec<String> = load_factor.map(outcome::carried).into_iter().collect();
             text.extend((!place.is_empty()).then(|| outcome::worst_place(place)));
             text.extend((!reason.is_empty()).then(|| outcome::reason(reason)));
             text.extend(departures());

@@ -98,10 +98,8 @@ pub(super) fn isolators(
         (None, None) => {
             let missing = "neither slab_mass nor tank.foundation.thickness";
             r.echo_default("tank.isolators.slab_mass", "0 kg", missing);
-            r.warn(
-                Code::BaseModel,
-                format!("tank.isolators: the slab has no mass, which moves with the tank: {missing}"),
-            );
+            let text = format!("tank.isolators: the slab has no mass, which moves with the tank: {missing}");
+            r.warn(Code::BaseModel, text);
             0.0
         }
     };

@@ -135,10 +135,7 @@ pub(super) fn analysis(
         stations: places(r, &given.stations, height, "the height of the wall"),
         force_stations: force_stations(r, &given.force_stations, tank),
         snapshots: instants(r, &given.snapshots),
-        tilt: match given.tilt.given {
-            Some(_) => r.optional(&given.tilt),
-            None => None,
-        },
+        tilt: given.tilt.given.as_ref().and_then(|_| r.optional(&given.tilt)),
         heave: heave(r, &given.heave, tank),
         dashpots: given.damping.value().map_or_else(Vec::new, |d| dashpots(r, &d.dashpots, tank)),
         damping: match &given.damping.given {
