@@ -4,8 +4,8 @@ use serde::Serialize;
 use tera::Context;
 
 use crate::{Error, Manual, manual};
+use report::figure::Figure;
 use report::figure::chart::{Axis, Chart, Line};
-use report::figure::{Figure, Room};
 use report::sections::FigureView;
 use report::table::{Column, Table};
 use report::template::Templates;
@@ -37,7 +37,7 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
         .collect();
     let all = || lines.iter().flat_map(|l| &l.points);
     let mut chart = Chart::new(
-        (620.0, 0.0),
+        620.0,
         Axis::linear(
             "log₁₀ of the number of elements, or of the mesh size",
             Dimension::Dimensionless,
@@ -47,7 +47,6 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
         Axis::linear("log₁₀ of the relative error", Dimension::Dimensionless, all().map(|p| p.1), 7),
     );
     chart.lines = lines;
-    let chart = chart.with_plot_height(240.0);
     let mut table = Table::new(vec![
         Column::words("What"),
         Column::numbers("Elements or mesh size", ""),
@@ -62,20 +61,12 @@ pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64
         0 => String::new(),
         n => format!(" {n} more studies stand in the table."),
     };
-    Ok(Figure {
-        id: id.into(),
-        title: format!("{title}: convergence"),
-        caption: left_out.trim().into(),
-        description: format!(
-            "Relative error over the mesh of {} studies: {}.{left_out}",
-            studies.len(),
-            studies.iter().map(|(what, _)| what.as_str()).collect::<Vec<_>>().join("; ")
-        ),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    })
+    let figure = chart.with_plot_height(240.0).figure(id, format!("{title}: convergence"), table)?;
+    Ok(figure.captioned(left_out.trim()).described(format!(
+        "Relative error over the mesh of {} studies: {}.{left_out}",
+        studies.len(),
+        studies.iter().map(|(what, _)| what.as_str()).collect::<Vec<_>>().join("; ")
+    )))
 }
 
 fn shortened(text: &str) -> String {
