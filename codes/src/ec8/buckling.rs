@@ -100,10 +100,30 @@ pub(crate) fn limit(lines: impl Fn(&mut Sheet, &Wall, f64, &str) -> f64, wall: &
     without_lines(|| lines(&mut Sheet::new(), wall, pressure, ""))
 }
 
-#[cfg(test)]
-mod values;
-#[cfg(test)]
-pub(crate) use values::*;
+/// Limit of elastic buckling under axial compression with interior pressure, A.10.2 [Pa].
+///
+/// * `youngs_modulus`: E [Pa]; `yield_strength`: f_y [Pa]; `thickness`: s, `radius`: R [m]
+/// * `pressure`: smallest interior pressure of the combination [Pa]; suction counts as zero
+/// * `quality`: a = 1, 1.5 or 2.5
+pub fn elastic(
+    youngs_modulus: f64,
+    yield_strength: f64,
+    thickness: f64,
+    radius: f64,
+    pressure: f64,
+    quality: f64,
+) -> f64 {
+    let wall = Wall { youngs_modulus, yield_strength, thickness, radius, quality };
+    limit(elastic_lines, &wall, pressure)
+}
+
+/// Limit of elastic-plastic collapse ("elephant's foot"), A.10.3 [Pa]; zero where the hoop stress reaches f_y.
+///
+/// * `pressure`: largest interior pressure of the combination [Pa], suction counts as zero; the rest as in [`elastic`]
+pub fn elastic_plastic(youngs_modulus: f64, yield_strength: f64, thickness: f64, radius: f64, pressure: f64) -> f64 {
+    let wall = Wall { youngs_modulus, yield_strength, thickness, radius, quality: 1.0 };
+    limit(collapse_lines, &wall, pressure)
+}
 
 #[cfg(test)]
 mod tests {

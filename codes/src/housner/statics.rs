@@ -18,7 +18,7 @@
 
 /// A ring of constant thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ring {
+pub(crate) struct Ring {
     /// Height [m].
     pub height: f64,
     /// Thickness s [m].
@@ -31,21 +31,21 @@ pub struct Ring {
 
 impl Ring {
     /// Plate stiffness K [N·m].
-    pub fn bending_stiffness(&self) -> f64 {
+    pub(crate) fn bending_stiffness(&self) -> f64 {
         self.youngs_modulus * self.thickness.powi(3) / (12.0 * (1.0 - self.poisson_ratio * self.poisson_ratio))
     }
 
     /// Decay λ [1/m]; a disturbance has faded after 2π/λ.
     ///
     /// Check: R = 1.83 m, s = 2.0 mm, ν = 0.32: 2π/λ = 29.67 cm (dissertation 8.1.3: 29.6).
-    pub fn decay(&self, radius: f64) -> f64 {
+    pub(crate) fn decay(&self, radius: f64) -> f64 {
         (3.0 * (1.0 - self.poisson_ratio * self.poisson_ratio)).powf(0.25) / (radius * self.thickness).sqrt()
     }
 }
 
 /// Support of the wall at its base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Base {
+pub(crate) enum Base {
     /// w = w′ = 0.
     Clamped,
     /// w = 0, m_z = 0.
@@ -54,7 +54,7 @@ pub enum Base {
 
 /// State of the wall at one height.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub(crate) struct State {
     /// Radial displacement w, outwards [m].
     pub displacement: f64,
     /// Rotation w′ [rad].
@@ -69,7 +69,7 @@ pub struct State {
 
 /// Solved wall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wall {
+pub(crate) struct Wall {
     radius: f64,
     specific_weight: f64,
     depth: f64,
@@ -95,7 +95,7 @@ impl Wall {
     /// * `radius`: R [m]; `rings`: from the base up; `specific_weight`: γ = ρ g [N/m³]; `depth`: H [m]
     ///
     /// Returns none if a dimension is not positive and finite or the rings end below the liquid.
-    pub fn solve(radius: f64, rings: &[Ring], specific_weight: f64, depth: f64, base: Base) -> Option<Wall> {
+    pub(crate) fn solve(radius: f64, rings: &[Ring], specific_weight: f64, depth: f64, base: Base) -> Option<Wall> {
         let sound = |v: f64| v > 0.0 && v.is_finite();
         let admissible = sound(radius)
             && sound(specific_weight)
@@ -117,14 +117,14 @@ impl Wall {
     }
 
     /// State at height z [m]; the upper course at a joint. Heights outside the wall are moved to its ends.
-    pub fn at(&self, z: f64) -> State {
+    pub(crate) fn at(&self, z: f64) -> State {
         let last = self.segments.len() - 1;
         let segment = &self.segments[self.segments.iter().position(|s| z < s.top).unwrap_or(last)];
         self.state(segment, z.clamp(segment.bottom, segment.top))
     }
 
     /// State just below height z [m]: the lower course at a joint.
-    pub fn below(&self, z: f64) -> State {
+    pub(crate) fn below(&self, z: f64) -> State {
         let last = self.segments.len() - 1;
         let segment = &self.segments[self.segments.iter().position(|s| z <= s.top).unwrap_or(last)];
         self.state(segment, z.clamp(segment.bottom, segment.top))
