@@ -35,7 +35,9 @@ fn root(file: &str) -> String {
 
 /// Results of an example in `out` of a new folder; they are computed once.
 fn compared(example: &str, options: &[&str]) -> tempfile::TempDir {
-    static DONE: Mutex<BTreeMap<String, Vec<(OsString, Vec<u8>)>>> = Mutex::new(BTreeMap::new());
+    /// Names and contents.
+    type Files = Vec<(OsString, Vec<u8>)>;
+    static DONE: Mutex<BTreeMap<String, Files>> = Mutex::new(BTreeMap::new());
     let mut done = DONE.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let out = folder.path().join("out");
