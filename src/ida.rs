@@ -120,9 +120,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
 ///
 /// Errors: a procedure that does not converge.
 fn beyond(job: &Job) -> Result<Option<[f64; 2]>, Error> {
-    let Some(usable) = job.usable_periods.first().copied().flatten() else {
-        return Ok(None);
-    };
+    let Some(usable) = job.usable_periods.first().copied().flatten() else { return Ok(None) };
     let sloshing = pipeline::sloshing_period(&pipeline::procedures::under(job, Excitation::Record)?);
     Ok(sloshing.filter(|period| *period > usable).map(|period| [usable, period]))
 }

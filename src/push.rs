@@ -69,9 +69,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
 /// Limits of the codes for the compression of the wall. Those that need a yield strength appear if every course has
 /// one.
 fn formulas(case: &Case) -> Vec<Formula<'_>> {
-    let Shape::Cylinder { radius } = case.tank.shape else {
-        return Vec::new();
-    };
+    let Shape::Cylinder { radius } = case.tank.shape else { return Vec::new() };
     let young = |course: &Course| course.material.youngs_modulus;
     let strength = |course: &Course| course.material.yield_strength.unwrap_or(f64::INFINITY);
     let quality = case.site.ec8.map_or(1.0, |s| s.construction_quality);

@@ -229,9 +229,7 @@ fn run_engine(
     shown: bool,
     progress: &dyn Progress,
 ) -> Result<Option<Simulation>, Error> {
-    let (Some(&id), Some(motion)) = (job.engines.first(), &job.case.ground_motion) else {
-        return Ok(None);
-    };
+    let (Some(&id), Some(motion)) = (job.engines.first(), &job.case.ground_motion) else { return Ok(None) };
     let simulation = match shared {
         Some(shared) => {
             let mut simulation = shared.run(motion, shown, progress)?;

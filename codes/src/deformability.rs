@@ -58,9 +58,7 @@ pub fn corrected(depth: f64, radius: f64, thickness: f64) -> f64 {
 
 /// The parameter of a cylinder with the thickness of its lowest course; none for rectangles, for which it is not defined.
 pub fn of(case: &Case) -> Option<Deformability> {
-    let Shape::Cylinder { radius } = case.tank.shape else {
-        return None;
-    };
+    let Shape::Cylinder { radius } = case.tank.shape else { return None };
     let thickness = case.tank.course_at(0.0).thickness;
     let depth = case.liquid.fill_height;
     let printed = as_printed(case.tank.wall_height(), radius, thickness);

@@ -121,9 +121,7 @@ impl Procedure for En2006 {
     }
 
     fn design_curves(&self, site: &Site, dampings: &[f64]) -> Vec<DesignCurve> {
-        let Some(ec8) = &site.ec8 else {
-            return Vec::new();
-        };
+        let Some(ec8) = &site.ec8 else { return Vec::new() };
         let own = site.spectrum.as_ref();
         let title = if own.is_some() { "Own spectrum" } else { "EN 1998-1 elastic" };
         let curve = |&damping: &f64| {
@@ -261,9 +259,7 @@ fn situation(work: &mut Work) {
 /// What is assumed about a table of the user.
 fn own_spectrum(case: &Case, excitation: Excitation) -> Option<String> {
     let own = case.site.spectrum.as_ref().filter(|_| excitation == Excitation::Site)?;
-    let SpectrumForm::Table { vertical, .. } = &own.form else {
-        return None;
-    };
+    let SpectrumForm::Table { vertical, .. } = &own.form else { return None };
     let vertical = match vertical {
         Some(_) => "",
         None => {

@@ -99,9 +99,7 @@ fn headline_quantities_have_ingredients() {
     for case in cases() {
         for excitation in [Excitation::Record, Excitation::Site] {
             for procedure in crate::ALL {
-                let Ok(out) = procedure.assess(&case, excitation) else {
-                    continue;
-                };
+                let Ok(out) = procedure.assess(&case, excitation) else { continue };
                 for q in [
                     Quantity::SloshingHeight,
                     Quantity::BaseShear,
@@ -151,16 +149,12 @@ fn ordinates_of_a_record_are_its_spectrum() {
 #[test]
 fn importance_and_behaviour_are_factors_alone() {
     for (case, mut other) in cases().into_iter().zip(cases()) {
-        let (Some(site), Some(changed)) = (case.site.ec8, other.site.ec8.as_mut()) else {
-            continue;
-        };
+        let (Some(site), Some(changed)) = (case.site.ec8, other.site.ec8.as_mut()) else { continue };
         (changed.importance, changed.behaviour_factor) = (1.4, 1.25);
         for id in ["ec8-2006", "ec8-env", "housner"] {
             let procedure = crate::ALL.iter().find(|p| p.id() == id).unwrap();
             let assess = |case| procedure.assess(case, Excitation::Site);
-            let (Ok(a), Ok(b)) = (assess(&case), assess(&other)) else {
-                continue;
-            };
+            let (Ok(a), Ok(b)) = (assess(&case), assess(&other)) else { continue };
             for (a, b) in a.ingredients.iter().zip(&b.ingredients) {
                 for (a, b) in parts(a).into_iter().zip(parts(b)) {
                     let (a, b) = (&a.ordinate, &b.ordinate);

@@ -98,9 +98,7 @@ fn shared(record: &Record, key: [f64; 2], find: impl FnOnce(&Record) -> (f64, f6
         let place = now.records.iter().position(|at| *at == Some(address(record)))?;
         Some((place > 0, now.factor, Rc::clone(&now.motion), Rc::clone(&now.known)))
     });
-    let Some((vertical, factor, motion, known)) = unit else {
-        return find(record);
-    };
+    let Some((vertical, factor, motion, known)) = unit else { return find(record) };
     let key = (vertical, key.map(f64::to_bits));
     let remembered = known.borrow().get(&key).copied();
     let (period, ordinate) = remembered.unwrap_or_else(|| {

@@ -114,9 +114,7 @@ pub fn ratios(code: Standard, set: &[Horizontal<'_>], asked: &Asked<'_>) -> Rati
     };
     let along: Vec<Vec<f64>> = set.iter().map(|h| alone(h.along)).collect();
     let across: Option<Vec<&Record>> = set.iter().map(|h| h.across).collect();
-    let Some(across) = across.filter(|a| !a.is_empty()) else {
-        return of(Component::Along, along);
-    };
+    let Some(across) = across.filter(|a| !a.is_empty()) else { return of(Component::Along, along) };
     let other: Vec<Vec<f64>> = across.iter().map(|record| alone(record)).collect();
     if code == Standard::Asce716 {
         let pairs = set.iter().zip(&across).zip(along.iter().zip(&other));

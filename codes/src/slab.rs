@@ -68,9 +68,7 @@ fn inputs(sheet: &mut Sheet, [r, velocity, rho, nu]: [f64; 4]) {
 /// * `parts`: impulsive mass, wall, roof, with their heights, and the symbols of the first
 /// * `period`: T on a fixed base [s]
 pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f64, clause: &str) -> Option<Slab> {
-    let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else {
-        return None;
-    };
+    let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else { return None };
     let velocity = foundation.shear_wave_velocity.filter(|_| is_on_soil(case))?;
     sheet.section("Soil under the slab (information)");
     let [(m_i, h_i), (m_w, h_w), (m_r, h_r)] = parts.map(|[m, h]| (m, h));
@@ -99,9 +97,7 @@ pub(crate) fn lines(sheet: &mut Sheet, case: &Case, parts: [Part; 3], period: f6
         let value = sheet.calc(symbol, name, formula, dimension, clause);
         values.push(value);
     }
-    let [_, k_x, k_theta, mass, height, k, on_springs] = values[..] else {
-        return None;
-    };
+    let [_, k_x, k_theta, mass, height, k, on_springs] = values[..] else { return None };
     let soil = Soil { density: rho, shear_wave_velocity: velocity, poisson_ratio: nu, damping: 0.0, depth: None };
     let structure = Structure { mass, height, period, damping: case.damping.impulsive };
     let on = OnSoil::new(structure, Disc::new(r, soil).ok()?).ok()?;

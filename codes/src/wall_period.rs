@@ -22,9 +22,7 @@ const WEIGHTLESS: f64 = 1e-6;
 /// Errors: an iteration that does not converge.
 pub fn rungs(case: &Case, thickness: f64, modulus: f64, period: f64) -> Result<Vec<Rung>, CodeError> {
     let formula = Rung { factor: Factor::Formula, value: period };
-    let Shape::Cylinder { radius } = case.tank.shape else {
-        return Ok(vec![formula]);
-    };
+    let Shape::Cylinder { radius } = case.tank.shape else { return Ok(vec![formula]) };
     let courses = &case.tank.courses;
     let mut weightless = courses.clone();
     for course in &mut weightless {

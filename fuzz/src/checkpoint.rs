@@ -30,9 +30,7 @@ const STEPS: usize = 12;
 
 /// Runs the target on one input.
 pub fn run(bytes: &[u8]) {
-    let Some((&kind, rest)) = bytes.split_first() else {
-        return;
-    };
+    let Some((&kind, rest)) = bytes.split_first() else { return };
     match kind % 4 {
         0 => file(rest),
         1 => reader(rest),

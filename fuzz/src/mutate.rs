@@ -117,9 +117,7 @@ pub fn mutate(data: &mut Vec<u8>, most: usize, rng: &mut Rng) {
 
 /// Changes a JSON document; false if the text is not one.
 fn document(data: &mut Vec<u8>, rng: &mut Rng) -> bool {
-    let Some(mut root) = std::str::from_utf8(data).ok().and_then(Json::parse) else {
-        return false;
-    };
+    let Some(mut root) = std::str::from_utf8(data).ok().and_then(Json::parse) else { return false };
     for _ in 0..=rng.below(3) {
         let size = root.size();
         let other = root.nth(rng.below(size)).cloned().unwrap_or(Json::Null);
@@ -179,9 +177,7 @@ fn change(node: &mut Json, other: Json, rng: &mut Rng) {
 
 /// Another number: an awkward one, or near the old one.
 fn number(text: &str, rng: &mut Rng) -> String {
-    let Ok(value) = text.parse::<f64>() else {
-        return rng.one_of(&NUMBERS).to_owned();
-    };
+    let Ok(value) = text.parse::<f64>() else { return rng.one_of(&NUMBERS).to_owned() };
     let factors = [-1.0, 0.1, 0.5, 0.9, 0.999_999, 1.000_001, 1.1, 2.0, 10.0, 1000.0];
     match rng.below(4) {
         0 => rng.one_of(&NUMBERS).to_owned(),

@@ -31,9 +31,7 @@ pub fn run(bytes: &[u8]) {
     let text = String::from_utf8_lossy(&bytes[..middle]);
     let quake = bytes.get(middle + 1..).unwrap_or_default();
     let Some(file) = tank::read(&text) else { return };
-    let Some(quake) = record::read(quake, &ReadOptions::default()).map(|r| r.record) else {
-        return;
-    };
+    let Some(quake) = record::read(quake, &ReadOptions::default()).map(|r| r.record) else { return };
     if !small(&file, &quake) {
         return;
     }

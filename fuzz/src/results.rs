@@ -28,12 +28,8 @@ pub fn run(bytes: &[u8]) {
     if !csv.is_empty() {
         folder.put(results::SERIES_FILE, csv);
     }
-    let Some(found) = shown(results::read(&folder.0)) else {
-        return;
-    };
-    let Some(series) = shown(results::read_series(&folder.0)) else {
-        return;
-    };
+    let Some(found) = shown(results::read(&folder.0)) else { return };
+    let Some(series) = shown(results::read_series(&folder.0)) else { return };
     let copies = [Folder::new(), Folder::new()];
     results::write(&copies[0].0, &found, &series).expect("results that were read can be written");
     let first = results::read(&copies[0].0).expect("written results can be read");
@@ -57,9 +53,7 @@ pub fn run(bytes: &[u8]) {
 fn ida(json: &[u8]) {
     let folder = Folder::new();
     let path = folder.put(IDA_FILE, json);
-    let Some(found) = shown(results::read_ida(&path)) else {
-        return;
-    };
+    let Some(found) = shown(results::read_ida(&path)) else { return };
     let copy = Folder::new();
     let path = copy.0.join(IDA_FILE);
     results::write_ida(&path, &found).expect("results that were read can be written");
@@ -73,9 +67,7 @@ fn ida(json: &[u8]) {
 fn push(json: &[u8]) {
     let folder = Folder::new();
     let path = folder.put(PUSH_FILE, json);
-    let Some(found) = shown(results::read_push(&path)) else {
-        return;
-    };
+    let Some(found) = shown(results::read_push(&path)) else { return };
     let copy = Folder::new();
     let path = copy.0.join(PUSH_FILE);
     results::write_push(&path, &found).expect("results that were read can be written");

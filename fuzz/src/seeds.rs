@@ -77,9 +77,7 @@ pub fn results(root: &Path) -> Vec<Vec<u8>> {
     let mut all = Vec::new();
     let reports = root.join("reports");
     for path in below(&reports, &["results.json", "ida.json", "push.json"]) {
-        let Some(mut document) = Json::parse(&String::from_utf8_lossy(&bytes(&path))) else {
-            continue;
-        };
+        let Some(mut document) = Json::parse(&String::from_utf8_lossy(&bytes(&path))) else { continue };
         document.each("", &mut |_, node| {
             if let Json::List(items) = node {
                 let plain = items.iter().all(|i| matches!(i, Json::Number(_)));

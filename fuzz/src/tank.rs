@@ -80,9 +80,7 @@ pub fn in_millimetres(document: &Json) -> Json {
     let mut document = document.clone();
     document.each("", &mut |key, node| {
         let Json::Text(text) = node else { return };
-        let Some(number) = text.trim().strip_suffix('m').map(str::trim_end) else {
-            return;
-        };
+        let Some(number) = text.trim().strip_suffix('m').map(str::trim_end) else { return };
         if WORDS.contains(&key)
             || number.parse::<f64>().is_err()
             || !number.ends_with(|c: char| c.is_ascii_digit() || c == '.')
@@ -115,9 +113,7 @@ fn meaning(file: &TankFile) -> String {
 /// A quantity comes back from print in every unit of its dimension.
 fn round_trips(text: &str) {
     for dimension in Dimension::ALL {
-        let Ok(value) = units::parse(text, dimension) else {
-            continue;
-        };
+        let Ok(value) = units::parse(text, dimension) else { continue };
         for unit in dimension.units() {
             let printed = units::display_in(value, unit, 17);
             let there = units::in_unit(value, unit);

@@ -139,9 +139,7 @@ fn list(
     dimension: Dimension,
     [low, high]: [f64; 2],
 ) -> Result<Vec<f64>, Error> {
-    let Some(given) = given else {
-        return Ok(default.iter().copied().filter(|v| *v <= high).collect());
-    };
+    let Some(given) = given else { return Ok(default.iter().copied().filter(|v| *v <= high).collect()) };
     let mut values = Vec::with_capacity(given.len());
     for text in given {
         let bare = (dimension == Dimension::Angle).then(|| text.trim().parse().ok()).flatten();

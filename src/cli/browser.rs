@@ -78,15 +78,11 @@ pub(crate) fn starts(program: &Path) -> bool {
 ///
 /// Errors: as [`print_once`].
 pub(crate) fn print(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
-    let Some(mut page) = contents::numbered(html, |_| Some(USUAL)) else {
-        return print_once(program, html);
-    };
+    let Some(mut page) = contents::numbered(html, |_| Some(USUAL)) else { return print_once(program, html) };
     let mut numbers: Option<BTreeMap<String, usize>> = None;
     for _ in 0..PRINTINGS {
         let printed = print_once(program, &page)?;
-        let Some(found) = pdf::pages(&printed) else {
-            break;
-        };
+        let Some(found) = pdf::pages(&printed) else { break };
         if numbers.as_ref() == Some(&found) {
             return Ok(printed);
         }

@@ -50,10 +50,7 @@ pub(crate) fn tables(results: &Results) -> String {
             };
             table.marked(mark, cells.into_iter().chain(place));
         }
-        let table = match placed {
-            true => table.with_words(),
-            false => table,
-        };
+        let table = if placed { table.with_words() } else { table };
         let _ = writeln!(text, "{}", table.fitted(width()));
         let not: Vec<&str> =
             method.checks.iter().filter(|check| !required(check)).map(|check| check.id.as_str()).collect();
@@ -97,10 +94,7 @@ pub(crate) fn csv(results: &Results) -> String {
             let unit = style::unit(results, largest, check.dimension);
             let converted = |value: Option<f64>| number(value.map(|v| style::in_csv(v, unit).0));
             let approval = check.accepted.as_ref();
-            let symbol = match unit.factor() == 1.0 {
-                true => check.unit.as_str(),
-                false => unit.text,
-            };
+            let symbol = if unit.factor() == 1.0 { check.unit.as_str() } else { unit.text };
             let _ = writeln!(
                 text,
                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",

@@ -123,10 +123,7 @@ enum Engine {
 impl Engine {
     /// The engine that runs where none is asked for: cantilevers do not stand for the walls of a short box.
     fn usual(case: &Case) -> Engine {
-        match case.tank.bends_as_plates() {
-            true => Engine::Solid,
-            false => Engine::Harmonic,
-        }
+        if case.tank.bends_as_plates() { Engine::Solid } else { Engine::Harmonic }
     }
 
     /// The engines that run, in this order.
@@ -363,9 +360,7 @@ const STATES: f64 = 100.0;
 
 /// Time between two states in the ParaView files [s].
 fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
-    let Some(motion) = &job.case.ground_motion else {
-        return Err(Error::Fe(FeError::NoRecord));
-    };
+    let Some(motion) = &job.case.ground_motion else { return Err(Error::Fe(FeError::NoRecord)) };
     let record = &motion.horizontal;
     let duration = record.dt * record.acceleration.len() as f64;
     match given {

@@ -254,10 +254,7 @@ fn more(text: &mut String, all: usize, most: usize) {
 /// Name with its unit, and both values in it.
 fn shown(q: &MovedQuantity) -> (String, [String; 2]) {
     let unit = units::column_unit([q.old, q.new], q.dimension);
-    let name = match unit.symbol.is_empty() {
-        true => q.id.clone(),
-        false => format!("{} [{}]", q.id, unit.symbol),
-    };
+    let name = if unit.symbol.is_empty() { q.id.clone() } else { format!("{} [{}]", q.id, unit.symbol) };
     (name, [q.old, q.new].map(|v| units::significant(units::in_unit(v, unit), 4)))
 }
 
@@ -268,9 +265,7 @@ fn together(text: &mut String, changes: &Changes) {
         let moved: Vec<&MovedQuantity> = changes.quantities.iter().filter(of).collect();
         let methods: BTreeSet<&str> = moved.iter().map(|q| q.method.as_str()).collect();
         let fe = format!("{}/{excitation}", results::FE);
-        let Some(main) = methods.get(fe.as_str()).or_else(|| methods.first()).copied() else {
-            continue;
-        };
+        let Some(main) = methods.get(fe.as_str()).or_else(|| methods.first()).copied() else { continue };
         let short = |method: &str| method.split('/').next().unwrap_or_default().to_owned();
         let others: Vec<&str> = methods.iter().copied().filter(|method| *method != main).collect();
         let head =
@@ -381,9 +376,10 @@ fn summary(told: &Told, most: usize, all: bool) -> String {
     if others > 0 {
         let _ = writeln!(text, "  (+{others} of methods that do not decide; --all shows them)");
     }
-    match all {
-        true => quantities(&mut text, changes, most),
-        false => together(&mut text, changes),
+    if all {
+        quantities(&mut text, changes, most)
+    } else {
+        together(&mut text, changes)
     }
     for (methods, side) in [(&changes.vanished, "old"), (&changes.appeared, "new")] {
         if !methods.is_empty() {

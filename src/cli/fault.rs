@@ -48,10 +48,7 @@ fn line(what: &str, place: &str, arguments: impl Iterator<Item = String>) -> Str
         .filter(|value| Path::new(value).is_file())
         .map(|file| format!("`{}`", file.escape_debug()))
         .collect();
-    let input = match files.is_empty() {
-        true => String::new(),
-        false => format!(" and {}", files.join(", ")),
-    };
+    let input = if files.is_empty() { String::new() } else { format!(" and {}", files.join(", ")) };
     format!(
         "{}: internal fault at {place}: {}; please report it to {} with the command `tankcheck {}`{input} (tankcheck {})",
         Code::Internal.head(),

@@ -130,10 +130,7 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         write_whole(path, nrml(&components(&curves), &args.im, 1.0, range).as_bytes())?;
     }
     show(args.format, || human(&curves), || document(&curves), || Ok(csv(&curves)))?;
-    Ok(match curves.iter().any(|c| c.curve().is_some()) {
-        true => EXIT_OK,
-        false => EXIT_NOT_CHECKED,
-    })
+    Ok(if curves.iter().any(|c| c.curve().is_some()) { EXIT_OK } else { EXIT_NOT_CHECKED })
 }
 
 fn document(curves: &[Curve]) -> Value {
@@ -142,10 +139,7 @@ fn document(curves: &[Curve]) -> Value {
 
 fn components(curves: &[Curve]) -> Vec<Component> {
     let states: Vec<_> = curves.iter().filter_map(|c| Some((c.damage_state.clone(), c.curve()?))).collect();
-    match states.is_empty() {
-        true => Vec::new(),
-        false => vec![Component { id: "tank".into(), states }],
-    }
+    if states.is_empty() { Vec::new() } else { vec![Component { id: "tank".into(), states }] }
 }
 
 /// Limits of a demand with the names of their states.

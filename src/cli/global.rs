@@ -100,9 +100,7 @@ const OF_THE_RUN: ([&str; 6], [&str; 4]) =
 ///
 /// Errors: another text than a number of seconds, or one after the year 9999.
 pub(crate) fn fixed_time() -> Result<Option<SystemTime>, Error> {
-    let Some(given) = std::env::var_os(SOURCE_DATE_EPOCH).filter(|text| !text.is_empty()) else {
-        return Ok(None);
-    };
+    let Some(given) = std::env::var_os(SOURCE_DATE_EPOCH).filter(|text| !text.is_empty()) else { return Ok(None) };
     let given = given.to_string_lossy();
     match given.parse::<u64>() {
         Ok(seconds) if seconds <= 253_402_300_799 => Ok(Some(SystemTime::UNIX_EPOCH + Duration::from_secs(seconds))),

@@ -147,9 +147,7 @@ impl Inputs {
                 ),
             ));
         }
-        let Some(accept) = &self.accept else {
-            return Ok(file);
-        };
+        let Some(accept) = &self.accept else { return Ok(file) };
         let Some(ids) = accept.strip_prefix("not-checked=") else {
             return Err(Error::value(format!(
                 "--accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \

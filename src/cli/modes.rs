@@ -89,10 +89,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for warning in &tank.warnings {
         warn("", warning);
     }
-    let fe = args.fe.unwrap_or(match tank.case.tank.bends_as_plates() {
-        true => Engine::Solid,
-        false => Engine::Harmonic,
-    });
+    let fe = args.fe.unwrap_or(if tank.case.tank.bends_as_plates() { Engine::Solid } else { Engine::Harmonic });
     let faults = job::refused(&tank, |task| engine(fe.id()).refuses(task));
     if !faults.is_empty() {
         return Err(faults.into_error(&tank.source).into());

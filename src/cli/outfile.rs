@@ -23,9 +23,7 @@ impl OutFile {
     ///
     /// Errors: a file that exists, without --force; one that cannot be written.
     pub(crate) fn put(&self, text: &str) -> Result<(), Error> {
-        let Some(path) = self.out.as_deref().filter(|path| *path != Path::new("-")) else {
-            return print(text);
-        };
+        let Some(path) = self.out.as_deref().filter(|path| *path != Path::new("-")) else { return print(text) };
         if path.exists() && !(self.force && path.is_file()) {
             return Err(Error::input(
                 Code::FileTaken,

@@ -132,10 +132,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         say!("report: {}", job.out.join("report.html").display());
     }
-    Ok(match found.incomplete {
-        true => EXIT_COMPUTATION,
-        false => EXIT_OK,
-    })
+    Ok(if found.incomplete { EXIT_COMPUTATION } else { EXIT_OK })
 }
 
 impl Args {

@@ -231,10 +231,7 @@ fn components(entry: &SetEntry, allow_implausible: bool) -> Result<Components, f
             Err(error) => broken.push(error),
         }
     }
-    match broken.is_empty() {
-        true => Ok(found),
-        false => Err(study::together(broken)),
-    }
+    if broken.is_empty() { Ok(found) } else { Err(study::together(broken)) }
 }
 
 /// Rejects a record that is there twice, and records of different components.

@@ -127,10 +127,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
         return Err(taken(file.clone(), "exists"));
     }
     // Missing programs are named before anything is written.
-    let chromium = match forms.contains(&Form::Pdf) || aside.is_some() {
-        true => Some(browser::find()?),
-        false => None,
-    };
+    let chromium = if forms.contains(&Form::Pdf) || aside.is_some() { Some(browser::find()?) } else { None };
     let report = report::of_folder(&args.folder, args.templates.as_deref(), args.level.level())?;
     let folder = OutputFolder::prepare(&args.folder, COMPARE_REPORT)?;
     report.write(&folder.path())?;
@@ -187,10 +184,7 @@ impl Page {
             (results::IDA_FILE, "an incremental dynamic analysis", "ida"),
             (results::PUSH_FILE, "a pushover", "push"),
         ];
-        match folder.join(results::RESULTS_FILE).exists() {
-            true => None,
-            false => known.into_iter().find_map(page),
-        }
+        if folder.join(results::RESULTS_FILE).exists() { None } else { known.into_iter().find_map(page) }
     }
 
     /// Prints it as PDF; returns the exit code.

@@ -11,9 +11,7 @@ use results::{Compatibility, FE, RecordSet, Results, SetQuantity};
 
 /// Design values with their scatter, the check of the spectrum; empty of results of one record.
 pub(super) fn of(results: &Results) -> String {
-    let Some(set) = &results.record_set else {
-        return String::new();
-    };
+    let Some(set) = &results.record_set else { return String::new() };
     let mut said = String::new();
     let _ = writeln!(said, "{}", words::design(set));
     let _ = writeln!(said, "{}", scatter(set));

@@ -221,9 +221,7 @@ fn period(text: &str) -> Option<f64> {
 
 /// A range of `points` periods or a list.
 fn periods(text: &str, points: usize) -> Result<Vec<f64>, Error> {
-    let Some((first, last)) = text.split_once("..") else {
-        return list("--periods", text, period);
-    };
+    let Some((first, last)) = text.split_once("..") else { return list("--periods", text, period) };
     let bounds = list("--periods", &format!("{first},{last}"), |t| period(t).filter(|t| *t > 0.0))?;
     let (first, last) = (bounds[0], bounds[1]);
     if first >= last || bounds.len() != 2 {

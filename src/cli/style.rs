@@ -55,10 +55,7 @@ pub(crate) fn unit(results: &Results, value: f64, dimension: Dimension) -> &'sta
 
 /// A value (SI) in a unit of [`unit`], and how CSV writes the unit.
 pub(crate) fn in_csv(value: f64, unit: &'static Unit) -> (f64, &'static str) {
-    match unit.factor() == 1.0 {
-        true => (value, unit.dimension.si_symbol()),
-        false => (in_unit(value, unit), unit.text),
-    }
+    if unit.factor() == 1.0 { (value, unit.dimension.si_symbol()) } else { (in_unit(value, unit), unit.text) }
 }
 
 /// A language.

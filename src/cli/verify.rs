@@ -37,10 +37,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     watch.finish_and_clear();
     let value = || lines.iter().map(Line::json).collect::<Vec<_>>();
     show(args.format, || human(&lines), value, || Ok(csv(&lines)))?;
-    Ok(match lines.iter().any(Line::fails) {
-        true => EXIT_CHECK_FAILED,
-        false => EXIT_OK,
-    })
+    Ok(if lines.iter().any(Line::fails) { EXIT_CHECK_FAILED } else { EXIT_OK })
 }
 
 /// A row, and what it computed or why it did not; `None` if it was only listed.

@@ -129,10 +129,7 @@ impl Data {
             Data::Cloud(_) => "cloud",
             Data::Capacities(records) => {
                 let at = |capacity: &Capacity| matches!(capacity, Capacity::At(_));
-                match records.iter().flatten().all(at) {
-                    true => "capacities",
-                    false => "truncated_capacities",
-                }
+                if records.iter().flatten().all(at) { "capacities" } else { "truncated_capacities" }
             }
         }
     }
@@ -309,9 +306,7 @@ impl Asked {
             let im = f64::from_bits(*bits);
             let stripe = curve.points.iter().find(|p| p.stripe.im == im).map(|p| p.stripe);
             let stripe = stripe.unwrap_or(Stripe { im, n: 0.0, exceed: 0.0 });
-            let Some(&missing) = open.get(bits) else {
-                return Point::whole(stripe);
-            };
+            let Some(&missing) = open.get(bits) else { return Point::whole(stripe) };
             let all = stripe.n + missing as f64;
             Point {
                 stripe,

@@ -54,10 +54,7 @@ pub(in crate::input) fn short_hash(source: &Source) -> String {
 /// Errors: a file that cannot be read, is larger than 1 MiB or is not UTF-8; the faults of [`parse`].
 pub fn read(path: &Path) -> Result<Table, Error> {
     let fault = |what| Error::File { code: Code::FileUnreadable, path: path.into(), what };
-    let source = match path == Path::new("-") {
-        true => limited(stdin::take()?, path),
-        false => bytes(path),
-    };
+    let source = if path == Path::new("-") { limited(stdin::take()?, path) } else { bytes(path) };
     let source = source.map_err(fault)?;
     parse(&source).map_err(|faults| faults.into_error(&source))
 }
@@ -144,10 +141,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
                 .allowed(format!("a line of column names, then 1 to {MAX_ROWS} rows")),
         );
     }
-    match faults.is_empty() {
-        true => Ok(Table { source: source.clone(), head, rows }),
-        false => Err(faults),
-    }
+    if faults.is_empty() { Ok(Table { source: source.clone(), head, rows }) } else { Err(faults) }
 }
 
 /// Bytes of a row from its first to its last cell.
@@ -159,10 +153,7 @@ pub fn span(row: &[Cell]) -> Range<usize> {
 /// The lines that are not blank, split into cells.
 fn records(text: &str, faults: &mut Faults) -> Vec<Vec<Cell>> {
     let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let separator = match first.contains(';') && !first.contains(',') {
-        true => ';',
-        false => ',',
-    };
+    let separator = if first.contains(';') && !first.contains(',') { ';' } else { ',' };
     let mut records = Vec::new();
     let mut row: Vec<Cell> = Vec::new();
     let mut start = 0;

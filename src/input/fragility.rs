@@ -42,10 +42,7 @@ impl Reader {
                 Fault::new(Code::TableColumn, format!("the column `{name}` is missing")).found(found.join(", "));
             faults.push(fault.allowed(known.join(", ")));
         }
-        match faults.is_empty() {
-            true => Ok(Reader { table, faults }),
-            false => Err(faults.into_error(&table.source)),
-        }
+        if faults.is_empty() { Ok(Reader { table, faults }) } else { Err(faults.into_error(&table.source)) }
     }
 
     fn column(&self, name: &str) -> Option<usize> {
@@ -69,10 +66,7 @@ impl Reader {
     }
 
     fn finish<T>(self, found: T) -> Result<T, Error> {
-        match self.faults.is_empty() {
-            true => Ok(found),
-            false => Err(self.faults.into_error(&self.table.source)),
-        }
+        if self.faults.is_empty() { Ok(found) } else { Err(self.faults.into_error(&self.table.source)) }
     }
 
     /// Every row as an item of its state.

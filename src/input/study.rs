@@ -199,10 +199,7 @@ fn method(r: &mut Resolver<'_>, file: &StudyFile, scales: Option<&Scales>) -> Me
     let levels = scales.is_some_and(|scales| !scales.levels.is_empty());
     let Some(field) = &file.method.given else {
         r.not_given(&file.method);
-        return match levels {
-            true => Method::Stripes,
-            false => Method::Cloud,
-        };
+        return if levels { Method::Stripes } else { Method::Cloud };
     };
     match field.value {
         Some(CurveMethod::Cloud) => Method::Cloud,

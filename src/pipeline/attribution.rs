@@ -24,9 +24,7 @@ pub(super) fn attribute(
     made: &[Vec<Ingredients>],
     first: Option<&Simulation>,
 ) -> Vec<Attribution> {
-    let (Some(motion), Some(simulation)) = (&job.case.ground_motion, first) else {
-        return Vec::new();
-    };
+    let (Some(motion), Some(simulation)) = (&job.case.ground_motion, first) else { return Vec::new() };
     let modal = &simulation.result.modal;
     // An interrupted history is not what the modes are the maxima of.
     if modal.is_empty() || simulation.result.incomplete {
@@ -51,9 +49,7 @@ pub(super) fn attribute(
     };
     let mut found = Vec::new();
     for quantity in Quantity::ALL {
-        let Some(&value) = simulation.values.get(&quantity) else {
-            continue;
-        };
+        let Some(&value) = simulation.values.get(&quantity) else { continue };
         for (method, ingredients) in methods.iter().zip(made) {
             let own = ingredients.iter().filter(|i| i.quantity == quantity);
             // Periods and masses are the same under both excitations.

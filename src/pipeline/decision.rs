@@ -82,15 +82,9 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
     let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
     let isolated = job.case.tank.isolators.is_some();
     // The procedure assumes a base that does not move.
-    let known = |check: Check| match isolated && check.compared() {
-        true => check.left_open(ON_ISOLATORS.into()),
-        false => check,
-    };
+    let known = |check: Check| if isolated && check.compared() { check.left_open(ON_ISOLATORS.into()) } else { check };
     let checks: Vec<Check> = checks.into_iter().filter(compared).map(known).collect();
-    let checks = match states.is_empty() {
-        true => checks,
-        false => unsaid::leave_open(job, unsaid::required(&states, checks)),
-    };
+    let checks = if states.is_empty() { checks } else { unsaid::leave_open(job, unsaid::required(&states, checks)) };
     end(procedure.id(), job, &states, checks)
 }
 

@@ -75,9 +75,7 @@ fn curve(id: &str, title: &str, damping: f64, period: &[f64], acceleration: impl
 
 /// The records as computed with, and their measures.
 pub(crate) fn records(job: &Job) -> Vec<RecordSummary> {
-    let Some(motion) = &job.case.ground_motion else {
-        return Vec::new();
-    };
+    let Some(motion) = &job.case.ground_motion else { return Vec::new() };
     let processed = [
         ("horizontal", Some(&motion.horizontal)),
         ("horizontal, y", motion.transverse.as_ref()),

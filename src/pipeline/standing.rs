@@ -16,10 +16,7 @@ pub(super) fn standing(job: &Job, methods: &[Method]) -> Option<Standing> {
     if job.case.tank.support != Support::Unanchored {
         return None;
     }
-    let excitation = match job.case.site.is_given() {
-        true => Excitation::Site,
-        false => Excitation::Record,
-    };
+    let excitation = if job.case.site.is_given() { Excitation::Site } else { Excitation::Record };
     let moments = methods.iter().filter_map(|method| {
         let computed = method.status == Status::Computed && method.excitation == excitation;
         let moment = method.quantities.get(Quantity::BaseMoment.id())?.value;

@@ -150,10 +150,7 @@ mod tests {
 
     /// Holds up to `edge`; the answer is the utilisation.
     fn up_to(edge: f64) -> impl FnMut(f64) -> Answer<f64> {
-        move |x| match x <= edge {
-            true => Answer::Holds(x / edge),
-            false => Answer::Fails(x / edge),
-        }
+        move |x| if x <= edge { Answer::Holds(x / edge) } else { Answer::Fails(x / edge) }
     }
 
     fn grid(from: f64, to: f64) -> Vec<f64> {
@@ -167,10 +164,7 @@ mod tests {
         let mut calls = 0;
         let found = search(&grid(0.1, 5.1), |x| {
             calls += 1;
-            match x * x <= 2.0 {
-                true => Answer::Holds(x * x),
-                false => Answer::Fails(x * x),
-            }
+            if x * x <= 2.0 { Answer::Holds(x * x) } else { Answer::Fails(x * x) }
         });
         assert_eq!(found.evaluations, calls);
         // Eleven samples 0.5 apart; bisection to 0.9e-4 · 1.414 takes log2(0.5 / 1.27e-4) = 11.9, one for the rounding.
@@ -186,10 +180,7 @@ mod tests {
     #[test]
     fn a_smallest_value_is_rounded_up() {
         let root = 1.0 / 3.0;
-        let found = search(&grid(9.0, 0.1), |x| match x >= root {
-            true => Answer::Holds(()),
-            false => Answer::Fails(()),
-        });
+        let found = search(&grid(9.0, 0.1), |x| if x >= root { Answer::Holds(()) } else { Answer::Fails(()) });
         let Found::Edge { value, .. } = found.found else { panic!("{:?}", found.found) };
         assert!(value >= root && value <= root * (1.0 + TOLERANCE), "{value}");
     }

@@ -83,10 +83,7 @@ pub(super) fn fragility(
     let (with, without): (Vec<&str>, Vec<&str>) = tanks.iter().copied().partition(seen);
     let several = plan.tanks.len() > 1;
     let no_quake = no_farm(plan);
-    let farm = match several && no_quake.is_none() {
-        true => of_farm(plan, gathered, volumes),
-        false => Vec::new(),
-    };
+    let farm = if several && no_quake.is_none() { of_farm(plan, gathered, volumes) } else { Vec::new() };
     Fragility {
         format: FORMAT,
         study: plan.name.clone(),
@@ -98,10 +95,7 @@ pub(super) fn fragility(
             false => without.iter().map(|tank| (*tank).to_owned()).collect(),
         },
         curves: beside_each_other(&with, |tank| of_tank(plan, &asked, tank, gathered)),
-        system: match several && no_quake.is_none() {
-            true => of_system(plan, &asked, gathered),
-            false => Vec::new(),
-        },
+        system: if several && no_quake.is_none() { of_system(plan, &asked, gathered) } else { Vec::new() },
         farm,
         no_farm: no_quake.filter(|_| several && !with.is_empty()),
     }

@@ -265,9 +265,7 @@ impl Gathered {
             let reached = worse.clone().next().is_some();
             // A demand that was not checked may have reached its limit, of this state or of a worse one.
             let judged = reached || (found[number].is_some() && !open[number..].contains(&true));
-            let Some(data) = self.curves.get_mut(&(row.tank.clone(), number)) else {
-                continue;
-            };
+            let Some(data) = self.curves.get_mut(&(row.tank.clone(), number)) else { continue };
             if !judged {
                 data.unjudged += 1;
                 continue;

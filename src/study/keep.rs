@@ -48,9 +48,6 @@ fn name(results: &mut Results, tank: &str, row: &Worst) {
 /// Name of the folder of a tank: its number in the plan, and its name with `_` for what is not a letter, a digit, `-` or `_`.
 pub fn folder(plan: &Plan, tank: &str) -> String {
     let number = plan.tanks.iter().position(|known| known.id == tank).map_or(0, |i| i + 1);
-    let plain = |c: char| match c.is_ascii_alphanumeric() || matches!(c, '-' | '_') {
-        true => c,
-        false => '_',
-    };
+    let plain = |c: char| if c.is_ascii_alphanumeric() || matches!(c, '-' | '_') { c } else { '_' };
     format!("{number}-{}", tank.chars().map(plain).collect::<String>())
 }

@@ -189,9 +189,7 @@ impl Gathering<'_> {
                 }
             });
             for (task, found) in results {
-                let Found::Whole(lines) = found else {
-                    return Err(changed(&task.key));
-                };
+                let Found::Whole(lines) = found else { return Err(changed(&task.key)) };
                 for line in lines {
                     self.line(&line, &mut text);
                 }

@@ -328,9 +328,7 @@ fn records(plan: &Plan, gathered: &Gathered) -> Vec<StudyRecord> {
 
 /// Demands record by record of the tanks whose worst state comes first.
 fn traces(plan: &Plan, gathered: &Gathered, fragility: &Fragility) -> Vec<StudyTrace> {
-    let Some((worst, state)) = plan.damage.iter().enumerate().next_back() else {
-        return Vec::new();
-    };
+    let Some((worst, state)) = plan.damage.iter().enumerate().next_back() else { return Vec::new() };
     let mut first: Vec<(f64, &str)> = fragility
         .curves
         .iter()

@@ -217,9 +217,7 @@ fn planned_tanks(
     let mut sampled = Sampled::default();
     for entry in &study.tanks {
         // The tank of the file itself has to be right; a sample that is not possible is a row.
-        let Some(tank) = entry.nominal(&mut tables) else {
-            continue;
-        };
+        let Some(tank) = entry.nominal(&mut tables) else { continue };
         let (half, round) = match tank.case.tank.shape {
             Shape::Cylinder { radius } => (radius, true),
             Shape::Rectangle { length, .. } => (length, false),

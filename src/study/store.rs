@@ -154,13 +154,9 @@ pub fn survey(folder: &Path) -> Survey {
             found.results.insert(key.into());
         }
         let runs = name.strip_suffix(RUNNING);
-        let Some(mark) = runs.or_else(|| name.strip_suffix(files::PART)) else {
-            continue;
-        };
+        let Some(mark) = runs.or_else(|| name.strip_suffix(files::PART)) else { continue };
         let mut words = mark.rsplit('.').skip(1);
-        let (Some(process), Some(machine)) = (words.next(), words.next()) else {
-            continue;
-        };
+        let (Some(process), Some(machine)) = (words.next(), words.next()) else { continue };
         let key = mark.split('.').next().unwrap_or_default();
         let ended = machine == here && tells && !Path::new("/proc").join(process).exists();
         match (ended, runs) {
@@ -196,10 +192,7 @@ fn publish(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 fn host() -> String {
     let name = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
     let plain: String = name.trim().chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
-    match plain.is_empty() {
-        true => "host".into(),
-        false => plain,
-    }
+    if plain.is_empty() { "host".into() } else { plain }
 }
 
 /// Writes the result of a task, and removes the record of an earlier failure; returns its size [bytes].
@@ -283,10 +276,7 @@ fn whole(bytes: &[u8], key: &str) -> Result<Vec<Line>, String> {
     }
     let all = serde_json::Deserializer::from_slice(lines).into_iter();
     let all: Vec<Line> = all.collect::<Result<_, _>>().map_err(|e| format!("is not a result of this program: {e}"))?;
-    match all.len() == closing.lines {
-        true => Ok(all),
-        false => Err(torn()),
-    }
+    if all.len() == closing.lines { Ok(all) } else { Err(torn()) }
 }
 
 /// Hash of the merged rows.

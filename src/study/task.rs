@@ -63,12 +63,8 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
 /// Errors: a run longer than the limits.
 pub(super) fn estimate(study: &StudyInput, plan: &Plan, unit: (usize, u32)) -> Result<Option<(Estimate, u64)>, Error> {
     let longest = plan.records.iter().max_by_key(|record| record.samples);
-    let (Some(id), Some(longest)) = (study.engine, longest) else {
-        return Ok(None);
-    };
-    let Ok(tank) = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1) else {
-        return Ok(None);
-    };
+    let (Some(id), Some(longest)) = (study.engine, longest) else { return Ok(None) };
+    let Ok(tank) = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1) else { return Ok(None) };
     let of = Unit { study, plan, id: &plan.tanks[unit.0].id, sample: unit.1, records: &BTreeMap::new() };
     let mut job = of.job(&tank)?;
     job.case.ground_motion = Some(GroundMotion {
@@ -286,9 +282,7 @@ impl Unit<'_> {
 
 /// Moves what the rows of a tank say of their gaps to the tank, whose line is the first.
 fn keep_gaps(lines: &mut [Line]) {
-    let Some((Line::Tank(tank), rows)) = lines.split_first_mut() else {
-        return;
-    };
+    let Some((Line::Tank(tank), rows)) = lines.split_first_mut() else { return };
     for line in rows {
         if let Line::Row(row) = line {
             for (state, reason) in std::mem::take(&mut row.gaps) {

@@ -136,13 +136,9 @@ fn a_row_is_what_compare_gives() {
     let mut compared = 0;
     for line in csv.lines() {
         let cells: Vec<&str> = line.split(',').collect();
-        let [method, "record", quantity, value, ..] = cells[..] else {
-            continue;
-        };
+        let [method, "record", quantity, value, ..] = cells[..] else { continue };
         let key = format!("{method}.{quantity}_");
-        let Some(column) = head.iter().position(|c| c.starts_with(&key)) else {
-            continue;
-        };
+        let Some(column) = head.iter().position(|c| c.starts_with(&key)) else { continue };
         // The checks follow the values in the same table.
         let Ok(wanted) = value.parse::<f64>() else { continue };
         let found: f64 = row[column].parse().unwrap();

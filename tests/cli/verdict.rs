@@ -137,10 +137,13 @@ impl Tank {
         let found = self.results(home);
         let wrong = |what: String| Some(format!("{}: {what}; expected {:?}: {}", self.name, self.expected, self.why));
         match (self.expected, found) {
-            (Expected::Input(path), Err(error)) => match error.contains(path) {
-                true => None,
-                false => wrong(error),
-            },
+            (Expected::Input(path), Err(error)) => {
+                if error.contains(path) {
+                    None
+                } else {
+                    wrong(error)
+                }
+            }
             (Expected::Input(_), Ok(results)) => wrong(format!("the verdict {:?}", results.verdict.status)),
             (_, Err(error)) => wrong(error),
             (Expected::NotAssessed, Ok(results)) => match results.verdict.status {

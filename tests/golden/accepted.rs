@@ -73,10 +73,7 @@ fn histories(golden: &str) -> Option<PathBuf> {
 
 /// Indices of the rows that are kept of a table of `length` rows, the first and the last among them.
 fn rows(length: usize) -> Vec<usize> {
-    match length > ROWS {
-        true => (0..ROWS).map(|i| i * (length - 1) / (ROWS - 1)).collect(),
-        false => (0..length).collect(),
-    }
+    if length > ROWS { (0..ROWS).map(|i| i * (length - 1) / (ROWS - 1)).collect() } else { (0..length).collect() }
 }
 
 /// Values of the kept rows that moved, relative to the peak of the whole column.
@@ -111,9 +108,7 @@ fn accept_numbers(golden: &str, out: &Path) {
     for name in NUMBERS {
         copy(name, out, golden);
     }
-    let Some(kept) = histories(golden) else {
-        return copy(SERIES, out, golden);
-    };
+    let Some(kept) = histories(golden) else { return copy(SERIES, out, golden) };
     if let Ok(text) = std::fs::read_to_string(out.join(SERIES)) {
         let (head, table) = text.split_once('\n').expect("a head");
         let table: Vec<&str> = table.lines().collect();
@@ -141,9 +136,7 @@ fn page_differs(golden: &str, out: &Path) -> bool {
 
 /// A page without what differs between two runs.
 pub(crate) fn lasting(html: &str) -> String {
-    let Some((before, rest)) = html.split_once("<dl class=\"pairs\" id=\"volatile\">") else {
-        return html.to_owned();
-    };
+    let Some((before, rest)) = html.split_once("<dl class=\"pairs\" id=\"volatile\">") else { return html.to_owned() };
     let after = rest.split_once("</dl>").map_or("", |(_, after)| after);
     format!("{before}{after}")
 }

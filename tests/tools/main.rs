@@ -153,10 +153,7 @@ fn python() -> Result<PathBuf, &'static str> {
 
 fn installed(program: &str, arguments: &[&str], reason: &'static str) -> Result<PathBuf, &'static str> {
     let program = PathBuf::from(program);
-    match succeeds(&program, arguments) {
-        true => Ok(program),
-        false => Err(reason),
-    }
+    if succeeds(&program, arguments) { Ok(program) } else { Err(reason) }
 }
 
 fn pdftotext() -> Result<PathBuf, &'static str> {

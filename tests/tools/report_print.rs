@@ -86,9 +86,7 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
         let mut headings = 0;
         for item in text.split("<</Title ").skip(1) {
             let item = item.split("endobj").next().unwrap_or("");
-            let Some(place) = item.split("/XYZ ").nth(1) else {
-                continue;
-            };
+            let Some(place) = item.split("/XYZ ").nth(1) else { continue };
             let height: f64 =
                 place.split_whitespace().nth(1).and_then(|n| n.parse().ok()).expect("a destination has a height");
             headings += 1;

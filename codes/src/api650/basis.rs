@@ -96,9 +96,7 @@ impl<'a> Basis<'a> {
 
     /// Bottom plate under the shell (thickness less corrosion [m], yield strength [Pa]), or the missing data in words.
     pub fn bottom(&self) -> Result<(f64, f64), String> {
-        let Some(bottom) = &self.case.tank.bottom else {
-            return Err("tank.bottom".into());
-        };
+        let Some(bottom) = &self.case.tank.bottom else { return Err("tank.bottom".into()) };
         match bottom.material.yield_strength {
             Some(f_y) => Ok((bottom.net_thickness(), f_y)),
             None => Err(format!("materials.{}.yield_strength", bottom.material.name)),

@@ -116,9 +116,7 @@ impl<'a> Run<'a> {
 
 /// Welds and support of the plates under the shell, which no action changes.
 pub(super) fn details_of_base(case: &Case) -> Vec<Check> {
-    let Ok(basis) = Basis::new(case, EDITION) else {
-        return Vec::new();
-    };
+    let Ok(basis) = Basis::new(case, EDITION) else { return Vec::new() };
     let mut run = Run::new(basis, Excitation::Site);
     run.annular_weld();
     run.shell_support();
@@ -159,10 +157,7 @@ impl Run<'_> {
     /// Ratio F_p of operating to design pressure, with which the pressure lifts beside the earthquake.
     fn f_p(&self) -> f64 {
         let design = self.pressure();
-        match design > 0.0 {
-            true => (self.basis.case.tank.pressure.internal / design).clamp(LEAST_F_P, 1.0),
-            false => LEAST_F_P,
-        }
+        if design > 0.0 { (self.basis.case.tank.pressure.internal / design).clamp(LEAST_F_P, 1.0) } else { LEAST_F_P }
     }
 
     /// Design pressure above the liquid [Pa], at least the overpressure in operation.
@@ -202,9 +197,7 @@ impl Procedure for Api6502020 {
 
     /// ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
     fn design_curves(&self, site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
-        let Some(annex) = &site.api650 else {
-            return Vec::new();
-        };
+        let Some(annex) = &site.api650 else { return Vec::new() };
         let (title, acceleration): (_, Box<dyn Fn(f64) -> f64>) = match SiteSpecific::new(site, annex) {
             Ok(Some(own)) => {
                 ("Own spectrum under API 650, ξ = 5 %", Box::new(move |t| own.acceleration(t) * STANDARD_GRAVITY))

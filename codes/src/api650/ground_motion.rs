@@ -70,9 +70,7 @@ fn long_period_row(asce7: u16, class: SiteClass) -> Row {
 /// Value of a row at `x`: linear between the columns, constant outside; the abscissa up to which the row goes if `x`
 /// lies beyond, `None` inside if the row is empty.
 fn interpolate(row: &Row, x: f64) -> Result<f64, Option<f64>> {
-    let (Some(&first), Some(&last)) = (row.values.first(), row.values.last()) else {
-        return Err(None);
-    };
+    let (Some(&first), Some(&last)) = (row.values.first(), row.values.last()) else { return Err(None) };
     if x <= row.at[0] {
         return Ok(first);
     }

@@ -38,9 +38,7 @@ impl SiteSpecific {
     ///
     /// Errors: mapped values that are inadmissible, see [`DesignSpectrum::new`].
     pub fn new(site: &Site, annex: &Api650Site) -> Result<Option<SiteSpecific>, CodeError> {
-        let Some(own) = &site.spectrum else {
-            return Ok(None);
-        };
+        let Some(own) = &site.spectrum else { return Ok(None) };
         let mapped = if annex.ss > 0.0 || annex.s1 > 0.0 { Some(DesignSpectrum::new(annex)?) } else { None };
         let kinks = match &own.form {
             SpectrumForm::Table { horizontal, .. } => horizontal.rows().iter().map(|row| row[0]).collect(),

@@ -66,10 +66,7 @@ pub(crate) fn layout(sheet: &mut Sheet, tank: &Tank, anchors: &Anchors, pulls: b
     let name = "Least number of anchors over that given";
     let number = Check::new(ANCHOR_COUNT.id, name, least, count, Dimensionless, of_count, note);
     let name = "Spacing of the anchors";
-    let note = match words.good_practice {
-        true => "good practice, not a clause of EN 1998-4",
-        false => "",
-    };
+    let note = if words.good_practice { "good practice, not a clause of EN 1998-4" } else { "" };
     let apart = Check::new(ANCHOR_SPACING.id, name, spacing, largest, Length, of_spacing, note);
     [number, apart]
 }

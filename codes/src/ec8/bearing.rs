@@ -162,9 +162,7 @@ type Factors = (f64, f64);
 ///
 /// * `at_toe`: largest pressure of the liquid at the foot of the wall [Pa], of a tank that may lift
 pub(super) fn assess(work: &mut Work, at_toe: f64) {
-    let Some(moment) = work.out.values.get(&Quantity::OverturningMoment).copied() else {
-        return;
-    };
+    let Some(moment) = work.out.values.get(&Quantity::OverturningMoment).copied() else { return };
     let Some(resistance) = work.demand.site.and_then(|site| site.bearing_capacity) else {
         work.missing(BEARING.id, RESISTANCE);
         return;

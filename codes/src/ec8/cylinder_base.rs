@@ -58,10 +58,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
         }
     }
     work.base = BaseState::on_anchors(&work.out.checks);
-    let down = match vertical {
-        true => 1.0 + 0.3 * work.demand.vertical_ground() / state.gravity,
-        false => 1.0,
-    };
+    let down = if vertical { 1.0 + 0.3 * work.demand.vertical_ground() / state.gravity } else { 1.0 };
     work.rim = Some(state.weight(0.0) * down + state.axial(0.0));
 }
 

@@ -188,9 +188,7 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
 
 fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let hoop = |p: &Place| p.p_max * state.radius / p.course.net_thickness();
-    let Some((place, capacity)) = governing(places, hoop, |p| p.yield_strength) else {
-        return;
-    };
+    let Some((place, capacity)) = governing(places, hoop, |p| p.yield_strength) else { return };
     let clause = work.edition.clause("10.3");
     work.sheet.section("Hoop stress with the static state");
     pressure_line(work, state, &place, "p_max");
@@ -241,9 +239,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     let quality = site.map_or(1.0, |s| s.construction_quality);
     let radius = state.radius;
     let of = |p: &Place| limit(elastic_lines, &p.wall(radius, quality), p.p_min);
-    let Some((place, _)) = governing(places, |p| p.compression(), of) else {
-        return;
-    };
+    let Some((place, _)) = governing(places, |p| p.compression(), of) else { return };
     let clause = work.edition.clause("10.2");
     work.sheet.section(&format!("Elastic buckling, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, &clause);
@@ -269,9 +265,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
 fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let radius = state.radius;
     let of = |p: &Place| limit(collapse_lines, &p.wall(radius, 1.0), p.p_max);
-    let Some((place, _)) = governing(places, |p| p.compression(), of) else {
-        return;
-    };
+    let Some((place, _)) = governing(places, |p| p.compression(), of) else { return };
     let clause = work.edition.clause("10.3");
     work.sheet.section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, &clause);

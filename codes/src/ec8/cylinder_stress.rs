@@ -175,10 +175,7 @@ impl State<'_> {
     /// Demand over capacity of A.10 is a falling line over a concave function of this pressure, so that it is largest at one end.
     pub(super) fn gas(&self) -> Vec<f64> {
         let pressure = self.tank.pressure;
-        match pressure.is_none() {
-            true => vec![0.0],
-            false => vec![pressure.internal, -pressure.vacuum],
-        }
+        if pressure.is_none() { vec![0.0] } else { vec![pressure.internal, -pressure.vacuum] }
     }
 
     /// Smallest and largest interior pressure of a combination.

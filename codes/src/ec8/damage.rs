@@ -34,9 +34,7 @@ struct Place<'a> {
 ///
 /// * `state`: of a cylinder
 pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
-    let Some(wave) = work.wave else {
-        return;
-    };
+    let Some(wave) = work.wave else { return };
     let Some(reduction) = work.demand.site.and_then(|site| site.reduction_factor) else {
         return work.missing(DAMAGE.id, REDUCTION);
     };

@@ -34,10 +34,7 @@ pub(super) fn action<'a>(case: &'a Case, reduced: bool) -> Result<ModalAction<'a
     };
     Ok(ModalAction {
         longest: demand.user.map_or(f64::INFINITY, hazard::longest),
-        structural: match reduced {
-            true => Box::new(design),
-            false => Box::new(elastic),
-        },
+        structural: if reduced { Box::new(design) } else { Box::new(elastic) },
         sloshing: Box::new(elastic),
         wave: Box::new(elastic),
         assumption: format!(

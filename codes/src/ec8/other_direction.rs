@@ -14,9 +14,7 @@ const CLAUSE: &str = "EN 1998-1:2004 4.3.3.5.1";
 
 /// Writes the check of a box that is not square. Needs the other checks.
 pub(super) fn assess(work: &mut Work, excitation: Excitation) {
-    let Shape::Rectangle { length, breadth, strip: false } = work.case.tank.shape else {
-        return;
-    };
+    let Shape::Rectangle { length, breadth, strip: false } = work.case.tank.shape else { return };
     if excitation != Excitation::Site || length == breadth {
         return;
     }

@@ -25,18 +25,10 @@ const ALLOWED: &str = "tank.pipes.allowable_displacement";
 
 /// Writes the check, or what is missing. Needs the uplift.
 pub(super) fn assess(work: &mut Work) {
-    let Some(pipes) = work.case.tank.pipes else {
-        return work.missing(PIPES.id, PATH);
-    };
-    let Some(distance) = pipes.support_distance else {
-        return work.missing(PIPES.id, DISTANCE);
-    };
-    let Some(allowed) = pipes.allowable_displacement else {
-        return work.missing(PIPES.id, ALLOWED);
-    };
-    let Some((factor, clause, [ag, soil, t_c, t_d])) = ground(work) else {
-        return work.missing(PIPES.id, "site.ec8");
-    };
+    let Some(pipes) = work.case.tank.pipes else { return work.missing(PIPES.id, PATH) };
+    let Some(distance) = pipes.support_distance else { return work.missing(PIPES.id, DISTANCE) };
+    let Some(allowed) = pipes.allowable_displacement else { return work.missing(PIPES.id, ALLOWED) };
+    let Some((factor, clause, [ag, soil, t_c, t_d])) = ground(work) else { return work.missing(PIPES.id, "site.ec8") };
     let uplift = match work.base.uplift() {
         Ok(uplift) => uplift,
         Err(reason) => {

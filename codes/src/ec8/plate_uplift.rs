@@ -36,9 +36,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
         work.missing(UPLIFT.id, input);
         Err(missing_input(input))
     };
-    let Some(bottom) = &state.tank.bottom else {
-        return missing(work, "tank.bottom");
-    };
+    let Some(bottom) = &state.tank.bottom else { return missing(work, "tank.bottom") };
     let Some(f_y) = bottom.material.yield_strength else {
         return missing(work, &format!("materials.{}.yield_strength", bottom.material.name));
     };
@@ -156,9 +154,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim
         let deciding = rims.iter().filter(|r| r.decides);
         deciding.max_by(|a, b| value(a).total_cmp(&value(b)))
     };
-    let (Some(turned), Some(longest)) = (most(|r| r.rotation), most(|r| r.length)) else {
-        return;
-    };
+    let (Some(turned), Some(longest)) = (most(|r| r.rotation), most(|r| r.length)) else { return };
     if turned.rotation == 0.0 {
         work.part(rotation_check, 0.0, ROTATION, "all of the rim bears");
         return;

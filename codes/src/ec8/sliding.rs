@@ -23,9 +23,7 @@ const FRICTION: &str = "site.ec8.friction";
 
 /// Writes the check, or that the friction is missing. Needs the base shear.
 pub(super) fn assess(work: &mut Work) {
-    let Some(shear) = work.out.values.get(&Quantity::BaseShear).copied() else {
-        return;
-    };
+    let Some(shear) = work.out.values.get(&Quantity::BaseShear).copied() else { return };
     let Some(friction) = work.demand.site.and_then(|site| site.friction) else {
         work.missing(SLIDING.id, FRICTION);
         return;

@@ -38,9 +38,7 @@ pub(super) fn assess(work: &mut Work, masses: &Masses, period: f64) {
         [tank.wall_mass(), tank.wall_centroid()],
         [tank.roof.mass, tank.roof_height()],
     ];
-    let Some(slab) = slab::lines(&mut work.sheet, case, parts, period, &clause) else {
-        return;
-    };
+    let Some(slab) = slab::lines(&mut work.sheet, case, parts, period, &clause) else { return };
     let structure = slab.on.structure;
     let flexible = |[[x, _], [theta, _]]: [[f64; 2]; 2]| {
         let [k_x, k_theta] = slab.ground;

@@ -26,13 +26,8 @@ pub(super) fn assess(work: &mut Work) {
     let tank = &work.case.tank;
     let solid = (tank.bottom.as_ref()).is_some_and(|bottom| !bottom.material.is_metal());
     let monolithic = solid && !tank.is_metal();
-    let quantity = match monolithic {
-        true => Quantity::OverturningMoment,
-        false => Quantity::BaseMoment,
-    };
-    let Some(moment) = work.out.values.get(&quantity).copied() else {
-        return;
-    };
+    let quantity = if monolithic { Quantity::OverturningMoment } else { Quantity::BaseMoment };
+    let Some(moment) = work.out.values.get(&quantity).copied() else { return };
     let clause = work.edition.main("4.5.1.2");
     work.sheet.section("Overturning");
     work.sheet.given(&[

@@ -115,9 +115,7 @@ impl Wall {
 
     /// Value and derivatives up to the third of X_i at ξ, by x.
     fn across(&self, i: usize, xi: f64) -> [f64; 4] {
-        let Plan::Box { half_width } = self.plan else {
-            return [1.0, 0.0, 0.0, 0.0];
-        };
+        let Plan::Box { half_width } = self.plan else { return [1.0, 0.0, 0.0, 0.0] };
         let bubble = [(1.0 - xi * xi).powi(2), 4.0 * (xi.powi(3) - xi), 12.0 * xi * xi - 4.0, 24.0 * xi];
         let [p, p1, p2, p3] = legendre(2 * i, xi);
         let [b, b1, b2, b3] = bubble;
@@ -320,9 +318,7 @@ impl State<'_> {
 
     /// Hoop force of a cylinder E s w/R [N/m]; zero otherwise.
     pub(super) fn hoop(&self, z: f64) -> f64 {
-        let Plan::Cylinder { radius, .. } = self.wall.plan else {
-            return 0.0;
-        };
+        let Plan::Cylinder { radius, .. } = self.wall.plan else { return 0.0 };
         let holds = |e: &&Element| z < e.base + e.length;
         let element = self.wall.elements.iter().find(holds).or(self.wall.elements.last());
         element.map_or(0.0, |e| e.membrane * self.at(0.0, z).w / radius)

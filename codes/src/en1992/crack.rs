@@ -64,10 +64,7 @@ pub fn cracked(section: &Section, n: f64, m: f64) -> Option<(Cracked, Face)> {
     if section.bars.is_empty() {
         return None;
     }
-    let faces = match m >= 0.0 {
-        true => [Face::Inner, Face::Outer],
-        false => [Face::Outer, Face::Inner],
-    };
+    let faces = if m >= 0.0 { [Face::Inner, Face::Outer] } else { [Face::Outer, Face::Inner] };
     // Unsymmetric bars under a small moment: the face on the side of fewer bars strains more.
     let bent = faces.into_iter().find_map(|face| bent(section, n, m, face));
     bent.or_else(|| {

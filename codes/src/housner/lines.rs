@@ -293,10 +293,7 @@ impl<'a> Lines<'a> {
             true => format!("P_i·(H_r + {lever}) + P_r·H_r/2"),
             false => format!("P_i·{lever}"),
         };
-        let convective = |lever: &str| match slender {
-            true => format!("P_k·(H_r + {lever})"),
-            false => format!("P_k·{lever}"),
-        };
+        let convective = |lever: &str| if slender { format!("P_k·(H_r + {lever})") } else { format!("P_k·{lever}") };
         let total = if slender { "P_i + P_r" } else { "P_i" };
         self.sheet.section("Forces and moments at the base");
         let q_i = self.sheet.calc("Q_i", "impulsive base shear", total, Force, clause);

@@ -39,10 +39,7 @@ impl Scatter {
         let mean = values.iter().map(|(_, v)| v).sum::<f64>() / count;
         let square: f64 = values.iter().map(|(_, v)| (v - mean).powi(2)).sum();
         let extreme = |better: fn(f64, f64) -> bool| {
-            values.iter().fold((value, first), |best, &(i, v)| match better(v, best.0) {
-                true => (v, i),
-                false => best,
-            })
+            values.iter().fold((value, first), |best, &(i, v)| if better(v, best.0) { (v, i) } else { best })
         };
         let (min, max) = (extreme(|v, best| v < best), extreme(|v, best| v > best));
         Some(Scatter {
@@ -60,9 +57,7 @@ impl Scatter {
 
 /// Scatter of the quantities that every record gives.
 pub fn scatter(values: &[BTreeMap<Quantity, f64>], combine: Combine) -> BTreeMap<Quantity, Scatter> {
-    let Some(first) = values.first() else {
-        return BTreeMap::new();
-    };
+    let Some(first) = values.first() else { return BTreeMap::new() };
     let of = |&quantity: &Quantity| {
         let each = values.iter().enumerate().map(|(i, v)| Some((i, *v.get(&quantity)?)));
         Some((quantity, Scatter::of(&each.collect::<Option<Vec<_>>>()?, combine)?))
@@ -203,10 +198,7 @@ fn mean<'a>(compared: &[(usize, &Check)], scatter: &Scatter, name: impl Fn(usize
         }
     };
     // The quotient of the product is off by a digit.
-    let status = match finite && scatter.mean <= 1.0 {
-        true => CheckStatus::Holds,
-        false => CheckStatus::Fails,
-    };
+    let status = if finite && scatter.mean <= 1.0 { CheckStatus::Holds } else { CheckStatus::Fails };
     let errors = compared.iter().map(|(_, c)| c.error);
     Check { status, utilisation: finite.then_some(scatter.mean), ..found }
         .of(&first.limit_state)

@@ -66,9 +66,7 @@ fn response(record: &Record, h: f64, count: usize, omega: f64, damping: f64) -> 
 /// Acceleration at a time from 0 to the last sample, linear between samples.
 fn at(record: &Record, time: f64) -> f64 {
     let place = time / record.dt;
-    let Some(last) = record.acceleration.len().checked_sub(1) else {
-        return 0.0;
-    };
+    let Some(last) = record.acceleration.len().checked_sub(1) else { return 0.0 };
     let before = (place.floor() as usize).min(last);
     let (a, b) = (record.acceleration[before], record.acceleration[(before + 1).min(last)]);
     a + (b - a) * (place - before as f64).min(1.0)

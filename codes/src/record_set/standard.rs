@@ -79,10 +79,7 @@ impl Standard {
 
     /// The combination for a number of records.
     pub fn combine(self, count: usize) -> Combine {
-        match count >= self.fewest_for_mean() {
-            true => Combine::Mean,
-            false => Combine::Worst,
-        }
+        if count >= self.fewest_for_mean() { Combine::Mean } else { Combine::Worst }
     }
 
     /// Part of the target that the mean spectrum may fall to.

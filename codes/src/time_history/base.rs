@@ -181,9 +181,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     for friction in frictions {
         let Friction { id, name: title, coefficient: friction, clause } = friction;
-        let Some((k, utilisation)) = slides_most(work, shear, friction * mass) else {
-            continue;
-        };
+        let Some((k, utilisation)) = slides_most(work, shear, friction * mass) else { continue };
         let (time, upwards) = (work.demands.times[k], upwards(k));
         let when = with_unit(time, tank::units::Dimension::Time);
         work.sheet.section(&format!("Sliding ({clause}): t = {when}"));

@@ -54,9 +54,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment(k) * (1.0 + more));
     let all: Vec<f64> = (0..moments.len()).map(moment).collect();
     let pressures = ready.vertical.as_ref().map(|_| (0..moments.len()).map(|k| pressure(k, 0.0)).collect());
-    let Some(k) = governing(&all, pressures) else {
-        return;
-    };
+    let Some(k) = governing(&all, pressures) else { return };
     let at = At { instant: k, moment: all[k], mass, upwards: upwards(k) };
     let bears = lines(work, &at, resistance);
     let found = Found {
@@ -116,9 +114,7 @@ fn governing(moments: &[f64], pressures: Option<Vec<f64>>) -> Option<usize> {
 fn unlike_a_rigid_base(work: &Work<'_>, bears: &Bears, resistance: f64, leaves_kern: bool) -> Option<&'static str> {
     let tank = &work.case.tank;
     let anchored = tank.support == Support::Anchored;
-    let Bears::Pressure(pressure) = *bears else {
-        return anchored.then_some(ON_ANCHORS);
-    };
+    let Bears::Pressure(pressure) = *bears else { return anchored.then_some(ON_ANCHORS) };
     if pressure > resistance {
         return (leaves_kern && anchored).then_some(BEYOND_KERN);
     }

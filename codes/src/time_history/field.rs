@@ -30,10 +30,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// Angle of a direction [rad], from 0 to 2 π.
 pub(super) fn angle((cosine, sine): Direction) -> f64 {
-    match sine == 0.0 {
-        true => cosine.clamp(-1.0, 1.0).acos(),
-        false => sine.atan2(cosine).rem_euclid(TAU),
-    }
+    if sine == 0.0 { cosine.clamp(-1.0, 1.0).acos() } else { sine.atan2(cosine).rem_euclid(TAU) }
 }
 
 /// Instants of a block among `count`.
@@ -170,9 +167,7 @@ impl Field {
 
     /// The directions of the largest and the smallest value at an instant.
     pub(super) fn ends(&self, k: usize) -> [Direction; 2] {
-        let Some(transverse) = &self.transverse else {
-            return SIDES;
-        };
+        let Some(transverse) = &self.transverse else { return SIDES };
         let (x, y) = (self.odd[k], transverse[k]);
         match x.hypot(y) {
             size if size > 0.0 => [(x / size, y / size), (-x / size, -y / size)],
@@ -431,10 +426,7 @@ mod tests {
         for even in [false, true] {
             let field = |instants: Range<usize>| Field {
                 rest: 0.4,
-                even: match even {
-                    true => instants.clone().map(|k| wave(k, 0.05, 0.31)).collect(),
-                    false => Vec::new(),
-                },
+                even: if even { instants.clone().map(|k| wave(k, 0.05, 0.31)).collect() } else { Vec::new() },
                 odd: instants.map(|k| wave(k, 0.21, 0.013)).collect(),
                 transverse: None,
             };

@@ -25,9 +25,7 @@ const FIXED: &str = "the engine holds the base still, and the tank moves on its 
 
 /// The isolators of a tank that has them; nothing is compared without their demands.
 pub(super) fn assess(work: &mut Work<'_>) {
-    let Some(isolators) = work.case.tank.isolators else {
-        return;
-    };
+    let Some(isolators) = work.case.tank.isolators else { return };
     let Some(found) = &work.demands.isolation else {
         for check in work.checks.iter_mut().filter(|check| check.compared()) {
             *check = check.left_open(FIXED.to_owned());
@@ -57,9 +55,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
             work.checks.push(check.at(Some(peak.time), None, Some(peak.theta)));
         }
     }
-    let Some(share) = found.bearing_share else {
-        return;
-    };
+    let Some(share) = found.bearing_share else { return };
     let clause = work.clause(TENSION.id);
     let name = "smallest force of the outermost bearing over that at rest";
     work.sheet.input("n_b", name, share.value, Dimensionless, run);
@@ -75,9 +71,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
 /// * `factor`: that of the properties of the others
 pub(super) fn take_worse(checks: &mut [Check], others: Vec<Check>, factor: f64) {
     for other in others {
-        let Some(own) = checks.iter_mut().find(|own| own.id == other.id) else {
-            continue;
-        };
+        let Some(own) = checks.iter_mut().find(|own| own.id == other.id) else { continue };
         let worse = (other.status, own.ratio().unwrap_or(0.0)) < (own.status, other.ratio().unwrap_or(0.0));
         if !worse {
             continue;
@@ -85,9 +79,6 @@ pub(super) fn take_worse(checks: &mut [Check], others: Vec<Check>, factor: f64) 
         let with = format!("with the properties of the isolators times {}", number(factor));
         let text = if other.compared() { &other.note } else { &other.reason };
         let text = if text.is_empty() { with } else { format!("{with}: {text}") };
-        *own = match other.compared() {
-            true => Check { note: text, ..other },
-            false => Check { reason: text, ..other },
-        };
+        *own = if other.compared() { Check { note: text, ..other } } else { Check { reason: text, ..other } };
     }
 }

@@ -141,10 +141,7 @@ fn other_walls(case: &Case) -> Requirement {
 
 /// What the wall of a cylinder does at its base is computed.
 fn at_base(case: &Case) -> Requirement {
-    match cylinder(case) {
-        true => Required,
-        false => NotImplemented,
-    }
+    if cylinder(case) { Required } else { NotImplemented }
 }
 
 fn pulls(case: &Case) -> Requirement {

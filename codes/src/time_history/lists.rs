@@ -31,10 +31,7 @@ pub fn counted(case: &Case, decide: &[String]) -> Judges {
     let deciding: Vec<_> = named.clone().filter(decides).collect();
     let alone = deciding.is_empty() && !decide.is_empty();
     let counted = if deciding.is_empty() { named.collect() } else { deciding };
-    let codes = match counted.is_empty() {
-        true => CODES[..1].to_vec(),
-        false => counted,
-    };
+    let codes = if counted.is_empty() { CODES[..1].to_vec() } else { counted };
     Judges { codes, alone }
 }
 

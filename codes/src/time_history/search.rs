@@ -67,10 +67,7 @@ impl Found {
     /// The same with its direction turned by an angle [rad].
     pub(super) fn turned(self, angle: f64) -> Found {
         let ((c, s), (sine, cosine)) = (self.direction, angle.sin_cos());
-        match angle == 0.0 {
-            true => self,
-            false => Found { direction: (c * cosine - s * sine, s * cosine + c * sine), ..self },
-        }
+        if angle == 0.0 { self } else { Found { direction: (c * cosine - s * sine, s * cosine + c * sine), ..self } }
     }
 }
 
@@ -170,9 +167,7 @@ impl<'a> Searched<'a> {
         wanted.extend(place.pressure.as_ref().map(|of| on_wall(of, 1.0)));
         wanted.extend({ place.shear.as_ref() }.map(|terms| Wanted::amplitude(terms, factors(self.lost))));
         let fields = Field::parts(states, &wanted);
-        let [hoop, axial, rest @ ..] = fields.as_slice() else {
-            return;
-        };
+        let [hoop, axial, rest @ ..] = fields.as_slice() else { return };
         let mut rest = rest.iter();
         self.hoop.take(hoop);
         self.axial.take(axial);
@@ -192,9 +187,7 @@ impl<'a> Searched<'a> {
     #[must_use]
     pub(super) fn bent(self, poisson: f64, directions: &[Direction]) -> Searched<'a> {
         let (demands, place, lost) = (self.demands, self.place, self.lost);
-        let Some(bending) = place.bending.as_ref().filter(|_| place.z == 0.0) else {
-            return self;
-        };
+        let Some(bending) = place.bending.as_ref().filter(|_| place.z == 0.0) else { return self };
         let whole = |of: &OnWall, stress: f64| Field::whole(demands, of, Factors { stress, motion: 1.0 });
         let (axial, hoop) = (whole(&place.axial, lost), whole(&place.hoop, lost));
         let bending = whole(bending, lost * lost);

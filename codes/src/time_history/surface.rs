@@ -33,10 +33,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
         .at(Some(wave.time), None, Some(wave.theta))
         .with_error(work.mesh_error(Quantity::SloshingHeight));
     let indicative = work.demands.small_waves && rise > SMALL_WAVE * work.case.tank.shape.half_length();
-    work.checks.push(match check.holds() && indicative {
-        true => check.left_open(NOT_SMALL.to_owned()),
-        false => check,
-    });
+    work.checks.push(if check.holds() && indicative { check.left_open(NOT_SMALL.to_owned()) } else { check });
     let roof = work.case.tank.roof.mass > 0.0;
     let (status, reason) = match (rise > freeboard, roof) {
         (false, _) => (CheckStatus::NotApplicable, "the wave does not reach the top of the wall".to_owned()),

@@ -111,10 +111,7 @@ fn worst(work: &Work<'_>, all: &[WallLimit<'_>]) -> Vec<Vec<Option<Worst>>> {
 
 /// The check of the governing course with its lines; the others stand in its note.
 fn check(work: &mut Work<'_>, asked: &WallLimit<'_>, found: &[Worst]) {
-    let larger = |best: Worst, next: &Worst| match next.found.utilisation > best.found.utilisation {
-        true => *next,
-        false => best,
-    };
+    let larger = |best: Worst, next: &Worst| if next.found.utilisation > best.found.utilisation { *next } else { best };
     let Some(first) = found.first() else { return };
     let governing = found.iter().fold(*first, larger);
     let moment = work.moment(&governing.found, governing.z);

@@ -107,10 +107,7 @@ impl<'a> Work<'a> {
     pub(super) fn error(&self, of: &[Quantity], found: &Found) -> Option<f64> {
         let errors: Option<Vec<f64>> = of.iter().map(|q| self.errors.get(q.id()).copied()).collect();
         let mesh = errors?.into_iter().fold(0.0, f64::max);
-        let seismic = match found.demand > 0.0 {
-            true => ((found.demand - found.rest) / found.demand).abs(),
-            false => 0.0,
-        };
+        let seismic = if found.demand > 0.0 { ((found.demand - found.rest) / found.demand).abs() } else { 0.0 };
         Some((mesh + self.demands.sampling) * seismic)
     }
 

@@ -112,9 +112,7 @@ impl OutputFolder {
 
     /// Top names of the earlier results in the target that these do not have: the commit removes them.
     pub fn stale(&self) -> Vec<String> {
-        let Found::Own(old) = Manifest::find(&self.target) else {
-            return Vec::new();
-        };
+        let Found::Own(old) = Manifest::find(&self.target) else { return Vec::new() };
         let new = files_below(&self.path()).unwrap_or_default();
         let tops = |path: &str| path.split('/').next().unwrap_or_default().to_owned();
         let written: BTreeSet<String> = new.iter().map(|path| tops(&manifest::key(path))).collect();
@@ -189,9 +187,7 @@ impl Drop for OutputFolder {
 
 /// Names of kept files that were changed by others.
 pub fn edited(folder: &Path, kind: Kind) -> Vec<String> {
-    let Found::Own(manifest) = Manifest::find(folder) else {
-        return Vec::new();
-    };
+    let Found::Own(manifest) = Manifest::find(folder) else { return Vec::new() };
     let names = manifest.files.keys().filter(|name| (kind.keeps)(name));
     names.filter(|name| manifest.changed(folder, |other| other == name.as_str()).is_some()).cloned().collect()
 }

@@ -81,10 +81,7 @@ fn files_below(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         for entry in std::fs::read_dir(folder.join(&relative))? {
             let entry = entry?;
             let path = relative.join(entry.file_name());
-            match entry.file_type()?.is_dir() {
-                true => open.push(path),
-                false => found.push(path),
-            }
+            if entry.file_type()?.is_dir() { open.push(path) } else { found.push(path) }
         }
     }
     found.sort();

@@ -201,9 +201,7 @@ fn first(text: &str, bad: impl Fn(char) -> bool) -> Option<usize> {
 }
 
 fn replaced(text: &str, bad: impl Fn(char) -> bool, put: impl Fn(char, &mut String)) -> Cow<'_, str> {
-    let Some(first) = first(text, &bad) else {
-        return Cow::Borrowed(text);
-    };
+    let Some(first) = first(text, &bad) else { return Cow::Borrowed(text) };
     let mut out = String::with_capacity(text.len() + 16);
     out.push_str(&text[..first]);
     for c in text[first..].chars() {

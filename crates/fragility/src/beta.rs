@@ -38,10 +38,7 @@ impl Beta {
         // The distribution function grows: 60 halvings are exact to 1e-18 of the interval.
         for _ in 0..60 {
             let x = 0.5 * (a + b);
-            match x > 0.0 && x < 1.0 && beta_reg(self.alpha, self.beta, x) < u {
-                true => a = x,
-                false => b = x,
-            }
+            if x > 0.0 && x < 1.0 && beta_reg(self.alpha, self.beta, x) < u { a = x } else { b = x }
         }
         self.low + 0.5 * (a + b) * (self.high - self.low)
     }

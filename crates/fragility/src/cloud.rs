@@ -150,10 +150,7 @@ impl Cloud {
             // To the last digits: 60 halvings.
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                match at(middle) < p {
-                    true => low = middle,
-                    false => high = middle,
-                }
+                if at(middle) < p { low = middle } else { high = middle }
             }
             0.5 * (low + high)
         };

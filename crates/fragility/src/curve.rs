@@ -16,10 +16,7 @@ pub struct Lognormal {
 impl Lognormal {
     /// Probability at an intensity.
     pub fn probability(&self, im: f64) -> f64 {
-        match im > 0.0 {
-            true => normal::cdf((im / self.median).ln() / self.dispersion),
-            false => 0.0,
-        }
+        if im > 0.0 { normal::cdf((im / self.median).ln() / self.dispersion) } else { 0.0 }
     }
 
     /// The intensity at which the probability is `p`.

@@ -31,10 +31,7 @@ fn piece(curve: &Lognormal, c: f64, k: f64, low: f64, high: f64) -> f64 {
     let Lognormal { median, dispersion } = *curve;
     // By parts: −[P λ] + ∫ λ dP, and λ dP is a normal density again, shifted by −k β².
     let shifted = |im: f64| cdf(((im / median).ln() + k * dispersion.powi(2)) / dispersion);
-    let boundary = |im: f64| match im > 0.0 && im.is_finite() {
-        true => curve.probability(im) * c * im.powf(-k),
-        false => 0.0,
-    };
+    let boundary = |im: f64| if im > 0.0 && im.is_finite() { curve.probability(im) * c * im.powf(-k) } else { 0.0 };
     let upper = if high.is_finite() { shifted(high) } else { 1.0 };
     let lower = if low > 0.0 { shifted(low) } else { 0.0 };
     let whole = c * median.powf(-k) * (0.5 * (k * dispersion).powi(2)).exp();

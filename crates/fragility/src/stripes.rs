@@ -49,14 +49,8 @@ pub fn refusal(stripes: &[Stripe]) -> Option<NotIdentifiable> {
     let highest_safe = extreme(&mut safe(), f64::max);
     let (Some(first), Some(last)) = (lowest_reached, highest_safe) else {
         let none = lowest_reached.is_none();
-        let reason = match none {
-            true => "no run reached the state",
-            false => "every run reached the state",
-        };
-        let bounds = match none {
-            true => [highest_safe, None],
-            false => [None, lowest_reached],
-        };
+        let reason = if none { "no run reached the state" } else { "every run reached the state" };
+        let bounds = if none { [highest_safe, None] } else { [None, lowest_reached] };
         return Some(NotIdentifiable { reason: reason.into(), bounds });
     };
     if last < first {

@@ -78,9 +78,7 @@ fn spread(page: &str) -> String {
     let mut out = String::with_capacity(page.len() + 4096);
     let mut rest = page;
     while let Some((before, after)) = rest.split_once("<table") {
-        let Some((open, after)) = after.split_once('>') else {
-            break;
-        };
+        let Some((open, after)) = after.split_once('>') else { break };
         let (table, after) = after.split_once("</table>").unwrap_or((after, ""));
         out.push_str(&format!("{before}<table{open}>"));
         let widths = widths(table);

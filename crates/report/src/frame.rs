@@ -197,9 +197,7 @@ pub(crate) fn document(project: Option<&Project>) -> Vec<Pair> {
 
 /// Who signs: role and name, which may be blank. None without a block `project`.
 pub(crate) fn signatures(project: Option<&Project>) -> Vec<Pair> {
-    let Some(project) = project else {
-        return Vec::new();
-    };
+    let Some(project) = project else { return Vec::new() };
     let names = [&project.author, &project.checker, &project.approver];
     (words::SIGNATURES.into_iter().zip(names))
         .map(|(label, name)| Pair::new(label, name.clone().unwrap_or_default()))

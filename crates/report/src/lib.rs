@@ -177,9 +177,7 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
         if level < *from {
             continue;
         }
-        let Some(section) = make(&source)? else {
-            continue;
-        };
+        let Some(section) = make(&source)? else { continue };
         let template = templates.of_section(section.id);
         let html = templates.render(&template, &section.context)?;
         if is_empty(&html) {

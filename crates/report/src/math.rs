@@ -18,9 +18,7 @@ const WIDEST: usize = 52;
 /// Its values with units stay in SI in every report: the constants of a code's formula may have a unit that is not written
 /// (`C_c` in s/√m), and hold in SI alone.
 pub fn formula(text: &str) -> String {
-    let Ok(formula) = Formula::parse(text) else {
-        return words(text);
-    };
+    let Ok(formula) = Formula::parse(text) else { return words(text) };
     let pieces = pieces(formula.tree());
     if pieces.iter().any(|p| p.width > WIDEST) {
         return words(text);
@@ -242,9 +240,7 @@ fn quantity(number: &Number) -> Set {
         }
         None => format!("<mn>{}</mn>", escape(&number.digits)),
     };
-    let Some(unit) = number.unit else {
-        return Set::new(markup, width);
-    };
+    let Some(unit) = number.unit else { return Set::new(markup, width) };
     Set::new(
         format!("<mrow>{markup}<mspace width=\"0.17em\"/><mtext>{}</mtext></mrow>", escape(unit.symbol)),
         width + 1 + unit.symbol.chars().count(),

@@ -65,9 +65,7 @@ fn symbols(first: &'static str, second: Option<&'static str>) -> &'static str {
         // A few dozen pairs of the table of units.
         static PAIRS: RefCell<HashMap<(&'static str, &'static str), &'static str>> = RefCell::default();
     }
-    let Some(second) = second else {
-        return first;
-    };
+    let Some(second) = second else { return first };
     PAIRS.with_borrow_mut(|pairs| {
         *pairs.entry((first, second)).or_insert_with(|| Box::leak(format!("{first} ({second})").into_boxed_str()))
     })

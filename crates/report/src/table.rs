@@ -129,9 +129,7 @@ impl Table {
                 Some((_, symbol)) if column.unit.is_empty() => symbol,
                 _ => &column.unit,
             };
-            let Some(unit) = si(written) else {
-                continue;
-            };
+            let Some(unit) = si(written) else { continue };
             let values = || self.rows.iter().filter_map(|r| value(r.get(c)?)).map(|v| v * unit.factor());
             let to = System::Us.column_unit(values(), unit.dimension);
             for row in &mut out.rows {
@@ -148,9 +146,7 @@ impl Table {
         let of_units = |c: &Column| !c.numeric && c.unit.is_empty() && c.title == "Unit";
         if let Some(at) = self.columns.iter().position(of_units) {
             for row in &mut out.rows {
-                let Some(unit) = row.get(at).and_then(|u| si(u)) else {
-                    continue;
-                };
+                let Some(unit) = row.get(at).and_then(|u| si(u)) else { continue };
                 let numeric = |c: usize| self.columns.get(c).is_some_and(|c| c.numeric && c.unit.is_empty());
                 let values = row.iter().enumerate().filter(|(c, _)| numeric(*c)).filter_map(|(_, v)| value(v));
                 let to = System::Us.column_unit(values.map(|v| v * unit.factor()), unit.dimension);
@@ -181,9 +177,7 @@ fn value(cell: &str) -> Option<f64> {
 
 /// A cell in another unit, with digits for what it had.
 fn change(cell: &mut String, from: &Unit, to: &Unit, system: System) {
-    let Some(number) = value(cell) else {
-        return;
-    };
+    let Some(number) = value(cell) else { return };
     let decimals = cell.split_once('.').map_or(0, |(_, d)| d.len()) as i32;
     let step = in_unit(from.factor(), to);
     // A step of the last digit stays one.

@@ -76,10 +76,7 @@ impl Templates {
     /// The template of a section: its own one, else that of all parts.
     pub(crate) fn of_section(&self, id: &str) -> String {
         let own = format!("sections/{id}.html");
-        match self.sources.contains_key(&own) {
-            true => own,
-            false => "sections/part.html".into(),
-        }
+        if self.sources.contains_key(&own) { own } else { "sections/part.html".into() }
     }
 
     /// A style sheet.
@@ -101,9 +98,7 @@ fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), 
         let entries = std::fs::read_dir(&place).map_err(|e| fault(&place, e))?;
         for entry in entries {
             let path = entry.map_err(|e| fault(&place, e))?.path();
-            let Some(file) = path.file_name().and_then(|f| f.to_str()) else {
-                continue;
-            };
+            let Some(file) = path.file_name().and_then(|f| f.to_str()) else { continue };
             let name = format!("{prefix}{file}");
             if !path.is_file() || !(file.ends_with(".html") || sources.contains_key(&name)) {
                 continue;

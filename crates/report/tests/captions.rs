@@ -72,9 +72,7 @@ fn lines_have_one_number_at_every_level() {
             for (number, line) in lines {
                 // The full sheet leaves out lines that the sheet of the record has; lines of several grounds have one name here.
                 let there = of_full.and_then(|all| all.iter().find(|l| l.0 == number));
-                let Some((_, found)) = there.filter(|_| !line.contains(';')) else {
-                    continue;
-                };
+                let Some((_, found)) = there.filter(|_| !line.contains(';')) else { continue };
                 assert_eq!(&line, found, "{name} {id} line {number}");
                 compared += 1;
             }

@@ -168,10 +168,7 @@ impl<'w> Serializer for &'w mut Walk {
         self.serialize_f64(value.into())
     }
     fn serialize_f64(self, value: f64) -> Result<(), Stop> {
-        match value.is_finite() {
-            true => Ok(()),
-            false => Err(Stop::NotFinite(value)),
-        }
+        if value.is_finite() { Ok(()) } else { Err(Stop::NotFinite(value)) }
     }
     fn serialize_none(self) -> Result<(), Stop> {
         Ok(())

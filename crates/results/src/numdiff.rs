@@ -111,10 +111,7 @@ pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Erro
 /// The results of `compare` and `check` in a folder; none of one with others.
 fn compared(folder: &Path) -> Result<Option<Results>, Error> {
     let others = [results::IDA_FILE, results::PUSH_FILE];
-    match others.iter().any(|name| folder.join(name).is_file()) {
-        true => Ok(None),
-        false => results::read(folder).map(Some),
-    }
+    if others.iter().any(|name| folder.join(name).is_file()) { Ok(None) } else { results::read(folder).map(Some) }
 }
 
 /// Compares two JSON documents in the form of `results.json`.

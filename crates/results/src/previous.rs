@@ -21,9 +21,7 @@ pub(crate) const FORMATS: [&str; 3] = ["tankcheck-results/1", "tankcheck-results
 
 /// Results of an earlier format in the present one. A value that is not an object is left unchanged, and reading reports it.
 pub(crate) fn convert(mut results: Value) -> Value {
-    let Value::Object(map) = &mut results else {
-        return results;
-    };
+    let Value::Object(map) = &mut results else { return results };
     let format = map.insert("format".into(), super::FORMAT.into());
     let is = |known: &str| format.as_ref().and_then(Value::as_str) == Some(known);
     if let Some(Value::Object(verdict)) = map.get_mut("verdict").filter(|_| !is(FORMATS[2])) {
@@ -72,9 +70,7 @@ fn collect_runs(map: &mut Map<String, Value>) {
 }
 
 fn convert_run(mut run: Value) -> Value {
-    let Value::Object(map) = &mut run else {
-        return run;
-    };
+    let Value::Object(map) = &mut run else { return run };
     let nonlinear = map.get_mut("nonlinear").and_then(Value::as_object_mut);
     let taken = |from: Option<&mut Map<String, Value>>| -> [Option<Value>; 2] {
         from.map_or([None, None], |n| ["end", "events"].map(|key| n.remove(key)))

@@ -142,10 +142,7 @@ struct Stored {
 
 impl From<Stored> for Check {
     fn from(stored: Stored) -> Check {
-        let status = stored.status.unwrap_or(match stored.holds {
-            true => CheckStatus::Holds,
-            false => CheckStatus::Fails,
-        });
+        let status = stored.status.unwrap_or(if stored.holds { CheckStatus::Holds } else { CheckStatus::Fails });
         Check {
             limit_state: stored.limit_state.unwrap_or_else(|| stored.id.clone()),
             id: stored.id,

@@ -69,9 +69,7 @@ impl Ingredients {
 
     /// Another quantity that is this response times a constant; `None` for what is no response.
     pub fn scaled(&self, quantity: Quantity, scale: f64) -> Option<Ingredients> {
-        let Recipe::Response(response) = &self.recipe else {
-            return None;
-        };
+        let Recipe::Response(response) = &self.recipe else { return None };
         let mut response = (**response).clone();
         for part in response.impulsive.iter_mut().chain(&mut response.convective) {
             part.scale *= scale;

@@ -187,14 +187,8 @@ impl Limits {
 
     /// Whether a value lies in the range.
     pub fn hold(self, value: f64) -> bool {
-        let low = match self.low_allowed {
-            true => value >= self.low,
-            false => value > self.low,
-        };
-        let high = match self.high_allowed {
-            true => value <= self.high,
-            false => value < self.high,
-        };
+        let low = if self.low_allowed { value >= self.low } else { value > self.low };
+        let high = if self.high_allowed { value <= self.high } else { value < self.high };
         low && high
     }
 

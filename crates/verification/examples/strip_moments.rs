@@ -53,10 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         base_spring: None,
         liquid: StripLiquid::new(2.5, 2.57, 1019.4),
         sloshing: 12,
-        contact: match opening {
-            true => Contact::Joined { opens: true, penalty: None },
-            false => Contact::Bonded,
-        },
+        contact: if opening { Contact::Joined { opens: true, penalty: None } } else { Contact::Bonded },
     };
     let damping = match get("damping", 0.0) > 0.0 {
         true => StripDamping::ByGroup { wall: get("ratio", 0.05), sloshing: 0.005 },

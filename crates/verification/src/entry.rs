@@ -148,9 +148,7 @@ impl Entry {
     /// Whether a fresh value is the same: within a thousandth of the tolerance, and at least 1e-6 relative, by which
     /// processors may differ.
     pub fn same_as(&self, fresh: &Entry) -> bool {
-        let (Some(old), Some(new)) = (self.computed, fresh.computed) else {
-            return self.computed == fresh.computed;
-        };
+        let (Some(old), Some(new)) = (self.computed, fresh.computed) else { return self.computed == fresh.computed };
         let size = if self.reference == 0.0 { 1.0 } else { self.reference.abs() };
         // Residuals of patch tests are rounding: only their tolerance applies.
         let slack = self.tolerance.map_or(1e-3, |t| if t < 1e-5 { t } else { 1e-3 * t });

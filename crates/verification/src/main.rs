@@ -78,10 +78,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     // Ctrl-C removes a half-written manual; where the manual is already in place, only the messages are missing.
     let _ = ctrlc::set_handler(|| {
-        std::process::exit(i32::from(match files::discard_unfinished() {
-            true => EXIT_COMPUTATION,
-            false => EXIT_INTERRUPTED,
-        }));
+        std::process::exit(i32::from(if files::discard_unfinished() { EXIT_COMPUTATION } else { EXIT_INTERRUPTED }));
     });
     fem::cores::limit(args.threads.map_or(0, usize::from));
     ExitCode::from(run(&args).unwrap_or_else(|error| {
@@ -134,10 +131,7 @@ fn print(text: &str) -> Result<(), Error> {
 fn pattern(text: &str) -> Result<Pattern, Error> {
     Pattern::new(text).ok_or_else(|| {
         let near: Vec<String> = nearest(text).iter().map(|name| format!("`{name}`")).collect();
-        let meant = match near.is_empty() {
-            true => String::new(),
-            false => format!("did you mean {}? ", near.join(" or ")),
-        };
+        let meant = if near.is_empty() { String::new() } else { format!("did you mean {}? ", near.join(" or ")) };
         let shown = files::text::line(text);
         let text = format!(
             "PATTERN: found `{shown}`, expected an id of rows or a page, a part of one, or a glob\n  help: {meant}list them with \
@@ -149,24 +143,16 @@ fn pattern(text: &str) -> Result<Pattern, Error> {
 
 /// The accelerograms that the chosen rows need.
 fn records(args: &Args) -> Result<Option<Records>, Error> {
-    let Some(folder) = &args.records else {
-        return Ok(None);
-    };
+    let Some(folder) = &args.records else { return Ok(None) };
     // The page of the dissertation's examples takes minutes and all records.
     let whole = args.slow && args.write.is_some() && args.pattern.is_none();
-    let names: &[&str] = match whole {
-        true => &[EL_CENTRO, PARKFIELD, PACOIMA],
-        false => &[EL_CENTRO],
-    };
+    let names: &[&str] = if whole { &[EL_CENTRO, PARKFIELD, PACOIMA] } else { &[EL_CENTRO] };
     Ok(Some(Records::read(folder, names)?))
 }
 
 /// Writes the manual: rows that ran, and the last results of the others.
 fn write(folder: &Path, found: &Manual, choice: Choice) -> Result<(), Error> {
-    let kept = match folder.join(manual::ROWS).exists() {
-        true => manual::read(folder)?,
-        false => Vec::new(),
-    };
+    let kept = if folder.join(manual::ROWS).exists() { manual::read(folder)? } else { Vec::new() };
     let merged = manual::merge(&found.rows, &kept, |page, pace| choice.runs(page, pace));
     let dissertation = match (choice.pattern, choice.slow, choice.records) {
         (None, true, Some(records)) => Some(tanks::dissertation::page(records)?),

@@ -196,9 +196,7 @@ impl Jointed {
             if factor.as_ref().is_none_or(|(set, _)| *set != *open) {
                 *factor = Some((open.clone(), self.factor(base, h, open)?));
             }
-            let Some((_, solver)) = &*factor else {
-                continue;
-            };
+            let Some((_, solver)) = &*factor else { continue };
             let mut b = right.to_vec();
             for ((joint, &is_open), pressed) in self.joints.iter().zip(&*open).zip(pressed) {
                 let force = if is_open {

@@ -39,9 +39,7 @@ fn main() -> ExitCode {
 fn check(benchmark: &Benchmark, kept: &[Entry]) -> Result<(), Failed> {
     let mut fresh = Vec::new();
     for part in benchmark.parts {
-        let (Part::Fast(rows) | Part::Tested(rows)) = part else {
-            continue;
-        };
+        let (Part::Fast(rows) | Part::Tested(rows)) = part else { continue };
         let rows = rows()?;
         if rows.is_empty() {
             return Err("a part without rows".into());
@@ -55,10 +53,7 @@ fn check(benchmark: &Benchmark, kept: &[Entry]) -> Result<(), Failed> {
         .collect();
     let kept = kept.iter().filter(|row| row.page == benchmark.id && row.pace.is_tested());
     faults.extend(differences(&fresh, &kept.collect::<Vec<_>>()));
-    match faults.is_empty() {
-        true => Ok(()),
-        false => Err(faults.join("\n").into()),
-    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }
 
 /// Key of a row: words may repeat, with another source.
@@ -106,8 +101,5 @@ fn ids_have_a_meaning(kept: &[Entry]) -> Result<(), Failed> {
             }
         }
     }
-    match faults.is_empty() {
-        true => Ok(()),
-        false => Err(faults.join("\n").into()),
-    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }

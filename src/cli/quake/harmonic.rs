@@ -52,9 +52,7 @@ impl Harmonic {
     /// Errors: values out of range, a file that exists or cannot be written.
     pub(super) fn run(&self) -> Result<(), Error> {
         let text = self.record()?;
-        let Some(path) = &self.out else {
-            return print(&text);
-        };
+        let Some(path) = &self.out else { return print(&text) };
         if path.exists() {
             return refuse("--out", &format!("`{}`, which exists", path.display()), "the name of a new file");
         }

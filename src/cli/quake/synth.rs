@@ -131,9 +131,7 @@ impl Synth {
     /// Errors: a spectrum of the site that ends before twice a period.
     fn ask(&self, target: &Target, set: &[Record]) -> Result<Option<(Answer, String)>, Error> {
         let Target::Tank(tank) = target else { return Ok(None) };
-        let Ok(wanted) = rule::periods(&tank.case, &tank.decision) else {
-            return Ok(None);
-        };
+        let Ok(wanted) = rule::periods(&tank.case, &tank.decision) else { return Ok(None) };
         let name = self.target.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let horizontal: Vec<Horizontal<'_>> = set.iter().map(Horizontal::from).collect();
         let question = Question { code: CODE, table: None, target: &name, site: &tank.case.site, wanted: &wanted };

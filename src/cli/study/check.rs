@@ -25,10 +25,7 @@ pub(super) fn check(args: &StatusArgs, global: &Global) -> Result<u8, Error> {
         Format::Json => print(&json(&found)?)?,
         _ => print(&human(&plan.name, &found))?,
     }
-    Ok(match found.damaged.is_empty() {
-        true => EXIT_OK,
-        false => EXIT_COMPUTATION,
-    })
+    Ok(if found.damaged.is_empty() { EXIT_OK } else { EXIT_COMPUTATION })
 }
 
 fn human(name: &str, found: &Checked) -> String {

@@ -132,9 +132,7 @@ pub(super) fn stated(titles: &[Title]) -> Result<Stated, Fault> {
         let pieces = if apart { pieces } else { vec![title.text] };
         for piece in pieces {
             let source = || format!("line {} (`{}`)", title.number, printable(title.text));
-            let Some((key, key_unit, value)) = statement(piece) else {
-                continue;
-            };
+            let Some((key, key_unit, value)) = statement(piece) else { continue };
             if UNIT_KEYS.contains(&key.as_str()) {
                 let unit = unit_of_statement(value).ok_or_else(|| unknown_unit(value).at(title.span()))?;
                 match &found.unit {
@@ -186,10 +184,7 @@ fn stated_step(value: &str, unit: Option<&str>, rate: bool) -> Result<f64, Fault
         Some(Step::Unknown(unit)) => return Err(unknown_time(&unit)),
         None => return Err(fault()),
     };
-    match dt.is_finite() && dt > 0.0 {
-        true => Ok(dt),
-        false => Err(fault()),
-    }
+    if dt.is_finite() && dt > 0.0 { Ok(dt) } else { Err(fault()) }
 }
 
 /// Step from which a number without a unit is not read as seconds.

@@ -30,9 +30,7 @@ pub(crate) fn looks_like_time(values: &[f64]) -> bool {
 
 /// Whether every stamp agrees with a step within the rounding of its digits.
 fn agrees(stamps: &[Stamp], dt: f64) -> bool {
-    let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
-        return false;
-    };
+    let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else { return false };
     // Digits far above the step tell nothing of it.
     if last.time <= first.time || 2.0 * first.rounding.max(last.rounding) > COARSEST * dt {
         return false;
@@ -66,10 +64,7 @@ fn rounded(stamps: &[Stamp]) -> Vec<Stamp> {
     let magnitude = |time: f64| (time.abs() * (1.0 + 1e-12)).log10().floor() + 1.0;
     let digits = |s: &Stamp| magnitude(s.time) - (2.0 * s.rounding).log10().round();
     let most = stamps.iter().filter(written).filter(|s| s.time != 0.0).map(digits).fold(1.0, f64::max);
-    let of = |s: &Stamp| match s.time == 0.0 {
-        true => finest,
-        false => finest.max(0.5 * 10f64.powf(magnitude(s.time) - most)),
-    };
+    let of = |s: &Stamp| if s.time == 0.0 { finest } else { finest.max(0.5 * 10f64.powf(magnitude(s.time) - most)) };
     stamps.iter().map(|s| Stamp { rounding: s.rounding.min(of(s)), ..*s }).collect()
 }
 

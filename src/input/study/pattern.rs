@@ -71,10 +71,7 @@ impl Walk {
         match self.parts.get(from) {
             None if path.is_file() => {
                 self.found.push(path.to_path_buf());
-                match self.found.len() > MOST_FILES {
-                    true => Err(Refused::Files),
-                    false => Ok(()),
-                }
+                if self.found.len() > MOST_FILES { Err(Refused::Files) } else { Ok(()) }
             }
             None => Ok(()),
             Some(Part::Name(name)) => {

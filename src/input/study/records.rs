@@ -88,9 +88,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
         let components = given.components.value();
         let parts = components.map(|c| Parts::of(r, c));
         for path in paths {
-            let Some((along, across, up)) = components_of(r, &given.files, &path, parts.as_ref()) else {
-                continue;
-            };
+            let Some((along, across, up)) = components_of(r, &given.files, &path, parts.as_ref()) else { continue };
             let id = name_of(&path, folder);
             if all.iter().any(|other| other.id == id) {
                 let message = format!("the record `{id}` is named twice");

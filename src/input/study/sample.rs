@@ -127,9 +127,7 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
     let mut parameters = Vec::new();
     for item in given.parameters.value.iter().flatten() {
         let Some(parameter) = item.value.as_ref() else { continue };
-        let Some(found) = sampled(r, item, parameter) else {
-            continue;
-        };
+        let Some(found) = sampled(r, item, parameter) else { continue };
         if parameters.iter().any(|other: &Sampled| other.path == found.path) {
             let message = "a parameter that is sampled twice";
             let allowed = "each path once";

@@ -83,10 +83,7 @@ impl Axis {
             Period::Impulsive => periods[0]?,
             Period::Sloshing => periods[1]?,
         };
-        Some(match average {
-            true => Intensity::AverageSa { period, damping },
-            false => Intensity::Sa { period, damping },
-        })
+        Some(if average { Intensity::AverageSa { period, damping } } else { Intensity::Sa { period, damping } })
     }
 
     /// `PGA`, `Sa(0.3 s)`, `Sa(Ti, 5 %)`, `AvgSa(Tc, 0.5 %)`.

@@ -72,9 +72,7 @@ impl TankEntry {
 
     /// Column → cell of its row, without empty cells; none for a file.
     pub fn given(&self) -> Vec<(String, String)> {
-        let Some((table, row)) = &self.row else {
-            return Vec::new();
-        };
+        let Some((table, row)) = &self.row else { return Vec::new() };
         let cells = table.head.iter().zip(&table.rows[*row]);
         let filled = cells.filter(|(_, cell)| !cell.text.is_empty());
         filled.map(|(head, cell)| (head.text.clone(), cell.text.clone())).collect()
@@ -208,9 +206,7 @@ fn from_table(
     folder: &Path,
     broken: &mut Vec<Error>,
 ) -> Vec<TankEntry> {
-    let (Some(template), Some(name)) = (r.text(template), r.text(table)) else {
-        return Vec::new();
-    };
+    let (Some(template), Some(name)) = (r.text(template), r.text(table)) else { return Vec::new() };
     let path: PathBuf = folder.join(&name);
     if let Some(error) = irregular(&[folder.join(&template), path.clone()]) {
         broken.push(error);

@@ -126,10 +126,7 @@ pub(super) fn missing<'t>(path: &str, key: &str, text: impl Fn(&str) -> &'t str)
 pub(super) fn looked_for(key: &str, path: &str) -> Option<&'static Hint> {
     // `materials["A 36"]` is one of the materials.
     let section = path.split('[').next().unwrap_or_default();
-    let section = match section.starts_with("materials.") {
-        true => "materials",
-        false => section,
-    };
+    let section = if section.starts_with("materials.") { "materials" } else { section };
     let folded = key.to_lowercase().replace(['-', ' '], "_");
     let fits = |hint: &&Hint| hint.words.contains(&folded.as_str()) && hint.sections.contains(&section);
     // The level of the liquid before that of the wall.

@@ -80,9 +80,7 @@ fn walk<'b>(shape: &Shape, path: &str, book: &'b Book, sections: &mut Vec<Sectio
                 known.paths.push(path.to_owned());
                 return;
             }
-            let Some(object) = book.objects.iter().find(|o| o.name == *name) else {
-                return;
-            };
+            let Some(object) = book.objects.iter().find(|o| o.name == *name) else { return };
             sections.push(Section { object, paths: vec![path.to_owned()] });
             for key in &object.keys {
                 walk(&key.shape, &below(key.name), book, sections);
@@ -122,10 +120,7 @@ fn write_section(page: &mut String, section: &Section<'_>, book: &Book, sections
     page.push_str("\n| key | example | value | if not given | meaning |\n|---|---|---|---|---|\n");
     for key in &section.object.keys {
         let name = format!("`{}`", key.name);
-        let otherwise = match key.required {
-            true => "**required**".to_owned(),
-            false => key.otherwise.clone(),
-        };
+        let otherwise = if key.required { "**required**".to_owned() } else { key.otherwise.clone() };
         row(page, &[&name, &example(key), &value(key, sections), &otherwise, &meaning(key, book)]);
     }
 }

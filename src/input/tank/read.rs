@@ -291,10 +291,7 @@ impl<'a> ObjectReader<'a> {
         let present: BTreeSet<&str> = members.iter().map(|m| m.key.as_str()).collect();
         let free: Vec<&'static str> = known.iter().copied().filter(|k| !present.contains(k)).collect();
         for member in members.iter().filter(|m| !known.contains(&m.key.as_str())) {
-            let near = match faults.count() < SUGGESTED_FOR {
-                true => nearest(&member.key, free.iter().copied()),
-                false => None,
-            };
+            let near = if faults.count() < SUGGESTED_FOR { nearest(&member.key, free.iter().copied()) } else { None };
             let mut fault = Fault::new(Code::UnknownKey, format!("unknown key `{}`", member.key))
                 .at(member.key_span.clone())
                 .path(member.value.path.clone())

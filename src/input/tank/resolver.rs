@@ -92,9 +92,7 @@ impl<'f> Resolver<'f> {
     /// A number of the file, within these limits; NaN if faulty.
     pub(crate) fn within<T: Si>(&mut self, field: &Field<T>, limits: Limits) -> f64 {
         self.echo_given(field);
-        let Some(value) = field.value else {
-            return f64::NAN;
-        };
+        let Some(value) = field.value else { return f64::NAN };
         if limits.values.is_empty() {
             if limits.hold(value.si()) {
                 if let Some(usual) = limits.unusual(value.si(), T::DIMENSION) {

@@ -32,9 +32,7 @@ impl<T: FromNode> Property for Stated<T> {
     const REQUIRED: bool = false;
     fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
         let absent = Stated::absent(object.path(), key);
-        let Some(member) = object.take(key.name) else {
-            return absent;
-        };
+        let Some(member) = object.take(key.name) else { return absent };
         match &member.value.kind {
             Kind::Text(word) if word == NONE => Stated {
                 none: Some(Field {

@@ -62,9 +62,7 @@ pub(in crate::input) fn quantity_fault(node: &Node, error: &UnitError, allowed: 
 
 /// The density of a weight per volume (`25 kN/m3`), for who writes that.
 fn weight(node: &Node, error: &UnitError) -> Option<String> {
-    let (UnitError::WrongDimension { expected, .. }, Kind::Text(text)) = (error, &node.kind) else {
-        return None;
-    };
+    let (UnitError::WrongDimension { expected, .. }, Kind::Text(text)) = (error, &node.kind) else { return None };
     // A subgrade modulus has the same unit.
     let weight = units::parse(text, Dimension::Subgrade).ok()?;
     let density = weight / tank::STANDARD_GRAVITY;

@@ -48,10 +48,7 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
                 faults.push(unknown(column, &message).at(place(&column.span)));
             }
         }
-        match faults.is_empty() {
-            true => resolved(root, &base.source, &mut faults),
-            false => None,
-        }
+        if faults.is_empty() { resolved(root, &base.source, &mut faults) } else { None }
     });
     match file {
         Some(file) if faults.is_empty() => {

@@ -252,18 +252,14 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
     let mut found = BTreeMap::new();
     let mut elsewhere = Vec::new();
     for line in messages.lines() {
-        let Ok(value) = serde_json::from_str::<Value>(line) else {
-            continue;
-        };
+        let Ok(value) = serde_json::from_str::<Value>(line) else { continue };
         let message = &value["message"];
         if value["reason"] != "compiler-message" || message["level"] != "error" {
             continue;
         }
         let text = message["message"].as_str().unwrap_or_default();
         let code = message["code"]["code"].as_str().unwrap_or_default();
-        let Some(spans) = message["spans"].as_array() else {
-            continue;
-        };
+        let Some(spans) = message["spans"].as_array() else { continue };
         // The innermost region around each span; of several the one with the fewest mutants.
         let around = |span: &Value| {
             let file = span["file_name"].as_str()?;

@@ -83,9 +83,7 @@ impl Run<'_> {
     /// * `w_ab`: uplift per length of shell [N/m]
     pub(super) fn anchor_count(&mut self, w_ab: f64) {
         let id = limit_states::COUNT.id;
-        let Some(anchors) = self.counted_anchors() else {
-            return self.missing(id, "tank.anchors");
-        };
+        let Some(anchors) = self.counted_anchors() else { return self.missing(id, "tank.anchors") };
         let (least, note) = match w_ab > 0.0 {
             true => (LEAST[1], "six where the earthquake pulls at them"),
             false => (LEAST[0], "the earthquake does not pull at them"),
@@ -101,9 +99,7 @@ impl Run<'_> {
     /// Spacing of the anchors against the largest allowed.
     pub(super) fn anchor_spacing(&mut self) {
         let id = limit_states::SPACING.id;
-        let Some(anchors) = self.counted_anchors() else {
-            return self.missing(id, "tank.anchors");
-        };
+        let Some(anchors) = self.counted_anchors() else { return self.missing(id, "tank.anchors") };
         self.sheet.given(&[("n_A", f64::from(anchors.count), Dimensionless)]);
         let name = "spacing of the anchors";
         let spacing = self.sheet.calc("a_A", name, "π·D/n_A", Length, SPACING);

@@ -76,18 +76,13 @@ impl Run<'_> {
 
     /// A detail that is as the clause wants it, or not: deviations from it against none.
     fn detail(&mut self, id: &str, name: &str, sound: bool, clause: &str, note: &str) {
-        let (found, allowed) = match sound {
-            true => (0.0, 1.0),
-            false => (1.0, 0.0),
-        };
+        let (found, allowed) = if sound { (0.0, 1.0) } else { (1.0, 0.0) };
         self.check(id, name, found, allowed, Dimensionless, clause, note);
     }
 
     /// Welds of the annular plates of a self-anchored tank.
     pub(super) fn annular_weld(&mut self) {
-        let (id, Some(site)) = (limit_states::ANNULAR_WELD.id, self.site) else {
-            return;
-        };
+        let (id, Some(site)) = (limit_states::ANNULAR_WELD.id, self.site) else { return };
         if self.excitation != Excitation::Site || self.basis.anchored() {
             return;
         }
@@ -122,9 +117,7 @@ impl Run<'_> {
             return;
         }
         let details = self.basis.case.tank.details;
-        let Some(support) = details.shell_support else {
-            return self.missing(id, "tank.foundation.shell_support");
-        };
+        let Some(support) = details.shell_support else { return self.missing(id, "tank.foundation.shell_support") };
         let name = "Supports of the shell that the clause excludes";
         if self.basis.anchored() {
             let note = "a mechanically anchored tank stands on shims and grout";

@@ -56,9 +56,7 @@ impl Run<'_> {
         let Some(allowed) = self.site.and_then(|site| site.bearing_capacity) else {
             return self.missing(id, "site.api650.bearing_capacity");
         };
-        let Some(foundation) = b.case.tank.foundation else {
-            return self.missing(id, "tank.foundation");
-        };
+        let Some(foundation) = b.case.tank.foundation else { return self.missing(id, "tank.foundation") };
         let own = self.site.and_then(|site| site.foundation_weight).unwrap_or(0.0);
         self.sheet.given(&[("W_fd", own, Force)]);
         self.sheet.section("Pressure on the ground");
@@ -82,9 +80,7 @@ impl Run<'_> {
                 (pressure, "a slab as wide as the tank; a wider one presses less")
             }
             FoundationKind::RingWall | FoundationKind::Soil => {
-                let Some(width) = foundation.width else {
-                    return self.missing(id, "tank.foundation.width");
-                };
+                let Some(width) = foundation.width else { return self.missing(id, "tank.foundation.width") };
                 let Some(sigma) = self.compression else {
                     let reason = "the compression of the shell is not known";
                     return self.without_comparison(id, CheckStatus::NotChecked, reason, None);

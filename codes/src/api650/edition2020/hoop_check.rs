@@ -225,9 +225,7 @@ impl Run<'_> {
 
     /// Allowable hoop stress of each course [Pa], or the missing data in words.
     fn allowable_hoop(&self) -> Result<Vec<f64>, String> {
-        let Some(site) = self.site else {
-            return Err("site.api650.joint_efficiency".into());
-        };
+        let Some(site) = self.site else { return Err("site.api650.joint_efficiency".into()) };
         let e = site.joint_efficiency;
         self.basis.case.tank.courses.iter().map(|c| allowable(&c.material, e)).collect()
     }

@@ -35,9 +35,7 @@ impl Run<'_> {
                 },
             });
         }
-        let Some([impulsive, convective, of_wave]) = ordinates else {
-            return all;
-        };
+        let Some([impulsive, convective, of_wave]) = ordinates else { return all };
         let action = Action { impulsive, convective, combination: Combination::Srss };
         let roof = basis.case.tank.roof_height();
         for (quantity, x_i, x_c) in [

@@ -357,9 +357,7 @@ pub(crate) fn snow(case: &Case) -> Requirement {
 /// ASCE 7-16 asks for a ground motion study on soft sites; its exceptions are not examined.
 fn study(case: &Case) -> Requirement {
     let none = |reason: &str| NotApplicable(reason.into());
-    let Some(site) = &case.site.api650 else {
-        return none("`site.api650` is not given");
-    };
+    let Some(site) = &case.site.api650 else { return none("`site.api650` is not given") };
     if case.site.spectrum.is_some() {
         return none("the user's spectrum stands for the study");
     }
@@ -413,10 +411,7 @@ fn pressed(case: &Case) -> Requirement {
 }
 
 fn vacuum(case: &Case) -> Requirement {
-    match case.tank.pressure.vacuum > 0.0 {
-        true => NotImplemented,
-        false => NotApplicable("there is no vacuum".into()),
-    }
+    if case.tank.pressure.vacuum > 0.0 { NotImplemented } else { NotApplicable("there is no vacuum".into()) }
 }
 
 fn support(case: &Case) -> Requirement {

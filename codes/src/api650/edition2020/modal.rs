@@ -63,10 +63,7 @@ pub(super) fn action<'a>(case: &'a Case, annex: &Api650Site, reduced: bool) -> R
         false => (1.0, 1.0),
     };
     let (structural, sloshing, wave) = (spectrum()?, spectrum()?, spectrum()?);
-    let limit = match reduced {
-        true => structural.short_period() * i / r_wi,
-        false => f64::INFINITY,
-    };
+    let limit = if reduced { structural.short_period() * i / r_wi } else { f64::INFINITY };
     let sug = annex.sug;
     let [r_i, r_c] = [r_wi, r_wc].map(number);
     Ok(ModalAction {

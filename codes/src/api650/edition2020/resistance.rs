@@ -190,10 +190,7 @@ impl Run<'_> {
         if lifts {
             let plate = self.basis.case.tank.bottom.as_ref().map(|plate| &plate.material);
             self.sheet.given(&[("E", plate.map_or(0.0, |material| material.youngs_modulus), Stress)]);
-            let formula = match plate.is_some_and(softer) {
-                true => hd::UPLIFT_ALUMINIUM,
-                false => hd::UPLIFT,
-            };
+            let formula = if plate.is_some_and(softer) { hd::UPLIFT_ALUMINIUM } else { hd::UPLIFT };
             let name = "uplift of the shell for the flexibility of piping";
             let uplift = self.sheet.calc("y_u", name, formula, Length, E7_3);
             let toe = self.compression.unwrap_or_default() * self.basis.t_s;
@@ -276,9 +273,7 @@ impl Run<'_> {
         let name = "largest tangential shear at the base per length";
         self.sheet.calc("V_max", name, "2·V/(π·D)", LineForce, E7_7);
         self.shear_transfer();
-        let Some(site) = self.site else {
-            return;
-        };
+        let Some(site) = self.site else { return };
         let mu = site.friction.min(0.4);
         if site.friction > 0.4 {
             self.out.notes.push(format!("{E7_6}: friction {} is taken as 0.4, the largest allowed.", site.friction));

@@ -26,9 +26,7 @@ impl Run<'_> {
     /// Lines of period, damping and reduction.
     pub(super) fn soil(&mut self, periods: &Periods, forces: &Forces) {
         let (b, case) = (self.basis, self.basis.case);
-        let (Some(period), true) = (periods.impulsive, slab::is_on_soil(case)) else {
-            return;
-        };
+        let (Some(period), true) = (periods.impulsive, slab::is_on_soil(case)) else { return };
         if !b.anchored() {
             self.out.notes.push(format!(
                 "{E6_1_6}: soil-structure interaction is left out, the tank is not mechanically anchored."
@@ -38,13 +36,9 @@ impl Run<'_> {
         let g = case.gravity;
         let parts = [[forces.w_i / g, forces.x_is], [b.w_s / g, b.x_s], [b.w_r / g, case.tank.roof_height()]];
         let sheet = &mut self.sheet;
-        let Some(mut slab) = slab::lines(sheet, case, parts, period, ASCE) else {
-            return;
-        };
+        let Some(mut slab) = slab::lines(sheet, case, parts, period, ASCE) else { return };
         slab.on.structure.damping = BETA;
-        let Some(effective) = slab.effective() else {
-            return;
-        };
+        let Some(effective) = slab.effective() else { return };
         sheet.given(&[("β", BETA, Dimensionless)]);
         let name = "ratio of the periods";
         sheet.calc("κ", name, "T_e0/T_i", Dimensionless, ASCE);

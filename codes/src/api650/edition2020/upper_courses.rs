@@ -84,9 +84,7 @@ impl Run<'_> {
                 governing = Some((utilisation, edge));
             }
         }
-        let Some((_, edge)) = governing else {
-            return;
-        };
+        let Some((_, edge)) = governing else { return };
         let mut sheet = std::mem::take(&mut self.sheet);
         let place = format!("course {} at z = {}", edge.number, with_unit(edge.z, Length));
         sheet.section(&format!("Compression of the courses above: {place} governs"));

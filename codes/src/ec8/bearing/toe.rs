@@ -121,9 +121,7 @@ fn on_soil(work: &mut Work, toe: Toe, resistance: f64) {
     let plate = work.case.tank.bottom.as_ref();
     let plate = plate.and_then(|plate| Some((plate.net_thickness(), plate.material.yield_strength?, plate.projection)));
     // A wall that lifts has a plate of known strength.
-    let (Some((thickness, f_y, projection)), Some(course)) = (plate, work.case.tank.courses.first()) else {
-        return;
-    };
+    let (Some((thickness, f_y, projection)), Some(course)) = (plate, work.case.tank.courses.first()) else { return };
     inputs(work, toe);
     let note = "the wall lifts; the plate spreads its toe as far as it does not yield";
     if toe.pressure >= resistance {

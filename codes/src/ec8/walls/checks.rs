@@ -99,9 +99,7 @@ fn shear(work: &mut Work, places: &[Place], sections: &Sections) {
     let mut governing: Option<(Governing, Option<shear::Shear>)> = None;
     let seismic = |p: &&Place| p.factors.situation == Situation::Seismic;
     for place in places.iter().filter(seismic) {
-        let (Some(section), Some(demand)) = (sections.given(place), place.shear) else {
-            continue;
-        };
+        let (Some(section), Some(demand)) = (sections.given(place), place.shear) else { continue };
         let tension = if place.m >= 0.0 { Face::Inner } else { Face::Outer };
         let terms = shear::terms(section, place.n, tension);
         let capacity = terms.map_or(0.0, |t| lines::shear_resistance(section, &t));

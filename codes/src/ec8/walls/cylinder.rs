@@ -78,10 +78,7 @@ pub(in crate::ec8) fn assess(work: &mut Work, state: &State, vertical: bool) {
             for held in by_friction(friction(base) * stands.max(0.0), pulled.as_ref(), sum(&|s| s.at(0.0, 0.0).w)) {
                 let pull = |of: &dyn Fn(&Bent) -> f64| pulled.as_ref().map_or(0.0, |pulled| held * of(pulled));
                 let both = |of: &dyn Fn(&Bent) -> f64| sum(of) - pull(of);
-                let m = match foot {
-                    true => both(&|s| s.base.0),
-                    false => both(&|s| s.at(0.0, z).m_z),
-                };
+                let m = if foot { both(&|s| s.base.0) } else { both(&|s| s.at(0.0, z).m_z) };
                 places.push(place(BarDirection::Hoop, both(&|s| s.hoop(z)) + hoop, nu * m, None));
                 let shear = foot.then(|| (both(&|s| s.base.1) + held).abs());
                 places.push(place(BarDirection::Vertical, vertical, m, shear));
@@ -127,9 +124,7 @@ fn friction(base: WallBase) -> f64 {
 ///
 /// * `moved`: displacement of the foot without friction [m]
 fn by_friction(most: f64, pulled: Option<&Bent>, moved: f64) -> Vec<f64> {
-    let Some(pulled) = pulled.filter(|_| most > 0.0) else {
-        return vec![0.0];
-    };
+    let Some(pulled) = pulled.filter(|_| most > 0.0) else { return vec![0.0] };
     let stops = moved / pulled.at(0.0, 0.0).w;
     vec![0.0, stops.clamp(-most, most)]
 }

@@ -76,10 +76,7 @@ pub(super) fn bending(work: &mut Work, governing: &Governing) {
     let source = "strain compatibility, rectangular block 0.8 x, bars without hardening";
     // In tension along a ray of the same eccentricity, named by the larger part; in compression at the same force.
     let pulls = place.n > 0.0 && place.n * 0.5 * section.thickness > place.m.abs();
-    let (demand, dimension) = match pulls {
-        true => (place.n, LineForce),
-        false => (place.m.abs(), LineMoment),
-    };
+    let (demand, dimension) = if pulls { (place.n, LineForce) } else { (place.m.abs(), LineMoment) };
     let capacity = match governing.utilisation {
         u if u.is_infinite() => 0.0,
         u if u > 0.0 => demand / u,

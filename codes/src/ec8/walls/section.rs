@@ -47,9 +47,7 @@ pub(super) fn of(
     };
     let (material, strength) = concrete(course);
     let path = format!("materials.{}", material.name);
-    let Behaviour::Concrete(_) = material.behaviour else {
-        return Err(missing(format!("{path}.grade")));
-    };
+    let Behaviour::Concrete(_) = material.behaviour else { return Err(missing(format!("{path}.grade"))) };
     let Some(strength) = strength else {
         return Err(missing(format!("{path}.behaviour.concrete.characteristic_strength")));
     };

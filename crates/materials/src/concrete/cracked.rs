@@ -198,9 +198,7 @@ impl Law<3> for CrackedConcrete {
 
     fn inspect(&self, strain: &[f64; 3], history: &[f64]) -> PointState {
         let mut new = [0.0; SLOTS];
-        let Ok(response) = self.respond(strain, history, &mut new) else {
-            return PointState::default();
-        };
+        let Ok(response) = self.respond(strain, history, &mut new) else { return PointState::default() };
         let (_, f) = self.surface.at(&response.stress);
         let mut state = PointState {
             plastic_strain: new[EQUIVALENT],

@@ -23,9 +23,7 @@ fn inside<const N: usize>(range: &dyn ElasticRange<N>, noise: &mut Noise, size: 
 }
 
 fn check<const N: usize>(case: &Case<N>) {
-    let Some(range) = case.law.elastic_range() else {
-        return;
-    };
+    let Some(range) = case.law.elastic_range() else { return };
     let mut noise = Noise::new(97);
     let moduli = range.moduli();
     let scale = moduli.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));

@@ -38,10 +38,7 @@ impl Shown {
     }
 
     fn number(&self, value: f64) -> String {
-        match value == 0.0 {
-            true => "0".into(),
-            false => fixed(self.factor * value, self.decimals),
-        }
+        if value == 0.0 { "0".into() } else { fixed(self.factor * value, self.decimals) }
     }
 
     fn with_unit(&self, value: f64) -> String {
@@ -56,10 +53,7 @@ impl Shown {
 fn range(values: &[f64]) -> (f64, f64) {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    match low >= 0.0 && low < 0.5 * high {
-        true => (0.0, high),
-        false => (low, high),
-    }
+    if low >= 0.0 && low < 0.5 * high { (0.0, high) } else { (low, high) }
 }
 
 /// A uniform map in one sentence.

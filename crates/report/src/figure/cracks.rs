@@ -248,9 +248,7 @@ mod tests {
 
     /// Ends of the strokes of a class.
     fn strokes(figure: &Figure, class: &str) -> Vec<[f64; 4]> {
-        let Some(path) = figure.markup.split(&format!("class=\"{class}\" d=\"M")).nth(2) else {
-            return Vec::new();
-        };
+        let Some(path) = figure.markup.split(&format!("class=\"{class}\" d=\"M")).nth(2) else { return Vec::new() };
         let data = path.split('"').next().unwrap_or("");
         data.split('M')
             .map(|s| {

@@ -35,9 +35,7 @@ pub fn decimate(time: &[f64], values: &[f64], columns: usize) -> Vec<(f64, f64)>
 /// coordinates, and every one that is at least a `part` of the curve's extent away from the one kept before it.
 pub fn thin(points: &[[f64; 2]], part: f64) -> Vec<(f64, f64)> {
     let finite: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
-    let Some(last) = finite.len().checked_sub(1) else {
-        return Vec::new();
-    };
+    let Some(last) = finite.len().checked_sub(1) else { return Vec::new() };
     let mut extremes = vec![0, last];
     let mut room = [0.0; 2];
     for k in 0..2 {

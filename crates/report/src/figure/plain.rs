@@ -104,9 +104,7 @@ impl Compound {
 impl Rule {
     /// Whether it is of an element within others.
     fn meets(&self, element: &Open, open: &[Open]) -> bool {
-        let Some((last, outer)) = self.compounds.split_last() else {
-            return false;
-        };
+        let Some((last, outer)) = self.compounds.split_last() else { return false };
         if !last.meets(element) {
             return false;
         }
@@ -156,9 +154,7 @@ fn rules(css: &str) -> Vec<Rule> {
             rest = beyond(after);
             continue;
         }
-        let Some((body, after)) = after.split_once('}') else {
-            break;
-        };
+        let Some((body, after)) = after.split_once('}') else { break };
         let declarations: Vec<(String, String)> = body
             .split(';')
             .filter_map(|d| d.split_once(':'))
@@ -204,9 +200,7 @@ fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
 
 /// A tag without an attribute.
 fn without(tag: &str, name: &str) -> String {
-    let Some((before, after)) = tag.split_once(&format!(" {name}=\"")) else {
-        return tag.to_owned();
-    };
+    let Some((before, after)) = tag.split_once(&format!(" {name}=\"")) else { return tag.to_owned() };
     let after = after.split_once('"').map_or("", |(_, after)| after);
     format!("{before}{after}")
 }

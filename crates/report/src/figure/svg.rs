@@ -66,9 +66,7 @@ impl Svg {
 
     /// A smooth curve through points: Catmull and Rom's cubics, with the slopes of the chords beside each point.
     pub fn curve(&mut self, points: &[(f64, f64)], class: &str) {
-        let Some(&first) = points.first().filter(|_| points.len() > 2) else {
-            return self.path(points, false, class);
-        };
+        let Some(&first) = points.first().filter(|_| points.len() > 2) else { return self.path(points, false, class) };
         let at = |i: usize| points.get(i).copied().unwrap_or(first);
         let mut data = format!("M{} {}", n(first.0), n(first.1));
         for i in 0..points.len() - 1 {

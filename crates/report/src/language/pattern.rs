@@ -101,9 +101,7 @@ fn rest<'a>(
             accepted
         }
         [Piece::Hole(_, kind), others @ ..] => {
-            let Some(Piece::Text(next)) = others.first() else {
-                return false;
-            };
+            let Some(Piece::Text(next)) = others.first() else { return false };
             let mut from = 0;
             while let Some(at) = text[from..].find(next.as_str()).map(|p| p + from) {
                 if at > 0 && fits(&text[..at], *kind) {
@@ -173,9 +171,7 @@ pub(super) fn pieces(line: &str) -> Vec<Piece> {
 /// The next hole: text before, its inside, text behind.
 fn hole(text: &str) -> Option<(&str, &str, &str)> {
     for (open, _) in text.match_indices('{') {
-        let Some(close) = text[open..].find('}').map(|c| c + open) else {
-            continue;
-        };
+        let Some(close) = text[open..].find('}').map(|c| c + open) else { continue };
         let inside = &text[open + 1..close];
         if matches!(inside, "" | "#" | "=" | "w") || (inside.len() == 1 && inside.as_bytes()[0].is_ascii_digit()) {
             return Some((&text[..open], inside, &text[close + 1..]));

@@ -23,9 +23,7 @@ const ANCHORS: usize = 4;
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(run) = source.results.reference().and_then(|run| run.base.as_ref()) else {
-        return Ok(None);
-    };
+    let Some(run) = source.results.reference().and_then(|run| run.base.as_ref()) else { return Ok(None) };
     let mut section = Section::new("base");
     section.set("values", &values(run));
     section.set("ground", &words::ground(run));
@@ -319,9 +317,7 @@ fn around(run: &BaseRun) -> Result<Figure, Error> {
 
 /// Largest force of the anchors around the circumference, beside the force at which one yields; `None` without anchors.
 fn bolts(run: &BaseRun) -> Result<Option<Figure>, Error> {
-    let Some(anchors) = run.anchors.as_ref().filter(|a| !a.forces.is_empty()) else {
-        return Ok(None);
-    };
+    let Some(anchors) = run.anchors.as_ref().filter(|a| !a.forces.is_empty()) else { return Ok(None) };
     // The rim is symmetric about the direction of the motion: places stand from 0 to 180°.
     let half = anchors.forces.iter().map(|p| (p[0], p[1]));
     let mirrored = anchors.forces.iter().rev().map(|p| (360.0 - p[0], p[1]));

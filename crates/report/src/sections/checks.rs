@@ -66,10 +66,7 @@ fn row(check: &Check, created: &str) -> Row {
     let values = [check.demand, check.capacity];
     let scale = Scale::of(check.dimension, values.into_iter().flatten());
     let text = |value: Option<f64>| value.map(|v| scale.text(v)).unwrap_or_default();
-    let (class, sign) = match check.within_error {
-        true => ("pending", "✓"),
-        false => sign(check.status),
-    };
+    let (class, sign) = if check.within_error { ("pending", "✓") } else { sign(check.status) };
     let place = words::verdict::place(check);
     let error = words::verdict::error(check);
     let approval = capital(&words::verdict::approval(check, created));

@@ -53,10 +53,7 @@ fn table(all: &[Directional]) -> Table {
             scale.text(one.y),
             scale.text(one.srss()),
             scale.text(one.resultant),
-            match one.resultant > 0.0 {
-                true => ratio(one.srss() / one.resultant),
-                false => "–".into(),
-            },
+            if one.resultant > 0.0 { ratio(one.srss() / one.resultant) } else { "–".into() },
             fixed(one.theta.to_degrees(), 0),
             fixed(one.time, 3),
         ]);

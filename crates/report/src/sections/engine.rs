@@ -19,9 +19,7 @@ struct Pair {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = source.results.reference() else {
-        return Ok(None);
-    };
+    let Some(fe) = source.results.reference() else { return Ok(None) };
     let mut section = Section::new("engine");
     fill(&mut section, fe);
     Ok(Some(section))

@@ -64,9 +64,7 @@ fn is_base(info: &SeriesInfo) -> bool {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = source.results.reference() else {
-        return Ok(None);
-    };
+    let Some(fe) = source.results.reference() else { return Ok(None) };
     let own = |s: &&SeriesInfo| !is_ground(s) && !is_force(s) && !is_base(s);
     let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(own).collect();
     infos.sort_by_key(|s| rank(s));
@@ -88,9 +86,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         drawn.extend(figure);
     }
     for info in infos.iter().take(most(source.level)) {
-        let Some(values) = source.column(&info.id) else {
-            continue;
-        };
+        let Some(values) = source.column(&info.id) else { continue };
         let id = format!("history_{}", info.id);
         drawn.extend(history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?);
     }
@@ -151,10 +147,7 @@ pub(super) fn history(
     }
     let (time, values) = (&time[..n], &values[..n]);
     let (lowest, highest) = extremes(values);
-    let sampled = match -values[lowest] > values[highest] {
-        true => lowest,
-        false => highest,
-    };
+    let sampled = if -values[lowest] > values[highest] { lowest } else { highest };
     // The engine reports the peak between samples; its sign is that of the nearest sample.
     let (time_of_peak, peak) = match info {
         Some(info) if info.peak.is_finite() => {

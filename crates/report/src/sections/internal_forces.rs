@@ -30,9 +30,7 @@ struct Station<'a> {
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let all: Vec<(&Run, Vec<Station>)> = source.results.runs.iter().map(|run| (run, stations(run))).collect();
-    let Some((first, drawn)) = all.iter().find(|(_, stations)| !stations.is_empty()) else {
-        return Ok(None);
-    };
+    let Some((first, drawn)) = all.iter().find(|(_, stations)| !stations.is_empty()) else { return Ok(None) };
     let prefix = if source.results.reference().is_some_and(|run| run.engine == first.engine) {
         ""
     } else {
@@ -55,9 +53,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 fn stations(run: &Run) -> Vec<Station<'_>> {
     let mut all: Vec<Station> = Vec::new();
     for info in &run.histories {
-        let Some((what, z, degrees)) = info.channel().and_then(results::Channel::force_at) else {
-            continue;
-        };
+        let Some((what, z, degrees)) = info.channel().and_then(results::Channel::force_at) else { continue };
         let place = (z, degrees);
         match all.iter_mut().find(|station| station.place == place) {
             Some(station) => station.forces.push((what, info)),

@@ -15,9 +15,7 @@ const ROWS: usize = 6;
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = source.results.reference().filter(|fe| !fe.modes.is_empty()) else {
-        return Ok(None);
-    };
+    let Some(fe) = source.results.reference().filter(|fe| !fe.modes.is_empty()) else { return Ok(None) };
     let rows: Vec<&Mode> = fe.modes.iter().filter(|m| m.number <= ROWS).collect();
     let mut section = Section::new("modes");
     section.set("modes", &table(source, &rows));
@@ -58,10 +56,8 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
     let liquid = source.results.tank.liquid_mass;
     let mass = Scale::of(Dimension::Mass, modes.iter().map(|m| m.effective_mass));
     let height = Scale::of(Dimension::Length, modes.iter().map(|m| m.effective_height));
-    let moving = |mode: &Mode, text: String| match mode.effective_mass.abs() > 1e-9 * liquid {
-        true => text,
-        false => "–".into(),
-    };
+    let moving =
+        |mode: &Mode, text: String| if mode.effective_mass.abs() > 1e-9 * liquid { text } else { "–".into() };
     let all: Vec<(&Mode, Option<usize>)> = modes.iter().copied().zip(groups(modes)).collect();
     let mut rows = Rows::of(&all);
     rows.numbers("m", "", |(m, _)| m.harmonic.to_string());

@@ -43,9 +43,7 @@ fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error>
             direction => Channel::Ground { motion, vertical: direction == "vertical" },
         };
         let id = channel.id();
-        let Some(values) = source.column(&id) else {
-            continue;
-        };
+        let Some(values) = source.column(&id) else { continue };
         let (title, dimension) = (channel.title(), channel.dimension());
         figures.extend(history(source, &id, &title, dimension, values, None, "k-ground")?);
     }

@@ -29,9 +29,7 @@ pub(super) fn over_time(source: &Source, motion: &Motion<'_>) -> Result<Option<F
     let time = &source.series.time;
     let found = motion.channels.iter().filter_map(|channel| source.column(&channel.id()));
     let columns: Vec<&[f64]> = found.filter(|c| c.len() > 1 && c.len() <= time.len()).collect();
-    let (Some(first), Some(channel)) = (columns.first(), motion.channels.first()) else {
-        return Ok(None);
-    };
+    let (Some(first), Some(channel)) = (columns.first(), motion.channels.first()) else { return Ok(None) };
     let dimension = channel.dimension();
     let all = || columns.iter().flat_map(|c| c.iter().copied());
     let end = time[first.len() - 1];

@@ -37,9 +37,7 @@ struct Outcome {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = source.results.beside(EngineId::Nonlinear) else {
-        return Ok(None);
-    };
+    let Some(fe) = source.results.beside(EngineId::Nonlinear) else { return Ok(None) };
     let mut section = Section::new("nonlinear");
     let (difference, bounds) = difference(source);
     section.set("difference", &difference);
@@ -167,10 +165,7 @@ fn events(events: &[Event]) -> Table {
         table.row(vec![
             (i + 1).to_string(),
             capital(&event.title),
-            match event.time > 0.0 {
-                true => fixed(event.time, 3),
-                false => "static".into(),
-            },
+            if event.time > 0.0 { fixed(event.time, 3) } else { "static".into() },
             event.place.clone(),
             event.note.clone(),
         ]);
@@ -199,10 +194,7 @@ fn difference(source: &Source) -> (Table, bool) {
         let scale = Scale::of(row.dimension, [a, b].into_iter().flatten().map(|c| c.value));
         let text = |c: Option<results::Cell>| c.map_or("–".to_owned(), |c| scale.text(c.value));
         // Periods and masses belong to the initial wall: they are not extremes of the history.
-        let least = match bounds && !Quantity::from_id(&row.quantity).is_some_and(of_the_structure) {
-            true => "≥ ",
-            false => "",
-        };
+        let least = if bounds && !Quantity::from_id(&row.quantity).is_some_and(of_the_structure) { "≥ " } else { "" };
         table.row(vec![
             row.title.clone(),
             scale.symbol().into(),
@@ -221,9 +213,7 @@ fn of_the_structure(quantity: Quantity) -> bool {
 
 /// Histories of both engines.
 fn overlays(source: &Source, marks: &[(f64, String)]) -> Result<Vec<Figure>, Error> {
-    let Some(fe) = source.results.reference() else {
-        return Ok(Vec::new());
-    };
+    let Some(fe) = source.results.reference() else { return Ok(Vec::new()) };
     let second = Second {
         prefix: EngineId::Nonlinear.prefix(),
         id: "nonlinear",
@@ -296,10 +286,7 @@ fn cost(counts: &[Count]) -> Table {
     for count in counts {
         let scale = Scale::of(count.dimension, [count.value]);
         let number = scale.convert(count.value);
-        let text = match number.fract() == 0.0 && number.abs() < 1e15 {
-            true => plain(number, 0),
-            false => significant(number, 3),
-        };
+        let text = if number.fract() == 0.0 && number.abs() < 1e15 { plain(number, 0) } else { significant(number, 3) };
         table.row(vec![capital(&count.label), text, scale.symbol().into()]);
     }
     table

@@ -57,9 +57,7 @@ pub(super) fn overlays(
 /// One history of both runs; `None` if a column is missing or empty.
 fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option<Figure>, Error> {
     let columns = (source.column(&info.id), source.column(&format!("{}{}", second.prefix, info.id)));
-    let (Some(first), Some(other)) = columns else {
-        return Ok(None);
-    };
+    let (Some(first), Some(other)) = columns else { return Ok(None) };
     let time = &source.series.time;
     // An interrupted run ends before the record does, and each has its own free vibration after it.
     let end = time.len().min(first.len());

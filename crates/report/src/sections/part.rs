@@ -308,9 +308,7 @@ fn class_of(look: &Look) -> String {
 /// The points that are drawn: of a curve by frequency every peak, none below the axis.
 fn drawn(line: &Line, y: &Axis) -> Vec<(f64, f64)> {
     let points = line.points.iter().map(|p| (p[0], p[1]));
-    let Scale::Decades(decades) = y.scale else {
-        return points.collect();
-    };
+    let Scale::Decades(decades) = y.scale else { return points.collect() };
     let floor = floor(line.points.iter().map(|p| p[1]), decades).log10();
     let (x, y): (Vec<f64>, Vec<f64>) = points.map(|(x, y)| (x.log10(), y.log10().max(floor))).unzip();
     let kept = decimate(&x, &y, (WIDE - 60.0) as usize);
@@ -355,9 +353,7 @@ fn points(part: &str, own: &Chart, titles: [&str; 2]) -> table::Table {
         _ => scales[k].text(value),
     };
     let label = |line: &Line| worded(part, &own.id, &line.label);
-    let Some(first) = own.lines.first() else {
-        return table::Table::default();
-    };
+    let Some(first) = own.lines.first() else { return table::Table::default() };
     let shared = |k: usize| {
         let same = |line: &Line| line.points.iter().map(|p| p[k]).eq(first.points.iter().map(|p| p[k]));
         own.lines.iter().all(same)

@@ -22,9 +22,7 @@ struct Item {
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut groups: Vec<Group> = Vec::new();
     for difference in &source.results.comparison.differences {
-        let Some(first) = difference.ratios.first() else {
-            continue;
-        };
+        let Some(first) = difference.ratios.first() else { continue };
         let quantity = first.quantity.title();
         if groups.last().is_none_or(|g| g.quantity != quantity) {
             groups.push(Group { quantity, items: Vec::new() });

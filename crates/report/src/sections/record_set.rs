@@ -17,9 +17,7 @@ const GOVERNING: [&str; 4] = ["sloshing_height", "base_shear", "overturning_mome
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(set) = &source.results.record_set else {
-        return Ok(None);
-    };
+    let Some(set) = &source.results.record_set else { return Ok(None) };
     let mut section = Section::new("record_set");
     let mut lines = vec![words::design(set), words::shown(set)];
     lines.extend(words::factor(set));

@@ -113,9 +113,7 @@ fn group(sheets: &mut [Sheet]) {
         let (above, rest) = sheets.split_at_mut(i);
         let Some(sheet) = rest.first_mut() else { continue };
         let common = |other: &Sheet| sheet.assumptions.iter().filter(|a| other.assumptions.contains(a)).count();
-        let Some(best) = above.iter().max_by_key(|other| common(other)) else {
-            continue;
-        };
+        let Some(best) = above.iter().max_by_key(|other| common(other)) else { continue };
         let count = common(best);
         if count < 3 {
             continue;
@@ -167,10 +165,7 @@ fn line(number: usize, step: &Step, numbers: bool, document: &str) -> LineView {
         symbol: math::symbol(&step.symbol),
         formula: set(&step.formula, formula),
         substitution: set(&step.substitution, substitution),
-        look_up: match step.look_up.is_empty() {
-            true => String::new(),
-            false => math::words(&in_units(&step.look_up)),
-        },
+        look_up: if step.look_up.is_empty() { String::new() } else { math::words(&in_units(&step.look_up)) },
         value,
         unit,
         clause: within(&step.clause, document).to_owned(),
@@ -214,10 +209,7 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
         },
         shared: sections::shared(shared),
         base: base.map_or(String::new(), sheet_id),
-        left: match lines {
-            true => String::new(),
-            false => words::left(method.steps.len()),
-        },
+        left: if lines { String::new() } else { words::left(method.steps.len()) },
         parts: found,
         assumptions: method.assumptions.clone(),
         as_before: String::new(),
@@ -293,9 +285,7 @@ fn document(steps: &[Step]) -> &str {
     let of = |clause: &'_ str| clause.rfind(' ').map(|end| clause[..end].to_owned());
     let mut found: Vec<(String, usize, &str)> = Vec::new();
     for step in steps {
-        let Some(name) = of(&step.clause).filter(|name| name.contains(|c: char| c.is_ascii_digit())) else {
-            continue;
-        };
+        let Some(name) = of(&step.clause).filter(|name| name.contains(|c: char| c.is_ascii_digit())) else { continue };
         match found.iter_mut().find(|f| f.0 == name) {
             Some(f) => f.1 += 1,
             None => found.push((name.clone(), 1, &step.clause[..name.len()])),

@@ -70,9 +70,7 @@ fn sound(fields: &Fields) -> bool {
 fn difference(source: &Source) -> Table {
     let results = source.results;
     let column = |id: &str| results.methods.iter().position(|m| m.id == id);
-    let (Some(harmonic), Some(solid)) = (column(FE), column(EngineId::Solid.beside())) else {
-        return Table::default();
-    };
+    let (Some(harmonic), Some(solid)) = (column(FE), column(EngineId::Solid.beside())) else { return Table::default() };
     let error = |id: &str| results.beside(EngineId::Solid).and_then(|fe| fe.mesh_error.get(id));
     let mut table = Table::new(columns![
         "Quantity", "Unit", "Harmonic" => "", "Three-dimensional" => "", "Difference" => "",
@@ -80,9 +78,7 @@ fn difference(source: &Source) -> Table {
     ]);
     for row in &results.comparison.rows {
         let cell = |i: usize| row.cells.get(i).copied().flatten();
-        let (Some(a), Some(b)) = (cell(harmonic), cell(solid)) else {
-            continue;
-        };
+        let (Some(a), Some(b)) = (cell(harmonic), cell(solid)) else { continue };
         let scale = Scale::of(row.dimension, [a.value, b.value]);
         table.row(vec![
             row.title.clone(),

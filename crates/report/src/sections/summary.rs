@@ -232,9 +232,7 @@ fn facts(source: &Source) -> Vec<Pair> {
 /// The base that is free to move, of the first engine under the record.
 fn base(results: &Results) -> Vec<Pair> {
     let run = |m: &&results::Method| m.id == FE && m.excitation == Excitation::Record;
-    let Some(method) = results.methods.iter().find(run) else {
-        return Vec::new();
-    };
+    let Some(method) = results.methods.iter().find(run) else { return Vec::new() };
     let of = |quantity: &Quantity| {
         let value = method.quantities.get(quantity.id())?;
         Some(Pair::new(quantity.title(), with_unit(value.value, value.dimension)))
@@ -285,9 +283,7 @@ fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
     let freeboard = results.tank.freeboard();
     let dividing = dividing(results, &order).join(" ");
     for quantity in HEADLINES {
-        let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else {
-            continue;
-        };
+        let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else { continue };
         let values: Vec<Bar> = order
             .iter()
             .filter_map(|&i| {

@@ -37,9 +37,7 @@ fn share(title: &str) -> Axis {
 ///
 /// Errors: a drawing that fails.
 pub(super) fn tanks(study: &Study, most: usize) -> Result<Vec<Figure>, Error> {
-    let Some(worst) = study.states.last() else {
-        return Ok(Vec::new());
-    };
+    let Some(worst) = study.states.last() else { return Ok(Vec::new()) };
     let mut first: Vec<(f64, &str)> = study
         .curves
         .iter()

@@ -8,9 +8,7 @@ const MOST: usize = 4;
 
 /// End of the record and of the run, at most `end` [s]; empty where the run ends with its record.
 pub fn sentence(run: &Run, end: Option<f64>) -> String {
-    let (Some(record), Some(end)) = (run.record_end, end.filter(|_| !run.incomplete)) else {
-        return String::new();
-    };
+    let (Some(record), Some(end)) = (run.record_end, end.filter(|_| !run.incomplete)) else { return String::new() };
     if end <= record {
         return String::new();
     }

@@ -31,8 +31,5 @@ pub const PRODUCT: &str = "product = ratio to FE under the record";
 
 /// Title within a waterfall.
 pub fn short_title(quantity: &str, site: bool) -> String {
-    match site {
-        true => format!("{quantity}, site against record"),
-        false => format!("{quantity}, record"),
-    }
+    if site { format!("{quantity}, site against record") } else { format!("{quantity}, record") }
 }

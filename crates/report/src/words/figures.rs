@@ -21,10 +21,7 @@ pub fn by_method(title: &str, values: &str, unit: &str) -> String {
 ///
 /// * `divided`: which methods divide, and by what, in sentences; empty if none does
 pub fn by_methods(site: bool, overtops: bool, divided: &str) -> String {
-    let methods = match site {
-        true => "By method, site.",
-        false => "By method, record.",
-    };
+    let methods = if site { "By method, site." } else { "By method, record." };
     match (overtops, divided) {
         (true, _) => format!(
             "{methods} Waves with * are higher than the freeboard: no method follows one that strikes the roof or overtops the wall."

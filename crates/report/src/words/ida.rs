@@ -90,10 +90,7 @@ pub fn end(run: &IdaRun) -> String {
     if let Some(first) = run.departures.first() {
         words.push(format!("left the model at {} s", fixed(first.time, 2)));
     }
-    match words.is_empty() {
-        true => "completed".into(),
-        false => words.join("; "),
-    }
+    if words.is_empty() { "completed".into() } else { words.join("; ") }
 }
 
 /// How runs left the model, and the parts of their moments at the base, one sentence each.
@@ -135,10 +132,7 @@ pub fn exceeded(run: &IdaRun) -> String {
             _ => limit.name.as_str(),
         })
         .collect();
-    match short.is_empty() {
-        true => "–".into(),
-        false => short.join(", "),
-    }
+    if short.is_empty() { "–".into() } else { short.join(", ") }
 }
 
 /// Limits of validity that runs exceed, one sentence each.

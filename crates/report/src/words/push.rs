@@ -85,10 +85,7 @@ pub fn joint(joint: &PushJoint, gravity: f64) -> String {
 
 /// How the path of a shell ends, and its imperfection.
 pub fn end(shell: &PushShell) -> String {
-    let bound = match shell.capacity.limit {
-        true => "",
-        false => " No maximum was passed: the capacity is a lower bound.",
-    };
+    let bound = if shell.capacity.limit { "" } else { " No maximum was passed: the capacity is a lower bound." };
     let imperfection = shell.imperfection.as_ref().map_or(String::new(), |i| {
         format!(" Imperfection of {} ({}).", with_unit(i.amplitude.abs(), Dimension::Length), i.source)
     });
@@ -141,9 +138,7 @@ pub fn lines(push: &Push) -> Vec<String> {
 
 /// Key figures at the least capacity.
 pub fn facts(push: &Push) -> Vec<(&'static str, String)> {
-    let Some(shell) = weakest(push) else {
-        return Vec::new();
-    };
+    let Some(shell) = weakest(push) else { return Vec::new() };
     let state = &shell.capacity.state;
     vec![
         ("Base shear", with_unit(state.base_shear, Dimension::Force)),

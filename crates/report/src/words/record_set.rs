@@ -100,10 +100,7 @@ pub fn compatibility(set: &RecordSet, found: &Compatibility) -> Vec<String> {
     let mut lines = vec![format!(
         "{}: the set {} for {target}.",
         found.clause,
-        match found.holds {
-            true => "holds",
-            false => "does not hold",
-        }
+        if found.holds { "holds" } else { "does not hold" }
     )];
     if set.records.len() < found.fewest_records {
         lines.push(format!(
@@ -204,9 +201,7 @@ fn unreliable(name: &str, usable: f64, sloshing: f64) -> String {
 pub fn beyond(results: &Results) -> Vec<String> {
     let of = |m: &results::Method| m.quantities.get("sloshing_period").map(|v| v.value);
     let own = results.methods.iter().filter(|m| m.is_run()).find_map(of);
-    let Some(period) = own.or_else(|| results.methods.iter().find_map(of)) else {
-        return Vec::new();
-    };
+    let Some(period) = own.or_else(|| results.methods.iter().find_map(of)) else { return Vec::new() };
     match &results.record_set {
         Some(set) => {
             let short = set.records.iter().filter(|r| r.sloshing_beyond_usable);

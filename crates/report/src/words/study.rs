@@ -172,10 +172,7 @@ pub fn headline(study: &Study) -> String {
 
 /// A utilisation; infinite without any capacity.
 pub fn utilised(value: f64) -> String {
-    match value.is_finite() {
-        true => utilisation(value),
-        false => "no capacity is left".into(),
-    }
+    if value.is_finite() { utilisation(value) } else { "no capacity is left".into() }
 }
 
 /// The governing tank, and the tank that is lost first.
@@ -224,9 +221,7 @@ fn unfitted(study: &Study, fitted: Option<f64>) -> Option<String> {
         curves.find(|c| c.state == worst && c.tank.as_deref() == Some(tank))
     };
     let earlier = |tank: &&StudyTank| {
-        let Some(curve) = of(&tank.id) else {
-            return !study.curves.is_empty();
-        };
+        let Some(curve) = of(&tank.id) else { return !study.curves.is_empty() };
         let least = match (curve.fit, curve.partial) {
             (None, _) => curve.bounds[0],
             (Some(_), Some([_, reached])) => reached,
@@ -254,9 +249,7 @@ pub fn not_given(columns: &[&str]) -> Vec<String> {
 
 /// Tanks that no earthquake judges in the worst state.
 pub fn never_judged(study: &Study) -> Vec<String> {
-    let Some(worst) = study.states.last() else {
-        return Vec::new();
-    };
+    let Some(worst) = study.states.last() else { return Vec::new() };
     let judged = |tank: &&StudyTank| {
         let mut curves = study.curves.iter();
         curves

@@ -13,10 +13,7 @@ pub fn subtitle(engine: bool) -> &'static str {
 
 /// Liquid mass of a whole tank or of a strip of it.
 pub fn liquid_mass(strip: bool) -> &'static str {
-    match strip {
-        true => "Liquid mass of the strip",
-        false => "Liquid mass",
-    }
+    if strip { "Liquid mass of the strip" } else { "Liquid mass" }
 }
 
 /// Peak acceleration of the record as computed with.

@@ -98,10 +98,7 @@ pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String
     times.dedup();
     let mut times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
     times.dedup();
-    let after = match completed {
-        true => " with free vibration after the record",
-        false => "",
-    };
+    let after = if completed { " with free vibration after the record" } else { "" };
     format!(
         "* the linear peak is later ({}): {} ends at {end:.2} s, fe continues{after}",
         times.join(", "),
@@ -122,10 +119,7 @@ pub fn governing(governing: &Governing) -> String {
             Some(_) => format!("utilisation {}", utilisation(&governing.check)),
             None => "no capacity is left".into(),
         },
-        match governing.check.within_error {
-            true => " (within error)",
-            false => "",
-        }
+        if governing.check.within_error { " (within error)" } else { "" }
     )
 }
 

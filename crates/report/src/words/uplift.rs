@@ -161,10 +161,7 @@ pub fn joint(joint: &JointCycles, limit: f64) -> String {
 
 /// A number of cycles; half cycles count as halves.
 fn plain_count(number: f64) -> String {
-    match number.fract() == 0.0 {
-        true => fixed(number, 0),
-        false => fixed(number, 1),
-    }
+    if number.fract() == 0.0 { fixed(number, 0) } else { fixed(number, 1) }
 }
 
 /// What the positions show.

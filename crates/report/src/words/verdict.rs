@@ -102,14 +102,9 @@ pub const GAPS: &str = "Accepted without a check";
 ///
 /// * `created`: when the results were computed, empty where that is not known
 pub fn approval(check: &Check, created: &str) -> String {
-    let Some(accepted) = &check.accepted else {
-        return String::new();
-    };
+    let Some(accepted) = &check.accepted else { return String::new() };
     let text = format!("accepted by {} on {}", accepted.by, accepted.date);
-    match ahead(&accepted.date, created) {
-        true => format!("{text}, a date after that of these results"),
-        false => text,
-    }
+    if ahead(&accepted.date, created) { format!("{text}, a date after that of these results") } else { text }
 }
 
 /// Whether a day is after that of a time; both begin with year, month and day.
@@ -140,10 +135,7 @@ pub fn outside(results: &Results) -> &'static str {
         Shape::Rectangle { .. } => true,
         Shape::Cylinder { .. } => !tank.is_metal() && tank.wall_base == WallBase::Fixed,
     };
-    match clamps && results.verdict.status != VerdictStatus::NotAssessed {
-        true => FLOOR,
-        false => "",
-    }
+    if clamps && results.verdict.status != VerdictStatus::NotAssessed { FLOOR } else { "" }
 }
 
 /// The floor of a tank whose walls are clamped to it.
@@ -212,10 +204,7 @@ pub fn status(status: CheckStatus) -> &'static str {
 
 /// How a check ends; one that holds by less than its discretisation error says so.
 pub fn result(check: &Check) -> &'static str {
-    match check.within_error {
-        true => "holds (within error)",
-        false => status(check.status),
-    }
+    if check.within_error { "holds (within error)" } else { status(check.status) }
 }
 
 /// Height, angle and time of a demand; empty where it has none.
@@ -230,10 +219,7 @@ pub fn place(check: &Check) -> String {
 
 /// That a check holds by less than its error, with the error; empty for others.
 pub fn within_error(check: &Check) -> String {
-    match check.within_error {
-        true => format!("holds within the error only: {}", error(check)),
-        false => String::new(),
-    }
+    if check.within_error { format!("holds within the error only: {}", error(check)) } else { String::new() }
 }
 
 /// Estimated error of a demand, in words; empty where there is none.

@@ -74,12 +74,8 @@ pub fn apart(value: &Reported, shaken: Option<&Shaken>) -> Option<Why> {
     if is_property(value.quantity) {
         return None;
     }
-    let Some(named) = &value.motion else {
-        return Some(Why::NotNamed);
-    };
-    let Some(shaken) = shaken else {
-        return Some(Why::NoRecord);
-    };
+    let Some(named) = &value.motion else { return Some(Why::NotNamed) };
+    let Some(shaken) = shaken else { return Some(Why::NoRecord) };
     if named.sha256.is_some() && named.sha256 != shaken.sha256 {
         return Some(Why::OtherFile);
     }

@@ -18,9 +18,7 @@ impl Comparison {
         (method, excitation): (&str, Excitation),
         errors: &BTreeMap<String, f64>,
     ) {
-        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else {
-            return;
-        };
+        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else { return };
         for row in &mut self.rows {
             let error = errors.get(&row.quantity).copied().unwrap_or(0.0);
             if let (true, Some(Some(cell))) = (error > MESH_ERROR_LIMIT, row.cells.get_mut(column)) {
@@ -46,9 +44,7 @@ pub fn unusable(results: &Results) -> Vec<Unusable> {
     let mut found = Vec::new();
     for (number, run) in results.runs.iter().enumerate() {
         let id = run.engine.column(number);
-        let Some(column) = results.methods.iter().position(|m| m.id == id) else {
-            continue;
-        };
+        let Some(column) = results.methods.iter().position(|m| m.id == id) else { continue };
         for row in &results.comparison.rows {
             let marked = row.cells.get(column).copied().flatten().is_some_and(|c| c.unusable);
             if let (true, Some(quantity)) = (marked, Quantity::from_id(&row.quantity)) {

@@ -33,9 +33,7 @@ impl Comparison {
     ///
     /// * `method`: id of the method, and its excitation
     pub fn mark_outside(&mut self, methods: &[Method], (method, excitation): (&str, Excitation), why: Outside) {
-        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else {
-            return;
-        };
+        let Some(column) = methods.iter().position(|m| m.id == method && m.excitation == excitation) else { return };
         for row in self.rows.iter_mut().filter(|row| Quantity::from_id(&row.quantity).is_some_and(|q| depends(q, why)))
         {
             if let Some(Some(cell)) = row.cells.get_mut(column) {

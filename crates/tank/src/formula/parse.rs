@@ -125,9 +125,7 @@ impl Parser<'_> {
 
     fn primary(&mut self) -> Result<Primary, FormulaError> {
         const EXPECTED: &str = "a number, a symbol, a function or an opening bracket";
-        let Some((token, at)) = self.tokens.get(self.at) else {
-            return Err(self.unexpected(EXPECTED));
-        };
+        let Some((token, at)) = self.tokens.get(self.at) else { return Err(self.unexpected(EXPECTED)) };
         let bracket = match token {
             Token::Number(number) => {
                 self.at += 1;

@@ -108,9 +108,7 @@ impl FromStr for MeshSize {
             count.filter(|n| (1..=MOST).contains(n)).ok_or_else(fault)
         };
         let parts: Vec<&str> = text.split(['x', 'X', '×']).collect();
-        let [radial, sectors, vertical] = parts[..] else {
-            return Err(fault());
-        };
+        let [radial, sectors, vertical] = parts[..] else { return Err(fault()) };
         Ok(MeshSize { radial: count(radial)?, sectors: count(sectors)?, vertical: count(vertical)? })
     }
 }

@@ -102,10 +102,7 @@ impl Impulsive {
         let (mut low, mut high) = (0.0, 20.0);
         for _ in 0..16 {
             let middle = 0.5 * (low + high);
-            match self.swing(law, middle)?.shear < shear {
-                true => low = middle,
-                false => high = middle,
-            }
+            if self.swing(law, middle)?.shear < shear { low = middle } else { high = middle }
         }
         Ok(0.5 * (low + high))
     }

@@ -60,9 +60,7 @@ impl<'a, const N: usize> Point<'a, N> {
             }
             let tangent = nalgebra::DMatrix::from_fn(N - 1, N - 1, |i, j| response.tangent[i + 1][j + 1]);
             let stress = nalgebra::DVector::from_fn(N - 1, |i, _| response.stress[i + 1]);
-            let Some(correction) = tangent.lu().solve(&stress) else {
-                break;
-            };
+            let Some(correction) = tangent.lu().solve(&stress) else { break };
             for i in 1..N {
                 strain[i] -= correction[i - 1];
             }

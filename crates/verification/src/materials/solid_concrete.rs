@@ -56,9 +56,7 @@ fn drive(point: &mut Point<'_, 6>, driven: &[usize], values: &[f64]) -> Result<[
         let n = free.len();
         let tangent = nalgebra::DMatrix::from_fn(n, n, |i, j| response.tangent[free[i]][free[j]]);
         let stress = nalgebra::DVector::from_fn(n, |i, _| response.stress[free[i]]);
-        let Some(correction) = tangent.lu().solve(&stress) else {
-            break;
-        };
+        let Some(correction) = tangent.lu().solve(&stress) else { break };
         for (k, &i) in free.iter().enumerate() {
             strain[i] -= correction[k];
         }

@@ -121,9 +121,7 @@ pub(super) fn cylinder_modes(meshes: &[usize]) -> Answer {
     for &n in meshes {
         study.push((n as f64, lowest(n)?));
     }
-    let Some(&(n, value)) = study.last() else {
-        return Ok(Vec::new());
-    };
+    let Some(&(n, value)) = study.last() else { return Ok(Vec::new()) };
     let what = format!("wave (1, {WAVES}), {n} elements a half-wave");
     // Half a wave by n straight pieces: curvature π²/(12 n²) per direction, 0.3 % at 16, and the polygon π²/(2 (5 n)²).
     let mut row = case.row(what, Reference::ClosedForm, reference, value, 0.005);

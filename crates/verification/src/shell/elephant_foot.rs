@@ -136,9 +136,7 @@ pub(super) fn elephant(densities: &[usize], cases: &[(f64, f64)], clamped_too: b
         for &density in densities {
             study.push((density, Foot { density, ..foot }.collapse()?));
         }
-        let Some(&(density, value)) = study.last() else {
-            continue;
-        };
+        let Some(&(density, value)) = study.last() else { continue };
         let what = format!("R/t = {slenderness}, p R/t = {pressure} f_y, pinned base, {density} elements a √(R t)");
         // A fit of computed collapses; six of ours (R/t 400 to 1000, p R/t 0.3 to 0.8 f_y) scatter about it by 3 %.
         let mut row = case.row(what.clone(), Reference::Published, 0.605 * foot.fit(1.5), 0.605 * value, 0.05);

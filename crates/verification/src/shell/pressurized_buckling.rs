@@ -74,9 +74,7 @@ fn bifurcation_of(wave: f64, delta: f64, pressure: f64) -> f64 {
     let stable = |load: f64| stability(load, wave, delta, pressure) > 0.0;
     // 1 − λ from 1 down to 10⁻⁴.
     let loads: Vec<f64> = (0..=400).map(|k| 1.0 - 0.01_f64.powf(0.005 * f64::from(k))).collect();
-    let Some(beyond) = (1..loads.len()).find(|&k| !stable(loads[k])) else {
-        return 1.0;
-    };
+    let Some(beyond) = (1..loads.len()).find(|&k| !stable(loads[k])) else { return 1.0 };
     let (mut low, mut high) = (loads[beyond - 1], loads[beyond]);
     for _ in 0..30 {
         let middle = 0.5 * (low + high);

@@ -37,9 +37,7 @@ pub(super) fn roll_up(meshes: &[usize]) -> Answer {
         study.push((n as f64, curve[2], curve[5]));
     }
     let mut rows = Vec::new();
-    let Some(&(n, half, full)) = study.last() else {
-        return Ok(rows);
-    };
+    let Some(&(n, half, full)) = study.last() else { return Ok(rows) };
     let expected = [
         ("u at half the moment", -12.0, half[0]),
         ("w at half the moment", 24.0 / PI, half[2]),

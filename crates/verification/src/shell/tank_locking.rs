@@ -26,9 +26,7 @@ pub(super) fn locking(counts: &[usize]) -> Answer {
             ("centre-point shear", MembraneShear::CentrePoint, &centre[..]),
         ] {
             let [w, n_phi, m] = ratios(n, shear)?;
-            let Some(&(_, w_ref, m_ref)) = table.iter().find(|p| p.0 == n) else {
-                continue;
-            };
+            let Some(&(_, w_ref, m_ref)) = table.iter().find(|p| p.0 == n) else { continue };
             let kind = Reference::SecondFormulation;
             // Printed to three and two digits.
             rows.push(case.row(format!("largest w, {n} sectors, {name}"), kind, w_ref, w, 0.002));

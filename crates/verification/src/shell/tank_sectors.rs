@@ -21,9 +21,7 @@ pub(super) fn sectors(counts: &[usize]) -> Answer {
     let mut rows = Vec::new();
     for &n in counts {
         let [w, ..] = ratios(n, MembraneShear::CentrePoint)?;
-        let Some(&(_, reference)) = prototype.iter().find(|p| p.0 == n) else {
-            continue;
-        };
+        let Some(&(_, reference)) = prototype.iter().find(|p| p.0 == n) else { continue };
         // Printed to three digits (0.0005), read at the nodes or between them (0.0005).
         let what = format!("largest w, {n} sectors, 200 elements");
         rows.push(case.row(what, Reference::SecondFormulation, reference, w, 0.0015));

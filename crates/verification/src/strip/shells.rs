@@ -74,10 +74,7 @@ enum Wall {
 
 fn elastic([e, nu, t, density]: [f64; 4], stiff: bool) -> Result<Leaf, Failure> {
     let section = ElasticSection::new(e, nu, t, density)?;
-    let section: Arc<dyn Section> = match stiff {
-        true => Arc::new(StiffShear::new(section, 100.0)),
-        false => Arc::new(section),
-    };
+    let section: Arc<dyn Section> = if stiff { Arc::new(StiffShear::new(section, 100.0)) } else { Arc::new(section) };
     Ok(Leaf { section, face: 0.5 * t })
 }
 

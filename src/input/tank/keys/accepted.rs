@@ -40,9 +40,7 @@ pub(super) fn accepted(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Accepted>>>)
     for given in option.value().into_iter().flatten().filter_map(|g| g.value.as_ref()) {
         let (check, reason) = (r.text(&given.check), r.text(&given.reason));
         let (by, date) = (r.text(&given.by), r.text(&given.date));
-        let (Some(check), Some(reason), Some(by), Some(date)) = (check, reason, by, date) else {
-            continue;
-        };
+        let (Some(check), Some(reason), Some(by), Some(date)) = (check, reason, by, date) else { continue };
         if !seen.insert(check.clone()) {
             let message = "duplicate limit state";
             r.refuse(Code::Repeated, &given.check, message, "each limit state once");

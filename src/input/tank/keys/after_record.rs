@@ -39,10 +39,7 @@ impl FromNode for AfterRecord {
         if (0.0..=most).contains(&value) {
             return Some(found(value));
         }
-        let message = match value.is_nan() {
-            true => "neither a time nor a number of sloshing periods",
-            false => "out of range",
-        };
+        let message = if value.is_nan() { "neither a time nor a number of sloshing periods" } else { "out of range" };
         faults.push(wrong_value(Code::OutOfRange, node, message, &Self::allowed()));
         None
     }

@@ -49,9 +49,7 @@ fn faults(layer: &Layer) -> Vec<(Code, String)> {
 
 /// One layer of bars whose diameter is known.
 fn of(layer: &Layer, bars: &Reinforcement) -> Vec<(Code, String)> {
-    let Some(diameter) = bars.diameter else {
-        return Vec::new();
-    };
+    let Some(diameter) = bars.diameter else { return Vec::new() };
     let length = |value: f64| display(value, Dimension::Length);
     let what = format!("{} bars of {}", bars.direction.word(), length(diameter));
     let cover = bars.depth.min(layer.thickness - bars.depth) - 0.5 * diameter;

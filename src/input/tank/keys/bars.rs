@@ -50,9 +50,7 @@ pub(super) fn bonded(
     mut layer: tank::Layer,
     bars: Option<&Field<Vec<Field<Reinforcement>>>>,
 ) -> tank::Layer {
-    let Behaviour::Concrete(concrete) = layer.material.behaviour else {
-        return layer;
-    };
+    let Behaviour::Concrete(concrete) = layer.material.behaviour else { return layer };
     if concrete.bond.is_perfect() {
         return layer;
     }
@@ -91,9 +89,7 @@ pub(super) fn all_bars(
     materials: &Materials,
 ) -> Vec<tank::Reinforcement> {
     let mut reinforcement = Vec::new();
-    let Some(list) = &field.value else {
-        return reinforcement;
-    };
+    let Some(list) = &field.value else { return reinforcement };
     let fault = match (kind, behaviour) {
         (LayerKind::Interlayer, _) => Some("bars in an interlayer"),
         (_, Some(Behaviour::Steel(_))) => Some("bars in a layer of steel"),

@@ -203,9 +203,7 @@ fn top(r: &mut Resolver<'_>, tank: &Tank) {
 
 /// A ring wall and what stands on it.
 fn ring(r: &mut Resolver<'_>, tank: &Tank) {
-    let Some(foundation) = tank.foundation.filter(|f| f.kind == FoundationKind::RingWall) else {
-        return;
-    };
+    let Some(foundation) = tank.foundation.filter(|f| f.kind == FoundationKind::RingWall) else { return };
     let Shape::Cylinder { radius } = tank.shape else {
         let text = "tank.foundation.kind and tank.shape contradict each other: a ring wall under a rectangle";
         return r.inconsistent(text.into());

@@ -42,9 +42,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
 
 /// A liquid above the wall, whose height comes from the heights of the courses, so that a misspelt material does not hide this fault.
 fn overfilled(r: &mut Resolver<'_>, file: &TankFile, t: &TankKeys, liquid: Option<Liquid>) {
-    let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) else {
-        return;
-    };
+    let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) else { return };
     let heights: Option<Vec<f64>> =
         courses.iter().map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0)).collect();
     // A list without courses is a fault already.
@@ -181,9 +179,7 @@ fn suggest(fault: Fault, meant: Option<String>) -> Fault {
 
 /// A film on the bottom, for which there are neither waves nor modes.
 fn shallow(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank, liquid: Option<Liquid>) {
-    let (Some(liquid), Some(given)) = (liquid, &file.liquid.value) else {
-        return;
-    };
+    let (Some(liquid), Some(given)) = (liquid, &file.liquid.value) else { return };
     let (half, what) = match tank.shape {
         Shape::Cylinder { radius } => (radius, "a thousandth of the radius"),
         Shape::Rectangle { length, .. } => (length / 2.0, "a thousandth of half the length"),
@@ -209,9 +205,7 @@ fn meant(text: &str, units: &[&str], usual: impl Fn(f64) -> bool) -> Option<Stri
 
 /// Adds a remark for each unused material.
 pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
-    let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
-        return;
-    };
+    let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else { return };
     let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
     let layered = courses.clone().flat_map(layers);
     let bars = layered.clone().filter_map(|l| l.reinforcement.value());

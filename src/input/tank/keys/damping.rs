@@ -34,9 +34,7 @@ object! {
 
 /// Damping ratios; the default of the wall follows from its material.
 pub(super) fn damping(r: &mut Resolver<'_>, option: &Opt<Damping>, tank: Option<&Tank>) -> case::Damping {
-    let Some(given) = option.or_absent() else {
-        return case::Damping { sloshing: f64::NAN, impulsive: f64::NAN };
-    };
+    let Some(given) = option.or_absent() else { return case::Damping { sloshing: f64::NAN, impulsive: f64::NAN } };
     let soft = tank.is_some_and(|t| !t.wall_materials().all(|m| m.is_metal()));
     let (ratio, text, why) = match soft {
         true => (0.05, "0.05", "EN 1998-4:2006 2.3.3 and EN 1998-1: concrete 5 %; the wall is not of metal"),

@@ -137,9 +137,7 @@ pub(super) fn imperfections(
     tank: Option<&Tank>,
     folder: &Path,
 ) -> Imperfections {
-    let Some(field) = given.and_then(|option| option.given.as_ref()) else {
-        return Imperfections::NONE;
-    };
+    let Some(field) = given.and_then(|option| option.given.as_ref()) else { return Imperfections::NONE };
     r.sized(field, "imperfections");
     let given = field.value.iter().flatten();
     let parts: Vec<_> = given.filter_map(|item| one(r, item, item.value.as_ref()?, folder)).collect();
@@ -261,9 +259,7 @@ fn table(r: &mut Resolver<'_>, file: &Field<String>, factor: f64, folder: &Path)
 fn grid(source: &Source, factor: f64) -> Result<Table, String> {
     let at = |place: usize, what: &str| format!("{}:{}: {what}", source.name, source.line_column(place).0);
     let rows = csv::rows(source).map_err(|what| format!("{}: {what}", source.name))?;
-    let Some((head, rows)) = rows.split_first() else {
-        return Err(format!("{}: an empty file", source.name));
-    };
+    let Some((head, rows)) = rows.split_first() else { return Err(format!("{}: an empty file", source.name)) };
     let unit = |(i, cell): (usize, &csv::Cell)| match (i, cell.text.as_str()) {
         (0, "theta_deg") => Ok(PI / 180.0),
         (0, "theta_rad") | (1, "z_m") | (2, "w_m") => Ok(1.0),

@@ -177,9 +177,7 @@ fn of_cylinder<'a, T>(
     tank: Option<&Tank>,
     (what, items): (&str, &str),
 ) -> &'a [Field<T>] {
-    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
-        return &[];
-    };
+    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else { return &[] };
     if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
         let message = format!("{what} are for cylinders");
         let fault = range_fault(Code::DoesNotApply, field, &message, "a cylinder");
@@ -216,9 +214,7 @@ fn force_stations(
 /// Places from 0 to a length of the tank (NaN if the tank is faulty: no upper limit).
 fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what: &str) -> Vec<f64> {
     let mut all = Vec::new();
-    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
-        return all;
-    };
+    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else { return all };
     r.at_most(field, "places");
     for place in list {
         let value = r.within(place, field.limits);
@@ -232,9 +228,7 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
 }
 
 fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: case::Damping) -> DampingModel {
-    let Some(model) = &field.value else {
-        return DampingModel::Modal;
-    };
+    let Some(model) = &field.value else { return DampingModel::Modal };
     let found = match (&model.by_group.given, &model.caughey.given, &model.rayleigh.given, &model.coefficients.given) {
         (Some(one), None, None, None) => one.value.as_ref().map(|group| {
             let (wall, sloshing) = by_group(r, group, ratios);

@@ -78,9 +78,7 @@ pub(super) fn materials(
     plates: &BTreeMap<&str, f64>,
 ) -> Materials {
     let mut all = Materials::new();
-    let Some(named) = &field.value else {
-        return all;
-    };
+    let Some(named) = &field.value else { return all };
     if named.0.is_empty() {
         let message = "the list of materials is empty";
         r.refuse(Code::ItemCount, field, message, "at least one material");

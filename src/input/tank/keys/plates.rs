@@ -12,9 +12,7 @@ use crate::input::tank::values::Length;
 /// Courses, layers and bottom plates, as built: a product standard counts the thickness before corrosion.
 pub(super) fn plates(file: &TankFile) -> BTreeMap<&str, f64> {
     let mut plates = BTreeMap::new();
-    let Some(tank) = &file.tank.value else {
-        return plates;
-    };
+    let Some(tank) = &file.tank.value else { return plates };
     for course in tank.courses.value.iter().flatten().filter_map(|c| c.value.as_ref()) {
         if let Some(material) = &course.material.given {
             add(&mut plates, material, of(&course.thickness));

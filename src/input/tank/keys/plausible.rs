@@ -24,14 +24,10 @@ const ROUNDING: f64 = 1e-9;
 
 /// Proportions of tank and liquid, densities of the wall.
 pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
-    let (Some(tank), Some(given)) = (tank, &file.tank.value) else {
-        return;
-    };
+    let (Some(tank), Some(given)) = (tank, &file.tank.value) else { return };
     densities(r, file, tank);
     thinner_below(r, given, tank);
-    let (Some(liquid), Some(liquid_field)) = (liquid, &file.liquid.value) else {
-        return;
-    };
+    let (Some(liquid), Some(liquid_field)) = (liquid, &file.liquid.value) else { return };
     let fill = liquid.fill_height;
     if let (Some(roof), Some(height)) = (given.roof.value(), tank.roof.height)
         && let Some(field) = &roof.height.given
@@ -81,9 +77,7 @@ fn thinner_below(r: &mut Resolver<'_>, given: &Given, tank: &Tank) {
         .map(|course| course.value.as_ref().and_then(|c| c.thickness.given.as_ref()))
         .collect();
     for (i, pair) in fields.windows(2).enumerate() {
-        let ([Some(lower), Some(upper)], [below, above]) = (pair, &tank.courses[i..=i + 1]) else {
-            continue;
-        };
+        let ([Some(lower), Some(upper)], [below, above]) = (pair, &tank.courses[i..=i + 1]) else { continue };
         if below.material == above.material && below.thickness < above.thickness * (1.0 - ROUNDING) {
             r.warn(
                 Code::UnusualTank,

@@ -32,9 +32,7 @@ type Pair = (f64, f64);
 
 /// A pair; NaN where it is faulty.
 pub(super) fn ratio_at(r: &mut Resolver<'_>, field: &Field<RatioAt>) -> Pair {
-    let Some(pair) = &field.value else {
-        return (f64::NAN, f64::NAN);
-    };
+    let Some(pair) = &field.value else { return (f64::NAN, f64::NAN) };
     r.echo_given(&pair.at);
     (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio))
 }

@@ -24,9 +24,7 @@ object! {
 
 /// Processing of the record.
 pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
-    let Some(given) = option.or_absent() else {
-        return Processing::default();
-    };
+    let Some(given) = option.or_absent() else { return Processing::default() };
     let scale_to = r.optional(&given.scale_to);
     let scale_by = r.optional(&given.scale_by);
     if let (Some(factor), Some(field)) = (scale_by, &given.scale_by.given) {

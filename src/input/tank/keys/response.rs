@@ -31,9 +31,7 @@ choice!(ModalCombination, PartCombination);
 
 /// Options of the response-spectrum method.
 pub(super) fn response(r: &mut Resolver<'_>, given: Option<&ResponseSpectrum>) -> SpectrumOptions {
-    let Some(given) = given else {
-        return DEFAULT;
-    };
+    let Some(given) = given else { return DEFAULT };
     let code = r.optional(&given.code);
     SpectrumOptions {
         combination: r.or_default(&given.combination),

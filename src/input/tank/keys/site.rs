@@ -37,9 +37,7 @@ choice!(GroundType, Components, SiteClass);
 /// * `folder`: of the tank file
 pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>, folder: &Path) -> case::Site {
     r.known.internal_pressure = tank.map_or(0.0, |tank| tank.pressure.internal);
-    let Some(given) = option.or_absent() else {
-        return case::Site::default();
-    };
+    let Some(given) = option.or_absent() else { return case::Site::default() };
     if given.spectrum.given.is_none() {
         r.not_given(&given.spectrum);
     }
@@ -138,10 +136,7 @@ fn api650(
     // Either all or nothing is given of the lower limit of the user's spectrum.
     let mapped = [s.ss.given.is_some(), s.s1.given.is_some(), s.site_class.given.is_some(), s.tl.given.is_some()];
     if !own || mapped.contains(&true) {
-        let why = match own {
-            true => " for the lower limit of site.spectrum",
-            false => "",
-        };
+        let why = if own { " for the lower limit of site.spectrum" } else { "" };
         needed(r, object, &s.ss, why);
         needed(r, object, &s.s1, why);
         needed(r, object, &s.site_class, why);

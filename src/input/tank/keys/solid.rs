@@ -30,9 +30,7 @@ choice!(LiquidElement);
 
 /// Options of the three-dimensional engine. Defaults are echoed only where the engine runs, by [`solid_defaults`].
 pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions {
-    let Some(given) = given else {
-        return DEFAULT.clone();
-    };
+    let Some(given) = given else { return DEFAULT.clone() };
     let mut options = DEFAULT.clone();
     if let Some(field) = &given.mesh.given {
         r.echo_given(field);

@@ -346,9 +346,7 @@ fn from_file(r: &mut Resolver<'_>, file: &Field<String>, given: &Spectrum, folde
 fn columns(source: &Source) -> Result<Tables, String> {
     let at = |place: usize, what: &str| format!("{}:{}: {what}", source.name, source.line_column(place).0);
     let rows = csv::rows(source).map_err(|what| format!("{}: {what}", source.name))?;
-    let Some((head, rows)) = rows.split_first() else {
-        return Err(format!("{}: an empty file", source.name));
-    };
+    let Some((head, rows)) = rows.split_first() else { return Err(format!("{}: an empty file", source.name)) };
     let mut units = Vec::new();
     for (i, cell) in head.iter().enumerate() {
         let unit = match (i, cell.text.as_str()) {

@@ -156,9 +156,7 @@ fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> tank::Roof {
     } else if stated.given.is_none() {
         r.echo_default("tank.roof.mass", "0 kg", "no roof stated");
     }
-    let Some(given) = stated.value() else {
-        return tank::Roof::default();
-    };
+    let Some(given) = stated.value() else { return tank::Roof::default() };
     let kind = r.or_default(&given.r#type);
     let mass = r.number(&given.mass);
     if kind == RoofKind::Floating {

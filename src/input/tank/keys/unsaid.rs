@@ -8,9 +8,7 @@ use crate::input::tank::read::Field;
 
 /// Parts of which nothing is said, and those of which the file says that there are none. An unanchored tank has no anchors to speak of.
 pub(super) fn unsaid(field: &Field<Tank>) -> [Vec<TankPart>; 2] {
-    let Some(t) = &field.value else {
-        return Default::default();
-    };
+    let Some(t) = &field.value else { return Default::default() };
     let anchored = t.support.value == Some(Support::Anchored);
     let said = [
         (TankPart::Roof, t.roof.given.is_some(), t.roof.none.is_some()),

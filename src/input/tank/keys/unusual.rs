@@ -51,9 +51,7 @@ fn anchors(r: &mut Resolver<'_>, given: &Anchors, around: f64) {
         ("yield_force", given.yield_force, TENSION.1),
         ("attachment_capacity", given.attachment_capacity, ATTACHMENT),
     ] {
-        let Some(force) = force.filter(|force| *force < TENSION.0 || *force > most) else {
-            continue;
-        };
+        let Some(force) = force.filter(|force| *force < TENSION.0 || *force > most) else { continue };
         let [found, least, most] = [force, TENSION.0, most].map(|force| display(force, Dimension::Force));
         r.unusual(&format!("tank.anchors.{key}"), &found, &format!("usual is {least} to {most}"));
     }

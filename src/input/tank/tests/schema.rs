@@ -144,9 +144,7 @@ fn limits_of_the_schema_are_those_of_the_reader() {
             ("exclusiveMaximum", 0.0, true),
         ];
         for (keyword, step, up) in beyond {
-            let Some(limit) = number.get(keyword).and_then(Value::as_f64) else {
-                continue;
-            };
+            let Some(limit) = number.get(keyword).and_then(Value::as_f64) else { continue };
             let whole = number["type"] == "integer";
             let value = match (whole, up) {
                 (true, true) => json!(limit as i64 + 1),

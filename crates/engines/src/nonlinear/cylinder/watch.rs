@@ -239,9 +239,7 @@ impl<'a> Watch<'a> {
     }
 
     fn standing(&mut self, now: &Instant<'_>) -> Result<(), AnalysisError> {
-        let Some(standing) = &self.tank.standing else {
-            return Ok(());
-        };
+        let Some(standing) = &self.tank.standing else { return Ok(()) };
         let seen = &mut self.seen.standing;
         for (history, value) in seen.joint.iter_mut().zip(standing.plastic(self.tank, now.state)?) {
             history.push(value);

@@ -24,9 +24,7 @@ impl CrackedConcrete {
     /// Traction of a crack of this strength across axis `i`: its energy over the side of the cell next to its normal.
     fn traction_across(&self, strength: f64, frame: Frame, i: usize) -> Traction {
         let traction = self.traction.reduced(strength);
-        let Some(sides) = self.sides else {
-            return traction;
-        };
+        let Some(sides) = self.sides else { return traction };
         // The second crack's normal is a quarter turn on.
         let [c, s] = if i == 0 { [frame.c, frame.s] } else { [frame.s, frame.c] };
         let longest = sides[0].max(sides[1]);
@@ -183,9 +181,7 @@ impl CrackedConcrete {
         let increment: [f64; 3] = std::array::from_fn(|i| strain[i] - old[STRAIN + i]);
         let size = increment.iter().map(|v| v * v).sum::<f64>().sqrt();
         for parts in [2, 4, 8] {
-            let Some((mut response, history)) = self.sequence(strain, old, parts) else {
-                continue;
-            };
+            let Some((mut response, history)) = self.sequence(strain, old, parts) else { continue };
             // Third root of rounding times the size of strains at which the law bends.
             let step = 1e-6 * (size + self.traction.strength / self.young_modulus);
             for j in 0..3 {

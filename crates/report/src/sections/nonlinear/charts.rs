@@ -69,9 +69,7 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
 
 /// The balance of energies over time.
 pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Result<Vec<Figure>, Error> {
-    let Some(energies) = run.map(|run| &run.energies).filter(|e| e.time.len() > 1) else {
-        return Ok(Vec::new());
-    };
+    let Some(energies) = run.map(|run| &run.energies).filter(|e| e.time.len() > 1) else { return Ok(Vec::new()) };
     let time = &energies.time;
     let values: [&[f64]; 6] = [
         &energies.input,
@@ -110,10 +108,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         "Energy", labels::AT_END[0] => scale.symbol(), "Largest" => scale.symbol(), labels::AT_END[1] => "",
     ]);
     for (label, _, values) in curves {
-        let share = match input == 0.0 {
-            true => "–".into(),
-            false => percent(values[end] / input),
-        };
+        let share = if input == 0.0 { "–".into() } else { percent(values[end] / input) };
         table.row(vec![capital(label), scale.text(values[end]), scale.text(most(values)), share]);
     }
     Ok(vec![

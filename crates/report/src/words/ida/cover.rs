@@ -17,9 +17,7 @@ fn motion(run: &IdaRun) -> String {
 
 /// Whether the tank collapses, and when.
 pub fn headline(ida: &Ida) -> String {
-    let Some(last) = ida.runs.last() else {
-        return "Incomplete: no run has ended".into();
-    };
+    let Some(last) = ida.runs.last() else { return "Incomplete: no run has ended".into() };
     match ida.runs.iter().find(|run| run.collapse.is_some()) {
         _ if ida.incomplete => "Incomplete: runs are missing".into(),
         Some(run) => format!("Collapse at {}", motion(run)),

@@ -45,9 +45,7 @@ pub fn drawn(some: usize, all: usize) -> String {
 
 /// Remark on a curve.
 pub fn remark(curve: &StudyCurve, text: &dyn Fn(f64) -> String, unit: &str) -> String {
-    let Some(reason) = &curve.reason else {
-        return String::new();
-    };
+    let Some(reason) = &curve.reason else { return String::new() };
     let bounds = match curve.bounds {
         [Some(low), Some(high)] => format!("; median between {} and {} {unit}", text(low), text(high)),
         [Some(low), None] => format!("; median above {} {unit}", text(low)),

@@ -67,9 +67,7 @@ pub(super) fn family(
 
 /// Warns of elastic values and a density that the family does not have.
 fn unlike(r: &mut Resolver<'_>, m: &Material, family: Family, values: [f64; 3]) {
-    let Some(ranges) = family.ranges() else {
-        return;
-    };
+    let Some(ranges) = family.ranges() else { return };
     let keys = [
         (&m.youngs_modulus.path, Dimension::Stress, "Young's modulus"),
         (&m.poisson_ratio.path, Dimension::Dimensionless, "Poisson's ratio"),

@@ -95,9 +95,7 @@ impl FromNode for Behaviour {
 
 /// The behaviour of a grade.
 pub(super) fn of_grade(r: &mut Resolver<'_>, reader: &Reader, elastic: ElasticPart) -> tank::Behaviour {
-    let Some(preset) = &reader.preset else {
-        return tank::Behaviour::Elastic;
-    };
+    let Some(preset) = &reader.preset else { return tank::Behaviour::Elastic };
     let reader = reader.inside(preset.strengths.kind());
     match preset.strengths {
         Strengths::Steel { .. } => {

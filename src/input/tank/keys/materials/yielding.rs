@@ -29,15 +29,9 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
         return;
     }
     let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
-    let usual = match e.is_nan() {
-        true => STRONGEST,
-        false => STRONGEST.min(strain * e),
-    };
+    let usual = if e.is_nan() { STRONGEST } else { STRONGEST.min(strain * e) };
     if strength > usual * (1.0 + ROUNDING) {
-        let why = match usual < STRONGEST {
-            true => format!(" ({} % of Young's modulus)", 100.0 * strain),
-            false => String::new(),
-        };
+        let why = if usual < STRONGEST { format!(" ({} % of Young's modulus)", 100.0 * strain) } else { String::new() };
         r.warn(
             Code::UnusualTank,
             format!(
