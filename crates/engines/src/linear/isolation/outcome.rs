@@ -41,7 +41,7 @@ const MOVING: [Quantity; 8] = [
 ];
 
 /// A run on isolators.
-pub(in crate::linear) struct Isolated {
+pub(crate) struct Isolated {
     setup: Setup,
     given: Isolators,
     history: isolated::History,
@@ -96,7 +96,7 @@ impl Isolated {
     }
 
     /// The model under the motion of the slab.
-    pub(in crate::linear) fn model(&self, model: &Model) -> Model {
+    pub(crate) fn model(&self, model: &Model) -> Model {
         on_isolators(model)
     }
 
@@ -106,7 +106,7 @@ impl Isolated {
     }
 
     /// Samples at the steps of the record from a grid at those of the march.
-    pub(in crate::linear) fn record_grid(&self, grid: Grid) -> Grid {
+    pub(crate) fn record_grid(&self, grid: Grid) -> Grid {
         let parts = self.setup.parts;
         Grid { dt: grid.dt * parts as f64, sub_steps: grid.sub_steps * parts, samples: (grid.samples - 1) / parts + 1 }
     }
@@ -131,7 +131,7 @@ impl Isolated {
     ///
     /// * `analysis`: under the motion of the slab, with its `values`
     /// * `fixed`: values on a fixed base
-    pub(in crate::linear) fn complete(
+    pub(crate) fn complete(
         &mut self,
         analysis: &Analysis<'_>,
         values: &BTreeMap<Quantity, f64>,
@@ -166,7 +166,7 @@ impl Isolated {
     }
 
     /// Remarks on the run.
-    pub(in crate::linear) fn notes(&self) -> Vec<String> {
+    pub(crate) fn notes(&self) -> Vec<String> {
         let share = self.values.iter().find(|found| found.id == "bearing_share");
         let tension = share.filter(|q| q.value.value < 0.0);
         let tension = tension.map(|q| words::tension(q.value.value, q.time.unwrap_or_default()));
@@ -174,7 +174,7 @@ impl Isolated {
     }
 
     /// What is reported.
-    pub(in crate::linear) fn part(&self) -> Part {
+    pub(crate) fn part(&self) -> Part {
         let kind = match self.given.bearing {
             Bearing::FrictionPendulum { .. } => "friction_pendulum",
             Bearing::LeadRubber { .. } => "lead_rubber",

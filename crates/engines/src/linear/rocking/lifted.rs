@@ -35,7 +35,7 @@ const MOVING: [Quantity; 8] = [
 ];
 
 /// What a base that moves adds to the comparable values.
-pub(in crate::linear) fn of_base(found: &[Finding], values: &mut BTreeMap<Quantity, f64>) {
+pub(crate) fn of_base(found: &[Finding], values: &mut BTreeMap<Quantity, f64>) {
     for &quantity in Quantity::OF_BASE {
         if let Some(own) = found.iter().find(|own| own.id == quantity.id()) {
             values.insert(quantity, own.value.value);
@@ -45,7 +45,7 @@ pub(in crate::linear) fn of_base(found: &[Finding], values: &mut BTreeMap<Quanti
 
 impl Moved {
     /// The model on the moving base.
-    pub(in crate::linear) fn model(&self, model: &Model) -> Model {
+    pub(crate) fn model(&self, model: &Model) -> Model {
         let motion = &self.motion;
         let [along, rotation] = [&motion.acceleration, &motion.rotation].map(Vec::clone);
         Model { turned: Some(Turned::new(&model.horizontal, &motion.grid, along, rotation)), ..model.clone() }
@@ -55,7 +55,7 @@ impl Moved {
     ///
     /// * `values`: those of `analysis`, on the moving base
     /// * `held`: those of the wall held down
-    pub(in crate::linear) fn complete(
+    pub(crate) fn complete(
         &mut self,
         analysis: &Analysis<'_>,
         values: &mut BTreeMap<Quantity, f64>,
@@ -126,7 +126,7 @@ impl Moved {
     /// * `model`: that of the wall held down, `moving` that on the moving base
     ///
     /// Errors: a response that is not finite.
-    pub(in crate::linear) fn demands(
+    pub(crate) fn demands(
         &self,
         demands: &mut Demands,
         (model, moving): (&Model, &Model),
@@ -169,7 +169,7 @@ impl Moved {
 
     /// Adds the histories of the base. At the foot the axial stress becomes that of the strips, and bending is left out: the wall of the model is
     /// built in there, that of the tank is not.
-    pub(in crate::linear) fn add(&self, histories: &mut Histories) {
+    pub(crate) fn add(&self, histories: &mut Histories) {
         let (h, stride) = (self.motion.grid.h(), self.motion.grid.sub_steps.max(1));
         for (i, info) in histories.info.iter_mut().enumerate() {
             let side = match info.channel() {
@@ -197,7 +197,7 @@ impl Moved {
     }
 
     /// Leaves out the envelopes of bending, and gives that of the axial stress the strips' at the foot, on the side θ = 0.
-    pub(in crate::linear) fn correct(&self, envelopes: &mut Vec<Envelope>) {
+    pub(crate) fn correct(&self, envelopes: &mut Vec<Envelope>) {
         envelopes.retain(|envelope| ![Line::Bending.id(), Line::Moment.id()].contains(&envelope.id.as_str()));
         let rest = self.foot[0].first().copied().unwrap_or(0.0);
         let (low, high) = self.foot[0]

@@ -1,7 +1,10 @@
 //! The strip interrupted and resumed.
 
+use std::collections::HashMap;
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread::{self, ThreadId};
 
 use fem::progress::{Progress, Silent};
 use results::nonlinear::End;
@@ -12,21 +15,34 @@ use super::{options, reinforced, run};
 use crate::FeError;
 use crate::nonlinear::{CheckpointFile, simulate};
 
-/// Stops after a number of steps.
+/// Stops each wall after a number of steps. Walls march side by side, or one after the other where all threads are busy: a thread counts its own
+/// steps, and from the beginning after it has stopped.
 struct StopAfter {
     steps: u64,
-    done: AtomicU64,
+    done: Mutex<HashMap<ThreadId, u64>>,
+}
+
+impl StopAfter {
+    fn steps(steps: u64) -> StopAfter {
+        StopAfter { steps, done: Mutex::default() }
+    }
 }
 
 impl Progress for StopAfter {
     fn stage(&self, _: &str, _: u64) {}
 
     fn advance(&self, steps: u64) {
-        self.done.fetch_add(steps, Ordering::Relaxed);
+        *self.done.lock().unwrap().entry(thread::current().id()).or_default() += steps;
     }
 
     fn interrupted(&self) -> bool {
-        self.done.load(Ordering::Relaxed) >= self.steps
+        let mut done = self.done.lock().unwrap();
+        let own = done.entry(thread::current().id()).or_default();
+        let stops = *own >= self.steps;
+        if stops {
+            *own = 0;
+        }
+        stops
     }
 }
 
@@ -48,9 +64,8 @@ fn resumed_with(contact: Contact) {
     let whole = run(&case, &own);
     let home = tempfile::tempdir().unwrap();
     let file = file(home.path(), "a");
-    for steps in [150, 250] {
-        let stop = StopAfter { steps, done: AtomicU64::new(0) };
-        let part = simulate(&case, &own, Some(&file), &stop).unwrap();
+    for steps in [75, 125] {
+        let part = simulate(&case, &own, Some(&file), &StopAfter::steps(steps)).unwrap();
         assert!(part.result.incomplete);
         assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
         assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
@@ -107,8 +122,7 @@ fn checkpoints_of_other_runs_are_refused_and_kept() {
     let case = reinforced(6.0);
     let own = options(&case, 12);
     let home = tempfile::tempdir().unwrap();
-    let stop = StopAfter { steps: 100, done: AtomicU64::new(0) };
-    simulate(&case, &own, Some(&file(home.path(), "a")), &stop).unwrap();
+    simulate(&case, &own, Some(&file(home.path(), "a")), &StopAfter::steps(50)).unwrap();
     let kept = || {
         let read = |e: std::io::Result<std::fs::DirEntry>| std::fs::read(e.unwrap().path()).unwrap();
         let mut all: Vec<Vec<u8>> = std::fs::read_dir(home.path()).unwrap().map(read).collect();
