@@ -82,7 +82,7 @@ impl<'a> Layout<'a> {
                     return None;
                 }
                 let first = edges[0];
-                let last = if mirrored { std::f64::consts::TAU - first } else { edges[edges.len() - 1] };
+                let last = if *mirrored { std::f64::consts::TAU - first } else { edges[edges.len() - 1] };
                 if last < edges[edges.len() - 1] {
                     return None;
                 }
@@ -151,7 +151,7 @@ impl<'a> Layout<'a> {
         heights(svg, (self.grid.z[0], self.grid.z[self.grid.z.len() - 1]), self.x.0, self.y);
         match &self.grid.columns {
             Columns::Sectors { edges, mirrored, .. } => {
-                let last = if mirrored { std::f64::consts::TAU - edges[0] } else { edges[edges.len() - 1] };
+                let last = if *mirrored { std::f64::consts::TAU - edges[0] } else { edges[edges.len() - 1] };
                 angles(svg, (edges[0], last), self.x, self.y.1);
                 if *mirrored {
                     let middle = 0.5 * (self.x.0 + self.x.1);
