@@ -19,6 +19,7 @@ mod check;
 mod checks;
 mod compare;
 mod completions;
+mod desk;
 mod diff;
 mod explain;
 mod fault;
@@ -88,6 +89,8 @@ enum Command {
     Spectrum(spectrum::Args),
     /// Accelerograms: properties, conversion, sets, synthetic and harmonic motion.
     Quake(quake::Args),
+    /// Open a page in the browser to enter, check, run and look at tanks.
+    Desk(desk::Args),
     /// Render the report of a results folder again.
     Report(report::Args),
     /// Write the templates of the report, to change them.
@@ -109,6 +112,7 @@ enum Command {
 const EXAMPLES: &str = "\
 Examples:
   tankcheck init > tank.json
+  tankcheck desk tank.json
   tankcheck compare tank.json --quake elcentro.csv --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --vtu paraview/ --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
@@ -169,6 +173,7 @@ impl Cli {
             Command::Modes(args) => modes::run(args, &self.global),
             Command::Spectrum(args) => spectrum::run(args, &self.global),
             Command::Quake(args) => quake::run(args, &self.global),
+            Command::Desk(args) => desk::run(args, &self.global),
             Command::Report(args) => report::run(args, &self.global),
             Command::Templates(args) => templates::run(args, &self.global),
             Command::Diff(args) => diff::run(args, &self.global),

@@ -1,5 +1,7 @@
 //! `tankcheck init`: a commented tank file or study file to start from.
 
+use clap::ValueEnum;
+
 use crate::cli::Global;
 use crate::cli::outfile::OutFile;
 use crate::error::{EXIT_OK, Error};
@@ -50,6 +52,16 @@ impl Shape {
             Shape::Rectangle => include_str!("init/rectangle.json"),
         }
     }
+}
+
+/// The files to start from: name of the shape, what it is, text.
+pub(crate) fn templates() -> Vec<(String, String, &'static str)> {
+    let described = |shape: &Shape| {
+        let value = clap::ValueEnum::to_possible_value(shape)?;
+        let help = value.get_help().map_or_else(String::new, ToString::to_string);
+        Some((value.get_name().to_owned(), help, shape.text()))
+    };
+    Shape::value_variants().iter().filter_map(described).collect()
 }
 
 /// The tanks on anchors and of a strip, and the first without anchors and with gas above the liquid: between them every limit state is declared.

@@ -19,7 +19,7 @@ use files::text;
 use results::{InputValue, SourceFile};
 
 /// The tank file, the records and how to read them.
-#[derive(clap::Args, Clone, Debug)]
+#[derive(clap::Args, Clone, Debug, Default)]
 pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
@@ -75,13 +75,13 @@ impl Inputs {
             say!("note: {}", text::line(remark));
         }
         let processing = tank.record;
-        Ok((self.resolved(tank, "")?, processing))
+        let job = self.resolved(tank)?;
+        warned(&job, "");
+        Ok((job, processing))
     }
 
     /// The job of a tank file, with the records and options of the command line.
-    ///
-    /// * `origin`: beginning of its warnings on standard error ("tanks.csv:3: "), may be empty
-    pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
+    pub(crate) fn resolved(&self, tank: TankFile) -> Result<Job, Error> {
         let options = [("--quake", &self.quake), ("--quake-y", &self.quake_y), ("--vertical", &self.vertical)];
         if let Some((option, paths)) = options.into_iter().find(|(_, paths)| paths.len() > 1) {
             return Err(Error::conflict(format!(
@@ -127,9 +127,6 @@ impl Inputs {
             }
             job.case.ground_motion = Some(GroundMotion { horizontal: processed, transverse, vertical });
         }
-        for warning in &job.warnings {
-            warn(origin, warning);
-        }
         Ok(job)
     }
 
@@ -168,6 +165,15 @@ impl Inputs {
             decision.accepted.push(gap.clone());
         }
         Ok(decision)
+    }
+}
+
+/// Writes the warnings of a job to standard error.
+///
+/// * `origin`: beginning of the lines ("tanks.csv:3: "), may be empty
+pub(crate) fn warned(job: &Job, origin: &str) {
+    for warning in &job.warnings {
+        warn(origin, warning);
     }
 }
 

@@ -1,10 +1,10 @@
 //! Long runs: progress with the time left on standard error, and Ctrl-C. A terminal shows a bar; a file gets a line
-//! every tenth of a stage, or every minute if that is sooner. The first Ctrl-C stops the analysis, which returns the
+//! every tenth of a stage, or every minute if that is sooner; a program that asks by [`VARIABLE`] gets lines of JSON. The first Ctrl-C stops the analysis, which returns the
 //! finished part, marked incomplete. The second ends the process immediately and removes partial files.
 
 use files::code::{Code, Warning};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 use fem::progress::Progress;
@@ -55,6 +55,11 @@ pub(crate) fn stop_gracefully(what: &'static str) {
     GRACEFUL.store(true, Ordering::SeqCst);
 }
 
+/// Whether Ctrl-C was pressed in a run that [`stop_gracefully`] has ended.
+pub(crate) fn stopped() -> bool {
+    STOP.load(Ordering::Relaxed)
+}
+
 /// Progress on standard error, with the state of Ctrl-C.
 pub(crate) struct Watch {
     /// Hidden unless standard error is a terminal.
@@ -85,7 +90,9 @@ impl Watch {
 
 impl Progress for Watch {
     fn stage(&self, name: &str, steps: u64) {
-        self.logged(|log| log.stage(name, steps, Instant::now()));
+        if self.logged(|log| log.stage(name, steps, Instant::now())).is_some() && asked() {
+            say!("{}", told(name, None, None));
+        }
         if self.bar.is_hidden() {
             return;
         }
@@ -111,12 +118,28 @@ impl Progress for Watch {
     }
 
     fn interrupted(&self) -> bool {
-        STOP.load(Ordering::Relaxed)
+        stopped()
     }
 
     fn warn(&self, what: &str) {
         self.bar.suspend(|| warn("", &Warning::new(Code::PartlyKept, what)));
     }
+}
+
+/// Variable with which a program that starts this one asks for lines `progress {"stage":…,"percent":…,"left":…}`, the time left in seconds.
+const VARIABLE: &str = "TANKCHECK_PROGRESS";
+/// Shortest time between two of them.
+const TOLD: Duration = Duration::from_millis(250);
+
+/// Whether a program asks.
+fn asked() -> bool {
+    static ASKED: LazyLock<bool> = LazyLock::new(|| std::env::var_os(VARIABLE).is_some_and(|value| !value.is_empty()));
+    *ASKED
+}
+
+/// A line for a program.
+fn told(stage: &str, percent: Option<f64>, left: Option<f64>) -> String {
+    format!("progress {}", serde_json::json!({ "stage": stage, "percent": percent, "left": left }))
 }
 
 /// Shortest time between two lines: short stages do not need ten.
@@ -155,13 +178,17 @@ impl Log {
         }
         let since = now.duration_since(self.last.0);
         let tenths = 10 * self.done / self.steps;
-        if since < LEAST || (tenths <= self.last.1 && since < MOST) {
+        let early = if asked() { since < TOLD } else { since < LEAST || (tenths <= self.last.1 && since < MOST) };
+        if early {
             return None;
         }
         self.last = (now, tenths);
         let seconds = now.duration_since(self.began).as_secs_f64();
         let own = (self.done - before).max(1);
         let left = seconds * (self.steps - self.done) as f64 / own as f64;
+        if asked() {
+            return Some(told(&self.name, Some(100.0 * self.done as f64 / self.steps as f64), Some(left)));
+        }
         Some(format!(
             "{}: {} % ({} of {}), {} so far, about {} left",
             self.name,

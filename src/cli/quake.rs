@@ -66,7 +66,7 @@ struct Info {
 
 /// The facts of a record, SI.
 #[derive(Serialize)]
-struct Facts<'a> {
+pub(crate) struct Facts<'a> {
     name: &'a str,
     format: &'a str,
     unit: String,
@@ -117,7 +117,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     Ok(EXIT_OK)
 }
 
-fn facts(read: &ReadRecord) -> Facts<'_> {
+pub(crate) fn facts(read: &ReadRecord) -> Facts<'_> {
     let measures = read.record.measures();
     Facts {
         name: &read.record.name,

@@ -157,8 +157,14 @@ fn past(text: &mut String, at: &Verdict, beyond: &Answer<Verdict>) {
     text.extend(found);
 }
 
+/// The value of a solution as a tank file has it, with its unit.
+pub(crate) fn stated(solution: &Solution) -> Option<String> {
+    let up = !solution.variable.largest();
+    solution.value().map(|(value, _)| shown(solution.variable, value, up))
+}
+
 /// The solution in one paragraph.
-fn paragraph(solution: &Solution) -> String {
+pub(crate) fn paragraph(solution: &Solution) -> String {
     let variable = solution.variable;
     let up = !variable.largest();
     let shown = |value: f64| shown(variable, value, up);

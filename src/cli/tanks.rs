@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use crate::cli::inputs::{Inputs, shaken};
+use crate::cli::inputs::{self, Inputs, shaken};
 use crate::cli::terminal::{report_failure, say, warn};
 use crate::cli::{compare, print, solve};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_OK, Error};
@@ -98,7 +98,8 @@ fn answer(
     place: &str,
     variable: Option<Variable>,
 ) -> Result<(u8, Vec<String>), Error> {
-    let job = inputs.resolved(tank, &format!("{place}: "))?;
+    let job = inputs.resolved(tank)?;
+    inputs::warned(&job, &format!("{place}: "));
     shaken(&job)?;
     let (_, verdict) = pipeline::procedures::decide(&job)?;
     let governing = verdict.governing.as_ref();

@@ -4,6 +4,7 @@
 
 pub(in crate::input) mod bytes;
 pub(in crate::input) mod choice;
+mod edit;
 mod file;
 pub(in crate::input) mod given;
 mod hints;
@@ -26,6 +27,7 @@ use std::path::Path;
 use crate::input::diagnostic::{Faults, Source};
 use files::error::Error;
 
+pub use edit::edited;
 pub use file::TankFile;
 pub use keys::solid_defaults;
 pub use page::markdown;

@@ -12,6 +12,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("materials", &[]),
     ("files", &[]),
     ("fragility", &["files"]),
+    ("desk", &["files"]),
     ("tank", &["oscillator"]),
     ("base", &["tank"]),
     ("soil", &["oscillator"]),
@@ -42,6 +43,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
         &[
             "base",
             "codes",
+            "desk",
             "engines",
             "fem",
             "files",

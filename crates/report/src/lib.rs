@@ -209,6 +209,19 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
     Report::of(&page, &figures, templates)
 }
 
+/// The sketch of a tank to scale, as SVG within a page; its styles are those of the template `figure.css`.
+pub fn sketch(tank: &results::TankSummary) -> String {
+    language::page(visible(&sections::sketch(tank).inline()).into_owned())
+}
+
+/// The sheet of a method, or of one of its checks, as a piece of a page; see [`sections::sheet`].
+///
+/// Errors: a template that fails.
+pub fn sheet(method: &results::Method, check: Option<&tank::assessment::Check>) -> Result<String, Error> {
+    let html = sections::sheet(method, check, &Templates::new(None)?)?;
+    Ok(language::page(visible(&html).into_owned()))
+}
+
 /// Whether markup has neither text nor figure.
 fn is_empty(html: &str) -> bool {
     if html.contains("<svg") {

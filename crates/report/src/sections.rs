@@ -34,6 +34,7 @@ use crate::level::Level;
 use files::error::Error;
 
 pub(crate) use self::provenance::of as provenance_of;
+pub use self::sheets::alone as sheet;
 pub(crate) use self::tank::{of as tank_data, sketch};
 pub use section::{FigureView, Section, Source};
 

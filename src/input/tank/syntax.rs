@@ -147,7 +147,7 @@ pub(in crate::input) fn parse(source: &Source, faults: &mut Faults) -> Option<No
 
 /// Errors that the parser accepts or reports unclearly: deep nesting, missing commas in lists, bare words, and numbers
 /// without a separator after them.
-fn check_tokens(text: &str) -> Result<(), Fault> {
+pub(super) fn check_tokens(text: &str) -> Result<(), Fault> {
     let mut scanner = Scanner::new(
         text,
         &ScannerOptions {

@@ -13,7 +13,7 @@ use crate::input::diagnostic::{Fault, Faults};
 
 /// A step of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Step {
+pub(super) enum Step {
     Key(String),
     Index(usize),
 }
@@ -84,7 +84,7 @@ fn unknown(column: &Cell, message: &str) -> Fault {
 }
 
 /// The steps of `tank.courses[0].thickness`; keys with other characters than letters, digits, `_` and `-` stand in `["…"]`.
-fn steps(path: &str) -> Option<Vec<Step>> {
+pub(super) fn steps(path: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     let mut rest = path;
     while !rest.is_empty() {

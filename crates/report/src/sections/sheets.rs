@@ -4,14 +4,18 @@
 //! their numbers, values that are given or looked up take one line, and the same lines for several grounds are set as one. Of an engine that does not
 //! decide there are assumptions and remarks; its lines are counted.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
-use tank::assessment::Excitation;
+use tank::assessment::{Check, Excitation};
+use tank::formula::Formula;
 
 use super::{Section, Source};
 use crate::level::Level;
 use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
+use crate::template::Templates;
 use crate::words::verdict::LIQUID_PARTED;
 use crate::words::{outcome, sections, sheets as words};
 use files::error::Error;
@@ -104,6 +108,52 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let substituted = if System::current() == System::Si { "" } else { words::SUBSTITUTED };
     section.set("substituted", &substituted);
     Ok(Some(section))
+}
+
+/// The sheet of one method as a piece of a page, every line with its numbers.
+///
+/// * `check`: a check of the method, of which there are only the lines that its demand and its capacity come from; none for all, with
+///   assumptions and remarks
+///
+/// Errors: a template that fails.
+pub fn alone(method: &Method, check: Option<&Check>, templates: &Templates) -> Result<String, Error> {
+    let mut sheet = sheet(method, None, true, true);
+    if let Some(check) = check {
+        let behind = behind(&method.steps, check);
+        for part in &mut sheet.parts {
+            part.lines.retain(|line| behind.contains(&(line.number - 1)));
+        }
+        sheet.parts.retain(|part| !part.lines.is_empty());
+        (sheet.assumptions, sheet.notes) = (Vec::new(), Vec::new());
+    }
+    let mut section = Section::new("sheets");
+    section.set("sheets", &[sheet]);
+    section.set("full", &true);
+    section.set("clauses", &"");
+    section.set("substituted", &if System::current() == System::Si { "" } else { words::SUBSTITUTED });
+    templates.render(&templates.of_section(section.id), &section.context)
+}
+
+/// Places of the lines that a check comes from: those with its demand and its capacity, and for each symbol of their formulas the nearest
+/// line above that gives it.
+fn behind(steps: &[Step], check: &Check) -> BTreeSet<usize> {
+    let ends = |value: Option<f64>| value.and_then(|value| steps.iter().rposition(|step| same(step.value, value)));
+    let mut open: Vec<usize> = [ends(check.demand), ends(check.capacity)].into_iter().flatten().collect();
+    let mut found = BTreeSet::new();
+    while let Some(place) = open.pop() {
+        if !found.insert(place) {
+            continue;
+        }
+        let Ok(formula) = Formula::parse(&steps[place].formula) else { continue };
+        let above = |symbol: &str| steps[..place].iter().rposition(|step| step.symbol == symbol);
+        open.extend(formula.symbols().filter_map(above));
+    }
+    found
+}
+
+/// Whether two values are one that was kept with fewer digits.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
 }
 
 /// Leaves out assumptions that the sheet of the same procedure or of another engine above has; three or more of them, else the sentence takes
@@ -321,6 +371,28 @@ mod tests {
             short: true,
             many: false,
         }
+    }
+
+    /// Two lines for one symbol: the formula takes the nearer one. A line that leads nowhere is not part of the check.
+    #[test]
+    fn a_check_has_the_lines_that_lead_to_it() {
+        let step = |symbol: &str, formula: &str, value: f64| Step {
+            symbol: symbol.into(),
+            formula: formula.into(),
+            value,
+            ..Step::default()
+        };
+        let steps = [
+            step("t", "", 1.0),
+            step("x", "", 7.0),
+            step("t", "", 2.0),
+            step("N", "3·t", 6.0),
+            step("s", "N/t", 3.0),
+            step("R", "2·t", 4.0),
+            step("u", "s + R", 7.5),
+        ];
+        let check = Check::new("c", "c", 3.0, 4.0, tank::units::Dimension::Force, "", "");
+        assert_eq!(behind(&steps, &check).into_iter().collect::<Vec<_>>(), [2, 3, 4, 5]);
     }
 
     #[test]
