@@ -8,6 +8,7 @@ mod bounded;
 mod codes;
 mod compare;
 mod corners;
+mod desk;
 mod estimates;
 mod field;
 mod fragility;
