@@ -1,0 +1,293 @@
+// The shell: header, rooms, settings, keyboard, lost connection. Each room is a module of its own, loaded when it is first shown.
+
+import { createApi } from './api.js';
+import { ask, say, sayError, show } from './dialogs.js';
+import { choice, download, fill, h } from './dom.js';
+import { keepSetting, readSettings } from './settings.js';
+import './shell-words.js';
+import { setLanguage, t } from './words.js';
+
+/** Rooms in the order of the tabs. */
+const ROOMS = [
+  { id: 'tank', module: './tank.js' },
+  { id: 'records', module: './records.js' },
+  { id: 'runs', module: './runs.js' },
+  { id: 'look', module: './results.js' },
+];
+
+const events = new EventTarget();
+const api = createApi(events);
+const rooms = new Map();
+const keys = [];
+let current = null;
+
+const desk = {
+  api,
+  t,
+  events,
+  settings: readSettings(),
+  /** Version, folder and tank file, as the server says. */
+  info: { version: '', folder: '', tank: null },
+  /** The text of tank.json: see document.js. Null where that module is missing. */
+  document: null,
+  /** The record for the checks and runs: `{path, units?, dt?, channel?}` or null. */
+  record: null,
+  /** Goes to a room; `args` are passed to its `show`. */
+  go,
+  say,
+  sayError,
+  ask,
+  showDialog: show,
+  /** Tells the shell of keys that a room handles itself, for the help. */
+  shortcut(combination, words) { keys.push([combination, words]); },
+  /** Sets the record for checks and runs, and dispatches `record`. */
+  setRecord(record) {
+    desk.record = record;
+    events.dispatchEvent(new CustomEvent('record', { detail: record }));
+  },
+};
+
+start();
+
+async function start() {
+  setLanguage(desk.settings.language);
+  drawHeader();
+  events.addEventListener('lost', (event) => drawLost(true, event.detail?.other));
+  events.addEventListener('back', () => { drawLost(false); say(t('back'), 'ok'); });
+  events.addEventListener('text', drawFile);
+  try {
+    desk.info = await api.get('desk');
+    desk.settings = readSettings(desk.info.language);
+    setLanguage(desk.settings.language);
+  } catch (error) {
+    sayError(error);
+  }
+  try {
+    const module = await import('./document.js');
+    desk.document = await module.openDocument(desk);
+  } catch (error) {
+    console.warn('document.js:', error);
+  }
+  drawHeader();
+  api.listen();
+  addEventListener('hashchange', followAddress);
+  addEventListener('keydown', pressed);
+  addEventListener('beforeunload', (event) => { if (desk.document?.dirty) event.preventDefault(); });
+  await followAddress();
+}
+
+/* Rooms */
+
+function followAddress() {
+  const [id, ...rest] = location.hash.slice(1).split('/').map(decode);
+  const room = ROOMS.some((one) => one.id === id) ? id : 'tank';
+  return enter(room, rest.length ? { path: rest.join('/') } : {});
+}
+
+function decode(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+// A room with a path (a result, a record) has it in the address, so that a reload and the back key find it again.
+function go(id, args = {}) {
+  const path = args.path ? `/${args.path.split('/').map(encodeURIComponent).join('/')}` : '';
+  const address = `#${id}${path}`;
+  if (location.hash !== address) history.pushState(null, '', address);
+  return enter(id, args);
+}
+
+async function enter(id, args) {
+  const same = current === id;
+  if (current && !same) leave(current);
+  current = id;
+  const main = document.getElementById('main');
+  for (const tab of document.querySelectorAll('[role=tab]')) select(tab, tab.dataset.room === id);
+  let room = rooms.get(id);
+  if (!room) {
+    const element = h('section.room', { id: `room-${id}`, role: 'tabpanel', 'aria-labelledby': `tab-${id}` });
+    main.append(element);
+    room = { element, ready: build(id, element) };
+    rooms.set(id, room);
+  }
+  room.element.hidden = false;
+  document.title = title();
+  const parts = await room.ready;
+  if (current === id) parts.show(args);
+}
+
+function leave(id) {
+  const room = rooms.get(id);
+  if (!room) return;
+  room.element.hidden = true;
+  room.ready.then((parts) => parts.hide());
+}
+
+async function build(id, element) {
+  try {
+    const module = await import(ROOMS.find((room) => room.id === id).module);
+    return module.mount(element, desk);
+  } catch (error) {
+    console.error(`room ${id}:`, error);
+    fill(element, h('p.empty', {}, t('not-yet')));
+    return { show() {}, hide() {} };
+  }
+}
+
+/* Header */
+
+function drawHeader() {
+  const tabs = ROOMS.map(({ id }, index) => h('button.tab', {
+    type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `room-${id}`, dataset: { room: id },
+    title: `Alt+${index + 1}`, onclick: () => go(id), onkeydown: arrows,
+  }, t(`room-${id}`)));
+  const settings = h('div.settings', { id: 'settings' },
+    setting('language', [['en', 'English'], ['de', 'Deutsch']]),
+    setting('units', [['si', t('units-si')], ['us', t('units-us')]]),
+    setting('theme', [['auto', t('theme-auto')], ['light', t('theme-light')], ['dark', t('theme-dark')]]));
+  const more = h('button.quiet.more', {
+    type: 'button', 'aria-label': t('settings'), 'aria-expanded': 'false', 'aria-controls': 'settings',
+    onclick: () => more.setAttribute('aria-expanded', String(settings.classList.toggle('open'))),
+  }, '⋯');
+  fill(document.getElementById('top'),
+    h('span.brand', { 'aria-hidden': true }, h('img', { src: 'icon.svg', alt: '', width: 22, height: 22 })),
+    h('button.file.quiet', { type: 'button', id: 'file', onclick: chooseFile }),
+    h('nav', { 'aria-label': t('rooms') }, h('div.tabs', { role: 'tablist' }, tabs)),
+    settings, more,
+    h('button.quiet.ask', { type: 'button', 'aria-label': t('help'), title: t('help'), onclick: showHelp }, '?'));
+  for (const tab of tabs) select(tab, tab.dataset.room === current);
+  document.getElementById('skip').textContent = t('skip');
+  drawFile();
+}
+
+function select(tab, chosen) {
+  tab.setAttribute('aria-selected', String(chosen));
+  tab.tabIndex = chosen || (!current && tab.dataset.room === 'tank') ? 0 : -1;
+}
+
+function arrows(event) {
+  const tabs = [...document.querySelectorAll('[role=tab]')];
+  const here = tabs.indexOf(event.currentTarget);
+  const target = { ArrowRight: here + 1, ArrowLeft: here - 1, Home: 0, End: tabs.length - 1 }[event.key];
+  if (target === undefined) return;
+  event.preventDefault();
+  const tab = tabs[(target + tabs.length) % tabs.length];
+  go(tab.dataset.room);
+  tab.focus();
+}
+
+function title() {
+  const name = desk.document?.path ?? desk.info.tank;
+  return [`${desk.document?.dirty ? '• ' : ''}${name ?? 'tankcheck'}`, current ? t(`room-${current}`) : null, 'tankcheck']
+    .filter(Boolean).join(' – ');
+}
+
+function drawFile() {
+  const button = document.getElementById('file');
+  const name = desk.document?.path ?? desk.info.tank;
+  const folder = desk.info.folder.split(/[/\\]/).filter(Boolean).at(-1) ?? '';
+  fill(button, h('b', {}, name ?? t('no-file')), desk.document?.dirty ? h('i.unsaved', {}, t('unsaved')) : null);
+  button.title = t('open-file', { folder });
+  document.title = title();
+}
+
+function setting(name, pairs) {
+  return choice(pairs, desk.settings[name], {
+    'aria-label': t(name), title: t(name), name, onchange: (event) => changeSetting(name, event.target.value),
+  });
+}
+
+function changeSetting(name, value) {
+  desk.settings[name] = value;
+  keepSetting(name, value);
+  if (name === 'theme') document.documentElement.dataset.theme = value;
+  if (name === 'language') setLanguage(value);
+  const open = document.getElementById('settings').classList.contains('open');
+  drawHeader();
+  document.getElementById('settings').classList.toggle('open', open);
+  document.querySelector(`#settings [name=${name}]`)?.focus();
+  events.dispatchEvent(new CustomEvent('settings', { detail: { name, value } }));
+}
+
+async function chooseFile() {
+  try {
+    const { files } = await api.get('folder');
+    const tanks = files.filter((file) => file.kind === 'tank').map((file) => ({ id: file.path, title: file.path }));
+    if (!tanks.length) return void ask(t('no-tank-files'), [{ id: 'close', title: t('close'), kind: 'primary' }]);
+    const folder = desk.info.folder;
+    const path = await ask(t('open-file', { folder }), [...tanks, { id: '', title: t('cancel') }]);
+    if (path && path !== desk.document?.path) await openFile(path);
+  } catch (error) {
+    sayError(error);
+  }
+}
+
+async function openFile(path) {
+  if (!desk.document?.open) return;
+  if (desk.document.dirty) {
+    const answer = await ask(t('unsaved-open', { name: desk.document.path ?? t('no-file') }), [
+      { id: 'save', title: t('save-and-open'), kind: 'primary' },
+      { id: 'discard', title: t('discard-and-open'), kind: 'danger' },
+      { id: 'cancel', title: t('cancel') },
+    ]);
+    if (answer !== 'save' && answer !== 'discard') return;
+    if (answer === 'save') {
+      await desk.document.save();
+      if (desk.document.dirty) return;
+    }
+  }
+  await desk.document.open(path);
+  drawFile();
+  go('tank');
+}
+
+/* Keyboard and help */
+
+function pressed(event) {
+  const digit = /^Digit([1-4])$/.exec(event.code)?.[1];
+  if (event.altKey && !event.ctrlKey && !event.metaKey && digit) {
+    event.preventDefault();
+    const id = ROOMS[digit - 1].id;
+    go(id);
+    document.getElementById(`tab-${id}`).focus();
+    return;
+  }
+  if ((event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 's') {
+    event.preventDefault();
+    Promise.resolve(desk.document?.save?.()).catch(sayError);
+    return;
+  }
+  const typing = event.target.closest?.('input, textarea, select, [contenteditable]');
+  if (event.key === '?' && !typing && !document.querySelector('dialog[open]')) {
+    event.preventDefault();
+    showHelp();
+  }
+}
+
+function showHelp() {
+  const rows = [
+    ['Alt+1 … Alt+4', 'key-room'], ['← →', 'key-arrows'], ['Ctrl+S', 'key-save'], ...keys, ['?', 'key-help'], ['Esc', 'key-escape'],
+  ];
+  show(t('help-title'),
+    h('table.keys', {},
+      h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, t('help-keys')), h('th', { scope: 'col' }, t('help-does')))),
+      h('tbody', {}, rows.map(([combination, words]) => h('tr', {},
+        h('td', {}, h('kbd', {}, combination)), h('td', {}, t(words)))))),
+    h('p.hint', {}, t('about', desk.info)),
+    h('p.hint', {}, t('about-more')));
+}
+
+/* Lost connection */
+
+function drawLost(lost, other = false) {
+  const bar = document.getElementById('lost');
+  bar.hidden = !lost;
+  if (!lost) return;
+  const copy = () => download(desk.document.path?.split('/').at(-1) ?? 'tank.json', desk.document.text, 'application/json');
+  fill(bar, h('p', {}, t(other ? 'lost-other' : 'lost')),
+    h('button', { type: 'button', onclick: () => api.retry() }, t('try-again')),
+    desk.document?.dirty ? h('button', { type: 'button', onclick: copy }, t('keep-copy')) : null);
+}
