@@ -3,6 +3,7 @@
 import { createApi } from './api.js';
 import { ask, say, sayError, show } from './dialogs.js';
 import { choice, download, fill, h } from './dom.js';
+import { drawBusy, watchRuns } from './run-watch.js';
 import { keepSetting, readSettings } from './settings.js';
 import './shell-words.js';
 import { setLanguage, t } from './words.js';
@@ -32,6 +33,8 @@ const desk = {
   document: null,
   /** The record for the checks and runs: `{path, units?, dt?, channel?}` or null. */
   record: null,
+  /** Runs that wait or compute. */
+  busy: 0,
   /** Goes to a room; `args` are passed to its `show`. */
   go,
   say,
@@ -69,6 +72,7 @@ async function start() {
     console.warn('document.js:', error);
   }
   drawHeader();
+  watchRuns(desk, () => current);
   api.listen();
   addEventListener('hashchange', followAddress);
   addEventListener('keydown', pressed);
@@ -160,6 +164,7 @@ function drawHeader() {
     h('button.quiet.ask', { type: 'button', 'aria-label': t('help'), title: t('help'), onclick: showHelp }, '?'));
   for (const tab of tabs) select(tab, tab.dataset.room === current);
   document.getElementById('skip').textContent = t('skip');
+  drawBusy(desk);
   drawFile();
 }
 

@@ -1,0 +1,170 @@
+// The runs since the desk was started: one card each, changed in place so that focus and opened messages stay.
+
+import { fill, h } from './dom.js';
+import { copyCommand } from './run-form.js';
+import { duration, t } from './words.js';
+
+const ENDED = new Set(['done', 'failed', 'cancelled']);
+
+/** Makes the list. `acts` has `again(spec)` and `resume(spec)`; `specs` maps ids to what this page has started. */
+export function createList(desk, specs, acts) {
+  const list = { desk, specs, acts, cards: new Map(), element: h('div.run-list'), results: [] };
+  return {
+    element: list.element,
+    update(runs, results) {
+      list.results = results;
+      draw(list, runs);
+    },
+    redraw(runs) {
+      list.cards.clear();
+      list.element.replaceChildren();
+      draw(list, runs);
+    },
+  };
+}
+
+function draw(list, runs) {
+  if (!runs.length) {
+    list.cards.clear();
+    fill(list.element, h('h2', {}, t('run-list')), h('p.empty', {}, t('run-list-none')));
+    return;
+  }
+  if (!list.cards.size) fill(list.element, h('h2', {}, t('run-list')));
+  const heading = list.element.firstElementChild;
+  for (const run of runs) {
+    let card = list.cards.get(run.id);
+    if (!card) {
+      card = createCard(list, run);
+      list.cards.set(run.id, card);
+      heading.after(card.element);
+    }
+    updateCard(list, card, run);
+  }
+  for (const [id, card] of list.cards) {
+    if (runs.some((run) => run.id === id)) continue;
+    card.element.remove();
+    list.cards.delete(id);
+  }
+}
+
+function createCard(list, run) {
+  const card = {
+    shown: '', text: '', stopping: false,
+    name: h('h3.run-name'), state: h('span.tag'), bar: h('progress', { max: 100, 'aria-label': t('run-progress', { out: run.out ?? run.id }) }), line: h('p.hint.run-line'),
+    words: h('p.run-words'), acts: h('div.row'), command: h('code.run-typed', { tabindex: '0' }), output: h('pre.run-output', { tabindex: '0' }), summary: h('summary'),
+  };
+  card.details = h('details', {}, card.summary, card.output);
+  card.element = h('article.panel.run', { dataset: { id: run.id } }, h('div.row.spread', {}, card.name, card.state), card.bar, card.line, card.words, card.acts,
+    h('div.run-command', {}, card.command, h('button.quiet', { type: 'button', 'aria-label': t('run-copy'), onclick: () => copyCommand(list.desk, card.command.textContent) }, t('copy'))), card.details);
+  return card;
+}
+
+function updateCard(list, card, run) {
+  const ended = ENDED.has(run.state);
+  if (ended) card.stopping = false;
+  const verdict = list.results.find((one) => one.path === run.out)?.status;
+  card.name.textContent = run.out ?? run.command;
+  card.element.dataset.state = run.state;
+  card.state.textContent = t(card.stopping ? 'run-stopping' : `run-${run.state}`);
+  card.state.className = `tag ${stateClass(run)}`;
+  card.bar.hidden = ended;
+  if (run.state === 'running' && Number.isFinite(run.percent)) card.bar.value = run.percent;
+  else if (run.state === 'running') card.bar.removeAttribute('value');
+  else card.bar.value = 0;
+  card.line.textContent = line(run, ended);
+  card.words.hidden = !ended;
+  if (ended) fill(card.words, endWords(run), ' ', h('small.hint', {}, run.code === null || run.code === undefined ? '' : t('run-code', { code: run.code })));
+  card.command.textContent = run.command;
+  const kind = `${run.state} ${card.stopping} ${verdict}`;
+  if (card.shown !== kind) {
+    const first = card.shown === '';
+    card.shown = kind;
+    fill(card.acts, buttons(list, card, run));
+    if (ended && (run.code === 2 || run.code === 3 || run.state === 'failed')) card.details.open = true;
+    else if (first && run.state === 'running') card.details.open = false;
+  }
+  drawOutput(card, run.output ?? []);
+}
+
+const stateClass = (run) => ({ failed: 'fails', cancelled: 'open-state', running: 'run-now' }[run.state]
+  ?? (run.state === 'done' ? { 0: 'holds', 1: 'fails', 4: 'open-state' }[run.code] ?? '' : ''));
+
+function line(run, ended) {
+  if (ended) return t('run-took', { time: duration(run.seconds) });
+  if (run.state === 'waiting') return '';
+  const stage = run.stage ? `${run.stage}${Number.isFinite(run.percent) ? `, ${Math.round(run.percent)} %` : ''}` : t('run-starting');
+  return [stage, t('run-elapsed', { time: duration(run.seconds) }), run.left ? t('run-left', { time: run.left }) : null].filter(Boolean).join(' · ');
+}
+
+/** What the exit code means. Only `compare` gives a verdict by it. */
+export function endWords(run) {
+  if (run.state === 'cancelled') return t(run.code === 130 || run.code === null ? 'run-code-130' : 'run-kept');
+  if (run.code === 0) return t(/^tankcheck (compare|check)\b/.test(run.command) ? 'run-code-0' : 'run-code-0-plain');
+  return t([1, 2, 3, 4, 130].includes(run.code) ? `run-code-${run.code}` : 'run-code-other');
+}
+
+function buttons(list, card, run) {
+  const { desk } = list;
+  const act = (words, onclick, kind = '') => h('button', { type: 'button', class: kind, onclick }, t(words));
+  if (!ENDED.has(run.state)) return act(card.stopping ? 'run-cancel-now' : 'run-cancel', () => cancel(list, card, run), 'danger');
+  const spec = list.specs.get(run.id);
+  const there = list.results.some((one) => one.path === run.out);
+  const report = desk.api.resultAddress(run.out ?? '', 'report.html');
+  const paged = there && !run.command.includes('--no-report') && !/^tankcheck study (plan|run)/.test(run.command);
+  const resumable = spec && (run.state === 'cancelled' || run.code === 3) && (spec.kind === 'ida' || spec.kind === 'push' || spec.values.fe === 'nonlinear');
+  return [
+    there ? act('run-look', () => desk.go('look', { path: run.out }), 'primary') : null,
+    paged ? h('a.button', { href: report, target: '_blank', rel: 'noopener' }, t('run-open-report')) : null,
+    paged ? act('run-print', () => print(desk, report)) : null,
+    resumable ? act('run-go-on', () => list.acts.resume(spec)) : null,
+    spec ? act('run-again', () => list.acts.again(spec)) : null,
+  ];
+}
+
+// A second cancel of a run that stops discards the finished part, as a second Ctrl-C does.
+async function cancel(list, card, run) {
+  try {
+    card.stopping = run.state === 'running';
+    card.shown = '';
+    await list.desk.api.remove(`runs/${encodeURIComponent(run.id)}`);
+  } catch (error) {
+    card.stopping = false;
+    list.desk.sayError(error);
+  }
+}
+
+/** Prints the report, or opens it where the browser keeps the frame apart. */
+function print(desk, address) {
+  const opened = window.open(address, '_blank');
+  if (!opened) return;
+  const go = () => {
+    try {
+      opened.print();
+    } catch {
+      desk.say(t('run-print-there'));
+    }
+  };
+  try {
+    opened.addEventListener('load', go, { once: true });
+  } catch {
+    desk.say(t('run-print-there'));
+  }
+}
+
+function drawOutput(card, lines) {
+  const text = lines.map(plain).join('\n').trimEnd();
+  card.details.hidden = text === '';
+  if (text === card.text) return;
+  card.text = text;
+  card.summary.textContent = t('run-messages', { count: text.split('\n').length });
+  const { output } = card;
+  const atEnd = output.scrollTop + output.clientHeight >= output.scrollHeight - 24;
+  output.textContent = text;
+  if (atEnd) output.scrollTop = output.scrollHeight;
+}
+
+/** A line without the escapes of a terminal. */
+function plain(text) {
+  // eslint-disable-next-line no-control-regex
+  return String(text).replace(/\u001b\[[0-9;?]*[ -/]*[@-~]|\u001b\][^\u0007]*\u0007/g, '').replace(/^.*\r(?!$)/, '');
+}
