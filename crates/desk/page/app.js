@@ -37,6 +37,8 @@ const desk = {
   busy: 0,
   /** Goes to a room; `args` are passed to its `show`. */
   go,
+  /** Opens another tank file; asks about unsaved text first. */
+  openFile,
   say,
   sayError,
   ask,
@@ -76,6 +78,9 @@ async function start() {
   api.listen();
   addEventListener('hashchange', followAddress);
   addEventListener('keydown', pressed);
+  addEventListener('pointerdown', (event) => { if (!event.target.closest?.('#settings, .more')) closeSettings(); });
+  addEventListener('dragover', (event) => { if (withFiles(event)) event.preventDefault(); });
+  addEventListener('drop', dropped);
   addEventListener('beforeunload', (event) => { if (desk.document?.dirty) event.preventDefault(); });
   await followAddress();
 }
@@ -84,7 +89,7 @@ async function start() {
 
 function followAddress() {
   const [id, ...rest] = location.hash.slice(1).split('/').map(decode);
-  const room = ROOMS.some((one) => one.id === id) ? id : 'tank';
+  const room = ROOMS.some((one) => one.id === id) ? id : current ?? 'tank';
   return enter(room, rest.length ? { path: rest.join('/') } : {});
 }
 
@@ -163,7 +168,10 @@ function drawHeader() {
     settings, more,
     h('button.quiet.ask', { type: 'button', 'aria-label': t('help'), title: t('help'), onclick: showHelp }, '?'));
   for (const tab of tabs) select(tab, tab.dataset.room === current);
-  document.getElementById('skip').textContent = t('skip');
+  const skip = document.getElementById('skip');
+  skip.textContent = t('skip');
+  // The address names the room, so the link must not change it.
+  skip.onclick = (event) => { event.preventDefault(); document.getElementById('main').focus(); };
   drawBusy(desk);
   drawFile();
 }
@@ -217,6 +225,11 @@ function changeSetting(name, value) {
   events.dispatchEvent(new CustomEvent('settings', { detail: { name, value } }));
 }
 
+function closeSettings() {
+  document.getElementById('settings').classList.remove('open');
+  document.querySelector('.more').setAttribute('aria-expanded', 'false');
+}
+
 async function chooseFile() {
   try {
     const { files } = await api.get('folder');
@@ -249,6 +262,16 @@ async function openFile(path) {
   go('tank');
 }
 
+/* Files dropped anywhere go to the room Records; a file that misses must not replace the page. */
+
+const withFiles = (event) => [...(event.dataTransfer?.types ?? [])].includes('Files');
+
+function dropped(event) {
+  if (event.defaultPrevented || !withFiles(event)) return;
+  event.preventDefault();
+  go('records', { files: [...event.dataTransfer.files] });
+}
+
 /* Keyboard and help */
 
 function pressed(event) {
@@ -265,6 +288,7 @@ function pressed(event) {
     Promise.resolve(desk.document?.save?.()).catch(sayError);
     return;
   }
+  if (event.key === 'Escape') closeSettings();
   const typing = event.target.closest?.('input, textarea, select, [contenteditable]');
   if (event.key === '?' && !typing && !document.querySelector('dialog[open]')) {
     event.preventDefault();

@@ -3,7 +3,7 @@
 import { choice, fill, h, labelled } from './dom.js';
 import { UNITS, reading, recordOf, setReading } from './reading.js';
 import { show as display } from './units.js';
-import { duration, number, t } from './words.js';
+import { number, t } from './words.js';
 
 /** Shows a record in the detail of the room; returns what the room calls on changes. */
 export function showRecord(room, path) {
@@ -128,6 +128,8 @@ async function draw(view) {
   await drawSpectra(view);
 }
 
+const seconds = (value) => `${number(value, 3)} s`;
+
 function facts(view) {
   const { info } = view.answer;
   const system = view.desk.settings.units;
@@ -135,9 +137,9 @@ function facts(view) {
   const gravity = `${number(info.pga_g, 3)} g`;
   const rows = [
     ['rec-peak', `${display(info.pga, 'acceleration', system)} (${gravity})`],
-    ['rec-duration', t('rec-duration-of', { duration: duration(info.duration), samples: info.samples, dt: `${number(info.dt, 3)} s` })],
+    ['rec-duration', t('rec-duration-of', { duration: seconds(info.duration), samples: info.samples, dt: seconds(info.dt) })],
     ['rec-usable', usable ? t('rec-usable-of', { period: `${number(usable, 3)} s`, frequency: `${number(info.low_cut_frequency_hz, 2)} Hz` }) : t('rec-usable-none')],
-    ['rec-significant', t('rec-significant-of', { duration: duration(info.significant_duration), start: duration(info.significant_start) })],
+    ['rec-significant', t('rec-significant-of', { duration: seconds(info.significant_duration), start: seconds(info.significant_start) })],
     ['rec-pgv', display(info.pgv, 'velocity', system)],
     ['rec-pgd', display(info.pgd, 'length', system)],
     ['rec-arias', display(info.arias, 'velocity', system)],

@@ -30,9 +30,10 @@ export function mount(element, desk) {
     else drawNothing(room);
   });
   return {
-    async show({ path } = {}) {
+    async show({ path, files } = {}) {
       room.visible = true;
       if (room.stale) await load(room);
+      if (files) return void addFiles(room, files);
       if (path) open(room, path);
       else if (!room.shown) drawNothing(room);
       room.view?.repaint?.();
@@ -112,10 +113,16 @@ function item(room, file, tickable) {
   });
   return h('li', { class: room.shown === file.path ? 'shown' : '' }, tick,
     h('button.quiet', { type: 'button', 'aria-current': room.shown === file.path ? 'true' : null, title: file.path, dataset: { key: file.path },
-      onclick: () => room.desk.go('records', { path: file.path }) },
+      onclick: () => pick(room, file.path) },
     h('span.rec-name', {}, cut ? h('small', {}, file.path.slice(0, cut)) : null, file.path.slice(cut)),
     used ? h('span.rec-mark', { title: t('rec-used') }, '●') : null,
     h('small', {}, bytes(file.size))));
+}
+
+// On a narrow screen the record stands below the list.
+function pick(room, path) {
+  room.desk.go('records', { path });
+  if (room.detail.offsetTop > room.list.offsetTop + 100) room.detail.scrollIntoView({ block: 'start' });
 }
 
 function drawTicked(room, found = ofKind(room, 'record')) {
@@ -142,9 +149,6 @@ function acceptDrops(room, element) {
     event.preventDefault();
     addFiles(room, [...event.dataTransfer.files]);
   });
-  // A file that misses the room must not replace the page.
-  addEventListener('dragover', (event) => { if (files(event)) event.preventDefault(); });
-  addEventListener('drop', (event) => { if (files(event)) event.preventDefault(); });
 }
 
 async function addFiles(room, files) {
@@ -165,6 +169,9 @@ async function addFiles(room, files) {
   }
   if (!last) return;
   await load(room);
+  if (room.files.find((file) => file.path === last)?.kind === 'tank') {
+    return void desk.say(t('rec-is-tank', { name: last }), 'info', { title: t('rec-open-tank'), act: () => desk.openFile(last) });
+  }
   desk.go('records', { path: last });
 }
 

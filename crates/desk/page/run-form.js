@@ -16,7 +16,7 @@ export function createForm(desk, started) {
       Object.assign(form, known);
       preselect(form);
       if (picture(form) !== before) draw(form);
-      else drawCommand(form);
+      else drawSpec(form);
     },
     open({ kind, set, along } = {}) {
       if (kind && KINDS[kind]) form.kind = kind;
@@ -134,7 +134,7 @@ function control(form, option, value) {
 function drawOut(form) {
   const fixed = KINDS[form.kind].folder?.(form.values[form.kind]);
   if (fixed !== null && fixed !== undefined) return void fill(form.parts.out);
-  const input = h('input.mono', { spellcheck: 'false', value: form.out[form.kind] ?? proposal(form), oninput: () => { form.out[form.kind] = input.value.trim(); drawCommand(form); } });
+  const input = h('input.mono', { spellcheck: 'false', value: form.out[form.kind] ?? proposal(form), oninput: () => { form.out[form.kind] = input.value.trim(); drawSpec(form); } });
   form.outInput = input;
   form.parts.outNote = h('p.hint', { role: 'status' });
   fill(form.parts.out, labelled(t('run-out'), input), form.parts.outNote);
@@ -148,15 +148,15 @@ function apply(form) {
   const values = form.values[form.kind];
   for (const { option, element } of form.fields) element.hidden = option.if ? !option.if(values) : false;
   if (form.kind === 'study') drawOut(form);
-  drawCommand(form);
+  drawSpec(form);
 }
 
-function drawCommand(form) {
+function drawSpec(form) {
   if (!form.parts) return;
   // A proposal follows what is free; what was typed stays.
   if (form.outInput?.isConnected && form.out[form.kind] === undefined) form.outInput.value = proposal(form);
   const spec = specOf(form);
-  form.parts.command.textContent = typed(spec);
+  drawCommand(form.parts.command, typed(spec));
   const busy = form.runs.some((run) => run.state === 'running' || run.state === 'waiting');
   form.parts.start.textContent = t(busy ? 'run-queue' : 'run-start');
   form.parts.start.disabled = missing(form) !== undefined;
@@ -171,7 +171,7 @@ function noteOut(form, out) {
   form.outInput.setAttribute('aria-invalid', String(state === 'bad'));
   const free = proposal(form);
   const text = { bad: t('run-out-bad'), results: t('run-out-taken', { out }), files: t('run-out-files', { out }) }[state];
-  fill(form.parts.outNote, text ?? '', text && free !== out ? [' ', h('button.link', { type: 'button', onclick: () => { delete form.out[form.kind]; drawCommand(form); } }, t('run-out-free', { out: free }))] : null);
+  fill(form.parts.outNote, text ?? '', text && free !== out ? [' ', h('button.link', { type: 'button', onclick: () => { delete form.out[form.kind]; drawSpec(form); } }, t('run-out-free', { out: free }))] : null);
   form.parts.outNote.className = state === 'free' ? 'hint' : 'open-state';
 }
 
@@ -215,7 +215,7 @@ async function start(form) {
   } catch (error) {
     desk.sayError(error);
   } finally {
-    drawCommand(form);
+    drawSpec(form);
   }
 }
 
@@ -251,7 +251,7 @@ async function mayWrite(form, out, resume) {
   ]);
   if (answer === 'free') {
     delete form.out[form.kind];
-    drawCommand(form);
+    drawSpec(form);
   }
   return answer === 'replace';
 }
@@ -267,6 +267,11 @@ async function savedOrAgreed(form, tank) {
   if (answer !== 'save') return answer === 'saved';
   await document.save();
   return !document.dirty;
+}
+
+/** Shows a command; options are not broken at their hyphens. */
+export function drawCommand(element, text) {
+  if (element.textContent !== text) fill(element, text.split(' ').flatMap((word, i) => [i ? ' ' : null, h('span', {}, word)]));
 }
 
 /** Copies a command and says so. */

@@ -1,7 +1,7 @@
 // The runs since the desk was started: one card each, changed in place so that focus and opened messages stay.
 
 import { fill, h } from './dom.js';
-import { copyCommand } from './run-form.js';
+import { copyCommand, drawCommand } from './run-form.js';
 import { duration, t } from './words.js';
 
 const ENDED = new Set(['done', 'failed', 'cancelled']);
@@ -65,7 +65,7 @@ function updateCard(list, card, run) {
   const verdict = list.results.find((one) => one.path === run.out)?.status;
   card.name.textContent = run.out ?? run.command;
   card.element.dataset.state = run.state;
-  card.state.textContent = t(card.stopping ? 'run-stopping' : `run-${run.state}`);
+  card.state.textContent = t(card.stopping ? 'run-stopping' : stateWords(run));
   card.state.className = `tag ${stateClass(run)}`;
   card.bar.hidden = ended;
   if (run.state === 'running' && Number.isFinite(run.percent)) card.bar.value = run.percent;
@@ -74,7 +74,7 @@ function updateCard(list, card, run) {
   card.line.textContent = line(run, ended);
   card.words.hidden = !ended;
   if (ended) fill(card.words, endWords(run), ' ', h('small.hint', {}, run.code === null || run.code === undefined ? '' : t('run-code', { code: run.code })));
-  card.command.textContent = run.command;
+  drawCommand(card.command, run.command);
   const kind = `${run.state} ${card.stopping} ${verdict}`;
   if (card.shown !== kind) {
     const first = card.shown === '';
@@ -86,6 +86,9 @@ function updateCard(list, card, run) {
   drawOutput(card, run.output ?? []);
 }
 
+// Only `compare` judges by its exit code.
+const judges = (run) => /^tankcheck (compare|check)\b/.test(run.command);
+const stateWords = (run) => (run.state === 'done' && judges(run) ? { 0: 'run-holds', 1: 'run-fails', 4: 'run-open' }[run.code] ?? 'run-done' : `run-${run.state}`);
 const stateClass = (run) => ({ failed: 'fails', cancelled: 'open-state', running: 'run-now' }[run.state]
   ?? (run.state === 'done' ? { 0: 'holds', 1: 'fails', 4: 'open-state' }[run.code] ?? '' : ''));
 
@@ -96,10 +99,10 @@ function line(run, ended) {
   return [stage, t('run-elapsed', { time: duration(run.seconds) }), run.left ? t('run-left', { time: run.left }) : null].filter(Boolean).join(' · ');
 }
 
-/** What the exit code means. Only `compare` gives a verdict by it. */
+/** What the exit code means. */
 export function endWords(run) {
   if (run.state === 'cancelled') return t(run.code === 130 || run.code === null ? 'run-code-130' : 'run-kept');
-  if (run.code === 0) return t(/^tankcheck (compare|check)\b/.test(run.command) ? 'run-code-0' : 'run-code-0-plain');
+  if (run.code === 0) return t(judges(run) ? 'run-code-0' : 'run-code-0-plain');
   return t([1, 2, 3, 4, 130].includes(run.code) ? `run-code-${run.code}` : 'run-code-other');
 }
 

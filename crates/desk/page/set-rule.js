@@ -3,8 +3,8 @@
 import { h } from './dom.js';
 import { moment, number, t } from './words.js';
 
-/** Appends the outcome of the rule to an element; returns the charts. `times` may hold `created` and `changed`. */
-export async function drawRule(element, results, desk, times = {}) {
+/** Appends the outcome of the rule to an element; returns the charts, made with `chart`. `times` may hold `created` and `changed`. */
+export function drawRule(element, results, desk, chart, times = {}) {
   const set = results.record_set;
   const rule = set.compatibility;
   if (!rule) return [];
@@ -21,7 +21,7 @@ export async function drawRule(element, results, desk, times = {}) {
     const late = times.changed && new Date(times.changed) > new Date(times.created);
     element.append(h('p', { class: late ? 'open-state' : 'hint' }, t('set-computed', { when: moment(times.created) }), late ? ` ${t('set-changed')}` : ''));
   }
-  return charts(element, set, rule, desk);
+  return charts(element, set, rule, desk, chart);
 }
 
 const motion = (which) => (which === 'impulsive' ? t('rec-impulsive') : which === 'sloshing' ? t('rec-sloshing') : String(which));
@@ -31,11 +31,10 @@ function periodsTable(rule) {
   return h('div.scroll', {}, h('table', {}, h('thead', {}, h('tr', {}, head.map((id, i) => h('th', { scope: 'col', class: i && i < 5 ? 'number' : '' }, t(id))))),
     h('tbody', {}, rule.periods.map((one) => h('tr', {}, h('th', { scope: 'row' }, motion(one.which)), h('td.number', {}, `${number(one.period, 3)} s`),
       h('td.number', {}, `${number(one.range[0], 3)} … ${number(one.range[1], 3)} s`), h('td.number', {}, `${number(one.smallest_ratio, 3)} (${t('set-needs', { share: number(rule.share, 2) })})`),
-      h('td.number', {}, `${number(one.at_period, 3)} s`), h('td', { class: one.holds ? 'holds' : 'fails' }, t(one.holds ? 'set-holds' : 'set-fails')))))));
+      h('td.number', {}, `${number(one.at_period, 3)} s`), h('td', { class: one.holds ? 'holds' : 'fails' }, t(one.holds ? 'set-one-holds' : 'set-one-fails')))))));
 }
 
-async function charts(element, set, rule, desk) {
-  const { chart } = await import('./charts.js');
+function charts(element, set, rule, desk, chart) {
   const names = set.records.map((record) => record.id);
   return rule.periods.filter((one) => one.periods?.length).map((one) => {
     const place = h('div.set-chart');

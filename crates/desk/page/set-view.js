@@ -181,6 +181,8 @@ function recordsTable(view) {
 const ruleFolder = (path) => `${path.replace(/\.json$/, '')}-rule`;
 
 async function loadRule(view) {
+  view.turn = (view.turn ?? 0) + 1;
+  const { turn } = view;
   const result = view.room.results.find((one) => one.path === ruleFolder(view.path));
   const file = view.room.files.find((one) => one.path === view.path);
   let results = null;
@@ -189,12 +191,15 @@ async function loadRule(view) {
       results = await view.desk.api.get('results', { path: result.path });
     } catch { /* It can be computed again. */ }
   }
-  if (view.closed || !view.rule) return;
+  if (view.closed || !view.rule || view.turn !== turn) return;
   for (const chart of view.charts) chart.destroy();
+  view.charts = [];
   const found = results?.record_set ? results : null;
   fill(view.rule, h('div.row.spread', {}, h('h2', {}, t('set-rule')),
     h('button', { type: 'button', class: found ? '' : 'primary', onclick: () => checkRule(view) }, t(found ? 'set-again' : 'set-check'))));
-  if (found) view.charts = await drawRule(view.rule, found, view.desk, { created: result.created, changed: file?.modified });
+  if (!found) return;
+  const { chart } = await import('./charts.js');
+  if (view.turn === turn) view.charts = drawRule(view.rule, found, view.desk, chart, { created: result.created, changed: file?.modified });
 }
 
 async function checkRule(view) {

@@ -47,7 +47,8 @@ function raised(exponent) {
 
 /** A date and time, short. */
 export function moment(value) {
-  const date = new Date(value);
+  // A number below 10¹¹ is in seconds.
+  const date = new Date(typeof value === 'number' && value < 1e11 ? value * 1000 : value);
   if (Number.isNaN(date.getTime())) return String(value ?? '–');
   return date.toLocaleString(language === 'de' ? 'de-DE' : 'en-GB', { dateStyle: 'medium', timeStyle: 'short' });
 }
