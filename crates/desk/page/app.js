@@ -231,35 +231,21 @@ function closeSettings() {
 }
 
 async function chooseFile() {
-  try {
-    const { files } = await api.get('folder');
-    const tanks = files.filter((file) => file.kind === 'tank').map((file) => ({ id: file.path, title: file.path }));
-    if (!tanks.length) return void ask(t('no-tank-files'), [{ id: 'close', title: t('close'), kind: 'primary' }]);
-    const folder = desk.info.folder;
-    const path = await ask(t('open-file', { folder }), [...tanks, { id: '', title: t('cancel') }]);
-    if (path && path !== desk.document?.path) await openFile(path);
-  } catch (error) {
-    sayError(error);
-  }
+  const { chooseFile: choose } = await import('./files.js');
+  const before = desk.document?.path;
+  await choose(desk);
+  if (desk.document?.path !== before) go('tank');
 }
 
 async function openFile(path) {
-  if (!desk.document?.open) return;
-  if (desk.document.dirty) {
-    const answer = await ask(t('unsaved-open', { name: desk.document.path ?? t('no-file') }), [
-      { id: 'save', title: t('save-and-open'), kind: 'primary' },
-      { id: 'discard', title: t('discard-and-open'), kind: 'danger' },
-      { id: 'cancel', title: t('cancel') },
-    ]);
-    if (answer !== 'save' && answer !== 'discard') return;
-    if (answer === 'save') {
-      await desk.document.save();
-      if (desk.document.dirty) return;
-    }
+  const { mayLeave } = await import('./files.js');
+  try {
+    if (!(await mayLeave(desk))) return;
+    await desk.document.open(path);
+    go('tank');
+  } catch (error) {
+    sayError(error);
   }
-  await desk.document.open(path);
-  drawFile();
-  go('tank');
 }
 
 /* Files dropped anywhere go to the room Records; a file that misses must not replace the page. */

@@ -110,7 +110,7 @@ function channelsOf(fault) {
 
 async function draw(view) {
   const { parts, answer } = view;
-  const history = h('section.panel.rec-history');
+  const history = h('div.rec-history');
   fill(parts.body, history, h('div.rec-two', {}, facts(view), parts.spectra));
   for (const chart of view.charts) chart.destroy();
   view.charts = [];
@@ -151,6 +151,7 @@ function facts(view) {
   const asked = Object.keys(reading(view.path)).length > 0;
   return h('section.panel.stack', {},
     h('dl.facts', {}, rows.map(([id, text]) => [h('dt', {}, t(id)), h('dd', {}, text)])),
+    view.answer.warnings?.map((warning) => h('p.open-state', {}, warning.message)),
     info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', {}, note)))] : null,
     h('details', { open: asked }, h('summary', {}, t('rec-how')), readingForm(view)));
 }
@@ -212,6 +213,13 @@ export function resampled({ period, psa }, periods) {
   });
 }
 
+/** Sloshing has the least damping of the spectra, the impulsive motion the others. */
+function matched(spectra, id) {
+  const least = Math.min(...spectra.map((one) => one.damping));
+  const found = spectra.filter((one) => (one.damping === least) === (id === 'rec-sloshing'));
+  return found.length ? found : spectra;
+}
+
 /** A table: record and site at the impulsive and the sloshing period, each with the spectra of the same damping. */
 function atPeriods(view, results, scaled, site) {
   const system = view.desk.settings.units;
@@ -221,7 +229,7 @@ function atPeriods(view, results, scaled, site) {
   const rows = [];
   for (const [id, period] of periods) {
     if (!period) continue;
-    for (const one of scaled) {
+    for (const one of matched(scaled, id)) {
       const other = site.find((spectrum) => spectrum.damping === one.damping);
       if (!other) continue;
       const [mine] = resampled(one, [period]);

@@ -12,6 +12,7 @@ add({
   'rec-none': ['The folder holds no records yet.', 'Der Ordner enthält noch keine Beben.'],
   'rec-none-found': ['No name contains this text.', 'Kein Name enthält diesen Text.'],
   'rec-others': ['Other files ({count})', 'Andere Dateien ({count})'],
+  'rec-more': ['The folder holds more files than are listed; open a smaller one.', 'Der Ordner enthält mehr Dateien als gezeigt; öffnen Sie einen kleineren.'],
   'rec-pick': ['Choose a record to see it, or drop one.', 'Wählen Sie ein Beben, oder legen Sie eines ab.'],
   'rec-tick': ['Take {name} into a set', '{name} in einen Satz aufnehmen'],
   'rec-ticked': ['{count} chosen', '{count} gewählt'],

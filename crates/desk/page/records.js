@@ -49,9 +49,10 @@ function refresh(room) {
 
 async function load(room) {
   try {
-    const { files, results } = await room.desk.api.get('folder');
+    const { files, results, more } = await room.desk.api.get('folder');
     room.files = files;
     room.results = results;
+    room.more = more;
     room.stale = false;
     const there = new Set(files.map((file) => file.path));
     for (const path of room.ticked) if (!there.has(path)) room.ticked.delete(path);
@@ -93,9 +94,10 @@ function drawList(room) {
   room.parts.setsTitle.hidden = !sets.length;
   fill(room.parts.sets, sets.map((file) => item(room, file, false)));
   const others = ofKind(room, 'other').filter(match);
-  room.parts.othersBox.hidden = !others.length;
+  room.parts.othersBox.hidden = !others.length && !room.more;
   room.parts.othersTitle.textContent = t('rec-others', { count: others.length });
   fill(room.parts.others, others.map((file) => item(room, file, false)));
+  if (room.more) room.parts.others.append(h('li.hint', {}, t('rec-more')));
   drawTicked(room, found);
   if (focus) room.list.querySelector(`[data-key="${CSS.escape(focus)}"]`)?.focus();
 }

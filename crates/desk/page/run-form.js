@@ -188,7 +188,10 @@ function specOf(form) {
   const values = { ...form.values[form.kind] };
   for (const option of kind.options) if (option.kind === 'number') values[option.id] = values[option.id].replace(',', '.');
   const fixed = kind.folder?.(values);
-  return { ...kind.build(values), out: fixed ?? form.out[form.kind] ?? form.outInput?.value ?? '' };
+  const spec = kind.build(values);
+  if (fixed !== null && fixed !== undefined) return { ...spec, out: fixed };
+  const out = form.out[form.kind] ?? form.outInput?.value ?? '';
+  return { command: spec.command, arguments: [...spec.arguments, '--out', out], out };
 }
 
 /** The first option without which there is no run. */

@@ -31,7 +31,8 @@ function draw(list, runs) {
   }
   if (!list.cards.size) fill(list.element, h('h2', {}, t('run-list')));
   const heading = list.element.firstElementChild;
-  for (const run of runs) {
+  // A new card goes on top.
+  for (const run of [...runs].sort((a, b) => a.id - b.id)) {
     let card = list.cards.get(run.id);
     if (!card) {
       card = createCard(list, run);
@@ -96,7 +97,7 @@ function line(run, ended) {
   if (ended) return t('run-took', { time: duration(run.seconds) });
   if (run.state === 'waiting') return '';
   const stage = run.stage ? `${run.stage}${Number.isFinite(run.percent) ? `, ${Math.round(run.percent)} %` : ''}` : t('run-starting');
-  return [stage, t('run-elapsed', { time: duration(run.seconds) }), run.left ? t('run-left', { time: run.left }) : null].filter(Boolean).join(' · ');
+  return [stage, t('run-elapsed', { time: duration(run.seconds) }), Number.isFinite(run.left) ? t('run-left', { time: duration(run.left) }) : null].filter(Boolean).join(' · ');
 }
 
 /** What the exit code means. */

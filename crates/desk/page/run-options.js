@@ -94,9 +94,8 @@ export const KINDS = {
       { ...memory, if: (values) => values.step === 'run' },
     ],
     build: (values) => ({
-      command: 'study',
-      arguments: values.step === 'plan' ? ['plan', values.study]
-        : [values.step, values.planned, ...(values.step === 'run' ? [...given('--jobs', values.jobs), ...given('--memory-limit', values.memory)] : [])],
+      command: `study ${values.step}`,
+      arguments: values.step === 'plan' ? [values.study] : [values.planned, ...(values.step === 'run' ? [...given('--jobs', values.jobs), ...given('--memory-limit', values.memory)] : [])],
     }),
     /** Only the plan makes a folder; the other steps work in that of the plan. */
     folder: (values) => (values.step === 'plan' ? null : values.planned),
@@ -134,8 +133,7 @@ function pages(values) {
 
 /** The command as it is typed in a shell. */
 export function typed(spec) {
-  const all = ['tankcheck', spec.command, ...spec.arguments, ...(spec.out && spec.arguments[1] !== spec.out ? ['--out', spec.out] : [])];
-  return all.map(quoted).join(' ');
+  return ['tankcheck', ...spec.command.split(' '), ...spec.arguments].map(quoted).join(' ');
 }
 
 function quoted(text) {

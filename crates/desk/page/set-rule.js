@@ -3,7 +3,7 @@
 import { h } from './dom.js';
 import { moment, number, t } from './words.js';
 
-/** Appends the outcome of the rule to an element; returns the charts, made with `chart`. `times` may hold `created` and `changed`. */
+/** Appends the outcome of the rule to an element; returns the charts, made with `chart`. `times` may hold `created` and `changed` [s]. */
 export function drawRule(element, results, desk, chart, times = {}) {
   const set = results.record_set;
   const rule = set.compatibility;
@@ -18,7 +18,7 @@ export function drawRule(element, results, desk, chart, times = {}) {
   ].filter(Boolean);
   element.append(h('dl.facts', {}, facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])), periodsTable(rule));
   if (times.created) {
-    const late = times.changed && new Date(times.changed) > new Date(times.created);
+    const late = times.changed > times.created;
     element.append(h('p', { class: late ? 'open-state' : 'hint' }, t('set-computed', { when: moment(times.created) }), late ? ` ${t('set-changed')}` : ''));
   }
   return charts(element, set, rule, desk, chart);

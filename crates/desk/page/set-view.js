@@ -199,7 +199,7 @@ async function loadRule(view) {
     h('button', { type: 'button', class: found ? '' : 'primary', onclick: () => checkRule(view) }, t(found ? 'set-again' : 'set-check'))));
   if (!found) return;
   const { chart } = await import('./charts.js');
-  if (view.turn === turn) view.charts = drawRule(view.rule, found, view.desk, chart, { created: result.created, changed: file?.modified });
+  if (view.turn === turn) view.charts = drawRule(view.rule, found, view.desk, chart, { created: result.modified, changed: file?.modified });
 }
 
 async function checkRule(view) {
@@ -208,7 +208,7 @@ async function checkRule(view) {
   if (!tank) return void desk.say(t('set-needs-tank'), 'warning');
   try {
     const { id } = await desk.api.post('runs', {
-      command: 'compare', arguments: [tank, '--set', view.path, '--fe', 'none', '--no-report'], out: ruleFolder(view.path),
+      command: 'compare', arguments: [tank, '--set', view.path, '--fe', 'none', '--no-report', '--out', ruleFolder(view.path)], out: ruleFolder(view.path),
     });
     view.run = id;
     fill(view.rule, h('h2', {}, t('set-rule')), h('p.hint', { role: 'status' }, t('set-checking', { tank })), h('progress'));
