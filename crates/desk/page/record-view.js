@@ -64,12 +64,18 @@ async function read(view) {
     view.answer = null;
     drawHead(view);
     fill(parts.body, h('section.panel.stack', {}, h('h2', {}, t('rec-unclear')),
-      h('pre.rec-fault', {}, [error.message, error.help].filter(Boolean).join('\n')), readingForm(view, error.message)));
+      h('pre.rec-fault', {}, faultText(error)), readingForm(view, error.message)));
     return;
   }
   if (desk.record?.path === path) desk.setRecord(recordOf(path));
   drawHead(view);
   await draw(view);
+}
+
+/** The words of the readers without what only a terminal needs: the path, the count, the hint to `explain`. */
+function faultText({ message, help }) {
+  const told = message.split(/\n+error: \d+ faults? in /)[0].split('\n').filter((line) => !line.startsWith('-->'));
+  return [...told, help && !help.includes('tankcheck explain') ? help.trim() : null].filter(Boolean).join('\n');
 }
 
 /* Unit, time step, channel */
