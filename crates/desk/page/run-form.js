@@ -18,8 +18,9 @@ export function createForm(desk, started) {
       if (picture(form) !== before) draw(form);
       else drawSpec(form);
     },
-    open({ kind, set, along } = {}) {
+    open({ kind, set, along, folder } = {}) {
       if (kind && KINDS[kind]) form.kind = kind;
+      if (folder) form.values.report.folder = folder;
       if (set) form.values.set.set = set;
       if (along !== undefined) for (const one of ['compare', 'ida']) form.values[one].along = along;
       draw(form);
@@ -42,16 +43,17 @@ function picture(form) {
 
 const paths = (form, kind) => form.files.filter((file) => file.kind === kind).map((file) => file.path);
 const planned = (form) => form.results.filter((one) => one.kind === 'study').map((one) => one.path);
+const reported = (form) => form.results.map((one) => one.path);
 
 /** The tank of the desk, its record, the only set: what is likely meant. */
 function preselect(form) {
   const tanks = paths(form, 'tank');
-  const first = { tank: tanks.includes(form.desk.document?.path) ? form.desk.document.path : tanks[0] ?? '', set: paths(form, 'set')[0] ?? '', study: paths(form, 'study')[0] ?? '', planned: planned(form)[0] ?? '' };
+  const first = { tank: tanks.includes(form.desk.document?.path) ? form.desk.document.path : tanks[0] ?? '', set: paths(form, 'set')[0] ?? '', study: paths(form, 'study')[0] ?? '', planned: planned(form)[0] ?? '', result: reported(form)[0] ?? '' };
   for (const [kind, { options }] of Object.entries(KINDS)) {
     const values = form.values[kind];
     for (const option of options) {
       if (!(option.kind in first)) continue;
-      const there = option.kind === 'planned' ? planned(form) : paths(form, option.kind);
+      const there = option.kind === 'planned' ? planned(form) : option.kind === 'result' ? reported(form) : paths(form, option.kind);
       if (!there.includes(values[option.id])) values[option.id] = first[option.kind];
     }
   }
@@ -113,7 +115,7 @@ function field(form, option) {
   input.addEventListener('input', () => change(input.value.trim()));
   form.inputs.set(option.id, input);
   const empty = input instanceof HTMLSelectElement && !input.options.length;
-  return empty ? h('p.open-state.run-wide', {}, t({ tank: 'run-no-tank', set: 'run-no-set', study: 'run-no-study', planned: 'run-no-plan', record: 'rec-none' }[option.kind] ?? option.words))
+  return empty ? h('p.open-state.run-wide', {}, t({ tank: 'run-no-tank', set: 'run-no-set', study: 'run-no-study', planned: 'run-no-plan', result: 'run-no-results', record: 'rec-none' }[option.kind] ?? option.words))
     : labelled(t(option.words), input, option.hint ? t(option.hint) : null);
 }
 
@@ -128,6 +130,7 @@ function control(form, option, value) {
   }
   if (option.kind in { tank: 0, set: 0, study: 0 }) return choice(paths(form, option.kind).map((path) => [path, path]), value);
   if (option.kind === 'planned') return choice(planned(form).map((path) => [path, path]), value);
+  if (option.kind === 'result') return choice(reported(form).map((path) => [path, path]), value);
   return h('input', { value, placeholder: option.placeholder, inputmode: option.kind === 'number' ? 'decimal' : null, spellcheck: 'false' });
 }
 
@@ -197,7 +200,7 @@ function specOf(form) {
 /** The first option without which there is no run. */
 function missing(form) {
   const values = form.values[form.kind];
-  const needed = (option) => ['tank', 'set', 'study', 'planned'].includes(option.kind) || (option.kind === 'record' && option.none === null);
+  const needed = (option) => ['tank', 'set', 'study', 'planned', 'result'].includes(option.kind) || (option.kind === 'record' && option.none === null);
   return KINDS[form.kind].options.find((option) => needed(option) && !values[option.id] && !(option.if && !option.if(values)));
 }
 

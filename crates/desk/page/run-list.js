@@ -2,11 +2,12 @@
 
 import { fill, h } from './dom.js';
 import { copyCommand, drawCommand } from './run-form.js';
+import { nextOfStudy, printed, writtenForms } from './run-options.js';
 import { duration, t } from './words.js';
 
 const ENDED = new Set(['done', 'failed', 'cancelled']);
 
-/** Makes the list. `acts` has `again(spec)` and `resume(spec)`; `specs` maps ids to what this page has started. */
+/** Makes the list. `acts` has `again(spec)`, `resume(spec)` and `post(spec)`; `specs` maps ids to what this page has started. */
 export function createList(desk, specs, acts) {
   const list = { desk, specs, acts, cards: new Map(), element: h('div.run-list'), results: [] };
   return {
@@ -24,6 +25,7 @@ export function createList(desk, specs, acts) {
 }
 
 function draw(list, runs) {
+  list.runs = runs;
   if (!runs.length) {
     list.cards.clear();
     fill(list.element, h('h2', {}, t('run-list')), h('p.empty', {}, t('run-list-none')));
@@ -76,7 +78,7 @@ function updateCard(list, card, run) {
   card.words.hidden = !ended;
   if (ended) fill(card.words, endWords(run), ' ', h('small.hint', {}, run.code === null || run.code === undefined ? '' : t('run-code', { code: run.code })));
   drawCommand(card.command, run.command);
-  const kind = `${run.state} ${card.stopping} ${verdict}`;
+  const kind = `${run.state} ${card.stopping} ${verdict} ${followed(list, run)}`;
   if (card.shown !== kind) {
     const first = card.shown === '';
     card.shown = kind;
@@ -90,6 +92,9 @@ function updateCard(list, card, run) {
 // Only `compare` judges by its exit code.
 const judges = (run) => /^tankcheck (compare|check)\b/.test(run.command);
 const stateWords = (run) => (run.state === 'done' && judges(run) ? { 0: 'run-holds', 1: 'run-fails', 4: 'run-open' }[run.code] ?? 'run-done' : `run-${run.state}`);
+/** Whether a later run works in the same folder. */
+const followed = (list, run) => list.runs.some((other) => other.id > run.id && other.out === run.out && other.state !== 'failed');
+
 const stateClass = (run) => ({ failed: 'fails', cancelled: 'open-state', running: 'run-now' }[run.state]
   ?? (run.state === 'done' ? { 0: 'holds', 1: 'fails', 4: 'open-state' }[run.code] ?? '' : ''));
 
@@ -114,12 +119,17 @@ function buttons(list, card, run) {
   const spec = list.specs.get(run.id);
   const there = list.results.some((one) => one.path === run.out);
   const report = desk.api.resultAddress(run.out ?? '', 'report.html');
-  const paged = there && !run.command.includes('--no-report') && !/^tankcheck study (plan|run)/.test(run.command);
+  const step = followed(list, run) ? null : nextOfStudy(run);
+  const planned = /^tankcheck study (plan|run)/.test(run.command);
+  const paged = there && run.state !== 'failed' && !run.command.includes('--no-report') && !planned;
+  const files = run.code === 0 ? writtenForms(run) : [];
   const resumable = spec && (run.state === 'cancelled' || run.code === 3) && (spec.kind === 'ida' || spec.kind === 'push' || spec.values.fe === 'nonlinear');
   return [
-    there ? act('run-look', () => desk.go('look', { path: run.out }), 'primary') : null,
+    files.map((file) => h('a.button', { href: desk.api.resultAddress(run.out, file, true), download: file }, t('run-save-file', { file }))),
+    step ? act(`run-next-${step.step}`, () => list.acts.post(step), 'primary') : null,
+    there && !planned ? act('run-look', () => desk.go('look', { path: run.out }), files.length ? '' : 'primary') : null,
     paged ? h('a.button', { href: report, target: '_blank', rel: 'noopener' }, t('run-open-report')) : null,
-    paged ? act('run-print', () => print(desk, report)) : null,
+    paged && !run.command.startsWith('tankcheck report') ? act('run-print', () => list.acts.post(printed(run.out))) : null,
     resumable ? act('run-go-on', () => list.acts.resume(spec)) : null,
     spec ? act('run-again', () => list.acts.again(spec)) : null,
   ];
@@ -134,24 +144,6 @@ async function cancel(list, card, run) {
   } catch (error) {
     card.stopping = false;
     list.desk.sayError(error);
-  }
-}
-
-/** Prints the report, or opens it where the browser keeps the frame apart. */
-function print(desk, address) {
-  const opened = window.open(address, '_blank');
-  if (!opened) return;
-  const go = () => {
-    try {
-      opened.print();
-    } catch {
-      desk.say(t('run-print-there'));
-    }
-  };
-  try {
-    opened.addEventListener('load', go, { once: true });
-  } catch {
-    desk.say(t('run-print-there'));
   }
 }
 

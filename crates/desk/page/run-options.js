@@ -5,7 +5,7 @@ import { reading } from './reading.js';
 const ENGINES = ['auto', 'harmonic', 'solid', 'both', 'nonlinear', 'none'].map((id) => [id === 'auto' ? '' : id, `run-engine-${id}`]);
 const REPORTS = ['standard', 'summary', 'full', 'none'].map((id) => [id === 'standard' ? '' : id, `run-report-${id}`]);
 
-// An option: id, kind (tank, record, set, study, planned, choice, number, text, tick), words, where it stands (`more`), `if(values)`.
+// An option: id, kind (tank, record, set, study, planned, result, choice, number, text, tick), words, where it stands (`more`), `if(values)`.
 const tank = { id: 'tank', kind: 'tank', words: 'run-tank' };
 const up = { id: 'up', kind: 'record', words: 'run-up', none: 'run-none' };
 const memory = { id: 'memory', kind: 'number', words: 'run-memory', from: 64, to: 1e6, placeholder: '4096', more: true };
@@ -100,7 +100,38 @@ export const KINDS = {
     /** Only the plan makes a folder; the other steps work in that of the plan. */
     folder: (values) => (values.step === 'plan' ? null : values.planned),
   },
+  report: {
+    out: '',
+    options: [
+      { id: 'folder', kind: 'result', words: 'run-results' },
+      { id: 'level', kind: 'choice', words: 'run-report', choices: REPORTS.filter(([id]) => id !== 'none') },
+      lang, units,
+      { id: 'pdf', kind: 'tick', words: 'run-form-pdf', value: true },
+      { id: 'docx', kind: 'tick', words: 'run-form-docx' },
+      { id: 'xlsx', kind: 'tick', words: 'run-form-xlsx' },
+    ].map((option) => ({ ...option, more: false })),
+    build: (values) => ({
+      command: 'report',
+      arguments: [values.folder, ...given('--report', values.level), ...given('--format', ['pdf', 'docx', 'xlsx'].filter((form) => values[form]).join(',')), ...words(values)],
+    }),
+    folder: (values) => values.folder,
+  },
 };
+
+/** The next step of a study after one that is done; null after the last. */
+export function nextOfStudy(run) {
+  const step = { plan: 'run', run: 'merge' }[run.command.match(/^tankcheck study (plan|run) /)?.[1]];
+  return step && run.code === 0 && run.out ? { command: `study ${step}`, arguments: [run.out], out: run.out, step } : null;
+}
+
+/** The PDF of a folder of results. */
+export const printed = (out) => ({ command: 'report', arguments: [out, '--format', 'pdf'], out });
+
+/** Files that `report` has written beside the page. */
+export function writtenForms(run) {
+  const forms = run.command.match(/^tankcheck report .*--format ([\w,]+)/)?.[1] ?? '';
+  return forms.split(',').filter((form) => ['pdf', 'docx', 'xlsx'].includes(form)).map((form) => `report.${form}`);
+}
 
 /* Arguments */
 

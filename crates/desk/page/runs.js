@@ -13,7 +13,7 @@ export function mount(element, desk) {
     room.specs.set(id, spec);
     loadRuns(room);
   });
-  room.list = createList(desk, room.specs, { again: (spec) => room.form.again(spec), resume: (spec) => resume(room, spec) });
+  room.list = createList(desk, room.specs, { again: (spec) => room.form.again(spec), resume: (spec) => resume(room, spec), post: (spec) => post(room, spec) });
   element.classList.add('runs');
   fill(element, room.form.element, room.list.element);
   listen(room);
@@ -72,12 +72,16 @@ async function loadFolder(room) {
   }
 }
 
-async function resume(room, spec) {
+function resume(room, spec) {
   const more = spec.arguments.includes('--resume') ? [] : ['--resume'];
-  const again = { ...spec, arguments: [...spec.arguments, ...more], values: { ...spec.values, resume: true } };
+  return post(room, { ...spec, arguments: [...spec.arguments, ...more], values: { ...spec.values, resume: true } });
+}
+
+/** Starts what a button of a card means, without the form. */
+async function post(room, spec) {
   try {
-    const { id } = await room.desk.api.post('runs', { command: again.command, arguments: again.arguments, out: again.out });
-    room.specs.set(id, again);
+    const { id } = await room.desk.api.post('runs', { command: spec.command, arguments: spec.arguments, out: spec.out });
+    if (spec.kind) room.specs.set(id, spec);
     await loadRuns(room);
   } catch (error) {
     room.desk.sayError(error);
