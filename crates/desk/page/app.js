@@ -48,6 +48,7 @@ const desk = {
   /** Sets the record for checks and runs, and dispatches `record`. */
   setRecord(record) {
     desk.record = record;
+    keepRecord(record);
     events.dispatchEvent(new CustomEvent('record', { detail: record }));
   },
 };
@@ -55,6 +56,10 @@ const desk = {
 start();
 
 async function start() {
+  // What the first room needs is fetched while the server is asked.
+  const opening = import('./document.js');
+  const first = import(ROOMS.find((room) => location.hash.slice(1).split('/')[0] === room.id)?.module ?? ROOMS[0].module);
+  for (const early of [opening, first]) early.catch(() => {});
   setLanguage(desk.settings.language);
   drawHeader();
   events.addEventListener('lost', (event) => drawLost(true, event.detail?.other));
@@ -64,12 +69,12 @@ async function start() {
     desk.info = await api.get('desk');
     desk.settings = readSettings(desk.info.language);
     setLanguage(desk.settings.language);
+    desk.record = keptRecord();
   } catch (error) {
     sayError(error);
   }
   try {
-    const module = await import('./document.js');
-    desk.document = await module.openDocument(desk);
+    desk.document = await (await opening).openDocument(desk);
   } catch (error) {
     console.warn('document.js:', error);
   }
@@ -83,6 +88,22 @@ async function start() {
   addEventListener('drop', dropped);
   addEventListener('beforeunload', (event) => { if (desk.document?.dirty) event.preventDefault(); });
   await followAddress();
+}
+
+// The record in use stays when the page is loaded again.
+function keepRecord(record) {
+  try {
+    sessionStorage.setItem('desk.record', JSON.stringify({ folder: desk.info.folder, record }));
+  } catch { /* Storage may be blocked. */ }
+}
+
+function keptRecord() {
+  try {
+    const { folder, record } = JSON.parse(sessionStorage.getItem('desk.record'));
+    return folder === desk.info.folder ? record : null;
+  } catch {
+    return null;
+  }
 }
 
 /* Rooms */

@@ -35,6 +35,11 @@ function put(element, children) {
   }
 }
 
+/** A text of the program as nodes: what stands between backticks becomes code. */
+export function spoken(text) {
+  return String(text).split('`').map((part, i) => (i % 2 ? h('code', {}, part) : part));
+}
+
 /** Replaces the children of an element. */
 export function fill(element, ...children) {
   const whole = document.createDocumentFragment();

@@ -1,6 +1,7 @@
 // One record: how it is read, its history, its numbers, its spectra beside those of the site.
 
-import { choice, fill, h, labelled } from './dom.js';
+import { choice, fill, h, labelled, spoken } from './dom.js';
+import { marks } from './marks.js';
 import { UNITS, reading, recordOf, setReading } from './reading.js';
 import { show as display } from './units.js';
 import { number, t } from './words.js';
@@ -123,10 +124,13 @@ async function draw(view) {
   try {
     const { chart } = await import('./charts.js');
     view.draw = chart;
-    view.charts.push(chart(history, {
+    const drawn = chart(history, {
       title: t('rec-history'), kind: 'history', height: 200, x: { title: t('rec-time'), values: answer.time, dimension: 'time' },
       y: { title: t('rec-history'), dimension: 'acceleration' }, series: [{ title: answer.info.name, values: answer.acceleration }],
-    }, view.desk.settings));
+    }, view.desk.settings);
+    const { significant_start: from, significant_duration: long } = answer.info;
+    if (long > 0) marks(drawn, [{ x: from, title: '5 %' }, { x: from + long, title: '95 %' }]);
+    view.charts.push(drawn);
   } catch (error) {
     console.error(error);
     fill(history, h('p.hint', {}, String(error.message)));
@@ -156,9 +160,9 @@ function facts(view) {
   if (info.channel) rows.push(['rec-channel', info.channel]);
   const asked = Object.keys(reading(view.path)).length > 0;
   return h('section.panel.stack', {},
-    h('dl.facts', {}, rows.map(([id, text]) => [h('dt', {}, t(id)), h('dd', {}, text)])),
-    view.answer.warnings?.map((warning) => h('p.open-state', {}, warning.message)),
-    info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', {}, note)))] : null,
+    h('dl.facts', {}, rows.map(([id, text]) => [h('dt', {}, t(id)), h('dd', {}, spoken(text))])),
+    view.answer.warnings?.map((warning) => h('p.open-state', {}, spoken(warning.message))),
+    info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', {}, spoken(note))))] : null,
     h('details', { open: asked }, h('summary', {}, t('rec-how')), readingForm(view)));
 }
 
@@ -178,11 +182,15 @@ async function drawSpectra(view) {
   const spectra = scaled.length ? [...scaled, ...site] : [ownSpectrum(answer), ...site];
   const periods = spectra[0].period;
   if (view.draw) {
-    view.charts.push(view.draw(parts.spectra, {
+    const drawn = view.draw(parts.spectra, {
       title: t('rec-spectrum'), kind: 'history', height: 260, logarithmic: true, x: { title: t('rec-period'), values: periods, dimension: 'time' },
       y: { title: t('rec-psa'), dimension: 'acceleration' },
       series: spectra.map((spectrum) => ({ title: spectrum.title, values: resampled(spectrum, periods) })),
-    }, view.desk.settings));
+    }, view.desk.settings);
+    const usable = answer.usable_period;
+    marks(drawn, [...periodsOf(results).filter(([, period]) => period).map(([id, period]) => ({ x: period, title: t(id) })),
+      ...(usable ? [{ x: usable, title: t('rec-usable-mark') }] : [])]);
+    view.charts.push(drawn);
   }
   parts.spectra.append(h('p.hint', {}, t(scaled.length && site.length ? 'rec-scaled' : scaled.length ? 'rec-unscaled' : 'rec-no-site')));
   if (results) parts.spectra.append(...atPeriods(view, results, scaled, site));
@@ -219,6 +227,14 @@ export function resampled({ period, psa }, periods) {
   });
 }
 
+/** The periods of the tank [s], of the procedure that decides where it gives them. */
+function periodsOf(results) {
+  const methods = results?.methods ?? [];
+  const decides = results?.verdict?.deciding?.[0]?.method;
+  const found = methods.find((one) => one.id === decides && one.quantities?.sloshing_period) ?? methods.find((one) => one.quantities?.sloshing_period);
+  return [['rec-impulsive', found?.quantities.impulsive_period?.value], ['rec-sloshing', found?.quantities.sloshing_period?.value]];
+}
+
 /** Sloshing has the least damping of the spectra, the impulsive motion the others. */
 function matched(spectra, id) {
   const least = Math.min(...spectra.map((one) => one.damping));
@@ -229,9 +245,7 @@ function matched(spectra, id) {
 /** A table: record and site at the impulsive and the sloshing period, each with the spectra of the same damping. */
 function atPeriods(view, results, scaled, site) {
   const system = view.desk.settings.units;
-  const decides = results.verdict?.deciding?.[0]?.method;
-  const method = results.methods?.find((one) => one.id === decides) ?? results.methods?.find((one) => one.quantities?.sloshing_period);
-  const periods = [['rec-impulsive', method?.quantities?.impulsive_period?.value], ['rec-sloshing', method?.quantities?.sloshing_period?.value]];
+  const periods = periodsOf(results);
   const rows = [];
   for (const [id, period] of periods) {
     if (!period) continue;

@@ -15,7 +15,7 @@ export function createForm(desk, started) {
       const before = picture(form);
       Object.assign(form, known);
       preselect(form);
-      if (picture(form) !== before) draw(form);
+      if (picture(form) !== before) redrawKept(form);
       else drawSpec(form);
     },
     open({ kind, set, along, folder } = {}) {
@@ -45,6 +45,20 @@ const paths = (form, kind) => form.files.filter((file) => file.kind === kind).ma
 const planned = (form) => form.results.filter((one) => one.kind === 'study').map((one) => one.path);
 const reported = (form) => form.results.map((one) => one.path);
 
+/** Builds the form again where files came or went; focus, place of typing and opened options stay. */
+function redrawKept(form) {
+  const active = form.element.contains(document.activeElement) ? document.activeElement : null;
+  const { option } = active?.dataset ?? {};
+  const [from, to] = [active?.selectionStart, active?.selectionEnd];
+  const opened = form.element.querySelector('details')?.open;
+  draw(form);
+  const details = form.element.querySelector('details');
+  if (details && opened) details.open = true;
+  const again = option && form.element.querySelector(`[data-option="${option}"]`);
+  again?.focus();
+  if (again?.setSelectionRange && again.type === 'text' && from !== null) again.setSelectionRange(from, to);
+}
+
 /** The tank of the desk, its record, the only set: what is likely meant. */
 function preselect(form) {
   const tanks = paths(form, 'tank');
@@ -66,7 +80,7 @@ function draw(form) {
   const { options } = KINDS[kind];
   form.inputs.clear();
   const tabs = h('div.run-kinds', { role: 'radiogroup', 'aria-label': t('run-kind') }, Object.keys(KINDS).map((id) => h('button', {
-    type: 'button', role: 'radio', 'aria-checked': String(id === kind), tabindex: id === kind ? '0' : '-1', title: t(`run-${id}-hint`),
+    type: 'button', role: 'radio', dataset: { option: `kind-${id}` }, 'aria-checked': String(id === kind), tabindex: id === kind ? '0' : '-1', title: t(`run-${id}-hint`),
     onclick: () => choose(form, id), onkeydown: (event) => arrows(form, event, id),
   }, t(`run-${id}`))));
   const fields = options.map((option) => ({ option, element: field(form, option) }));
@@ -107,11 +121,12 @@ function field(form, option) {
     apply(form);
   };
   if (option.kind === 'tick') {
-    const input = h('input', { type: 'checkbox', checked: Boolean(values[option.id]), onchange: () => change(input.checked) });
+    const input = h('input', { type: 'checkbox', checked: Boolean(values[option.id]), dataset: { option: option.id }, onchange: () => change(input.checked) });
     form.inputs.set(option.id, input);
     return h('label.tick', {}, input, t(option.words));
   }
   const input = control(form, option, values[option.id]);
+  input.dataset.option = option.id;
   input.addEventListener('input', () => change(input.value.trim()));
   form.inputs.set(option.id, input);
   const empty = input instanceof HTMLSelectElement && !input.options.length;
@@ -137,7 +152,7 @@ function control(form, option, value) {
 function drawOut(form) {
   const fixed = KINDS[form.kind].folder?.(form.values[form.kind]);
   if (fixed !== null && fixed !== undefined) return void fill(form.parts.out);
-  const input = h('input.mono', { spellcheck: 'false', value: form.out[form.kind] ?? proposal(form), oninput: () => { form.out[form.kind] = input.value.trim(); drawSpec(form); } });
+  const input = h('input.mono', { spellcheck: 'false', dataset: { option: 'out' }, value: form.out[form.kind] ?? proposal(form), oninput: () => { form.out[form.kind] = input.value.trim(); drawSpec(form); } });
   form.outInput = input;
   form.parts.outNote = h('p.hint', { role: 'status' });
   fill(form.parts.out, labelled(t('run-out'), input), form.parts.outNote);
@@ -159,7 +174,7 @@ function drawSpec(form) {
   // A proposal follows what is free; what was typed stays.
   if (form.outInput?.isConnected && form.out[form.kind] === undefined) form.outInput.value = proposal(form);
   const spec = specOf(form);
-  drawCommand(form.parts.command, typed(spec));
+  drawCommand(form.parts.command, typed(spec).replaceAll("''", '…'));
   const busy = form.runs.some((run) => run.state === 'running' || run.state === 'waiting');
   form.parts.start.textContent = t(busy ? 'run-queue' : 'run-start');
   form.parts.start.disabled = missing(form) !== undefined;

@@ -1,6 +1,7 @@
 // What the rule of a set says: numbers, and the spectra of the set beside its target.
 
 import { h } from './dom.js';
+import { marks } from './marks.js';
 import { moment, number, t } from './words.js';
 
 /** Appends the outcome of the rule to an element; returns the charts, made with `chart`. `times` may hold `created` and `changed` [s]. */
@@ -47,6 +48,7 @@ function charts(element, set, rule, desk, chart) {
     }, desk.settings);
     // Target and mean are what counts; the records stand behind them. The chart is first drawn after this.
     drawn.plot?.series.forEach((line, i) => { if (i) line.width = i < 3 ? 2.5 : 0.8; });
+    marks(drawn, [{ x: one.period, title: `T = ${number(one.period, 3)} s` }]);
     return drawn;
   });
 }

@@ -204,8 +204,8 @@ async function loadRule(view) {
 
 async function checkRule(view) {
   const { desk } = view;
-  const tank = desk.document?.path;
-  if (!tank) return void desk.say(t('set-needs-tank'), 'warning');
+  const tank = desk.document?.path ?? await whichTank(view);
+  if (!tank) return;
   try {
     const { id } = await desk.api.post('runs', {
       command: 'compare', arguments: [tank, '--set', view.path, '--fe', 'none', '--no-report', '--out', ruleFolder(view.path)], out: ruleFolder(view.path),
@@ -216,6 +216,13 @@ async function checkRule(view) {
   } catch (error) {
     desk.sayError(error);
   }
+}
+
+/** The tank whose site and periods the rule asks for, where none is open. */
+async function whichTank({ desk, room }) {
+  const tanks = room.files.filter((file) => file.kind === 'tank').map((file) => file.path);
+  if (!tanks.length) desk.say(t('set-needs-tank'), 'warning');
+  return tanks.length > 1 ? desk.ask(t('set-which-tank'), tanks) : tanks[0] ?? null;
 }
 
 async function followRun(view, runs) {
