@@ -1,0 +1,38 @@
+// Words of the document: saving, opening, drafts.
+
+import { add } from './words.js';
+
+add({
+  'doc-save': ['Save', 'Sichern'],
+  'doc-cancel': ['Cancel', 'Abbrechen'],
+  'doc-saved': ['{name} is saved', '{name} ist gesichert'],
+  'doc-kept': ['Not saved: the desk does not answer. The text stays in this window and is kept in this browser.',
+    'Nicht gesichert: Das Programm antwortet nicht. Der Text bleibt in diesem Fenster und ist in diesem Browser aufgehoben.'],
+  'doc-save-as': ['Save as', 'Sichern unter'],
+  'doc-name': ['File name', 'Dateiname'],
+  'doc-name-hint': ['In {folder}', 'In {folder}'],
+  'doc-new': ['the new tank', 'der neue Tank'],
+  'doc-open': ['Open a tank file', 'Tankdatei öffnen'],
+  'doc-none': ['{folder} holds no tank file. Start one from a template.', '{folder} enthält keine Tankdatei. Beginnen Sie mit einer Vorlage.'],
+  'doc-templates': ['Start a new tank', 'Neuen Tank beginnen'],
+  'doc-empty': ['Empty form', 'Leeres Formular'],
+  'doc-filter': ['Filter', 'Filtern'],
+  'doc-unsaved': ['The changes to {name} are not saved.', 'Die Änderungen an {name} sind nicht gesichert.'],
+  'doc-save-first': ['Save first', 'Erst sichern'],
+  'doc-discard': ['Discard the changes', 'Änderungen verwerfen'],
+  'doc-conflict-title': ['The file has changed', 'Die Datei hat sich geändert'],
+  'doc-conflict': ['{name} was changed by another window or program since it was opened here. Which text counts?',
+    '{name} wurde von einem anderen Fenster oder Programm geändert, seit die Datei hier geöffnet wurde. Welcher Text gilt?'],
+  'doc-mine': ['Save mine over it', 'Meinen sichern'],
+  'doc-theirs': ['Take theirs', 'Den anderen nehmen'],
+  'doc-difference': ['Show the difference', 'Unterschied zeigen'],
+  'doc-difference-says': ['− only in the file, + only here', '− nur in der Datei, + nur hier'],
+  'doc-no-difference': ['The texts are equal.', 'Die Texte sind gleich.'],
+  'doc-changed-dirty': ['{name} was changed by another window or program. Saving will ask which text counts.',
+    '{name} wurde von einem anderen Fenster oder Programm geändert. Beim Sichern werden Sie gefragt, welcher Text gilt.'],
+  'doc-reloaded': ['{name} was changed elsewhere and is loaded again. Undo shows the earlier text.',
+    '{name} wurde anderswo geändert und neu geladen. Rückgängig zeigt den früheren Text.'],
+  'doc-draft': ['Changes of {when} were not saved.', 'Änderungen vom {when} wurden nicht gesichert.'],
+  'doc-draft-take': ['Restore them', 'Wiederherstellen'],
+  'doc-draft-drop': ['Discard them', 'Verwerfen'],
+});

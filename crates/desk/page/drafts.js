@@ -1,0 +1,29 @@
+// Unsaved texts, kept in the browser for each file, so that neither a closed window nor a killed server loses them.
+
+const name = (folder, path) => `desk.draft:${folder}:${path ?? ''}`;
+
+export function keepDraft(folder, path, text) {
+  try {
+    localStorage.setItem(name(folder, path), JSON.stringify({ text, at: new Date().toISOString() }));
+  } catch {
+    // Storage may be blocked or full; the window still asks before it closes.
+  }
+}
+
+export function removeDraft(folder, path) {
+  try {
+    localStorage.removeItem(name(folder, path));
+  } catch {
+    // Nothing was kept.
+  }
+}
+
+/** `{text, at}` or null. */
+export function storedDraft(folder, path) {
+  try {
+    const draft = JSON.parse(localStorage.getItem(name(folder, path)));
+    return typeof draft?.text === 'string' ? draft : null;
+  } catch {
+    return null;
+  }
+}
