@@ -1,0 +1,208 @@
+// The verdict and every check as a row: utilisation, demand, capacity, clause. Failing and open checks of the deciding
+// methods stand first; a row opens the sheet of its check.
+
+import { h, fill } from './dom.js';
+import { significant, show, unitFor } from './units.js';
+import { localised, t } from './words.js';
+import './check-words.js';
+
+const ORDER = ['fails', 'not_checked', 'accepted', 'holds', 'not_applicable'];
+/** Utilisation at the end of a bar. */
+const BAR_END = 1.5;
+
+export class Checks {
+  /** `open(method index, check)` shows a sheet. */
+  constructor(desk, open) {
+    Object.assign(this, { desk, open, rows: new Map(), filter: 'all', others: false });
+    this.status = h('strong.check-status');
+    this.says = h('p.check-says');
+    this.time = h('span.check-time');
+    this.head = h('header.check-verdict', { role: 'status' }, h('div.check-line', {}, this.status, this.time), this.says);
+    this.filters = h('div.check-filters', { role: 'group', 'aria-label': t('check-filter') });
+    this.search = h('input.check-search', { type: 'search', oninput: () => this.draw() });
+    this.list = h('div.check-list');
+    this.warnings = h('ul.check-warnings');
+    this.element = h('section.check', { 'aria-label': t('check-title') }, this.head, h('div.check-tools', {}, this.filters, this.search), this.list, this.warnings);
+    this.list.addEventListener('keydown', (event) => this.pressed(event));
+  }
+
+  /** Shows an answer of `api/check`; while a text has faults the last results stay, marked as old. */
+  update(answer) {
+    this.answer = answer;
+    if (answer.results) this.results = answer.results;
+    this.element.classList.toggle('check-old', !answer.results);
+    this.drawVerdict();
+    this.draw();
+    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), ` ${warning.message}`)));
+  }
+
+  clear() {
+    this.results = null;
+    this.answer = null;
+    this.rows.clear();
+    this.list.replaceChildren();
+    this.drawVerdict();
+  }
+
+  drawVerdict() {
+    const faults = this.answer?.faults?.length ?? 0;
+    const verdict = this.results?.verdict;
+    const status = faults ? 'faulty' : stateOf(verdict);
+    this.head.dataset.status = status;
+    this.status.textContent = faults ? t('check-faulty', { count: faults }) : t(`check-is-${status}`);
+    fill(this.says, verdict ? this.sentences(verdict) : this.answer ? '' : t('check-waiting'));
+    const waited = this.answer?.waited;
+    this.time.textContent = this.answer ? t('check-time', { server: Math.round(this.answer.milliseconds ?? 0), total: waited ? Math.round(waited) : '–' }) : '';
+    this.search.setAttribute('aria-label', t('check-search'));
+    this.search.placeholder = t('check-search');
+  }
+
+  // Says who decides, what governs and what is open.
+  sentences(verdict) {
+    const title = (id) => this.results.methods.find((method) => method.id === id)?.label ?? id;
+    const deciding = (verdict.deciding ?? []).map((one) => title(one.method));
+    const parts = deciding.length ? [t('check-decide', { who: deciding.join(', ') })] : [];
+    const counts = verdict.counts ?? {};
+    const named = ['fails', 'not_checked', 'accepted', 'holds'].filter((key) => counts[key]).map((key) => `${counts[key]} ${t(`check-count-${key}`)}`);
+    if (named.length) parts.push(`${named.join(', ')}.`);
+    const { governing } = verdict;
+    if (governing?.check?.utilisation != null) {
+      parts.push(t('check-governs', { name: governing.check.name, method: title(governing.method), ratio: localised(significant(governing.check.utilisation)) }));
+    }
+    return parts.join(' ');
+  }
+
+  groups() {
+    const deciding = new Set((this.results?.verdict?.deciding ?? []).map((one) => one.method));
+    const groups = (this.results?.methods ?? []).map((method, index) => ({ method, index, decides: deciding.has(method.id) }));
+    return groups.sort((a, b) => b.decides - a.decides || a.index - b.index);
+  }
+
+  draw() {
+    this.drawFilters();
+    const kept = new Set();
+    const before = this.list.scrollTop;
+    const sections = this.groups().filter((group) => group.decides || this.others).map((group) => this.section(group, kept));
+    for (const key of [...this.rows.keys()]) if (!kept.has(key)) this.rows.delete(key);
+    const others = this.groups().filter((group) => !group.decides).length;
+    this.othersButton ??= h('button.quiet.check-others', { type: 'button', onclick: () => { this.others = !this.others; this.draw(); } });
+    this.othersButton.textContent = t(this.others ? 'check-hide-others' : 'check-show-others', { count: others });
+    const wanted = [...sections, ...(others ? [this.othersButton] : [])];
+    // Elements that stay are not moved: a focused row keeps the focus.
+    wanted.forEach((element, index) => { if (this.list.children[index] !== element) this.list.insertBefore(element, this.list.children[index] ?? null); });
+    while (this.list.children.length > wanted.length) this.list.lastElementChild.remove();
+    this.list.scrollTop = before;
+  }
+
+  section(group, kept) {
+    const key = `method ${group.method.id} ${group.method.excitation}`;
+    kept.add(key);
+    if (!this.rows.has(key)) {
+      const heading = h('button.check-method', { type: 'button', onclick: () => this.open(this.indexOf(key), null) });
+      this.rows.set(key, { heading, body: h('div.check-rows', { role: 'list' }), element: null });
+      const made = this.rows.get(key);
+      made.element = h('section.check-group', {}, heading, made.body);
+    }
+    const made = this.rows.get(key);
+    made.group = group;
+    const checks = this.sorted(group.method.checks ?? []);
+    const state = group.method.status?.state ?? '';
+    fill(made.heading, h('span', {}, group.method.title), h('small', {}, group.decides ? t('check-decides') : t('check-informs')),
+      checks.length ? null : h('small', {}, group.method.status?.reason ?? state));
+    const rows = checks.map((check, index) => this.row(key, check, index, kept));
+    rows.forEach((row, index) => { if (made.body.children[index] !== row) made.body.insertBefore(row, made.body.children[index] ?? null); });
+    while (made.body.children.length > rows.length) made.body.lastElementChild.remove();
+    return made.element;
+  }
+
+  indexOf(key) { return this.rows.get(key).group.index; }
+
+  sorted(checks) {
+    const words = this.search.value.trim().toLowerCase();
+    const shown = checks.filter((check) => this.passes(check) && (!words || `${check.name} ${check.id} ${check.clause}`.toLowerCase().includes(words)));
+    return shown.sort((a, b) => ORDER.indexOf(a.status) - ORDER.indexOf(b.status) || (b.utilisation ?? -1) - (a.utilisation ?? -1));
+  }
+
+  passes(check) {
+    if (this.filter === 'all') return check.status !== 'not_applicable';
+    return this.filter === check.status;
+  }
+
+  row(group, check, index, kept) {
+    const key = `${group} ${check.id} ${index < 0 ? '' : this.times(group, check.id, kept)}`;
+    kept.add(key);
+    if (!this.rows.has(key)) {
+      const bar = h('i');
+      const parts = { name: h('span.check-name'), bar, ratio: h('span.check-ratio'), values: h('span.check-values'), clause: h('span.check-clause'), reason: h('span.check-reason') };
+      const element = h('button.check-row', { type: 'button', onclick: () => this.open(this.indexOf(group), this.rows.get(key).check) },
+        parts.name, h('span.check-bar', { 'aria-hidden': true }, bar), parts.ratio, parts.values, parts.clause, parts.reason);
+      this.rows.set(key, { ...parts, element, holder: h('div', { role: 'listitem' }, element) });
+    }
+    this.fillRow(this.rows.get(key), check);
+    return this.rows.get(key).holder;
+  }
+
+  times(group, id, kept) {
+    let count = 0;
+    while (kept.has(`${group} ${id} ${count}`)) count += 1;
+    return count;
+  }
+
+  fillRow(row, check) {
+    row.check = check;
+    row.element.dataset.status = check.status;
+    const ratio = check.utilisation;
+    const has = ratio !== null && ratio !== undefined;
+    row.name.textContent = check.name;
+    row.bar.style.width = `${has ? Math.min(ratio / BAR_END, 1) * 100 : 0}%`;
+    row.ratio.textContent = has ? localised(ratio < 10 ? ratio.toFixed(2) : significant(ratio)) : '–';
+    const { units } = this.desk.settings;
+    const unit = unitFor(Math.max(Math.abs(check.demand ?? 0), Math.abs(check.capacity ?? 0)), check.dimension, units);
+    const value = (number) => show(number, check.dimension, units, 3, unit);
+    row.values.textContent = check.demand === null && check.capacity === null ? t(`check-is-${check.status}`) : `${value(check.demand)} / ${value(check.capacity)}`;
+    row.clause.textContent = check.clause ?? '';
+    row.reason.textContent = check.reason ?? '';
+    row.reason.hidden = !check.reason;
+    row.element.title = check.note ?? '';
+    row.element.setAttribute('aria-label', [check.name, t(`check-is-${check.status}`), has ? t('check-utilised', { ratio: row.ratio.textContent }) : '',
+      row.values.textContent, check.clause, check.reason].filter(Boolean).join(', '));
+  }
+
+  drawFilters() {
+    const counts = new Map();
+    for (const { method, decides } of this.groups()) {
+      if (!decides && !this.others) continue;
+      for (const check of method.checks ?? []) counts.set(check.status, (counts.get(check.status) ?? 0) + 1);
+    }
+    if (!this.filters.childNodes.length) {
+      fill(this.filters, ['all', ...ORDER].map((id) => h('button.quiet', {
+        type: 'button', dataset: { filter: id }, onclick: () => { this.filter = id; this.draw(); },
+      })));
+    }
+    for (const button of this.filters.children) {
+      const id = button.dataset.filter;
+      button.hidden = id !== 'all' && !counts.get(id) && this.filter !== id;
+      button.textContent = id === 'all' ? t('check-all') : `${t(`check-filter-${id}`)} ${counts.get(id) ?? 0}`;
+      button.setAttribute('aria-pressed', String(this.filter === id));
+    }
+  }
+
+  // Arrows go from row to row.
+  pressed(event) {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!step) return;
+    const rows = [...this.list.querySelectorAll('.check-row, .check-method')];
+    const next = rows[rows.indexOf(event.target) + step];
+    if (!next) return;
+    event.preventDefault();
+    next.focus();
+  }
+}
+
+/** holds, fails, open or accepted: the word for a verdict. */
+export function stateOf(verdict) {
+  if (!verdict) return 'none';
+  const { status } = verdict;
+  if (status === 'incomplete' || status === 'open' || status === 'not_checked') return 'open';
+  return ['holds', 'fails', 'accepted'].includes(status) ? status : status?.startsWith('holds') ? 'accepted' : 'open';
+}

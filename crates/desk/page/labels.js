@@ -1,0 +1,67 @@
+// Names of keys for people. English names are made from the keys where this table has none.
+
+import { language } from './language.js';
+
+const NAMES = {
+  name: ['Title', 'Titel'], project: ['Project', 'Projekt'], notes: ['Notes', 'Bemerkungen'], gravity: ['Gravity', 'Fallbeschleunigung'],
+  tank: ['Tank', 'Tank'], liquid: ['Liquid', 'Flüssigkeit'], materials: ['Materials', 'Werkstoffe'], record: ['Record', 'Beben'],
+  damping: ['Damping', 'Dämpfung'], site: ['Site', 'Standort'], procedures: ['Procedures', 'Verfahren'],
+  accepted: ['Accepted gaps', 'Hingenommene Lücken'], analysis: ['Finite elements', 'Finite Elemente'],
+  measured: ['Measured values', 'Messwerte'], published: ['Published values', 'Veröffentlichte Werte'], $schema: ['Schema', 'Schema'],
+  client: ['Client', 'Auftraggeber'], document: ['Document', 'Dokument'], revision: ['Revision', 'Revision'], date: ['Date', 'Datum'],
+  author: ['Author', 'Verfasser'], checker: ['Checker', 'Prüfer'], approver: ['Approver', 'Freigabe'], language: ['Language', 'Sprache'],
+  units: ['Units', 'Einheiten'], shape: ['Shape', 'Form'], radius: ['Inner radius', 'Innenradius'], length: ['Length', 'Länge'],
+  breadth: ['Breadth', 'Breite'], strip: ['Strip 1 m wide', 'Streifen von 1 m'], support: ['Support', 'Lagerung'],
+  courses: ['Courses', 'Schüsse'], wall_base: ['Joint of wall and base', 'Anschluss Wand–Sohle'], roof: ['Roof', 'Dach'],
+  bottom: ['Bottom plate', 'Bodenplatte'], foundation: ['Foundation', 'Gründung'], isolators: ['Isolators', 'Isolatoren'],
+  anchors: ['Anchors', 'Anker'], pressure: ['Gas pressure', 'Gasdruck'], pipes: ['Pipes', 'Rohrleitungen'],
+  internals: ['Internal equipment', 'Einbauten'], adjacent_structures: ['Adjacent structures', 'Angrenzende Bauten'],
+  height: ['Height', 'Höhe'], thickness: ['Thickness', 'Dicke'], material: ['Material', 'Werkstoff'],
+  corrosion_allowance: ['Corrosion allowance', 'Korrosionszuschlag'], measured_thickness: ['Measured thickness', 'Gemessene Dicke'],
+  layers: ['Layers', 'Schichten'], reinforcement: ['Reinforcement', 'Bewehrung'], type: ['Type', 'Art'], kind: ['Kind', 'Art'],
+  mass: ['Mass', 'Masse'], snow: ['Snow', 'Schnee'], rim: ['Rim height', 'Randhöhe'], width: ['Width', 'Breite'],
+  annular_thickness: ['Annular plate thickness', 'Dicke des Ringblechs'], annular_width: ['Annular plate width', 'Breite des Ringblechs'],
+  annular_weld: ['Annular weld', 'Naht des Ringblechs'], shell_weld: ['Shell-to-bottom weld', 'Naht Mantel–Boden'],
+  connections: ['Connections', 'Anschlüsse'], projection: ['Projection', 'Überstand'], subgrade_modulus: ['Subgrade modulus', 'Bettungsmodul'],
+  stiffness: ['Stiffness', 'Steifigkeit'], shear_wave_velocity: ['Shear wave velocity', 'Scherwellengeschwindigkeit'],
+  soil_density: ['Soil density', 'Dichte des Bodens'], soil_poisson_ratio: ["Poisson's ratio of soil", 'Querdehnzahl des Bodens'],
+  shell_support: ['Shell support', 'Auflager des Mantels'], friction: ['Friction', 'Reibung'], density: ['Density', 'Dichte'],
+  fill_height: ['Fill height', 'Füllhöhe'], grade: ['Grade', 'Sorte'], family: ['Family', 'Gruppe'],
+  youngs_modulus: ["Young's modulus", 'Elastizitätsmodul'], poisson_ratio: ["Poisson's ratio", 'Querdehnzahl'],
+  yield_strength: ['Yield strength', 'Streckgrenze'], allowable_stress: ['Allowable stress', 'Zulässige Spannung'],
+  behaviour: ['Behaviour', 'Verhalten'], count: ['Count', 'Anzahl'], capacity: ['Capacity', 'Tragfähigkeit'],
+  attachment_capacity: ['Attachment capacity', 'Tragfähigkeit des Anschlusses'], yield_force: ['Yield force', 'Fließkraft'],
+  gap: ['Gap', 'Spiel'], rupture_elongation: ['Elongation at rupture', 'Bruchdehnung'], support_distance: ['Distance of support', 'Abstand der Halterung'],
+  allowable_displacement: ['Allowable displacement', 'Zulässige Verschiebung'], uplift: ['Uplift', 'Abheben'], settlement: ['Settlement', 'Setzung'],
+  horizontal: ['Horizontal', 'Waagerecht'], internal: ['Overpressure', 'Überdruck'], vacuum: ['Vacuum', 'Unterdruck'],
+  ec8: ['Eurocode 8', 'Eurocode 8'], api650: ['API 650', 'API 650'], spectrum: ['Spectrum', 'Spektrum'], ground: ['Ground type', 'Baugrundklasse'],
+  ag: ['Ground acceleration a_g', 'Bodenbeschleunigung a_g'], importance: ['Importance factor γ_I', 'Bedeutungsbeiwert γ_I'],
+  behaviour_factor: ['Behaviour factor q', 'Verhaltensbeiwert q'], construction_quality: ['Construction quality', 'Herstellungsgüte'],
+  vertical: ['Vertical', 'Vertikal'], components: ['Components', 'Komponenten'], reduction_factor: ['Reduction factor ν', 'Abminderungsbeiwert ν'],
+  bearing_capacity: ['Bearing capacity', 'Bodenpressung, Widerstand'], ss: ['S_S', 'S_S'], s1: ['S_1', 'S_1'], s0: ['S_0', 'S_0'],
+  site_class: ['Site class', 'Standortklasse'], asce7: ['Edition of ASCE 7', 'Ausgabe von ASCE 7'], fa: ['F_a', 'F_a'], fv: ['F_v', 'F_v'], q: ['Q', 'Q'],
+  sug: ['Seismic use group', 'Seismische Nutzungsgruppe'], tl: ['T_L', 'T_L'], av: ['Vertical acceleration A_v', 'Vertikalbeschleunigung A_v'],
+  design_pressure: ['Design pressure', 'Auslegungsdruck'], joint_efficiency: ['Joint efficiency', 'Schweißnahtfaktor'],
+  foundation_weight: ['Foundation weight', 'Gewicht der Gründung'], zone_factor: ['Zone factor Z (1993)', 'Zonenbeiwert Z (1993)'],
+  soil_factor: ['Soil factor', 'Bodenbeiwert'], importance_1993: ['Importance (1993)', 'Bedeutung (1993)'],
+  sloshing: ['Sloshing', 'Schwappen'], impulsive: ['Impulsive', 'Impulsiv'], convective: ['Convective', 'Konvektiv'],
+  scale_to: ['Scale to', 'Skalieren auf'], scale_by: ['Scale by', 'Skalieren mit'], time_factor: ['Time factor', 'Zeitfaktor'],
+  resample: ['Resample to', 'Abtasten mit'], run: ['Run', 'Rechnen'], decide: ['Decide', 'Entscheiden'], housner: ['Housner', 'Housner'],
+  concrete: ['Concrete', 'Beton'], steel: ['Steel', 'Stahl'], combination: ['Combination', 'Kombination'], gamma_c: ['γ_c', 'γ_c'], gamma_s: ['γ_s', 'γ_s'],
+  tightness_class: ['Tightness class', 'Dichtheitsklasse'], check: ['Check', 'Nachweis'], reason: ['Reason', 'Grund'], by: ['By', 'Von'],
+  direction: ['Direction', 'Richtung'], area: ['Area', 'Fläche'], diameter: ['Diameter', 'Durchmesser'], spacing: ['Spacing', 'Abstand'],
+  from_inner: ['From inner face', 'Von innen'], from_outer: ['From outer face', 'Von außen'], table: ['Table', 'Tabelle'], file: ['File', 'Datei'],
+  unit: ['Unit', 'Einheit'], tb: ['T_B', 'T_B'], tc: ['T_C', 'T_C'], td: ['T_D', 'T_D'], te: ['T_E', 'T_E'], tf: ['T_F', 'T_F'],
+  vertical_ratio: ['Vertical ratio', 'Vertikales Verhältnis'], source: ['Source', 'Quelle'], note: ['Note', 'Bemerkung'], value: ['Value', 'Wert'],
+  nonlinear: ['Nonlinear', 'Nichtlinear'], solid: ['Solid', 'Dreidimensional'], frequency: ['Frequency response', 'Frequenzgang'],
+  slab_mass: ['Mass of the slab', 'Masse der Platte'], by_group: ['By group', 'Nach Gruppen'],
+};
+
+/** The name of a key in the language of the page. */
+export function labelOf(key) {
+  if (typeof key === 'number') return String(key + 1);
+  const pair = Object.hasOwn(NAMES, key) ? NAMES[key] : null;
+  if (pair) return pair[language() === 'de' ? 1 : 0];
+  const words = key.replace(/_/g, ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

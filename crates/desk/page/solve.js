@@ -1,0 +1,75 @@
+// Answers to "how full", "how thin", "how strong": the server seeks the value, and the answer can be put into the text.
+
+import { fill, h, labelled } from './dom.js';
+import { nodeAt, plain } from './jsonc.js';
+import { parsePath } from './path.js';
+import { t } from './words.js';
+
+export class Solver {
+  constructor(desk) {
+    this.desk = desk;
+    this.element = h('div.tank-solved.panel', { hidden: true, role: 'status' });
+  }
+
+  buttons() {
+    const button = (words, act) => h('button', { type: 'button', onclick: act }, t(words));
+    return [button('solve-fill', () => this.solve('fill_height')), button('solve-thickness', () => this.chooseCourse()), button('solve-shaking', () => this.chooseShaking())];
+  }
+
+  async chooseCourse() {
+    const courses = plain(nodeAt(this.desk.document.root, ['tank', 'courses'])) ?? [];
+    if (!courses.length) return void this.desk.say(t('solve-no-course'), 'warning');
+    const select = h('select', {}, courses.map((course, index) => h('option', { value: String(index + 1) },
+      [`${index + 1}`, course?.height, course?.thickness, course?.material].filter(Boolean).join(' · '))));
+    const answer = await this.desk.ask(labelled(t('solve-course'), select), [
+      { id: 'go', title: t('solve-go'), kind: 'primary' }, { id: 'cancel', title: t('doc-cancel') },
+    ], { title: t('solve-thickness') });
+    if (answer === 'go') await this.solve(`thickness:${select.value}`);
+  }
+
+  async chooseShaking() {
+    const site = plain(nodeAt(this.desk.document.root, ['site'])) ?? {};
+    const choices = [['ag', site.ec8?.ag], ['ss', site.api650?.ss]].filter(([, value]) => value !== undefined);
+    if (!choices.length) return void this.desk.say(t('solve-no-site'), 'warning');
+    if (choices.length === 1) return this.solve(choices[0][0]);
+    const answer = await this.desk.ask(t('solve-which'), choices.map(([id]) => ({ id, title: t(`solve-${id}`) })), { title: t('solve-shaking') });
+    if (answer) await this.solve(answer);
+  }
+
+  async solve(variable) {
+    const { document } = this.desk;
+    await document.working;
+    const text = document.text;
+    this.element.hidden = false;
+    fill(this.element, h('p', {}, t('solve-waiting')));
+    try {
+      const answer = await this.desk.api.post('solve', { ...document.question(text), variable });
+      this.show(answer);
+    } catch (error) {
+      fill(this.element, h('p', {}, error.message), error.help ? h('p.hint', {}, error.help) : null, this.closeButton());
+    }
+  }
+
+  show(answer) {
+    const use = answer.found && answer.text ? h('button.primary', { type: 'button', onclick: () => this.use(answer) }, t('solve-use', { value: answer.text })) : null;
+    fill(this.element, h('p', {}, answer.message), h('div.row', {}, use, this.closeButton()));
+    (use ?? this.element.querySelector('button')).focus();
+  }
+
+  closeButton() {
+    return h('button', { type: 'button', onclick: () => this.clear() }, t('solve-close'));
+  }
+
+  async use(answer) {
+    const parts = parsePath(answer.path);
+    const before = plain(nodeAt(this.desk.document.root, parts));
+    const bare = typeof before === 'number' && Number.isFinite(Number(answer.text));
+    await this.desk.document.set(parts, bare ? Number(answer.text) : answer.text);
+    this.clear();
+  }
+
+  clear() {
+    this.element.hidden = true;
+    this.element.replaceChildren();
+  }
+}

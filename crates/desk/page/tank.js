@@ -1,0 +1,236 @@
+// The room Tank: form and text of the tank on one side, sketch, verdict and sheet on the other, all of one document.
+
+import { Checks, stateOf } from './check.js';
+import { openDocument } from './document.js';
+import { fill, h } from './dom.js';
+import { chooseFile, chooseTemplate } from './files.js';
+import { Form } from './form.js';
+import { labelOf } from './labels.js';
+import { parsePath } from './path.js';
+import { Schema } from './schema.js';
+import { Sheet } from './sheet.js';
+import { Solver } from './solve.js';
+import { TextEditor } from './text.js';
+import { moment, t } from './words.js';
+import './tank-words.js';
+
+export function mount(element, desk) {
+  const room = new TankRoom(element, desk);
+  return { show: (args) => room.show(args ?? {}), hide: () => room.hide() };
+}
+
+class TankRoom {
+  constructor(element, desk) {
+    Object.assign(this, { element, desk, shown: false, mode: 'form' });
+    this.ready = this.start();
+    addEventListener('keydown', (event) => this.pressed(event), { capture: true });
+    desk.shortcut?.('Ctrl+Z', 'tank-key-undo');
+    desk.shortcut?.('Ctrl+Shift+Z', 'tank-key-redo');
+    desk.shortcut?.('Ctrl+E', 'tank-key-text');
+    desk.shortcut?.('Alt+↑ ↓', 'tank-key-move');
+  }
+
+  async start() {
+    try {
+      this.desk.document ??= await openDocument(this.desk);
+      this.schema = new Schema(await this.desk.api.get('schema'));
+    } catch (error) {
+      fill(this.element, h('p.empty', {}, error.message));
+      throw error;
+    }
+    this.build();
+    const { events } = this.desk;
+    events.addEventListener('text', (event) => this.changed(event.detail.origin));
+    events.addEventListener('checked', (event) => this.checked(event.detail));
+    events.addEventListener('tank-sheet', () => this.element.classList.remove('tank-with-sheet'));
+    events.addEventListener('settings', (event) => this.settingChanged(event.detail?.name));
+  }
+
+  get document() { return this.desk.document; }
+
+  async show(args) {
+    this.shown = true;
+    await this.ready;
+    if (args.path && args.path !== this.document.path) await this.document.open(args.path).catch((error) => this.desk.sayError(error));
+    if (args.field) this.goTo(parsePath(args.field));
+    if (args.check && this.checks.results) {
+      const method = this.checks.results.methods.findIndex((one) => one.id === args.check.method);
+      const check = this.checks.results.methods[method]?.checks.find((one) => one.id === args.check.id);
+      if (method >= 0) this.openSheet(method, check ?? null);
+    }
+    this.text.update();
+  }
+
+  hide() { this.shown = false; }
+
+  build() {
+    this.form = new Form(this.desk, this.schema);
+    this.text = new TextEditor(this.desk, this.form);
+    this.checks = new Checks(this.desk, (method, check) => this.openSheet(method, check));
+    this.sheet = new Sheet(this.desk, (parts) => this.goTo(parts));
+    this.solver = new Solver(this.desk);
+    this.draft = h('div.tank-draft.panel', { hidden: true });
+    this.faultList = h('details.tank-faults.panel', { open: true, hidden: true });
+    this.sketch = h('figure.tank-sketch', { 'aria-label': t('tank-sketch') });
+    this.formPane = h('div.tank-pane', {}, this.form.element);
+    this.textPane = h('div.tank-pane', { hidden: true }, this.text.element);
+    this.begin = this.startPanel();
+    this.work = h('div.tank-work', {}, this.form.nav, h('div.tank-data', {}, this.faultList, this.formPane, this.textPane),
+      h('div.tank-side', { id: 'tank-side' }, h('div.panel.tank-sketch-panel', {}, this.sketch), h('div.panel', {}, this.checks.element)), this.sheet.element);
+    this.strip = h('a.tank-strip', { href: '#tank-side', onclick: (event) => { event.preventDefault(); this.element.querySelector('#tank-side').scrollIntoView({ block: 'start' }); } });
+    fill(this.element, this.toolbar(), this.draft, this.solver.element, this.begin, this.work, this.strip);
+    this.setMode(this.mode);
+    this.changed('open');
+    if (this.document.check) this.checked(this.document.check);
+  }
+
+  toolbar() {
+    const button = (words, act, keys = '') => h('button', { type: 'button', title: keys, onclick: act }, t(words));
+    this.undoButton = button('tank-undo', () => this.document.undo(), 'Ctrl+Z');
+    this.redoButton = button('tank-redo', () => this.document.redo(), 'Ctrl+Shift+Z');
+    this.saveButton = button('doc-save', () => this.document.save(), 'Ctrl+S');
+    this.modes = ['form', 'text'].map((mode) => h('button', { type: 'button', dataset: { mode }, title: 'Ctrl+E', onclick: () => this.setMode(mode) }, t(`tank-${mode}`)));
+    return h('div.tank-toolbar', { role: 'toolbar', 'aria-label': t('tank-toolbar') },
+      h('span.tank-modes', { role: 'group', 'aria-label': t('tank-view') }, this.modes),
+      h('span', {}, button('tank-new', () => chooseTemplate(this.desk)), button('tank-open', () => chooseFile(this.desk)), this.saveButton, button('tank-save-as', () => this.document.saveAs())),
+      h('span', {}, this.undoButton, this.redoButton),
+      h('span', {}, this.solver.buttons()));
+  }
+
+  startPanel() {
+    return h('div.tank-begin.panel', { hidden: true }, h('h2', {}, t('tank-begin')), h('p', {}, t('tank-begin-says')),
+      h('div.row', {}, h('button.primary', { type: 'button', onclick: () => chooseTemplate(this.desk) }, t('doc-templates')),
+        h('button', { type: 'button', onclick: () => chooseFile(this.desk) }, t('doc-open')),
+        h('button', { type: 'button', onclick: () => { this.document.startFrom('{\n}\n'); this.form.element.querySelector('input')?.focus(); } }, t('doc-empty'))));
+  }
+
+  settingChanged(name) {
+    if (name === 'language') {
+      this.sheet.close();
+      this.build();
+    }
+    if (name === 'units') {
+      this.form.update();
+      if (this.checks.answer) this.checks.update(this.checks.answer);
+    }
+  }
+
+  setMode(mode) {
+    this.mode = mode;
+    this.formPane.hidden = mode !== 'form';
+    this.form.nav.hidden = mode !== 'form';
+    this.textPane.hidden = mode !== 'text';
+    for (const button of this.modes) button.setAttribute('aria-pressed', String(button.dataset.mode === mode));
+    this.element.classList.toggle('tank-text-mode', mode === 'text');
+    if (mode === 'text') this.text.update();
+  }
+
+  /* Events */
+
+  changed(origin) {
+    const { document } = this;
+    this.begin.hidden = !document.empty;
+    this.work.hidden = document.empty;
+    this.strip.hidden = document.empty;
+    if (origin === 'open' || origin === 'undo') this.form.forgetTyping();
+    if (origin === 'open' && !document.check) this.clear();
+    this.form.update();
+    this.text.update();
+    this.undoButton.disabled = !document.canUndo;
+    this.redoButton.disabled = !document.canRedo;
+    this.saveButton.disabled = !document.dirty && document.path !== null;
+    this.drawDraft();
+  }
+
+  clear() {
+    this.checks.clear();
+    this.solver.clear();
+    this.sketch.replaceChildren();
+    this.setFaults([]);
+    this.drawStrip();
+  }
+
+  checked(answer) {
+    this.checks.update(answer);
+    if (answer.sketch) this.drawSketch(answer.sketch);
+    this.sketch.classList.toggle('check-old', !answer.sketch);
+    this.setFaults(answer.faults ?? [], answer.text);
+    this.sheet.update(answer.results);
+    this.drawStrip();
+  }
+
+  // The server draws the sketch to scale; equal ones are not put again.
+  drawSketch(svg) {
+    if (this.lastSketch === svg && this.sketch.childNodes.length) return;
+    this.lastSketch = svg;
+    this.sketch.innerHTML = svg;
+  }
+
+  drawStrip() {
+    const verdict = this.checks.results?.verdict;
+    const faults = this.checks.answer?.faults?.length ?? 0;
+    this.strip.dataset.status = faults ? 'faulty' : stateOf(verdict);
+    fill(this.strip, h('strong', {}, this.checks.status.textContent), faults ? '' : ` ${verdict?.governing?.check?.name ?? ''}`);
+  }
+
+  drawDraft() {
+    const { draft } = this.document;
+    this.draft.hidden = !draft;
+    if (!draft) return;
+    fill(this.draft, h('p', {}, t('doc-draft', { when: moment(draft.at) })), h('div.row', {},
+      h('button.primary', { type: 'button', onclick: () => this.document.settleDraft(true) }, t('doc-draft-take')),
+      h('button', { type: 'button', onclick: () => this.document.settleDraft(false) }, t('doc-draft-drop'))));
+  }
+
+  setFaults(faults, text = this.document.text) {
+    this.form.setFaults(faults);
+    this.text.setFaults(text === this.document.text ? faults : []);
+    this.faultList.hidden = !faults.length;
+    const missing = faults.filter((fault) => fault.code === 'T0207').length;
+    const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
+    fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: fault.code === 'T0207' ? 'field-missing' : '' },
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeOf(fault)), ` ${fault.message}`))));
+  }
+
+  goToFault(fault) {
+    if (this.mode === 'form' && fault.path && this.form.focusPath(parsePath(fault.path))) return;
+    this.setMode('text');
+    this.text.goTo(fault.start ?? 0, fault.end);
+  }
+
+  goTo(parts) {
+    this.setMode('form');
+    if (!this.form.focusPath(parts)) this.form.focusPath(parts.slice(0, 1));
+  }
+
+  openSheet(method, check) {
+    if (!this.checks.results) return;
+    this.element.classList.add('tank-with-sheet');
+    this.sheet.open(method, check, this.checks.results);
+  }
+
+  pressed(event) {
+    if (!this.shown || !(event.ctrlKey || event.metaKey) || event.altKey || document.querySelector('dialog[open]')) return;
+    const key = event.key.toLowerCase();
+    if (key === 'z' || key === 'y') {
+      event.preventDefault();
+      event.stopPropagation();
+      if (this.form.takeBackTyping()) return;
+      if (key === 'y' || event.shiftKey) this.document.redo();
+      else this.document.undo();
+    } else if (key === 'e') {
+      event.preventDefault();
+      this.setMode(this.mode === 'form' ? 'text' : 'form');
+      if (this.mode === 'text') this.text.area.focus();
+    } else if (key === 's') {
+      this.form.finishTyping();
+    }
+  }
+}
+
+// The words for the place of a fault: the names of its keys, or its line.
+function placeOf(fault) {
+  const parts = parsePath(fault.path);
+  if (!parts.length) return t('text-line', { line: fault.line });
+  return parts.map((part) => (typeof part === 'number' ? `${t('form-row')} ${part + 1}` : labelOf(part))).join(' › ');
+}
