@@ -2,6 +2,7 @@
 // methods stand first; a row opens the sheet of its check.
 
 import { h, fill } from './dom.js';
+import { marked } from './marked.js';
 import { significant, show, unitFor } from './units.js';
 import { localised, t } from './words.js';
 import './check-words.js';
@@ -161,7 +162,7 @@ export class Checks {
     const value = (number) => show(number, check.dimension, units, 3, unit);
     row.values.textContent = check.demand === null && check.capacity === null ? t(`check-is-${check.status}`) : `${value(check.demand)} / ${value(check.capacity)}`;
     row.clause.textContent = check.clause ?? '';
-    row.reason.textContent = check.reason ?? '';
+    fill(row.reason, marked(check.reason ?? ''));
     row.reason.hidden = !check.reason;
     row.element.title = check.note ?? '';
     row.element.setAttribute('aria-label', [check.name, t(`check-is-${check.status}`), has ? t('check-utilised', { ratio: row.ratio.textContent }) : '',

@@ -23,7 +23,7 @@ export class Group {
     this.fold = h('details.field-fold', { ontoggle: () => this.opened() }, this.summary, this.folded, this.offers);
     this.list = h('ul.field-faults', { hidden: true });
     this.element = h(flat ? 'div.field-flat' : 'section.field-group', { 'aria-label': flat ? null : title });
-    if (!flat) this.element.append(head ?? this.head(removable));
+    if (!flat) this.element.append(...(head ? [head] : this.head(removable)));
     this.element.append(this.list, this.rows, this.groups, this.fold);
     form.register(this);
   }
@@ -33,7 +33,7 @@ export class Group {
     const remove = removable ? h('button.field-remove.quiet', {
       type: 'button', 'aria-label': t('form-remove', { name: this.title }), title: t('form-remove', { name: this.title }), onclick: () => this.form.put(this.parts, undefined),
     }, '×') : null;
-    return h('div.field-head', {}, h('h3', {}, this.title), button, remove, note);
+    return [h('div.field-head', {}, h('h3', {}, this.title), button, remove), note];
   }
 
   update(node) {
@@ -45,12 +45,15 @@ export class Group {
     const folded = [];
     for (const key of this.keys) {
       const child = childOf(node, key);
-      const given = child !== undefined || this.wanted.has(key) || this.form.isFaulty([...this.parts, key]);
+      const given = child !== undefined || this.wanted.has(key) || this.asks(key) || this.form.isFaulty([...this.parts, key]);
       if (given || this.isBusy(key)) this.place(key, child);
       else folded.push(key);
     }
     this.updateFold(folded);
   }
+
+  // A part of the tank that may be answered with "none" is always asked for.
+  asks(key) { return this.fieldOf(key).words?.includes('none') ?? false; }
 
   // A row that is in use stays where it is: it must not lose the focus.
   isBusy(key) {

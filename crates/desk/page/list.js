@@ -13,7 +13,7 @@ export class List {
     this.body = h('div.field-items');
     this.list = h('ul.field-faults', { hidden: true });
     this.element = h('section.field-group', { 'aria-label': this.title });
-    if (!flat) this.element.append(this.head(removable));
+    if (!flat) this.element.append(...this.head(removable));
     this.element.append(this.list, this.body);
     if (this.item.kind === 'choice') this.makeTicks();
     form.register(this);
@@ -24,7 +24,7 @@ export class List {
     const remove = removable ? h('button.field-remove.quiet', {
       type: 'button', 'aria-label': t('form-remove', { name: this.title }), onclick: () => this.form.put(this.parts, undefined),
     }, '×') : null;
-    return h('div.field-head', {}, h('h3', {}, this.title), button, remove, note);
+    return [h('div.field-head', {}, h('h3', {}, this.title), button, remove), note];
   }
 
   makeTicks() {

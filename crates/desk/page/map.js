@@ -19,7 +19,7 @@ export class Named {
     this.element = h('section.field-group', { 'aria-label': this.title });
     if (!flat) {
       const { button, note } = helpFor(field, parts, this.title);
-      this.element.append(h('div.field-head', {}, h('h3', {}, this.title), button, note));
+      this.element.append(h('div.field-head', {}, h('h3', {}, this.title), button), note);
     }
     this.element.append(this.list, this.body, adding);
     form.register(this);

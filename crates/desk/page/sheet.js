@@ -1,6 +1,7 @@
 // The sheet of a check beside the form: its steps with substituted numbers, as the server renders them. It follows the text.
 
 import { h, fill } from './dom.js';
+import { marked } from './marked.js';
 import { parsePath } from './path.js';
 import { t } from './words.js';
 
@@ -28,7 +29,6 @@ export class Sheet {
     this.title.focus({ preventScroll: true });
     this.body.scrollTop = 0;
     await this.load();
-    this.element.scrollIntoView({ block: 'nearest' });
   }
 
   /** Renders the shown sheet anew after a change. */
@@ -50,8 +50,8 @@ export class Sheet {
       const top = this.body.scrollTop;
       // The server renders this from results; texts of files are escaped there.
       this.body.innerHTML = html;
-      if (check?.reason) this.body.prepend(h('p.check-reason', {}, check.reason));
-      if (check?.note) this.body.append(h('p.hint', {}, check.note));
+      if (check?.reason) this.body.prepend(h('p.check-reason', {}, marked(check.reason)));
+      if (check?.note) this.body.append(h('p.hint', {}, marked(check.note)));
       this.body.scrollTop = top;
     } catch (error) {
       if (this.wish === wish) fill(this.body, h('p.empty', {}, error.message), error.help ? h('p.hint', {}, error.help) : null);

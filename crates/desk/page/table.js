@@ -27,7 +27,7 @@ export class Table {
       h('button', { type: 'button', onclick: () => this.append() }, t('form-add-row')), this.leaves ? this.columnSelect : null,
       h('span.hint', {}, t('form-paste')));
     this.element = h('section.field-group', { 'aria-label': this.title });
-    if (!flat) this.element.append(this.head(removable));
+    if (!flat) this.element.append(...this.head(removable));
     this.element.append(this.list, h('div.field-scroll', {}, h('table.field-table', {}, h('thead', {}, this.heading), this.body)), tools);
     form.register(this);
   }
@@ -37,7 +37,7 @@ export class Table {
     const remove = removable ? h('button.field-remove.quiet', {
       type: 'button', 'aria-label': t('form-remove', { name: this.title }), onclick: () => this.form.put(this.parts, undefined),
     }, '×') : null;
-    return h('div.field-head', {}, h('h3', {}, this.title), button, remove, note);
+    return [h('div.field-head', {}, h('h3', {}, this.title), button, remove), note];
   }
 
   fieldOf(key) {

@@ -6,6 +6,7 @@ import { fill, h } from './dom.js';
 import { chooseFile, chooseTemplate } from './files.js';
 import { Form } from './form.js';
 import { labelOf } from './labels.js';
+import { marked } from './marked.js';
 import { parsePath } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
@@ -189,7 +190,7 @@ class TankRoom {
     const missing = faults.filter((fault) => fault.code === 'T0207').length;
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
     fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: fault.code === 'T0207' ? 'field-missing' : '' },
-      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeOf(fault)), ` ${fault.message}`))));
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeOf(fault)), ' ', marked(fault.message)))));
   }
 
   goToFault(fault) {

@@ -17,7 +17,7 @@ export class Union {
     this.list = h('ul.field-faults', { hidden: true });
     const { button, note } = helpFor(field, parts, this.title);
     this.element = h('section.field-group', { 'aria-label': this.title },
-      h('div.field-head', {}, h('h3', {}, h('label', { for: this.select.id }, this.title)), this.select, button, note), this.list);
+      h('div.field-head', {}, h('h3', {}, h('label', { for: this.select.id }, this.title)), this.select, button), note, this.list);
     form.register(this);
   }
 
