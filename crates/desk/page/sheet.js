@@ -1,7 +1,7 @@
 // The sheet of a check beside the form: its steps with substituted numbers, as the server renders them. It follows the text.
 
 import { h, fill } from './dom.js';
-import { marked } from './marked.js';
+import { marked, withoutStyles } from './marked.js';
 import { parsePath } from './path.js';
 import { t } from './words.js';
 
@@ -49,7 +49,7 @@ export class Sheet {
       if (this.wish !== wish) return;
       const top = this.body.scrollTop;
       // The server renders this from results; texts of files are escaped there.
-      this.body.innerHTML = html;
+      this.body.innerHTML = withoutStyles(html);
       if (check?.reason) this.body.prepend(h('p.check-reason', {}, marked(check.reason)));
       if (check?.note) this.body.append(h('p.hint', {}, marked(check.note)));
       this.body.scrollTop = top;

@@ -6,7 +6,7 @@ import { fill, h } from './dom.js';
 import { chooseFile, chooseTemplate } from './files.js';
 import { Form } from './form.js';
 import { labelOf } from './labels.js';
-import { marked } from './marked.js';
+import { marked, withoutStyles } from './marked.js';
 import { parsePath } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
@@ -164,7 +164,7 @@ class TankRoom {
   drawSketch(svg) {
     if (this.lastSketch === svg && this.sketch.childNodes.length) return;
     this.lastSketch = svg;
-    this.sketch.innerHTML = svg;
+    this.sketch.innerHTML = withoutStyles(svg);
   }
 
   drawStrip() {
