@@ -2,9 +2,10 @@
 // so that undo works across all of them. What is not saved is kept as a draft in the browser.
 
 import { changedElsewhere, nameForSaving } from './files.js';
-import { parse } from './jsonc.js';
+import { nodeAt, parse } from './jsonc.js';
 import { formatPath } from './path.js';
 import { keepDraft, removeDraft, storedDraft } from './drafts.js';
+import { putShort } from './rows.js';
 import { t } from './words.js';
 import './document-words.js';
 
@@ -87,7 +88,7 @@ export class TankDocument {
     const waiting = this.edits.at(-1);
     const done = waiting && !waiting.started && waiting.path === path;
     if (done) waiting.value = value;
-    else this.edits.push({ path, value, key: key ?? path, started: false });
+    else this.edits.push({ parts, path, value, key: key ?? path, started: false });
     this.working ??= this.work().finally(() => { this.working = null; });
     return this.working;
   }
@@ -99,21 +100,40 @@ export class TankDocument {
     while (this.edits.length) {
       const edit = this.edits[0];
       edit.started = true;
-      const base = this.text.trim() === '' ? '{\n}\n' : this.text;
-      const body = { text: base, path: edit.path };
-      if (edit.value !== undefined) body.value = edit.value;
+      const base = this.text;
       try {
-        const { text } = await this.desk.api.post('edit', body);
-        // The text may have changed meanwhile (undo, the editor): the edit is then made on the new one.
-        if (this.text !== body.text && this.text.trim() !== '') continue;
+        const text = await this.edited(base.trim() === '' ? '{\n}\n' : base, edit);
+        // Undo has taken the wish away, or the text has changed meanwhile: the edit is then made on the new one.
+        if (this.edits[0] !== edit || this.text !== base) continue;
         this.edits.shift();
         this.replace(text, { key: edit.key, origin: 'form' });
       } catch (error) {
-        this.edits.shift();
+        if (this.edits[0] === edit) this.edits.shift();
         if (error.name !== 'AbortError') this.desk.sayError(error);
         this.tell('failed');
       }
     }
+  }
+
+  // The text with an edit made; what lies between it and the next given value is made first, so that each has its lines.
+  async edited(text, { parts, value }) {
+    if (value === undefined) return this.editedByServer(text, parts, value);
+    let now = text;
+    for (let length = 1; length < parts.length; length += 1) {
+      const above = parts.slice(0, length);
+      if (nodeAt(parse(now), above) === undefined) now = await this.placed(now, above, typeof parts[length] === 'number' ? [] : {});
+    }
+    return this.placed(now, parts, value);
+  }
+
+  async placed(text, parts, value) {
+    return putShort(text, parse(text), parts, value) ?? this.editedByServer(text, parts, value);
+  }
+
+  async editedByServer(text, parts, value) {
+    const body = { text, path: formatPath(parts) };
+    if (value !== undefined) body.value = value;
+    return (await this.desk.api.post('edit', body)).text;
   }
 
   /** Replaces the whole text. Changes with an equal `key` that follow each other quickly are one step of undo. */

@@ -4,7 +4,7 @@
 import { h, fill, uniqueId } from './dom.js';
 import { helpFor } from './help.js';
 import { labelOf } from './labels.js';
-import { marked } from './marked.js';
+import { isMissing, marked } from './marked.js';
 import { formatPath } from './path.js';
 import { complete, completed, converted, tidy } from './quantity.js';
 import { t } from './words.js';
@@ -235,5 +235,5 @@ const defaultWords = (value) => (value === true ? t('form-yes') : value === fals
 /** A fault in the words of the terminal, with what it found, what it takes and what to do. */
 export function faultItem(form, fault) {
   const sent = [fault.allowed ? t('form-expected', { what: fault.allowed }) : null, fault.help].filter(Boolean);
-  return h('li', { class: fault.code === 'T0207' ? 'field-missing' : '' }, h('strong', {}, marked(fault.message)), sent.map((text) => h('span', {}, marked(text))), form.remedies(fault));
+  return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', {}, marked(fault.message)), sent.map((text) => h('span', {}, marked(text))), form.remedies(fault));
 }

@@ -7,6 +7,7 @@ import { Group } from './group.js';
 import { nodeAt, plain } from './jsonc.js';
 import { List } from './list.js';
 import { Named } from './map.js';
+import { isMissing, placeOf } from './marked.js';
 import { formatPath, parsePath } from './path.js';
 import { SECTIONS, keysOf } from './sections.js';
 import { Table } from './table.js';
@@ -98,15 +99,10 @@ export class Form {
 
   /* To the text */
 
-  /** Sets a value; what lies between it and the next given value is made with it. */
+  /** Sets a value of the document, where it is another one. */
   put(parts, value, key = null) {
     if (JSON.stringify(this.valueAt(parts)) === JSON.stringify(value) && !this.document.pending) return Promise.resolve();
-    if (value === undefined) return this.document.set(parts, undefined, key);
-    const missing = parts.findIndex((_, index) => nodeAt(this.document.root, parts.slice(0, index + 1)) === undefined);
-    const rest = missing < 0 ? [] : parts.slice(missing + 1);
-    if (!rest.some((part) => typeof part === 'number') && typeof parts[missing] !== 'number') return this.document.set(parts, value, key);
-    const built = rest.reduceRight((inner, part) => (typeof part === 'number' ? [inner] : { [part]: inner }), value);
-    return this.document.set(parts.slice(0, missing + 1), built, key ?? formatPath(parts));
+    return this.document.set(parts, value, key);
   }
 
   /** Calls `act` when all changes have reached the form. */
@@ -171,7 +167,7 @@ export class Form {
   /** Shows the faults at their fields, or at the nearest group around them. */
   setFaults(faults) {
     const was = [...this.faulty].join();
-    this.faults = faults.map((fault) => ({ fault, path: parsePath(fault.path) }));
+    this.faults = faults.map((fault) => ({ fault, path: placeOf(fault) }));
     this.faulty = new Set(this.faults.flatMap(({ path }) => path.map((_, index) => formatPath(path.slice(0, index + 1)))));
     if ([...this.faulty].join() !== was) this.update();
     const found = new Map();
@@ -193,9 +189,12 @@ export class Form {
   }
 
   countFaults(section) {
-    const count = this.faults.filter(({ path }) => section.parts.some((part) => belongs(path, part, this.schema))).length;
+    const own = this.faults.filter(({ path }) => section.parts.some((part) => belongs(path, part, this.schema)));
+    const count = own.length;
+    const missing = own.every(({ fault }) => isMissing(fault));
     for (const badge of [section.count, section.link.lastElementChild]) {
       badge.hidden = count === 0;
+      badge.classList.toggle('field-missing', missing);
       badge.textContent = String(count);
       badge.title = t('form-faults', { count });
     }

@@ -49,6 +49,8 @@ export class Group {
       if (given || this.isBusy(key)) this.place(key, child);
       else folded.push(key);
     }
+    // An object that was just added and needs nothing shows what it may have.
+    if (node?.members?.length === 0 && !this.wanted.size) this.fold.open = true;
     this.updateFold(folded);
   }
 
@@ -100,7 +102,8 @@ export class Group {
       else if (this.fold.open) this.stow(key, view);
       else this.drop(key);
     }
-    this.fold.hidden = keys.length === 0;
+    // What has the focus must not vanish: the key that is typed would be lost.
+    this.fold.hidden = keys.length === 0 && !this.fold.contains(document.activeElement);
     fill(this.summary, t('form-more', { count: keys.length }), h('span.field-names', {}, keys.map(labelOf).join(', ')));
     if (this.fold.open) this.opened();
   }

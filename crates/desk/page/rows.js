@@ -1,5 +1,5 @@
-// Edits of a list that keep comments within its rows: each works on the text and the places of the items,
-// where `api/edit` would write the moved values anew.
+// Edits that work on the text and the places of its values: rows of a list are moved and repeated with their comments, and
+// objects on one line stay on one line, where `api/edit` would write the values anew.
 
 import { nodeAt, walk } from './jsonc.js';
 
@@ -36,4 +36,42 @@ export function rename(text, root, parts, name, follow) {
   }
   places.sort((a, b) => b[0] - a[0]);
   return places.reduce((now, [start, end]) => now.slice(0, start) + JSON.stringify(name) + now.slice(end), text);
+}
+
+const WIDTH = 140;
+
+/**
+ * The text with a value put in by its place, or null where `api/edit` should do it: a key of an object on one line,
+ * the first item of an empty list, a new value in place of a single old one.
+ */
+export function putShort(text, root, parts, value) {
+  const parent = nodeAt(root, parts.slice(0, -1));
+  const key = parts.at(-1);
+  if (!parent || text[parent.end - 1] !== (parent.type === 'array' ? ']' : '}')) return null;
+  if (typeof key === 'number') return parent.items?.length === 0 && key === 0 ? firstItem(text, parent, value) : null;
+  const old = nodeAt(root, parts);
+  if (old || parent.type !== 'object' || (value !== null && typeof value === 'object')) return null;
+  const slice = text.slice(parent.start, parent.end);
+  const member = `${JSON.stringify(key)}: ${JSON.stringify(value)}`;
+  if (!parent.members.length) return typeof parts.at(-2) === 'number' && /^\{\s*\}$/.test(slice) ? splice(text, parent.start, parent.end, `{ ${member} }`) : null;
+  const lineStart = text.lastIndexOf('\n', parent.start) + 1;
+  if (/[\n/]/.test(slice.replace(/"(?:[^"\\]|\\.)*"/g, '')) || parent.end - lineStart + member.length > WIDTH) return null;
+  const { end } = parent.members.at(-1).node;
+  return splice(text, end, end, `, ${member}`);
+}
+
+function firstItem(text, list, value) {
+  if (!/^\[\s*\]$/.test(text.slice(list.start, list.end))) return null;
+  const indent = /^[ \t]*/.exec(text.slice(text.lastIndexOf('\n', list.start) + 1))[0];
+  return splice(text, list.start, list.end, `[\n${indent}  ${onOneLine(value)}\n${indent}]`);
+}
+
+const splice = (text, start, end, put) => text.slice(0, start) + put + text.slice(end);
+
+/** A value as JSON on one line, with blanks within its braces. */
+function onOneLine(value) {
+  if (Array.isArray(value)) return `[${value.map(onOneLine).join(', ')}]`;
+  if (value === null || typeof value !== 'object') return JSON.stringify(value);
+  const members = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${onOneLine(one)}`);
+  return members.length ? `{ ${members.join(', ')} }` : '{}';
 }

@@ -6,7 +6,7 @@ import { fill, h } from './dom.js';
 import { chooseFile, chooseTemplate } from './files.js';
 import { Form } from './form.js';
 import { labelOf } from './labels.js';
-import { marked, withoutStyles } from './marked.js';
+import { isMissing, marked, placeOf, withoutStyles } from './marked.js';
 import { parsePath } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
@@ -187,14 +187,14 @@ class TankRoom {
     this.form.setFaults(faults);
     this.text.setFaults(text === this.document.text ? faults : []);
     this.faultList.hidden = !faults.length;
-    const missing = faults.filter((fault) => fault.code === 'T0207').length;
+    const missing = faults.filter(isMissing).length;
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
-    fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: fault.code === 'T0207' ? 'field-missing' : '' },
-      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeOf(fault)), ' ', marked(fault.message)))));
+    fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: isMissing(fault) ? 'field-missing' : '' },
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault)), ' ', marked(fault.message)))));
   }
 
   goToFault(fault) {
-    if (this.mode === 'form' && fault.path && this.form.focusPath(parsePath(fault.path))) return;
+    if (this.mode === 'form' && this.form.focusPath(placeOf(fault))) return;
     this.setMode('text');
     this.text.goTo(fault.start ?? 0, fault.end);
   }
@@ -230,8 +230,8 @@ class TankRoom {
 }
 
 // The words for the place of a fault: the names of its keys, or its line.
-function placeOf(fault) {
-  const parts = parsePath(fault.path);
+function placeWords(fault) {
+  const parts = placeOf(fault);
   if (!parts.length) return t('text-line', { line: fault.line });
   return parts.map((part) => (typeof part === 'number' ? `${t('form-row')} ${part + 1}` : labelOf(part))).join(' › ');
 }
