@@ -82,7 +82,6 @@ export class Checks {
   draw() {
     this.drawFilters();
     const kept = new Set();
-    const before = this.list.scrollTop;
     const sections = this.groups().filter((group) => group.decides || this.others).map((group) => this.section(group, kept));
     for (const key of [...this.rows.keys()]) if (!kept.has(key)) this.rows.delete(key);
     const others = this.groups().filter((group) => !group.decides).length;
@@ -92,7 +91,6 @@ export class Checks {
     // Elements that stay are not moved: a focused row keeps the focus.
     wanted.forEach((element, index) => { if (this.list.children[index] !== element) this.list.insertBefore(element, this.list.children[index] ?? null); });
     while (this.list.children.length > wanted.length) this.list.lastElementChild.remove();
-    this.list.scrollTop = before;
   }
 
   section(group, kept) {

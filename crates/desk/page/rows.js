@@ -48,9 +48,10 @@ export function putShort(text, root, parts, value) {
   const parent = nodeAt(root, parts.slice(0, -1));
   const key = parts.at(-1);
   if (!parent || text[parent.end - 1] !== (parent.type === 'array' ? ']' : '}')) return null;
-  if (typeof key === 'number') return parent.items?.length === 0 && key === 0 ? firstItem(text, parent, value) : null;
+  if (typeof key === 'number' && parent.items?.[key] === undefined) return parent.items?.length === 0 && key === 0 ? firstItem(text, parent, value) : null;
   const old = nodeAt(root, parts);
-  if (old || parent.type !== 'object' || (value !== null && typeof value === 'object')) return null;
+  if (old) return isSingle(old, text) && !isWhole(value) ? splice(text, old.start, old.end, JSON.stringify(value)) : null;
+  if (parent.type !== 'object' || isWhole(value)) return null;
   const slice = text.slice(parent.start, parent.end);
   const member = `${JSON.stringify(key)}: ${JSON.stringify(value)}`;
   if (!parent.members.length) return typeof parts.at(-2) === 'number' && /^\{\s*\}$/.test(slice) ? splice(text, parent.start, parent.end, `{ ${member} }`) : null;
@@ -66,6 +67,8 @@ function firstItem(text, list, value) {
   return splice(text, list.start, list.end, `[\n${indent}  ${onOneLine(value)}\n${indent}]`);
 }
 
+const isWhole = (value) => value !== null && typeof value === 'object';
+const isSingle = (node, text) => !node.members && !node.items && (node.type !== 'string' || /^"(?:[^"\\]|\\.)*"$/.test(text.slice(node.start, node.end)));
 const splice = (text, start, end, put) => text.slice(0, start) + put + text.slice(end);
 
 /** A value as JSON on one line, with blanks within its braces. */

@@ -196,6 +196,7 @@ class TankRoom {
   goToFault(fault) {
     if (this.mode === 'form' && this.form.focusPath(placeOf(fault))) return;
     this.setMode('text');
+    this.text.update();
     this.text.goTo(fault.start ?? 0, fault.end);
   }
 

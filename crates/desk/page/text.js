@@ -20,10 +20,12 @@ export class TextEditor {
     new ResizeObserver(() => this.follow()).observe(this.area);
   }
 
-  get visible() { return this.element.isConnected && !this.element.closest('[hidden]'); }
+  get visible() { return this.element.isConnected && this.element.closest('[hidden]') === null; }
 
   /** Shows the document's text; the place of the cursor stays with its text. */
   update() {
+    this.stale = true;
+    if (!this.visible) return;
     const { text } = this.desk.document;
     if (this.area.value !== text) {
       const { selectionStart, value, scrollTop } = this.area;
@@ -33,8 +35,7 @@ export class TextEditor {
       this.area.setSelectionRange(place, place);
       this.area.scrollTop = scrollTop;
     }
-    this.stale = true;
-    if (this.visible) this.draw();
+    this.draw();
   }
 
   typed() {
