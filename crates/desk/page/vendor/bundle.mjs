@@ -1,6 +1,7 @@
 // Bundles three.in.js and uPlot in the current folder (called by `renew`, which installed the packages there).
 // WebGLRenderer holds the text of every shader of three.js, 170 KB that no tree shaking finds. The viewer draws with its own
-// ShaderMaterial and with LineBasicMaterial, so the texts that the shader `meshbasic` does not include become empty.
+// ShaderMaterial and with LineBasicMaterial, so the texts that the shader `meshbasic` does not include become empty, but for the one that
+// WebGLProgram puts into every shader.
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -9,7 +10,7 @@ const require = createRequire(path.resolve('package.json'));
 const { build } = require('esbuild');
 const source = path.resolve('node_modules/three/src');
 const shaders = `${source}/renderers/shaders`;
-const kept = new Set(['meshbasic']);
+const kept = new Set(['meshbasic', 'colorspace_pars_fragment']);
 
 function keepIncludes(text) {
   for (const [, name] of text.matchAll(/#include <([\w]+)>/g)) {

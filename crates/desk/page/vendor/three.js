@@ -539,7 +539,21 @@ transformedNormal = normalMatrix * transformedNormal;
 #endif
 `;var Sh="";var Eh="";var Th="";var yh="";var bh=`
 gl_FragColor = linearToOutputTexel( gl_FragColor );
-`;var Ah="";var Rh=`
+`;var Ah=`
+
+vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}
+
+`;var Rh=`
 #ifdef USE_ENVMAP
 
 	#ifdef ENV_WORLDPOS

@@ -1,0 +1,56 @@
+// Materials of the scene: the vertex shader interpolates between two frames and exaggerates, the fragment shader colours, lights and cuts.
+
+import { ShaderMaterial, DoubleSide } from './vendor/three.js';
+
+const VERTEX = `
+attribute vec3 now;
+attribute vec3 next;
+attribute float from;
+attribute float to;
+uniform float a, b, share, times;
+varying vec3 rest;
+varying vec3 seen;
+varying float value;
+void main() {
+  rest = position;
+  value = mix(from, to, share);
+  vec4 place = modelViewMatrix * vec4(position + times * (a * now + b * next), 1.0);
+  seen = place.xyz;
+  gl_Position = projectionMatrix * place;
+}`;
+
+const FRAGMENT = `
+uniform vec3 colours[11];
+uniform vec3 plain;
+uniform float low, high, coloured, bands, cut, lit;
+varying vec3 rest;
+varying vec3 seen;
+varying float value;
+vec3 map(float at) {
+  if (bands > 0.0) at = (min(floor(at * bands), bands - 1.0) + 0.5) / bands;
+  at = clamp(at, 0.0, 1.0) * 10.0;
+  int i = int(min(floor(at), 9.0));
+  return mix(colours[i], colours[i + 1], at - float(i));
+}
+void main() {
+  if (cut > 0.5 && rest.y < 0.0) discard;
+  vec3 colour = coloured > 0.5 ? map((value - low) / (high - low)) : plain;
+  if (lit > 0.5) {
+    vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+    float light = abs(dot(normal, vec3(0.25, 0.45, 0.857)));
+    colour *= mix(coloured > 0.5 ? 0.82 : 0.62, 1.0, light);
+  }
+  gl_FragColor = vec4(colour, 1.0);
+}`;
+
+/**
+ * A material; `shared` are the uniforms that all of them have (`a`, `b`, `share`, `low`, `high`, `colours`, `bands`), the own ones are
+ * `times`, `plain`, `coloured`, `cut`.
+ */
+export function material(shared, own, lines = false) {
+  return new ShaderMaterial({
+    vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
+    uniforms: { ...shared, ...own, lit: { value: lines ? 0 : 1 } },
+    polygonOffset: !lines, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+  });
+}

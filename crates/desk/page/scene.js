@@ -1,0 +1,362 @@
+// The tank in three dimensions: draws a scene of scene-data.js with three.js. All that is said about it is in scene-panel.js.
+
+import {
+  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, OrbitControls, PerspectiveCamera, Scene, Vector3,
+  WebGLRenderer,
+} from './vendor/three.js';
+import { colour } from './dom.js';
+import { scaleOf, SEQUENTIAL } from './colours.js';
+import { material } from './scene-shader.js';
+import { fieldAt } from './scene-data.js';
+import { picked, place } from './scene-pick.js';
+import { lower } from './series.js';
+
+/** Directions from which the named views look. */
+const VIEWS = { axonometric: [0.62, -0.78, 0.42], front: [0, -1, 0.001], side: [1, 0, 0.001], top: [0, -0.001, 1] };
+/** Frame times between which the resolution stays while the picture moves [ms]. */
+const SLOW = 29;
+const FAST = 14;
+
+/**
+ * A view of a scene.
+ *
+ * @param {HTMLElement} host takes the canvas and gives its size
+ * @param {object} scene of scene-data.js
+ * @param {{picked(node: number|null, time: number): void, turned(): void, lost(): void}} calls
+ * Errors: no WebGL.
+ */
+export function createView(host, scene, calls) {
+  const renderer = new WebGLRenderer({ antialias: !software(), powerPreference: 'high-performance', preserveDrawingBuffer: false });
+  const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, time: 0, fps: 0 };
+  view.best = view.ratio;
+  view.canvas = renderer.domElement;
+  host.append(view.canvas);
+  view.camera.up.set(0, 0, 1);
+  view.controls = new OrbitControls(view.camera, view.canvas);
+  view.controls.addEventListener('change', () => { calls.turned(); request(view); });
+  build(view);
+  look(view, 'axonometric');
+  listen(view);
+  recolour(view);
+  return {
+    canvas: view.canvas,
+    get ratio() { return view.ratio; },
+    setTime: (time) => setTime(view, time),
+    setShape: (shape, amplitude) => setShape(view, shape, amplitude),
+    setField: (field) => setField(view, field),
+    setTimes: (part, times) => { view.parts.get(part)?.times.forEach((uniform) => { uniform.value = times; }); request(view); },
+    setCut: (cut) => { for (const part of view.parts.values()) part.cut.value = cut === 'all' || (cut === 'wall' && part.id === 'wall') ? 1 : 0; request(view); },
+    setShown: (part, shown) => { view.parts.get(part).shown = shown; visible(view); },
+    setMesh: (mesh) => { view.mesh = mesh; visible(view); },
+    setBands: (bands) => { view.shared.bands.value = bands; request(view); },
+    setMoving: (moving) => (moving ? begin(view) : rest(view)),
+    look: (name) => look(view, name),
+    project: (node, out) => project(view, node, out),
+    axes: () => axes(view),
+    turn: ([around, over]) => turn(view, around, over),
+    nearer: (factor) => nearer(view, factor),
+    scale: () => view.scale,
+    picture: () => { draw(view); return view.canvas; },
+    recolour: () => recolour(view),
+    draw: () => draw(view),
+    destroy: () => destroy(view),
+  };
+}
+
+/** Whether WebGL is computed by the processor: smoothing of edges would then cost most of the time. */
+function software() {
+  const probe = document.createElement('canvas').getContext('webgl2');
+  if (!probe) return false;
+  const names = probe.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? probe.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  probe.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+function build(view) {
+  const { scene, world } = view;
+  const changing = (array, size) => {
+    const attribute = new BufferAttribute(array, size);
+    attribute.setUsage(DynamicDrawUsage);
+    return attribute;
+  };
+  view.attributes = {
+    position: new BufferAttribute(scene.nodes, 3), now: changing(new Int16Array(scene.nodes.length), 3), next: changing(new Int16Array(scene.nodes.length), 3),
+    from: changing(new Float32Array(scene.count), 1), to: changing(new Float32Array(scene.count), 1),
+  };
+  view.shared = { a: { value: 0 }, b: { value: 0 }, share: { value: 0 }, low: { value: 0 }, high: { value: 1 }, bands: { value: 0 }, colours: { value: SEQUENTIAL.map((c) => new Vector3(...c)) } };
+  view.parts = new Map();
+  for (const part of scene.parts) {
+    const own = { times: { value: 1 }, plain: { value: new Color() }, coloured: { value: 0 }, cut: { value: 0 } };
+    const surface = new Mesh(geometry(view, part.triangles), material(view.shared, own));
+    const ink = { times: { value: 1 }, plain: { value: new Color() }, coloured: { value: 0 }, cut: own.cut };
+    const lines = new LineSegments(geometry(view, part.edges), material(view.shared, ink, true));
+    const edge = new LineSegments(geometry(view, part.rim), lines.material);
+    for (const object of [surface, lines, edge]) object.frustumCulled = false;
+    world.add(surface, lines, edge);
+    view.parts.set(part.id, { id: part.id, part, surface, lines, edge, plain: own.plain, ink: ink.plain, coloured: own.coloured, cut: own.cut, times: [own.times, ink.times], shown: part.id !== 'liquid' });
+  }
+  const ghost = new BufferGeometry();
+  ghost.setAttribute('position', view.attributes.position);
+  ghost.setIndex(new BufferAttribute(Uint32Array.from(scene.parts.filter(({ id }) => id !== 'liquid').flatMap((part) => [...part.rim])), 1));
+  view.ghost = new LineSegments(ghost, new LineBasicMaterial({ color: 0x888888 }));
+  view.ghost.frustumCulled = false;
+  world.add(view.ghost);
+  view.mesh = scene.count <= 6000;
+  view.views = Array.from({ length: scene.frames }, (_, i) => scene.displacement.subarray(i * scene.nodes.length, (i + 1) * scene.nodes.length));
+  visible(view);
+}
+
+function geometry(view, index) {
+  const made = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(view.attributes)) made.setAttribute(name, attribute);
+  made.setIndex(new BufferAttribute(index, 1));
+  return made;
+}
+
+function visible(view) {
+  for (const { surface, lines, edge, shown } of view.parts.values()) {
+    surface.visible = shown;
+    lines.visible = shown && view.mesh;
+    edge.visible = shown && !view.mesh;
+  }
+  request(view);
+}
+
+/** Colours of the page, light or dark. */
+function recolour(view) {
+  view.world.background = new Color(colour('--scene-sky'));
+  const raw = (target, variable) => {
+    const [r, g, b] = (colour(variable).match(/[\d.]+/g) ?? [128, 128, 128]).map(Number);
+    target.setRGB(r / 255, g / 255, b / 255, 'srgb-linear');
+  };
+  for (const { id, plain, ink } of view.parts.values()) {
+    raw(plain.value, id === 'surface' || id === 'liquid' ? '--scene-liquid' : id === 'bottom' ? '--scene-bottom' : '--scene-wall');
+    raw(ink.value, '--scene-ink');
+  }
+  view.ghost.material.color.set(colour('--scene-ghost'));
+  request(view);
+}
+
+/** Shows the moment `time`: frames before and after it, mixed. */
+function setTime(view, time) {
+  const { scene, shared, attributes } = view;
+  if (!scene.frames) return;
+  view.time = time;
+  const after = Math.min(Math.max(lower(scene.times, time), 1), scene.frames - 1);
+  const before = Math.max(0, after - 1);
+  const span = scene.times[after] - scene.times[before];
+  const share = span > 0 ? Math.min(Math.max((time - scene.times[before]) / span, 0), 1) : 0;
+  if (view.frame !== before) {
+    attributes.now.array.set(view.views[before]);
+    attributes.next.array.set(view.views[after]);
+    attributes.now.needsUpdate = true;
+    attributes.next.needsUpdate = true;
+    view.frame = before;
+    values(view);
+  }
+  shared.a.value = scene.scale[before] * (1 - share);
+  shared.b.value = scene.scale[after] * share;
+  shared.share.value = share;
+  request(view);
+}
+
+/** Shows a mode or a moment: `shape` are displacements of all nodes, largest 1 after scaling. */
+function setShape(view, shape, amplitude) {
+  const { attributes, shared } = view;
+  if (view.shape !== shape) {
+    let most = 0;
+    for (let i = 0; i < shape.length; i += 1) most = Math.max(most, Math.abs(shape[i]));
+    for (let i = 0; i < shape.length; i += 1) attributes.now.array[i] = most > 0 ? Math.round((shape[i] / most) * 32767) : 0;
+    attributes.now.needsUpdate = true;
+    view.shape = shape;
+    view.frame = -1;
+  }
+  shared.a.value = amplitude / 32767;
+  shared.b.value = 0;
+  shared.share.value = 0;
+  request(view);
+}
+
+/** Colours the parts by a field; null takes the colours away. Returns the scale for the legend. */
+function setField(view, field) {
+  view.field = field;
+  for (const part of view.parts.values()) part.coloured.value = field && (field.part === part.id || field.part === '') ? 1 : 0;
+  if (field) {
+    const scale = scaleOf(field.low, field.high);
+    view.shared.low.value = scale.low;
+    view.shared.high.value = scale.high;
+    scale.colours.forEach((c, i) => view.shared.colours.value[i].set(...c));
+    view.scale = scale;
+  }
+  if (view.frame >= 0) values(view);
+  request(view);
+  return field ? view.scale : null;
+}
+
+function values(view) {
+  const { field, attributes, scene, frame } = view;
+  if (!field || frame < 0) return;
+  const after = Math.min(frame + 1, scene.frames - 1);
+  if (field.of) {
+    field.of(scene, frame, attributes.from.array);
+    field.of(scene, after, attributes.to.array);
+  } else {
+    fieldAt(field, frame, attributes.from.array);
+    fieldAt(field, after, attributes.to.array);
+  }
+  attributes.from.needsUpdate = true;
+  attributes.to.needsUpdate = true;
+}
+
+function look(view, name) {
+  const { scene, camera, controls } = view;
+  const direction = VIEWS[name] ?? VIEWS.axonometric;
+  const length = Math.hypot(...direction);
+  const fit = (0.58 * scene.size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
+  for (const [i, axis] of ['x', 'y', 'z'].entries()) {
+    controls.target[axis] = (scene.low[i] + scene.high[i]) / 2;
+    camera.position[axis] = controls.target[axis] + (fit * direction[i]) / length;
+  }
+  camera.near = scene.size / 500;
+  camera.far = scene.size * 50;
+  camera.updateProjectionMatrix();
+  controls.update();
+  request(view);
+}
+
+const seen = new Vector3();
+
+/** Turns by angles [rad]. */
+function turn(view, around, over) {
+  const { camera, controls } = view;
+  seen.copy(camera.position).sub(controls.target);
+  const distance = seen.length();
+  const theta = Math.atan2(seen.y, seen.x) + around;
+  const phi = Math.min(Math.PI - 0.01, Math.max(0.01, Math.acos(seen.z / distance) + over));
+  camera.position.set(Math.sin(phi) * Math.cos(theta), Math.sin(phi) * Math.sin(theta), Math.cos(phi)).multiplyScalar(distance).add(controls.target);
+  controls.update();
+}
+
+function nearer(view, factor) {
+  const { camera, controls } = view;
+  camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+  controls.update();
+}
+
+function listen(view) {
+  const { canvas, host } = view;
+  view.resize = new ResizeObserver(() => size(view));
+  view.resize.observe(host);
+  size(view);
+  let down = null;
+  canvas.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; });
+  canvas.addEventListener('pointerup', (event) => {
+    if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
+    const box = canvas.getBoundingClientRect();
+    view.calls.picked(picked(view, ((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2));
+  });
+  canvas.addEventListener('webglcontextlost', (event) => { event.preventDefault(); view.calls.lost(); });
+  canvas.addEventListener('webglcontextrestored', () => request(view));
+}
+
+function size(view) {
+  const [width, height] = [view.host.clientWidth, view.host.clientHeight];
+  if (width < 2 || height < 2) return;
+  const aspect = view.camera.aspect;
+  view.renderer.setPixelRatio(view.ratio);
+  view.renderer.setSize(width, height, false);
+  view.camera.aspect = width / height;
+  view.camera.updateProjectionMatrix();
+  if (Math.abs(aspect - view.camera.aspect) > 0.3) look(view, 'axonometric');
+  draw(view);
+}
+
+/** Draws once before the next paint; a moving scene draws itself. */
+function request(view) {
+  if (view.pending || view.moving) return;
+  view.pending = requestAnimationFrame(() => {
+    view.pending = 0;
+    draw(view);
+  });
+}
+
+function draw(view) {
+  const start = performance.now();
+  view.renderer.render(view.world, view.camera);
+  if (view.moving) adapt(view, start);
+}
+
+/** Lowers the resolution while the picture moves where frames take too long; a picture at rest is sharp again. */
+function adapt(view, now) {
+  const frame = now - view.last;
+  view.last = now;
+  if (!(frame > 0) || frame > 500) return;
+  view.average = view.average ? view.average + 0.1 * (frame - view.average) : frame;
+  view.fps = 1000 / view.average;
+  view.since += 1;
+  if (view.since < 15) return;
+  const ratio = view.average > SLOW ? view.ratio * 0.8 : view.average < FAST ? view.ratio * 1.15 : view.ratio;
+  const bounded = Math.min(view.best, Math.max(0.4, ratio));
+  if (bounded === view.ratio) return;
+  view.ratio = bounded;
+  view.since = 0;
+  view.average = 0;
+  view.renderer.setPixelRatio(bounded);
+}
+
+function begin(view) {
+  view.moving = true;
+  view.last = performance.now();
+  view.since = 0;
+  view.average = 0;
+  if (view.slow) view.renderer.setPixelRatio(view.ratio = view.slow);
+}
+
+function rest(view) {
+  if (!view.moving) return;
+  view.moving = false;
+  view.slow = view.ratio;
+  view.ratio = view.best;
+  view.renderer.setPixelRatio(view.best);
+  request(view);
+}
+
+const point = new Vector3();
+
+/** Place of a node on the screen [px], as drawn now; `out` gets x, y and whether it is in front. */
+function project(view, node, out) {
+  place(view, node, timesOf(view, node), point);
+  point.project(view.camera);
+  out.x = ((point.x + 1) / 2) * view.host.clientWidth;
+  out.y = ((1 - point.y) / 2) * view.host.clientHeight;
+  out.front = point.z < 1;
+}
+
+function timesOf(view, node) {
+  for (const { part, times, shown } of view.parts.values()) if (shown && part.own.includes(node)) return times[0].value;
+  return 1;
+}
+
+/** Directions of x, y and z on the screen. */
+function axes(view) {
+  const { camera } = view;
+  return [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => {
+    point.set(...axis).transformDirection(camera.matrixWorldInverse);
+    return [point.x, -point.y, point.z];
+  });
+}
+
+function destroy(view) {
+  view.moving = false;
+  cancelAnimationFrame(view.pending);
+  view.resize.disconnect();
+  view.controls.dispose();
+  for (const object of [...view.world.children]) {
+    object.geometry.dispose();
+    object.material.dispose();
+  }
+  view.renderer.dispose();
+  view.renderer.forceContextLoss();
+  view.canvas.remove();
+}
