@@ -324,7 +324,7 @@ function zoom(self, from, to) {
 function place(self) {
   if (!self.marker) return;
   const along = self.plot.valToPos(self.group.clock.time / self.state.xUnit.factor, 'x');
-  const inside = along >= 0 && along <= self.plot.over.clientWidth;
+  const inside = self.group.clock.time > self.state.from && along <= self.plot.over.clientWidth && along >= 0;
   self.marker.hidden = !inside;
   if (inside) self.marker.style.transform = `translateX(${along.toFixed(1)}px)`;
 }

@@ -93,10 +93,11 @@ export function histories(sources, settings, clock, every = 1) {
 function panel(sources, dimension, columns) {
   const title = columns.length <= 2 ? columns.map((column) => column.title).join('; ') : t(`dim-${dimension}`);
   const time = union(sources.map((source) => source.time));
-  const series = columns.flatMap((column) => sources.map((source) => {
+  const series = columns.flatMap((column, k) => sources.map((source, i) => {
     const own = source.columns.find((one) => one.name === column.name);
     const label = source.label ? `${column.title} (${source.label})` : column.title;
-    return own && { title: label, values: sources.length > 1 ? onto(time, source.time, own.values) : own.values };
+    // The other result has other colours and dashes.
+    return own && { title: label, look: sources.length > 1 ? 2 * k + 9 * i : k, values: sources.length > 1 ? onto(time, source.time, own.values) : own.values };
   })).filter(Boolean);
   return { title, x: { title: t('scene-time'), values: time, dimension: 'time' }, y: { dimension }, series, height: 210 };
 }

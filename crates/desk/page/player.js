@@ -16,7 +16,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 export function createPlayer(clock, { times, moving, frame }) {
   const first = times[0] ?? 0;
   const last = times[times.length - 1] ?? 0;
-  const state = { playing: false, handle: 0, before: 0, speed: 1, loop: true, wave: null, seconds: 0, shown: '' };
+  const state = { playing: false, handle: 0, before: 0, speed: 1, loop: true, wave: null, seconds: 0, told: 0 };
   const button = h('button.primary', { type: 'button', onclick: () => toggle() }, t('scene-play'));
   const scrub = h('input.player-scrub', { type: 'range', min: String(first), max: String(last), step: 'any', value: String(first), 'aria-label': t('scene-time'),
     oninput: () => clock.set(Number(scrub.value), state) });
@@ -31,9 +31,11 @@ export function createPlayer(clock, { times, moving, frame }) {
   const element = h('div.player', {}, button, timed, speed, h('label.tick', {}, loop, t('scene-loop')));
 
   function show(time, by) {
+    // While it plays, ten times a second are enough: each change makes the browser paint the bar.
+    const now = performance.now();
+    if (state.playing && now - state.told < 100) return;
+    state.told = now;
     const text = `${localised(time.toFixed(2))} s`;
-    if (text === state.shown) return;
-    state.shown = text;
     label.textContent = text;
     if (by !== state || state.playing) scrub.value = String(time);
     scrub.setAttribute('aria-valuetext', text);

@@ -33,7 +33,7 @@ export function nodePanel({ scene, fields, node, clock, settings, close }) {
 
   function at(time) {
     const frame = nearest(scene.times, time);
-    fill(values, histories.map((one) => [h('dt', {}, one.title), h('dd', {}, display(one.values[frame], one.dimension, settings.units))]));
+    fill(values, histories.map((one) => h('div', {}, h('dt', {}, one.title), h('dd', {}, display(one.values[frame], one.dimension, settings.units)))));
   }
 
   if (histories.length) at(clock.time);

@@ -36,7 +36,7 @@ export function createScenePanel(scene, clock, settings, name) {
   host.append(self.legend, self.stated, self.fps, axesPicture(self), self.dot);
   self.player = createPlayer(clock, { times: scene.times, moving: (moving) => play(self, moving), frame: () => { self.view.draw(); self.drawn += 1; follow(self); } });
   const tools = controls(self);
-  self.element = h('div.scene', {}, tools, host, self.player.element, self.node);
+  self.element = h('div.scene', {}, h('div.scene-main', {}, host, self.player.element), h('div.scene-side', {}, tools, self.node));
   for (const part of scene.parts) exaggerate(self, part, nice(part.most > 0 ? (AIM * scene.size) / part.most : 1, part));
   self.off = clock.on((time) => moment(self, time));
   if (scene.frames) moment(self, clock.time);
@@ -98,7 +98,7 @@ function controls(self) {
     queueMicrotask(() => paint(self, allFields(self)[Math.max(0, start)]));
   }
   return h('div.scene-tools', {},
-    shapes.length > 1 ? shape : null, scene.frames ? colour : null, scene.frames ? times : null, cut,
+    scene.modes.length || scene.moments.length ? shape : null, scene.frames ? colour : null, scene.frames ? times : null, cut,
     h('span.scene-group', { role: 'group', 'aria-label': t('scene-parts') }, scene.parts.map((part) => tick(named(part.id), part.id !== 'liquid', (on) => view.setShown(part.id, on))),
       tick(t('scene-mesh'), scene.count <= 6000, (on) => view.setMesh(on)), scene.frames ? tick(t('scene-bands'), false, (on) => { view.setBands(on ? 10 : 0); }) : null),
     h('span.scene-group', { role: 'group', 'aria-label': t('scene-view') }, looks),
@@ -141,7 +141,7 @@ function choose(self, value) {
   const { scene, view, player, settings } = self;
   const [kind, index] = value.split(':');
   self.shape = kind === 'history' ? null : kind;
-  const size = 0.08 * scene.size;
+  const size = 0.05 * scene.size;
   if (kind === 'history') {
     player.oscillate(null);
     paint(self, self.painted ?? null);

@@ -16,9 +16,10 @@ export function picked(view, x, y) {
   return best.node;
 }
 
-function nearest(view, { part, times, cut }, best) {
+function nearest(view, one, best) {
+  const { part, cut } = one;
   const { nodes } = view.scene;
-  const corner = (node, out) => place(view, node, times[0].value, out);
+  const corner = (node, out) => place(one, node, out);
   const { triangles } = part;
   for (let i = 0; i < triangles.length; i += 3) {
     const distance = met(corner(triangles[i], a), corner(triangles[i + 1], b), corner(triangles[i + 2], c));
@@ -49,11 +50,8 @@ function met(p, q, r) {
   return distance > 0 ? distance : NaN;
 }
 
-/** Where a node is drawn with displacements `times` times as large. */
-export function place(view, node, times, out) {
-  const { attributes: { now, next }, scene: { nodes }, shared } = view;
-  const at = 3 * node;
-  const [a, b] = [times * shared.a.value, times * shared.b.value];
-  return out.set(nodes[at] + a * now.array[at] + b * next.array[at], nodes[at + 1] + a * now.array[at + 1] + b * next.array[at + 1],
-    nodes[at + 2] + a * now.array[at + 2] + b * next.array[at + 2]);
+/** Where a node of a part is drawn. */
+export function place({ local, attributes: { position, moved } }, node, out) {
+  const at = 3 * local[node];
+  return out.set(position.array[at] + moved.array[at], position.array[at + 1] + moved.array[at + 1], position.array[at + 2] + moved.array[at + 2]);
 }

@@ -1,20 +1,17 @@
-// Materials of the scene: the vertex shader interpolates between two frames and exaggerates, the fragment shader colours, lights and cuts.
+// Materials of the scene: the vertex shader moves the nodes, the fragment shader colours, lights and cuts.
 
 import { ShaderMaterial, DoubleSide } from './vendor/three.js';
 
 const VERTEX = `
-attribute vec3 now;
-attribute vec3 next;
-attribute float from;
-attribute float to;
-uniform float a, b, share, times;
-varying vec3 rest;
+attribute vec3 moved;
+attribute float level;
 varying vec3 seen;
 varying float value;
+varying float side;
 void main() {
-  rest = position;
-  value = mix(from, to, share);
-  vec4 place = modelViewMatrix * vec4(position + times * (a * now + b * next), 1.0);
+  side = position.y;
+  value = level;
+  vec4 place = modelViewMatrix * vec4(position + moved, 1.0);
   seen = place.xyz;
   gl_Position = projectionMatrix * place;
 }`;
@@ -23,9 +20,9 @@ const FRAGMENT = `
 uniform vec3 colours[11];
 uniform vec3 plain;
 uniform float low, high, coloured, bands, cut, lit;
-varying vec3 rest;
 varying vec3 seen;
 varying float value;
+varying float side;
 vec3 map(float at) {
   if (bands > 0.0) at = (min(floor(at * bands), bands - 1.0) + 0.5) / bands;
   at = clamp(at, 0.0, 1.0) * 10.0;
@@ -33,7 +30,7 @@ vec3 map(float at) {
   return mix(colours[i], colours[i + 1], at - float(i));
 }
 void main() {
-  if (cut > 0.5 && rest.y < 0.0) discard;
+  if (cut > 0.5 && side < 0.0) discard;
   vec3 colour = coloured > 0.5 ? map((value - low) / (high - low)) : plain;
   if (lit > 0.5) {
     vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
@@ -44,8 +41,7 @@ void main() {
 }`;
 
 /**
- * A material; `shared` are the uniforms that all of them have (`a`, `b`, `share`, `low`, `high`, `colours`, `bands`), the own ones are
- * `times`, `plain`, `coloured`, `cut`.
+ * A material; `shared` are the uniforms that all of them have (`low`, `high`, `colours`, `bands`), the own ones are `plain`, `coloured`, `cut`.
  */
 export function material(shared, own, lines = false) {
   return new ShaderMaterial({

@@ -19,7 +19,7 @@ add({
   'scene-sloshing': ['Sloshing {number}, m = {m}', 'Schwappen {number}, m = {m}'],
   'scene-structural': ['Wall and liquid {number}, m = {m}', 'Wand und Flüssigkeit {number}, m = {m}'],
   'scene-moment': ['{title}, {time}', '{title}, {time}'],
-  'scene-times': ['Exaggeration: {part}', 'Überhöhung: {part}'],
+  'scene-times': ['{part} drawn', '{part} gezeichnet'],
   'scene-times-of': ['{part} × {times}', '{part} × {times}'],
   'scene-drawn': ['Displacements are drawn: {list}', 'Verschiebungen gezeichnet: {list}'],
   'scene-mode-drawn': ['Mode of {frequency}, period {period}; shape without scale, shown slowly', 'Eigenform mit {frequency}, Periode {period}; Form ohne Maßstab, verlangsamt gezeigt'],

@@ -15,7 +15,10 @@ import { lower } from './series.js';
 const VIEWS = { axonometric: [0.62, -0.78, 0.42], front: [0, -1, 0.001], side: [1, 0, 0.001], top: [0, -0.001, 1] };
 /** Frame times between which the resolution stays while the picture moves [ms]. */
 const SLOW = 29;
-const FAST = 14;
+const FAST = 15;
+/** Frame time aimed at [ms], and the lowest resolution (pixels over CSS pixels). */
+const AIM = 22;
+const LEAST = 0.45;
 
 /**
  * A view of a scene.
@@ -26,9 +29,11 @@ const FAST = 14;
  * Errors: no WebGL.
  */
 export function createView(host, scene, calls) {
-  const renderer = new WebGLRenderer({ antialias: !software(), powerPreference: 'high-performance', preserveDrawingBuffer: false });
-  const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, time: 0, fps: 0 };
+  const slow = software();
+  const renderer = new WebGLRenderer({ antialias: !slow, powerPreference: 'high-performance', preserveDrawingBuffer: false });
+  const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, share: 0 };
   view.best = view.ratio;
+  if (slow) view.slow = 0.6;
   view.canvas = renderer.domElement;
   host.append(view.canvas);
   view.camera.up.set(0, 0, 1);
@@ -44,9 +49,9 @@ export function createView(host, scene, calls) {
     setTime: (time) => setTime(view, time),
     setShape: (shape, amplitude) => setShape(view, shape, amplitude),
     setField: (field) => setField(view, field),
-    setTimes: (part, times) => { view.parts.get(part)?.times.forEach((uniform) => { uniform.value = times; }); request(view); },
+    setTimes: (part, times) => { view.parts.get(part).times = times; move(view); request(view); },
     setCut: (cut) => { for (const part of view.parts.values()) part.cut.value = cut === 'all' || (cut === 'wall' && part.id === 'wall') ? 1 : 0; request(view); },
-    setShown: (part, shown) => { view.parts.get(part).shown = shown; visible(view); },
+    setShown: (part, shown) => { view.parts.get(part).shown = shown; move(view); if (view.field) mixed(view); visible(view); },
     setMesh: (mesh) => { view.mesh = mesh; visible(view); },
     setBands: (bands) => { view.shared.bands.value = bands; request(view); },
     setMoving: (moving) => (moving ? begin(view) : rest(view)),
@@ -75,50 +80,69 @@ function software() {
 
 function build(view) {
   const { scene, world } = view;
-  const changing = (array, size) => {
-    const attribute = new BufferAttribute(array, size);
-    attribute.setUsage(DynamicDrawUsage);
-    return attribute;
-  };
-  view.attributes = {
-    position: new BufferAttribute(scene.nodes, 3), now: changing(new Int16Array(scene.nodes.length), 3), next: changing(new Int16Array(scene.nodes.length), 3),
-    from: changing(new Float32Array(scene.count), 1), to: changing(new Float32Array(scene.count), 1),
-  };
-  view.shared = { a: { value: 0 }, b: { value: 0 }, share: { value: 0 }, low: { value: 0 }, high: { value: 1 }, bands: { value: 0 }, colours: { value: SEQUENTIAL.map((c) => new Vector3(...c)) } };
+  view.before = new Float32Array(scene.count);
+  view.after = new Float32Array(scene.count);
+  view.shared = { low: { value: 0 }, high: { value: 1 }, bands: { value: 0 }, colours: { value: SEQUENTIAL.map((c) => new Vector3(...c)) } };
   view.parts = new Map();
+  const wall = scene.parts.find(({ id }) => id === 'wall');
   for (const part of scene.parts) {
-    const own = { times: { value: 1 }, plain: { value: new Color() }, coloured: { value: 0 }, cut: { value: 0 } };
-    const surface = new Mesh(geometry(view, part.triangles), material(view.shared, own));
-    const ink = { times: { value: 1 }, plain: { value: new Color() }, coloured: { value: 0 }, cut: own.cut };
-    const lines = new LineSegments(geometry(view, part.edges), material(view.shared, ink, true));
-    const edge = new LineSegments(geometry(view, part.rim), lines.material);
+    const made = placed(scene, part, part.id === 'surface' ? wall : null);
+    const own = { plain: { value: new Color() }, coloured: { value: 0 }, cut: { value: 0 } };
+    const ink = { plain: { value: new Color() }, coloured: { value: 0 }, cut: own.cut };
+    const surface = new Mesh(geometry(made, part.triangles), material(view.shared, own));
+    const lines = new LineSegments(geometry(made, part.edges), material(view.shared, ink, true));
+    const edge = new LineSegments(geometry(made, part.rim), lines.material);
     for (const object of [surface, lines, edge]) object.frustumCulled = false;
     world.add(surface, lines, edge);
-    view.parts.set(part.id, { id: part.id, part, surface, lines, edge, plain: own.plain, ink: ink.plain, coloured: own.coloured, cut: own.cut, times: [own.times, ink.times], shown: part.id !== 'liquid' });
+    view.parts.set(part.id, { id: part.id, part, ...made, surface, lines, edge, plain: own.plain, ink: ink.plain, coloured: own.coloured, cut: own.cut, times: 1, shown: part.id !== 'liquid' });
   }
   const ghost = new BufferGeometry();
-  ghost.setAttribute('position', view.attributes.position);
-  ghost.setIndex(new BufferAttribute(Uint32Array.from(scene.parts.filter(({ id }) => id !== 'liquid').flatMap((part) => [...part.rim])), 1));
+  ghost.setAttribute('position', new BufferAttribute(scene.nodes, 3));
+  ghost.setIndex(new BufferAttribute(Uint32Array.from(scene.parts.filter(({ id }) => id === 'wall' || id === 'bottom').flatMap((part) => [...part.rim])), 1));
   view.ghost = new LineSegments(ghost, new LineBasicMaterial({ color: 0x888888 }));
   view.ghost.frustumCulled = false;
   world.add(view.ghost);
   view.mesh = scene.count <= 6000;
-  view.views = Array.from({ length: scene.frames }, (_, i) => scene.displacement.subarray(i * scene.nodes.length, (i + 1) * scene.nodes.length));
   visible(view);
 }
 
-function geometry(view, index) {
+/** Arrays of the own nodes of a part, and the node of the wall whose sideways motion each node at the rim of the surface follows (−1: its own). */
+function placed(scene, part, wall) {
+  const { own } = part;
+  const local = new Int32Array(scene.count).fill(-1);
+  own.forEach((node, i) => { local[node] = i; });
+  const rest = new Float32Array(3 * own.length);
+  own.forEach((node, i) => rest.set(scene.nodes.subarray(3 * node, 3 * node + 3), 3 * i));
+  const follow = new Int32Array(own.length).fill(-1);
+  if (wall) for (const node of new Set(part.rim)) follow[local[node]] = beside(scene, node, wall.own);
+  const changing = (size) => new BufferAttribute(new Float32Array(size * own.length), size).setUsage(DynamicDrawUsage);
+  return { local, follow, attributes: { position: new BufferAttribute(rest, 3), moved: changing(3), level: changing(1) } };
+}
+
+/** The nearest of some nodes, −1 where none is near. */
+function beside({ nodes, size }, node, among) {
+  let best = -1;
+  let least = (0.04 * size) ** 2;
+  for (const other of among) {
+    const [x, y, z] = [nodes[3 * other] - nodes[3 * node], nodes[3 * other + 1] - nodes[3 * node + 1], nodes[3 * other + 2] - nodes[3 * node + 2]];
+    const distance = x * x + y * y + z * z;
+    if (distance < least) [least, best] = [distance, other];
+  }
+  return best;
+}
+
+function geometry({ attributes, local }, index) {
   const made = new BufferGeometry();
-  for (const [name, attribute] of Object.entries(view.attributes)) made.setAttribute(name, attribute);
-  made.setIndex(new BufferAttribute(index, 1));
+  for (const [name, attribute] of Object.entries(attributes)) made.setAttribute(name, attribute);
+  made.setIndex(new BufferAttribute(index.map((node) => local[node]), 1));
   return made;
 }
 
 function visible(view) {
-  for (const { surface, lines, edge, shown } of view.parts.values()) {
+  for (const { id, surface, lines, edge, shown } of view.parts.values()) {
     surface.visible = shown;
     lines.visible = shown && view.mesh;
-    edge.visible = shown && !view.mesh;
+    edge.visible = shown && !view.mesh && id !== 'surface';
   }
   request(view);
 }
@@ -138,44 +162,63 @@ function recolour(view) {
   request(view);
 }
 
-/** Shows the moment `time`: frames before and after it, mixed. */
+/** Shows the moment `time`: the frames before and after it, mixed. The processor mixes: software rendering is slow with 16-bit attributes. */
 function setTime(view, time) {
-  const { scene, shared, attributes } = view;
+  const { scene } = view;
   if (!scene.frames) return;
-  view.time = time;
   const after = Math.min(Math.max(lower(scene.times, time), 1), scene.frames - 1);
   const before = Math.max(0, after - 1);
   const span = scene.times[after] - scene.times[before];
-  const share = span > 0 ? Math.min(Math.max((time - scene.times[before]) / span, 0), 1) : 0;
+  view.share = span > 0 ? Math.min(Math.max((time - scene.times[before]) / span, 0), 1) : 0;
+  view.shape = null;
   if (view.frame !== before) {
-    attributes.now.array.set(view.views[before]);
-    attributes.next.array.set(view.views[after]);
-    attributes.now.needsUpdate = true;
-    attributes.next.needsUpdate = true;
     view.frame = before;
     values(view);
   }
-  shared.a.value = scene.scale[before] * (1 - share);
-  shared.b.value = scene.scale[after] * share;
-  shared.share.value = share;
+  move(view);
+  if (view.field) mixed(view);
   request(view);
 }
 
-/** Shows a mode or a moment: `shape` are displacements of all nodes, largest 1 after scaling. */
+/** Shows a mode or a moment: `shape` are displacements of all nodes, drawn so that the largest component is `amplitude`. */
 function setShape(view, shape, amplitude) {
-  const { attributes, shared } = view;
   if (view.shape !== shape) {
-    let most = 0;
-    for (let i = 0; i < shape.length; i += 1) most = Math.max(most, Math.abs(shape[i]));
-    for (let i = 0; i < shape.length; i += 1) attributes.now.array[i] = most > 0 ? Math.round((shape[i] / most) * 32767) : 0;
-    attributes.now.needsUpdate = true;
+    view.most = 0;
+    for (let i = 0; i < shape.length; i += 1) view.most = Math.max(view.most, Math.abs(shape[i]));
     view.shape = shape;
     view.frame = -1;
   }
-  shared.a.value = amplitude / 32767;
-  shared.b.value = 0;
-  shared.share.value = 0;
+  view.amplitude = amplitude;
+  move(view);
   request(view);
+}
+
+/** Displacements of all parts: of a shape, or of two frames. */
+function move(view) {
+  const { scene, shape, frame, share } = view;
+  const wall = view.parts.get('wall')?.times ?? 1;
+  if (!shape && frame < 0) return;
+  const size = scene.nodes.length;
+  const data = shape ?? scene.displacement;
+  const a = shape ? (view.most > 0 ? view.amplitude / view.most : 0) : scene.scale[frame] * (1 - share);
+  const after = Math.min(frame + 1, scene.frames - 1);
+  const b = shape ? 0 : scene.scale[after] * share;
+  const from = shape ? 0 : frame * size;
+  const to = shape ? 0 : after * size;
+  for (const one of view.parts.values()) {
+    if (!one.shown) continue;
+    const { part: { own }, follow, attributes: { moved } } = one;
+    const out = moved.array;
+    const times = shape ? 1 : one.times;
+    for (let i = 0; i < own.length; i += 1) {
+      const sideways = follow[i] < 0 ? 3 * own[i] : 3 * follow[i];
+      const factor = shape || follow[i] < 0 ? times : wall;
+      out[3 * i] = factor * (a * data[from + sideways] + b * data[to + sideways]);
+      out[3 * i + 1] = factor * (a * data[from + sideways + 1] + b * data[to + sideways + 1]);
+      out[3 * i + 2] = times * (a * data[from + 3 * own[i] + 2] + b * data[to + 3 * own[i] + 2]);
+    }
+    moved.needsUpdate = true;
+  }
 }
 
 /** Colours the parts by a field; null takes the colours away. Returns the scale for the legend. */
@@ -189,31 +232,41 @@ function setField(view, field) {
     scale.colours.forEach((c, i) => view.shared.colours.value[i].set(...c));
     view.scale = scale;
   }
-  if (view.frame >= 0) values(view);
+  if (view.frame >= 0) {
+    values(view);
+    mixed(view);
+  }
   request(view);
   return field ? view.scale : null;
 }
 
+/** Values of the field at the frames before and after the moment. */
 function values(view) {
-  const { field, attributes, scene, frame } = view;
+  const { field, scene, frame } = view;
   if (!field || frame < 0) return;
   const after = Math.min(frame + 1, scene.frames - 1);
   if (field.of) {
-    field.of(scene, frame, attributes.from.array);
-    field.of(scene, after, attributes.to.array);
+    field.of(scene, frame, view.before);
+    field.of(scene, after, view.after);
   } else {
-    fieldAt(field, frame, attributes.from.array);
-    fieldAt(field, after, attributes.to.array);
+    fieldAt(field, frame, view.before);
+    fieldAt(field, after, view.after);
   }
-  attributes.from.needsUpdate = true;
-  attributes.to.needsUpdate = true;
+}
+
+function mixed({ parts, before, after, share }) {
+  for (const { part: { own }, coloured, shown, attributes: { level } } of parts.values()) {
+    if (!shown || !coloured.value) continue;
+    for (let i = 0; i < own.length; i += 1) level.array[i] = before[own[i]] + share * (after[own[i]] - before[own[i]]);
+    level.needsUpdate = true;
+  }
 }
 
 function look(view, name) {
   const { scene, camera, controls } = view;
   const direction = VIEWS[name] ?? VIEWS.axonometric;
   const length = Math.hypot(...direction);
-  const fit = (0.58 * scene.size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
+  const fit = (0.45 * scene.size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
   for (const [i, axis] of ['x', 'y', 'z'].entries()) {
     controls.target[axis] = (scene.low[i] + scene.high[i]) / 2;
     camera.position[axis] = controls.target[axis] + (fit * direction[i]) / length;
@@ -292,15 +345,14 @@ function adapt(view, now) {
   const frame = now - view.last;
   view.last = now;
   if (!(frame > 0) || frame > 500) return;
-  view.average = view.average ? view.average + 0.1 * (frame - view.average) : frame;
-  view.fps = 1000 / view.average;
+  view.average = view.average ? view.average + 0.25 * (frame - view.average) : frame;
   view.since += 1;
-  if (view.since < 15) return;
-  const ratio = view.average > SLOW ? view.ratio * 0.8 : view.average < FAST ? view.ratio * 1.15 : view.ratio;
-  const bounded = Math.min(view.best, Math.max(0.4, ratio));
-  if (bounded === view.ratio) return;
-  view.ratio = bounded;
+  if (view.since < 6) return;
+  const wanted = view.average > SLOW || view.average < FAST ? view.ratio * Math.sqrt(AIM / view.average) : view.ratio;
+  const bounded = Math.min(view.best, Math.max(LEAST, wanted));
   view.since = 0;
+  if (Math.abs(bounded / view.ratio - 1) < 0.05) return;
+  view.ratio = bounded;
   view.average = 0;
   view.renderer.setPixelRatio(bounded);
 }
@@ -326,21 +378,21 @@ const point = new Vector3();
 
 /** Place of a node on the screen [px], as drawn now; `out` gets x, y and whether it is in front. */
 function project(view, node, out) {
-  place(view, node, timesOf(view, node), point);
+  let drawn = null;
+  for (const one of view.parts.values()) if (!drawn && one.shown && one.local[node] >= 0) drawn = one;
+  out.front = Boolean(drawn);
+  if (!drawn) return;
+  place(drawn, node, point);
   point.project(view.camera);
   out.x = ((point.x + 1) / 2) * view.host.clientWidth;
   out.y = ((1 - point.y) / 2) * view.host.clientHeight;
   out.front = point.z < 1;
 }
 
-function timesOf(view, node) {
-  for (const { part, times, shown } of view.parts.values()) if (shown && part.own.includes(node)) return times[0].value;
-  return 1;
-}
-
 /** Directions of x, y and z on the screen. */
 function axes(view) {
   const { camera } = view;
+  camera.updateMatrixWorld();
   return [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => {
     point.set(...axis).transformDirection(camera.matrixWorldInverse);
     return [point.x, -point.y, point.z];
