@@ -7,6 +7,7 @@
 //! of poppler finds the pages of a printed report; xmllint and python3 with jsonschema
 //! hold test reports against their schemas.
 
+mod desk;
 mod forms;
 mod report_print;
 #[path = "../golden/sample/mod.rs"]
@@ -25,6 +26,10 @@ type Tool = fn() -> Result<PathBuf, &'static str>;
 
 fn main() -> ExitCode {
     let trials = vec![
+        trial("desk::a_tank_is_entered", chromium, desk::a_tank_is_entered_from_an_empty_form),
+        trial("desk::the_verdict_follows_what_is_typed", chromium, desk::the_verdict_follows_what_is_typed),
+        trial("desk::a_record_is_dropped_run_and_looked_at", chromium, desk::a_record_is_dropped_run_and_looked_at),
+        trial("desk::every_room_fits_in_both_languages", chromium, desk::every_room_fits_in_both_languages),
         trial("report_print::it_prints_to_clean_pages", chromium, report_print::it_prints_to_clean_pages),
         trial(
             "report_print::nothing_is_cut_off_on_screen_phone_and_paper",

@@ -3,15 +3,8 @@
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 
-/// Files of `page/`, as the browser asks for them.
-macro_rules! files {
-    ($($name:literal)+) => {
-        &[$(($name, include_bytes!(concat!("../page/", $name)))),+]
-    };
-}
-
-/// All files of the page.
-pub(crate) const FILES: &[(&str, &[u8])] = files!["index.html"];
+/// Names and bytes of all files, listed by the build.
+static FILES: &[(&str, &[u8])] = &include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
 /// A file of the page.
 pub(crate) fn file(name: &str) -> Option<Response> {
@@ -39,32 +32,4 @@ fn changed(name: &str) -> Option<Vec<u8>> {
 #[cfg(not(debug_assertions))]
 fn changed(_: &str) -> Option<Vec<u8>> {
     None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A file of the folder that is not embedded would be missing in the program alone.
-    #[test]
-    fn every_file_of_the_page_is_embedded() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("page");
-        let mut found = Vec::new();
-        let mut open = vec![root.clone()];
-        while let Some(folder) = open.pop() {
-            for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-                if entry.is_dir() {
-                    open.push(entry);
-                } else {
-                    found.push(entry.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/"));
-                }
-            }
-        }
-        // Licences, versions and their script are for developers.
-        found.retain(|name| [".html", ".js", ".css", ".svg"].iter().any(|end| name.ends_with(end)));
-        found.sort();
-        let mut known: Vec<&str> = FILES.iter().map(|(name, _)| *name).collect();
-        known.sort_unstable();
-        assert_eq!(known, found);
-    }
 }

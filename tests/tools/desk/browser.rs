@@ -45,7 +45,8 @@ impl Browser {
         let (input, output) = (program.stdin.take().expect("piped"), program.stdout.take().expect("piped"));
         let output = BufReader::new(output);
         let (faults, events) = (Vec::new(), VecDeque::new());
-        let mut browser = Browser { program, input, output, count: 0, session: None, faults, events, _profile: profile };
+        let mut browser =
+            Browser { program, input, output, count: 0, session: None, faults, events, _profile: profile };
         let target = browser.call("Target.createTarget", &json!({ "url": "about:blank" }))["targetId"].clone();
         let attached = browser.call("Target.attachToTarget", &json!({ "targetId": target, "flatten": true }));
         browser.session = attached["sessionId"].as_str().map(str::to_owned);
