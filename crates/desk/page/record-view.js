@@ -53,7 +53,8 @@ function useIt(view, quiet = false) {
   if (!quiet) view.desk.say(t('rec-now-used', { name: view.path }), 'ok');
 }
 
-async function read(view) {
+/** Reads the record; `asked` after an answer of the user. */
+async function read(view, asked = false) {
   const { desk, path, parts } = view;
   view.asked?.abort();
   view.asked = new AbortController();
@@ -64,13 +65,23 @@ async function read(view) {
     if (error.name === 'AbortError') return;
     view.answer = null;
     drawHead(view);
-    fill(parts.body, h('section.panel.stack', {}, h('h2', {}, t('rec-unclear')),
-      h('pre.rec-fault', {}, faultText(error)), readingForm(view, error.message)));
+    drawFault(view, error, asked);
     return;
   }
   if (desk.record?.path === path) desk.setRecord(recordOf(path));
   drawHead(view);
   await draw(view);
+}
+
+/** Faults that an answer of the user mends, with the field that asks for it. */
+const ASKED = { T0403: 'units', T0404: 'dt', T0406: 'channel' };
+
+function drawFault(view, error, asked) {
+  const field = ASKED[error.message.match(/\bT04\d\d\b/)?.[0]];
+  const form = readingForm(view, error.message);
+  fill(view.parts.body, h('section.panel.stack', {}, h('h2', {}, t(field ? 'rec-unclear' : 'rec-unreadable')), h('pre.rec-fault', {}, faultText(error)),
+    field ? form : h('details', {}, h('summary', {}, t('rec-how')), form)));
+  if (asked && field) form.querySelector(`[name=${field}]`)?.focus();
 }
 
 /** The words of the readers without what only a terminal needs: the path, the count, the hint to `explain`. */
@@ -84,11 +95,11 @@ function faultText({ message, help }) {
 /** A form for what the file does not say; `fault` may list the channels. */
 function readingForm(view, fault = '') {
   const given = reading(view.path);
-  const units = choice([['', t('rec-as-file')], ...UNITS.map((unit) => [unit, unit])], given.units ?? '');
-  const dt = h('input', { inputmode: 'decimal', value: given.dt ?? '', placeholder: t('rec-as-file') });
+  const units = choice([['', t('rec-as-file')], ...UNITS.map((unit) => [unit, unit])], given.units ?? '', { name: 'units' });
+  const dt = h('input', { name: 'dt', inputmode: 'decimal', value: given.dt ?? '', placeholder: t('rec-as-file') });
   const channels = channelsOf(fault);
-  const channel = channels.length ? choice([['', '–'], ...channels], given.channel ?? '')
-    : h('input', { value: given.channel ?? '', placeholder: t('rec-as-file') });
+  const channel = channels.length ? choice([['', '–'], ...channels], given.channel ?? '', { name: 'channel' })
+    : h('input', { name: 'channel', value: given.channel ?? '', placeholder: t('rec-as-file'), title: t('rec-channel-hint') });
   const submit = (event) => {
     event.preventDefault();
     const text = dt.value.trim().replace(',', '.');
@@ -100,10 +111,10 @@ function readingForm(view, fault = '') {
       return;
     }
     setReading(view.path, { units: units.value, dt: text === '' ? null : Number(text), channel: channel.value.trim() });
-    read(view);
+    read(view, true);
   };
   return h('form.rec-form', { onsubmit: submit }, labelled(t('rec-unit'), units), labelled(t('rec-dt'), dt),
-    labelled(t('rec-channel'), channel, channels.length ? null : t('rec-channel-hint')), h('button.primary', {}, t('rec-read')),
+    labelled(t('rec-channel'), channel), h('button.primary', {}, t('rec-read')),
     h('p.hint', {}, t('rec-how-hint')));
 }
 

@@ -34,6 +34,7 @@ add({
   'rec-how-hint': ['Only what the file does not say itself. Kept for this record, and part of the command of a run.',
     'Nur, was die Datei nicht selbst angibt. Wird für dieses Beben gemerkt und ist Teil des Befehls eines Laufs.'],
   'rec-unclear': ['The file does not say everything', 'Die Datei gibt nicht alles an'],
+  'rec-unreadable': ['The file is not read as a record', 'Die Datei wird nicht als Beben gelesen'],
   'rec-unit': ['Unit of acceleration', 'Einheit der Beschleunigung'],
   'rec-as-file': ['as the file says', 'wie in der Datei'],
   'rec-dt': ['Time step [s]', 'Zeitschritt [s]'],
