@@ -213,15 +213,20 @@ function arrows(event) {
   tab.focus();
 }
 
+// A new text has no name until it is saved.
+function fileName() {
+  return desk.document ? desk.document.path : desk.info.tank;
+}
+
 function title() {
-  const name = desk.document?.path ?? desk.info.tank;
+  const name = fileName();
   return [`${desk.document?.dirty ? '• ' : ''}${name ?? 'tankcheck'}`, current ? t(`room-${current}`) : null, 'tankcheck']
     .filter(Boolean).join(' – ');
 }
 
 function drawFile() {
   const button = document.getElementById('file');
-  const name = desk.document?.path ?? desk.info.tank;
+  const name = fileName();
   const folder = desk.info.folder.split(/[/\\]/).filter(Boolean).at(-1) ?? '';
   fill(button, h('b', {}, name ?? t('no-file')), desk.document?.dirty ? h('i.unsaved', {}, t('unsaved')) : null);
   button.title = t('open-file', { folder });
@@ -271,7 +276,9 @@ async function openFile(path) {
 
 /* Files dropped anywhere go to the room Records; a file that misses must not replace the page. */
 
-const withFiles = (event) => [...(event.dataTransfer?.types ?? [])].includes('Files');
+function withFiles(event) {
+  return [...(event.dataTransfer?.types ?? [])].includes('Files');
+}
 
 function dropped(event) {
   if (event.defaultPrevented || !withFiles(event)) return;

@@ -6,8 +6,10 @@ import { t } from './words.js';
 
 /** Makes the form; `started(id, spec)` is called after a start. */
 export function createForm(desk, started) {
+  const along = desk.record?.path;
   const form = { desk, started, kind: 'compare', values: {}, out: {}, files: [], results: [], runs: [], inputs: new Map(), element: h('section.panel.run-form') };
   for (const [kind, { options }] of Object.entries(KINDS)) form.values[kind] = Object.fromEntries(options.map((option) => [option.id, option.value ?? (option.kind === 'tick' ? false : '')]));
+  if (along) form.values.compare.along = form.values.ida.along = along;
   return {
     element: form.element,
     /** Files, results and runs as they are now. */
@@ -139,7 +141,6 @@ function control(form, option, value) {
   if (option.kind === 'record') {
     const records = paths(form, 'record');
     if (value && !records.includes(value)) records.unshift(value);
-    if (!value && option.id === 'along' && !option.touched) value = form.values[form.kind].along = form.desk.record?.path ?? '';
     const none = option.none ? [['', t(option.none)]] : [['', t('run-record-choose')]];
     return choice([...none, ...records.map((path) => [path, path])], value);
   }
