@@ -65,6 +65,7 @@ async function start() {
   events.addEventListener('lost', (event) => drawLost(true, event.detail?.other));
   events.addEventListener('back', () => { drawLost(false); say(t('back'), 'ok'); });
   events.addEventListener('text', drawFile);
+  events.addEventListener('record', drawFile);
   try {
     desk.info = await api.get('desk');
     desk.settings = readSettings(desk.info.language);
@@ -185,6 +186,7 @@ function drawHeader() {
   fill(document.getElementById('top'),
     h('span.brand', { 'aria-hidden': true }, h('img', { src: 'icon.svg', alt: '', width: 22, height: 22 })),
     h('button.file.quiet', { type: 'button', id: 'file', onclick: chooseFile }),
+    h('button.with.quiet', { type: 'button', id: 'with', hidden: true, onclick: () => go('records', { path: desk.record.path }) }),
     h('nav', { 'aria-label': t('rooms') }, h('div.tabs', { role: 'tablist' }, tabs)),
     settings, more,
     h('button.quiet.ask', { type: 'button', 'aria-label': t('help'), title: t('help'), onclick: showHelp }, '?'));
@@ -231,6 +233,11 @@ function drawFile() {
   fill(button, h('b', {}, name ?? t('no-file')), desk.document?.dirty ? h('i.unsaved', {}, t('unsaved')) : null);
   button.title = t('open-file', { folder });
   document.title = title();
+  const used = document.getElementById('with');
+  used.hidden = !desk.record;
+  if (!desk.record) return;
+  used.textContent = `+ ${desk.record.path.split('/').at(-1)}`;
+  used.title = t('with-record', { path: desk.record.path });
 }
 
 function setting(name, pairs) {

@@ -56,6 +56,7 @@ async function load(room) {
     room.stale = false;
     const there = new Set(files.map((file) => file.path));
     for (const path of room.ticked) if (!there.has(path)) room.ticked.delete(path);
+    if (room.desk.record && !more && !there.has(room.desk.record.path)) room.desk.setRecord(null);
     drawList(room);
     room.view?.folderChanged?.(results);
   } catch (error) {

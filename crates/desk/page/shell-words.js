@@ -27,6 +27,7 @@ add({
   help: ['Help', 'Hilfe'],
   'no-file': ['no tank file', 'keine Tankdatei'],
   unsaved: ['not saved', 'nicht gesichert'],
+  'with-record': ['The checks use the record {path}', 'Die Nachweise verwenden das Beben {path}'],
   'open-file': ['Open a tank file of {folder}', 'Tankdatei aus {folder} öffnen'],
   'not-yet': ['This room is not there yet.', 'Diesen Raum gibt es noch nicht.'],
   'lost': ['The desk does not answer: it was stopped, or the computer was asleep. Nothing that was saved is lost, and what is not saved stays in this window.',
