@@ -11,7 +11,7 @@ import './document-words.js';
 
 const STEPS = 500;
 /** Changes of one value within this time are one step of undo [ms]. */
-const ONE_STEP = 2500;
+const ONE_STEP = 10_000;
 
 export async function openDocument(desk) {
   const document = new TankDocument(desk);
@@ -86,8 +86,8 @@ export class TankDocument {
   set(parts, value, key = null) {
     const path = formatPath(parts);
     const waiting = this.edits.at(-1);
-    const done = waiting && !waiting.started && waiting.path === path;
-    if (done) waiting.value = value;
+    const same = waiting && !waiting.started && waiting.path === path;
+    if (same) Object.assign(waiting, { value, key: key ?? path });
     else this.edits.push({ parts, path, value, key: key ?? path, started: false });
     this.working ??= this.work().finally(() => { this.working = null; });
     return this.working;

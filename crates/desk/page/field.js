@@ -9,6 +9,9 @@ import { formatPath } from './path.js';
 import { complete, completed, converted, tidy } from './quantity.js';
 import { t } from './words.js';
 
+/** Number of times that a field was entered. */
+let stays = 0;
+
 /** Time without a key after which an incomplete value is judged all the same [ms]. */
 const PAUSE = 1200;
 
@@ -25,7 +28,12 @@ export class Field {
   }
 
   row() {
-    const { button, note } = helpFor(this.field, this.parts, this.label);
+    const { button, note, toggle } = helpFor(this.field, this.parts, this.label, { tabbed: false });
+    this.control.addEventListener('keydown', (event) => {
+      if (event.key !== 'F1') return;
+      event.preventDefault();
+      toggle();
+    });
     const wide = this.field.kind === 'text' && !['material', 'grade', 'date', 'revision'].includes(this.parts.at(-1));
     return h('div.field-row', { class: wide ? 'field-wide' : '' },
       h('label', { for: this.control.id }, this.label), h('div.field-entry', {}, this.control, button, this.hint), note, this.list);
@@ -43,7 +51,7 @@ export class Field {
     const control = h(long ? 'textarea' : 'input', {
       type: long ? null : 'text', rows: long ? 3 : null, spellcheck: kind === 'text' ? null : 'false', autocomplete: 'off',
       inputmode: kind === 'number' || kind === 'integer' ? 'decimal' : null,
-      list: this.suggestions(), oninput: () => this.typing(), onfocus: () => { this.before = this.shown ?? ''; }, onblur: () => this.finish(),
+      list: this.suggestions(), oninput: () => this.typing(), onfocus: () => this.entered(), onblur: () => this.finish(),
     });
     control.addEventListener('keydown', (event) => {
       if (event.key === 'Enter' && !long) this.finish();
@@ -126,6 +134,11 @@ export class Field {
 
   /* To the text */
 
+  entered() {
+    this.before = this.shown ?? '';
+    this.stay = (stays += 1);
+  }
+
   typing() {
     this.typed = true;
     clearTimeout(this.timer);
@@ -191,7 +204,8 @@ export class Field {
     return bare && (kind === 'number' || kind === 'integer' || this.field.bare) ? number : tidied;
   }
 
-  put(value) { this.form.put(this.parts, value); }
+  // What is typed while the field has the focus is one step of undo.
+  put(value) { this.form.put(this.parts, value, `${formatPath(this.parts)} ${this.stay ?? ''}`); }
 
   /** The text whose unit a bare number gets: the value before it, or the one above it in a table. */
   model() { return this.before || this.above?.() || ''; }

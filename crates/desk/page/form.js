@@ -9,6 +9,7 @@ import { List } from './list.js';
 import { Named } from './map.js';
 import { isMissing, placeOf } from './marked.js';
 import { formatPath, parsePath } from './path.js';
+import { rename } from './rows.js';
 import { SECTIONS, keysOf } from './sections.js';
 import { Table } from './table.js';
 import { Union } from './union.js';
@@ -214,6 +215,12 @@ export class Form {
       buttons.push(h('button', { type: 'button', onclick: () => this.put(['materials', name], { grade: name }) }, t('form-add-grade', { name })));
     }
     if (fault.code === 'T0206') {
+      const meant = /did you mean `([^`]+)`/.exec(fault.help ?? '')?.[1];
+      const { document } = this;
+      if (meant) {
+        const text = rename(document.text, document.root, parsePath(fault.path), meant);
+        buttons.push(h('button', { type: 'button', onclick: () => document.replace(text, { origin: 'form' }) }, t('form-rename-key', { name: meant })));
+      }
       buttons.push(h('button', { type: 'button', onclick: () => this.put(parsePath(fault.path), undefined) }, t('form-remove-key')));
     }
     return buttons;

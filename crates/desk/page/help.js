@@ -4,11 +4,11 @@ import { h, uniqueId } from './dom.js';
 import { formatPath } from './path.js';
 import { t } from './words.js';
 
-/** `{button, note}`; the note stands hidden until the button opens it. */
-export function helpFor(field, parts, label) {
+/** `{button, note, toggle}`; the note stands hidden until the button opens it. Fields open theirs with F1, so that Tab goes from value to value. */
+export function helpFor(field, parts, label, { tabbed = true } = {}) {
   const note = h('div.field-help', { id: uniqueId('help'), hidden: true });
   const button = h('button.field-ask.quiet', {
-    type: 'button', 'aria-expanded': 'false', 'aria-controls': note.id, 'aria-label': t('form-help', { name: label }), title: field.help,
+    type: 'button', 'aria-expanded': 'false', 'aria-controls': note.id, 'aria-label': t('form-help', { name: label }), title: field.help, tabindex: tabbed ? null : -1,
   }, '?');
   const toggle = (open) => {
     if (open && !note.childNodes.length) note.append(...content(field, parts));
@@ -21,10 +21,10 @@ export function helpFor(field, parts, label) {
       if (event.key !== 'Escape' || note.hidden) return;
       event.stopPropagation();
       toggle(false);
-      button.focus();
+      if (tabbed) button.focus();
     });
   }
-  return { button, note };
+  return { button, note, toggle: () => toggle(note.hidden) };
 }
 
 function content(field, parts) {

@@ -110,9 +110,9 @@ export class Table {
   }
 
   move(index, step) {
-    const { document } = this.form;
     const column = this.columnOf(document.activeElement);
-    document.replace(exchange(document.text, document.root, this.parts, Math.min(index, index + step)), { origin: 'form' });
+    const { document: file } = this.form;
+    file.replace(exchange(file.text, file.root, this.parts, Math.min(index, index + step)), { origin: 'form' });
     this.rows[index + step]?.focus(column);
   }
 
@@ -182,7 +182,7 @@ class Row {
   constructor(table, index) {
     Object.assign(this, { table, form: table.form, index, parts: [...table.parts, index], cells: new Map() });
     this.number = h('th', { scope: 'row' }, String(index + 1));
-    this.tools = h('td.field-row-tools');
+    this.tools = h('td.field-row-tools', { role: 'toolbar', 'aria-label': `${t('form-row')} ${index + 1}`, onkeydown: (event) => this.toolKey(event) });
     this.element = h('tr', {}, this.number, this.tools);
     this.more = h('tr.field-row-more', { hidden: true }, h('td', { colspan: 12 }));
     table.body.append(this.element, this.more);
@@ -236,11 +236,21 @@ class Row {
       type: 'button', title: t(words), 'aria-label': `${t(words)}, ${t('form-row')} ${this.index + 1}`, disabled: off, onclick: act,
     }, sign);
     const { table, index } = this;
+    const at = [...this.tools.children].indexOf(document.activeElement);
     fill(this.tools, real ? [
       table.nested.length ? button('⋯', 'form-row-more', () => this.toggleMore()) : null,
       button('↑', 'form-row-up', () => table.move(index, -1), index === 0), button('↓', 'form-row-down', () => table.move(index, 1), last),
       button('+', 'form-row-repeat', () => table.repeat(index)), button('×', 'form-row-remove', () => table.removeRow(index)),
     ] : []);
+    // One stop of Tab for the buttons of a row; arrows go between them.
+    [...this.tools.children].forEach((tool, place) => { tool.tabIndex = place ? -1 : 0; });
+    this.tools.children[at]?.focus();
+  }
+
+  toolKey(event) {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    const tools = [...this.tools.children].filter((tool) => !tool.disabled);
+    if (step) tools[tools.indexOf(event.target) + step]?.focus();
   }
 
   // Layers and bars of a row stand below it.

@@ -22,6 +22,7 @@ add({
   'tank-key-redo': ['Redo', 'Wiederholen'],
   'tank-key-text': ['Between form and text', 'Zwischen Formular und Text'],
   'tank-key-move': ['Move the row of a table', 'Zeile einer Tabelle verschieben'],
+  'tank-key-help': ['Help on a field', 'Hilfe zu einem Feld'],
   'text-label': ['Text of the tank file', 'Text der Tankdatei'],
   'text-line': ['line {line}', 'Zeile {line}'],
   'solve-fill': ['Largest fill height', 'Größte Füllhöhe'],

@@ -29,6 +29,7 @@ class TankRoom {
     desk.shortcut?.('Ctrl+Shift+Z', 'tank-key-redo');
     desk.shortcut?.('Ctrl+E', 'tank-key-text');
     desk.shortcut?.('Alt+↑ ↓', 'tank-key-move');
+    desk.shortcut?.('F1', 'tank-key-help');
   }
 
   async start() {
