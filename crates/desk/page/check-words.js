@@ -6,6 +6,8 @@ add({
   'check-title': ['Checks', 'Nachweise'],
   'check-waiting': ['Nothing is checked yet.', 'Noch ist nichts nachgewiesen.'],
   'check-faulty': ['{count} to correct', '{count} zu berichtigen'],
+  'check-missing': ['{count} to fill in', '{count} auszufüllen'],
+  'check-holds-accepted': ['Holds, with accepted gaps', 'Hält, mit hingenommenen Lücken'],
   'check-is-none': ['No verdict', 'Kein Urteil'],
   'check-is-holds': ['Holds', 'Hält'],
   'check-is-fails': ['Fails', 'Versagt'],
@@ -37,5 +39,6 @@ add({
   'check-whole-sheet': ['Whole sheet', 'Ganzes Blatt'],
   'check-close': ['Close the sheet', 'Blatt schließen'],
   'check-old-sheet': ['Of the last complete text', 'Des letzten vollständigen Textes'],
+  'check-accept': ['Accept this gap …', 'Diese Lücke hinnehmen …'],
   'check-input': ['Go to the field', 'Zum Feld'],
 });

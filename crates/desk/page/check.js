@@ -2,7 +2,7 @@
 // methods stand first; a row opens the sheet of its check.
 
 import { h, fill } from './dom.js';
-import { marked } from './marked.js';
+import { isMissing, marked } from './marked.js';
 import { significant, show, unitFor } from './units.js';
 import { localised, t } from './words.js';
 import './check-words.js';
@@ -50,7 +50,9 @@ export class Checks {
     const verdict = this.results?.verdict;
     const status = faults ? 'faulty' : stateOf(verdict);
     this.head.dataset.status = status;
-    this.status.textContent = faults ? t('check-faulty', { count: faults }) : t(`check-is-${status}`);
+    const missing = faults > 0 && this.answer.faults.every(isMissing);
+    if (missing) this.head.dataset.status = 'open';
+    this.status.textContent = faults ? t(missing ? 'check-missing' : 'check-faulty', { count: faults }) : t(status === 'accepted' ? 'check-holds-accepted' : `check-is-${status}`);
     fill(this.says, verdict ? this.sentences(verdict) : this.answer ? '' : t('check-waiting'));
     const waited = this.answer?.waited;
     this.time.textContent = this.answer ? t('check-time', { server: Math.round(this.answer.milliseconds ?? 0), total: waited ? Math.round(waited) : '–' }) : '';
@@ -82,9 +84,11 @@ export class Checks {
   draw() {
     this.drawFilters();
     const kept = new Set();
-    const sections = this.groups().filter((group) => group.decides || this.others).map((group) => this.section(group, kept));
+    // Where nothing decides, all methods are shown.
+    const alone = !this.groups().some((group) => group.decides);
+    const sections = this.groups().filter((group) => group.decides || this.others || alone).map((group) => this.section(group, kept));
     for (const key of [...this.rows.keys()]) if (!kept.has(key)) this.rows.delete(key);
-    const others = this.groups().filter((group) => !group.decides).length;
+    const others = alone ? 0 : this.groups().filter((group) => !group.decides).length;
     this.othersButton ??= h('button.quiet.check-others', { type: 'button', onclick: () => { this.others = !this.others; this.draw(); } });
     this.othersButton.textContent = t(this.others ? 'check-hide-others' : 'check-show-others', { count: others });
     const wanted = [...sections, ...(others ? [this.othersButton] : [])];
@@ -202,6 +206,7 @@ export class Checks {
 export function stateOf(verdict) {
   if (!verdict) return 'none';
   const { status } = verdict;
-  if (status === 'incomplete' || status === 'open' || status === 'not_checked') return 'open';
-  return ['holds', 'fails', 'accepted'].includes(status) ? status : status?.startsWith('holds') ? 'accepted' : 'open';
+  if (status === 'not_assessed') return 'none';
+  if (status === 'holds') return verdict.counts?.accepted ? 'accepted' : 'holds';
+  return status === 'fails' ? 'fails' : 'open';
 }

@@ -9,6 +9,9 @@ import { formatPath } from './path.js';
 import { complete, completed, converted, tidy } from './quantity.js';
 import { t } from './words.js';
 
+/** Texts that are short. */
+const SHORT = new Set(['material', 'grade', 'date', 'revision', 'by', 'check']);
+
 /** Number of times that a field was entered. */
 let stays = 0;
 
@@ -34,14 +37,15 @@ export class Field {
       event.preventDefault();
       toggle();
     });
-    const wide = this.field.kind === 'text' && !['material', 'grade', 'date', 'revision'].includes(this.parts.at(-1));
+    const wide = this.field.kind === 'text' && !SHORT.has(this.parts.at(-1));
     return h('div.field-row', { class: wide ? 'field-wide' : '' },
       h('label', { for: this.control.id }, this.label), h('div.field-entry', {}, this.control, button, this.hint), note, this.list);
   }
 
   bare() {
     this.control.setAttribute('aria-label', this.label);
-    return h('div.field-cell', {}, this.control, this.list);
+    const wide = this.field.kind === 'text' && !SHORT.has(this.parts.at(-1));
+    return h('div.field-cell', { class: wide ? 'field-text' : '' }, this.control, this.list);
   }
 
   makeControl() {

@@ -41,6 +41,7 @@ add({
   'form-row-remove': ['Remove', 'Entfernen'],
   'form-faults': ['Faults: {count}', 'Fehler: {count}'],
   'form-add-grade': ['Add {name} to the materials', '{name} zu den Werkstoffen'],
+  'form-choose-record': ['Choose a record', 'Beben wählen'],
   'form-rename-key': ['Rename to {name}', 'In {name} umbenennen'],
   'form-remove-key': ['Remove this key', 'Diesen Schlüssel entfernen'],
 });

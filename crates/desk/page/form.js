@@ -214,6 +214,9 @@ export class Form {
       const name = /"((?:[^"\\]|\\.)*)"\s*$/.exec(fault.found ?? '')?.[1] ?? fault.found;
       buttons.push(h('button', { type: 'button', onclick: () => this.put(['materials', name], { grade: name }) }, t('form-add-grade', { name })));
     }
+    if (fault.code === 'T0104') {
+      buttons.push(h('button', { type: 'button', onclick: () => this.desk.go('records') }, t('form-choose-record')));
+    }
     if (fault.code === 'T0206') {
       const meant = /did you mean `([^`]+)`/.exec(fault.help ?? '')?.[1];
       const { document } = this;

@@ -1,6 +1,7 @@
 // The sheet of a check beside the form: its steps with substituted numbers, as the server renders them. It follows the text.
 
 import { h, fill } from './dom.js';
+import { nodeAt } from './jsonc.js';
 import { marked, withoutStyles } from './marked.js';
 import { parsePath } from './path.js';
 import { t } from './words.js';
@@ -19,16 +20,28 @@ export class Sheet {
   /** Shows the sheet of a check, or of the whole method where `check` is null. */
   async open(method, check, results) {
     this.from = document.activeElement;
-    this.shown = { method, id: check?.id ?? null, check, results };
+    const decides = results.verdict?.deciding?.some((one) => one.method === results.methods[method]?.id) ?? false;
+    this.shown = { method, id: check?.id ?? null, check, results, decides };
     this.element.hidden = false;
     this.title.textContent = check?.name ?? results.methods[method]?.title ?? t('check-sheet');
     this.element.setAttribute('aria-label', `${t('check-sheet')}: ${this.title.textContent}`);
     const whole = check ? h('button', { type: 'button', onclick: () => this.open(method, null, this.shown.results) }, t('check-whole-sheet')) : null;
     const field = check?.input ? h('button', { type: 'button', onclick: () => this.goTo(parsePath(check.input)) }, t('check-input')) : null;
-    fill(this.tools, field, whole, h('button.quiet', { type: 'button', 'aria-label': t('check-close'), title: 'Esc', onclick: () => this.close() }, '×'));
+    const gap = check?.status === 'not_checked' && this.shown.decides ? h('button', { type: 'button', onclick: () => this.accept(method, check) }, t('check-accept')) : null;
+    fill(this.tools, field, gap, whole, h('button.quiet', { type: 'button', 'aria-label': t('check-close'), title: 'Esc', onclick: () => this.close() }, '×'));
     this.title.focus({ preventScroll: true });
     this.body.scrollTop = 0;
     await this.load();
+  }
+
+  // Whoever accepts a gap says why; the form asks for it.
+  async accept(method, check) {
+    const { document } = this.desk;
+    const given = nodeAt(document.root, ['accepted'])?.items?.length ?? 0;
+    const value = { check: `${this.shown.results.methods[method].id}/${check.limit_state ?? check.id}`, reason: '', by: '', date: new Date().toISOString().slice(0, 10) };
+    await document.set(['accepted', given], value);
+    this.close();
+    this.goTo(['accepted', given, 'reason']);
   }
 
   /** Renders the shown sheet anew after a change. */

@@ -80,7 +80,8 @@ class TankRoom {
     this.work = h('div.tank-work', {}, this.form.nav, h('div.tank-data', {}, this.faultList, this.formPane, this.textPane),
       h('div.tank-side', { id: 'tank-side' }, h('div.panel.tank-sketch-panel', {}, this.sketch), h('div.panel', {}, this.checks.element)), this.sheet.element);
     this.strip = h('a.tank-strip', { href: '#tank-side', onclick: (event) => { event.preventDefault(); this.element.querySelector('#tank-side').scrollIntoView({ block: 'start' }); } });
-    fill(this.element, this.toolbar(), this.draft, this.solver.element, this.begin, this.work, this.strip);
+    this.bar = this.toolbar();
+    fill(this.element, this.bar, this.draft, this.solver.element, this.begin, this.work, this.strip);
     this.setMode(this.mode);
     this.changed('open');
     if (this.document.check) this.checked(this.document.check);
@@ -134,6 +135,7 @@ class TankRoom {
     this.begin.hidden = !document.empty;
     this.work.hidden = document.empty;
     this.strip.hidden = document.empty;
+    this.bar.hidden = document.empty;
     if (origin === 'open' || origin === 'undo') this.form.forgetTyping();
     if (origin === 'open' && !document.check) this.clear();
     this.form.update();
@@ -171,7 +173,7 @@ class TankRoom {
   drawStrip() {
     const verdict = this.checks.results?.verdict;
     const faults = this.checks.answer?.faults?.length ?? 0;
-    this.strip.dataset.status = faults ? 'faulty' : stateOf(verdict);
+    this.strip.dataset.status = faults ? (this.checks.head.dataset.status === 'open' ? 'open' : 'faulty') : stateOf(verdict);
     fill(this.strip, h('strong', {}, this.checks.status.textContent), faults ? '' : ` ${verdict?.governing?.check?.name ?? ''}`);
   }
 
