@@ -1,6 +1,7 @@
 // One value of the form: a text with its unit, a number, a choice, yes or no. What is typed goes to the document as soon as
 // it is a complete value; what is not complete waits for the end of typing.
 
+import { meaning } from './choices.js';
 import { h, fill, uniqueId } from './dom.js';
 import { helpFor } from './help.js';
 import { labelOf } from './labels.js';
@@ -68,7 +69,7 @@ export class Field {
     const options = this.field.kind === 'boolean' ? [{ value: true, title: t('form-yes') }, { value: false, title: t('form-no') }] : this.field.options;
     this.values = new Map(options.map((option) => [String(option.value), option.value]));
     this.nothing = h('option', { value: '' }, this.emptyWords());
-    const title = ({ value, title: words, help }) => words ?? (help ? `${value} – ${help.replace(/\.$/, '')}` : String(value));
+    const title = ({ value, title: words, help }) => words ?? (help ? `${value} – ${meaning(help)}` : String(value));
     return h('select', { onchange: () => this.chosen() }, this.nothing, options.map((option) => h('option', { value: String(option.value) }, title(option))));
   }
 

@@ -1,5 +1,6 @@
 // A list of single values: ticks where they are words of a fixed set, else one field for each and an empty one at the end.
 
+import { meaning } from './choices.js';
 import { h } from './dom.js';
 import { Field } from './field.js';
 import { helpFor } from './help.js';
@@ -30,7 +31,7 @@ export class List {
   makeTicks() {
     this.ticks = new Map(this.item.options.map(({ value, help }) => {
       const tick = h('input', { type: 'checkbox', onchange: () => this.ticked() });
-      this.body.append(h('label.field-tick', {}, tick, h('span', {}, String(value)), h('small', {}, help.replace(/\.$/, ''))));
+      this.body.append(h('label.field-tick', {}, tick, h('span', {}, String(value)), h('small', {}, meaning(help))));
       return [value, tick];
     }));
   }

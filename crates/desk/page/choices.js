@@ -1,0 +1,66 @@
+// The meaning of a choice beside its word: the first clause of its help, in German for those that data sheets have.
+
+import { language } from './language.js';
+
+const GERMAN = {
+  'Circular cylinder with a radius': 'Kreiszylinder',
+  'Rectangle with a length in the direction of shaking, and a breadth or strip': 'Rechteck',
+  'Held down': 'niedergehalten',
+  'Resting on its bottom plate': 'steht auf der Bodenplatte',
+  'By the wall': 'von der Wand getragen',
+  'By the liquid': 'von der Flüssigkeit getragen',
+  'There is none': 'nicht vorhanden',
+  'There is': 'vorhanden',
+  'No snow falls there': 'dort fällt kein Schnee',
+  'The mass of the roof contains the share of the code': 'in der Masse des Dachs enthalten',
+  'The bottom plate lies on soil or on a pad of gravel': 'Boden oder Kiesbett',
+  'A ring of concrete under the wall, soil within it': 'Ringbalken aus Beton',
+  'A stiff slab or raft of concrete under the whole bottom': 'steife Betonplatte',
+  'Shims and grout': 'unterfüttert und vergossen',
+  'Fibreboard or another pad': 'Faserplatte oder andere Zwischenlage',
+  'Butt-welded plates directly on the concrete': 'stumpf geschweißte Bleche auf dem Beton',
+  'Shims without grout': 'unterfüttert, nicht vergossen',
+  'Butt weld': 'Stumpfnaht',
+  'Lap weld': 'Überlappnaht',
+  Rock: 'Fels',
+  'Very dense sand, gravel or very stiff clay': 'sehr dichter Sand, Kies oder sehr steifer Ton',
+  'Deep dense or medium-dense sand, gravel or stiff clay': 'dichter bis mitteldichter Sand, Kies oder steifer Ton',
+  'Loose-to-medium cohesionless soil or soft-to-firm cohesive soil': 'lockerer nichtbindiger oder weicher bindiger Boden',
+  'A surface layer of type C or D over type A': 'Schicht C oder D über A',
+  'Hard rock': 'harter Fels',
+  'Very dense soil and soft rock': 'sehr dichter Boden und weicher Fels',
+  'Stiff soil': 'steifer Boden',
+  'Soft clay soil': 'weicher Ton',
+  'Soils that need a site study': 'Standortuntersuchung nötig',
+  One: 'eine',
+  'E_x with 0.3 E_y, and 0.3 of both beside the vertical one': 'E_x mit 0,3 E_y',
+  'Carbon and low-alloy steel': 'unlegierter und niedrig legierter Stahl',
+  'Stainless steel': 'nichtrostender Stahl',
+  'Aluminium alloy': 'Aluminiumlegierung',
+  'Another metal, such as titanium or steel with nine per cent of nickel': 'anderes Metall',
+  'Concrete, reinforced or not': 'Beton',
+  'Polymer, with or without fibres': 'Kunststoff',
+  'None of these': 'keines davon',
+  'Monolithic with the base': 'monolithisch mit der Sohle',
+  'The foot turns freely and does not move': 'gelenkig',
+  'The foot turns freely and moves along the radius': 'gleitend',
+  'Around the tank': 'ringförmig',
+  'Up the wall': 'lotrecht',
+  'Carries membrane forces and bending': 'trägt',
+  'Keeps two shells apart': 'hält zwei Schalen auseinander',
+  'Friction pendulums': 'Gleitpendel',
+  'Lead-rubber bearings, bilinear': 'Bleikernlager',
+  'Elastomeric bearings, linear': 'Elastomerlager',
+  'Viscous dampers beside linear bearings without damping': 'viskose Dämpfer',
+  English: 'Englisch',
+  German: 'Deutsch',
+  'Sum of absolute values': 'Summe der Beträge',
+  'Square root of the sum of squares': 'Wurzel der Quadratsumme',
+  'Complete quadratic combination': 'vollständige quadratische Überlagerung',
+};
+
+/** The first clause of a help text. */
+export function meaning(help) {
+  const clause = /^(.*?)[.;:](?=\s|$)/s.exec(help)?.[1] ?? help;
+  return (language() === 'de' && GERMAN[clause]) || clause;
+}
