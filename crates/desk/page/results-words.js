@@ -3,6 +3,9 @@
 import { add } from './words.js';
 
 add({
+  'look-key-play': ['Play or pause the scene', 'Szene abspielen oder anhalten'],
+  'look-key-arrows': ['Turn the scene; move the cursor of a chart', 'Szene drehen; Zeiger eines Diagramms bewegen'],
+  'look-key-zoom': ['Zoom the scene or a chart; Escape shows all of a chart', 'Szene oder Diagramm vergrößern; Escape zeigt das ganze Diagramm'],
   'look-results': ['Results', 'Ergebnisse'],
   'look-no-results': ['The folder holds no results yet. Start a run in the room Runs; its results appear here.', 'Der Ordner enthält noch keine Ergebnisse. Starten Sie einen Lauf im Raum Läufe; die Ergebnisse erscheinen hier.'],
   'look-choose': ['Choose a result.', 'Wählen Sie ein Ergebnis.'],

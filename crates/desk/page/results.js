@@ -26,11 +26,14 @@ export function mount(element, desk) {
   desk.events.addEventListener('folder', () => (room.shown ? refresh(room) : (room.stale = true)));
   desk.events.addEventListener('settings', (event) => settings(room, event.detail));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => room.view?.repaint?.());
+  desk.shortcut?.('Space', 'look-key-play');
+  desk.shortcut?.('← → ↑ ↓', 'look-key-arrows');
+  desk.shortcut?.('+ −', 'look-key-zoom');
   return {
     async show(args = {}) {
       room.shown = true;
       if (!room.list.length || room.stale) await refresh(room);
-      const path = args.path ?? room.path ?? null;
+      const path = args.path ?? room.path ?? room.list[0]?.path ?? null;
       const beside = args.with ?? (args.path && args.path !== room.path ? null : room.beside);
       if (path !== room.path || beside !== room.beside || !room.view) await open(room, path, beside);
     },
@@ -101,7 +104,8 @@ function fetched(room, path) {
     };
     const none = (error) => { if (error.status === 404) return null; throw error; };
     own = {
-      results: once(() => api.get('results', { path })), series: once(() => api.get('series', { path }).catch(none)), scene: once(() => api.get('scene', { path }).catch(none)),
+      results: once(() => api.get('results', { path })), series: once(() => api.get('series', { path }).catch(none)), // A scene is large and read once for each view.
+      scene: () => api.get('scene', { path }).catch(none),
       manifest: once(() => fetch(api.resultAddress(path, 'manifest.json')).then((answer) => (answer.ok ? answer.json() : null)).catch(() => null)),
     };
   }

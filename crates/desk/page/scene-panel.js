@@ -84,11 +84,13 @@ function controls(self) {
   const [colour, colours] = pick(t('scene-colour'), fields, (value) => paint(self, value === '' ? null : allFields(self)[Number(value)]));
   const shapes = shapeChoices(self);
   const [shape] = pick(t('scene-shape'), shapes, (value) => choose(self, value));
+  self.timed = [colours];
   const [cut] = pick(t('scene-cut'), ['none', 'wall', 'all'].map((id) => [id, t(`scene-cut-${id}`)]), (value) => view.setCut(value));
   self.selects = new Map();
   const times = scene.parts.filter((part) => part.id !== 'liquid').map((part) => {
     const [label, select] = pick(t('scene-times', { part: named(part.id) }), TIMES.map((value) => [String(value), `× ${significant(value, 1)}`]), (value) => exaggerate(self, part, Number(value)));
     self.selects.set(part.id, select);
+    self.timed.push(select);
     return label;
   });
   const looks = ['axonometric', 'front', 'side', 'top'].map((id) => h('button', { type: 'button', onclick: () => view.look(id) }, t(`scene-${id}`)));
@@ -141,6 +143,7 @@ function choose(self, value) {
   const { scene, view, player, settings } = self;
   const [kind, index] = value.split(':');
   self.shape = kind === 'history' ? null : kind;
+  for (const select of self.timed) select.disabled = Boolean(self.shape);
   const size = 0.05 * scene.size;
   if (kind === 'history') {
     player.oscillate(null);
@@ -312,10 +315,10 @@ function legendInto(self, draw) {
   const unit = self.legend.querySelector('.scene-unit').textContent;
   draw.fillText(`${self.painted.title} [${unit}]`, 12, 22);
   const scale = self.view.scale();
-  scale.colours.forEach((c, i) => {
-    draw.fillStyle = `rgb(${c.map((v) => Math.round(v * 255)).join(' ')})`;
-    draw.fillRect(12, 32 + (10 - i) * 14, 16, 14);
-  });
+  const fade = draw.createLinearGradient(0, 186, 0, 32);
+  scale.colours.forEach((c, i) => fade.addColorStop(i / 10, `rgb(${c.map((v) => Math.round(v * 255)).join(' ')})`));
+  draw.fillStyle = fade;
+  draw.fillRect(12, 32, 16, 154);
   draw.fillStyle = getComputedStyle(self.host).color;
-  self.legend.querySelectorAll('.scene-marks span').forEach((mark, i) => draw.fillText(mark.textContent, 34, 43 + i * 35));
+  self.legend.querySelectorAll('.scene-marks span').forEach((mark, i) => draw.fillText(mark.textContent, 34, 40 + i * 37));
 }

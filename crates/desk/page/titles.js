@@ -4,6 +4,16 @@
 import { localised } from './words.js';
 
 const GERMAN = {
+  'Seismic hoop stress': 'Seismische Umfangsspannung',
+  'Hoop stress with the static state': 'Umfangsspannung mit dem Ruhezustand',
+  'Seismic axial membrane stress': 'Seismische Meridianmembranspannung',
+  'Axial membrane stress with the static state': 'Meridianmembranspannung mit dem Ruhezustand',
+  'Seismic vertical bending stress, outer face': 'Seismische vertikale Biegespannung, Außenseite',
+  'Vertical bending stress with the static state, outer face': 'Vertikale Biegespannung mit dem Ruhezustand, Außenseite',
+  'Seismic horizontal bending stress, outer face': 'Seismische horizontale Biegespannung, Außenseite',
+  'Horizontal bending stress with the static state, outer face': 'Horizontale Biegespannung mit dem Ruhezustand, Außenseite',
+  'Seismic pressure on the wall': 'Seismischer Druck auf die Wand',
+  'Pressure of the ground under the bottom': 'Bodenpressung unter dem Tankboden',
   'Anchor force': 'Ankerkraft',
   'Anchorage ratio J': 'Verankerungsbeiwert J',
   'Attachment of the anchors, 3 P_AB': 'Befestigung der Anker, 3 P_AB',

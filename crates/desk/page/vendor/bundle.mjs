@@ -1,4 +1,4 @@
-// Bundles three.in.js and uPlot in the current folder (called by `renew`, which installed the packages there).
+// Bundles three.in.mjs and uPlot in the current folder (called by `renew`, which installed the packages there).
 // WebGLRenderer holds the text of every shader of three.js, 170 KB that no tree shaking finds. The viewer draws with its own
 // ShaderMaterial and with LineBasicMaterial, so the texts that the shader `meshbasic` does not include become empty, but for the one that
 // WebGLProgram puts into every shader.
@@ -33,5 +33,5 @@ const smaller = {
   },
 };
 const options = { bundle: true, minify: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
-await build({ ...options, entryPoints: ['three.in.js'], outfile: 'three.js', plugins: [smaller] });
+await build({ ...options, entryPoints: ['three.in.mjs'], outfile: 'three.js', plugins: [smaller] });
 await build({ ...options, entryPoints: ['node_modules/uplot/dist/uPlot.esm.js'], outfile: 'uplot.js' });

@@ -1,6 +1,0 @@
-// The part of three.js that the viewer uses; `renew` bundles it into three.js.
-export {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh,
-  OrthographicCamera, PerspectiveCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer,
-} from 'three';
-export { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
