@@ -2,6 +2,7 @@
 
 import { fill, h } from './dom.js';
 import { copyCommand, drawCommand } from './run-form.js';
+import { endWords, judges } from './run-end.js';
 import { nextOfStudy, printed, writtenForms } from './run-options.js';
 import { duration, t } from './words.js';
 
@@ -89,8 +90,6 @@ function updateCard(list, card, run) {
   drawOutput(card, run.output ?? []);
 }
 
-// Only `compare` judges by its exit code.
-const judges = (run) => /^tankcheck (compare|check)\b/.test(run.command);
 const stateWords = (run) => (run.state === 'done' && judges(run) ? { 0: 'run-holds', 1: 'run-fails', 4: 'run-open' }[run.code] ?? 'run-done' : `run-${run.state}`);
 /** Whether a later run works in the same folder. */
 const followed = (list, run) => list.runs.some((other) => other.id > run.id && other.out === run.out && other.state !== 'failed');
@@ -103,13 +102,6 @@ function line(run, ended) {
   if (run.state === 'waiting') return '';
   const stage = run.stage ? `${run.stage}${Number.isFinite(run.percent) ? `, ${Math.round(run.percent)} %` : ''}` : t('run-starting');
   return [stage, t('run-elapsed', { time: duration(run.seconds) }), Number.isFinite(run.left) ? t('run-left', { time: duration(run.left) }) : null].filter(Boolean).join(' · ');
-}
-
-/** What the exit code means. */
-export function endWords(run) {
-  if (run.state === 'cancelled') return t(run.code === 130 || run.code === null ? 'run-code-130' : 'run-kept');
-  if (run.code === 0) return t(judges(run) ? 'run-code-0' : 'run-code-0-plain');
-  return t([1, 2, 3, 4, 130].includes(run.code) ? `run-code-${run.code}` : 'run-code-other');
 }
 
 function buttons(list, card, run) {

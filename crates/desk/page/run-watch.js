@@ -1,7 +1,6 @@
 // Runs seen from any room: how many there are stands on the tab, and the end of one is told.
 
-import { endWords } from './run-list.js';
-import './runs-words.js';
+import { endWords } from './run-end.js';
 import { t } from './words.js';
 
 const RUNNING = new Set(['waiting', 'running']);
