@@ -162,7 +162,7 @@ pub(crate) fn a_tank_is_entered_from_an_empty_form(chromium: &Path) {
     let mut page = Browser::start(chromium);
     page.look(1920, 1080, false);
     page.open(&desk.address);
-    page.click(&button("Empty"));
+    page.click(&button("Empty form"));
     page.wait(&control("name"));
     let example =
         fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/05_oil_tank/tank.json")).expect("read");
@@ -225,7 +225,10 @@ pub(crate) fn the_verdict_follows_what_is_typed(chromium: &Path) {
     page.value(&format!("{}.focus(), {}.select()", control("liquid.fill_height"), control("liquid.fill_height")));
     page.types("85 m");
     page.key("Enter", 0);
-    page.wait("document.body.innerText.includes('85 m') && document.querySelector('.field-faults:not([hidden])')");
+    page.wait(&format!(
+        "{}.closest('.field-row').querySelector('.field-faults:not([hidden])').innerText.length > 10",
+        control("liquid.fill_height")
+    ));
     page.value("document.activeElement.blur()");
     page.key("z", 2);
     page.key("s", 2);
@@ -264,7 +267,7 @@ pub(crate) fn a_record_is_dropped_run_and_looked_at(chromium: &Path) {
     page.click(&one(".runs button.primary, #room-runs button.primary"));
     page.wait("document.querySelector('.run[data-state=done]')");
     let results: Value = serde_json::from_str(&desk.text("out/results.json")).expect("JSON");
-    page.click(&button("Look at the results"));
+    page.click("[...document.querySelectorAll('.run[data-state=done] button')].find(b => b.textContent === 'Look')");
     page.wait(&format!("document.body.innerText.includes({})", results["name"]));
     page.click("[...document.querySelectorAll('[role=tab]')].find(b => b.textContent === 'Scene')");
     page.wait("document.querySelector('#room-look canvas')");

@@ -146,7 +146,15 @@ impl Browser {
             _ => "",
         };
         for kind in ["keyDown", "keyUp"] {
-            let mut params = json!({ "type": kind, "key": key, "modifiers": modifiers, "windowsVirtualKeyCode": code });
+            let place = match key {
+                digit if digit.len() == 1 && digit.bytes().all(|b| b.is_ascii_digit()) => format!("Digit{digit}"),
+                letter if letter.len() == 1 && letter.bytes().all(|b| b.is_ascii_alphabetic()) => {
+                    format!("Key{}", letter.to_uppercase())
+                }
+                " " => "Space".into(),
+                other => other.into(),
+            };
+            let mut params = json!({ "type": kind, "key": key, "code": place, "modifiers": modifiers, "windowsVirtualKeyCode": code });
             if kind == "keyDown" && !text.is_empty() {
                 params["text"] = json!(text);
             }
