@@ -137,11 +137,11 @@ export class TankDocument {
   }
 
   /** Replaces the whole text. Changes with an equal `key` that follow each other quickly are one step of undo. */
-  replace(text, { key = null, origin = 'text' } = {}) {
+  replace(text, { key = null, origin = 'text', within = ONE_STEP } = {}) {
     if (text === this.text) return;
     const last = this.past.at(-1);
     const now = Date.now();
-    if (key && last?.key === key && now - last.time < ONE_STEP && !this.future.length) last.time = now;
+    if (key && last?.key === key && now - last.time < within && !this.future.length) last.time = now;
     else this.past.push({ text: this.text, key, time: now });
     if (this.past.length > STEPS) this.past.shift();
     this.future = [];

@@ -39,7 +39,7 @@ export class TextEditor {
   }
 
   typed() {
-    this.desk.document.replace(this.area.value, { key: 'text', origin: 'text' });
+    this.desk.document.replace(this.area.value, { key: 'text', origin: 'text', within: 1200 });
   }
 
   // Enter keeps the indentation of the line.
