@@ -15,10 +15,10 @@ export class Checks {
   /** `open(method index, check)` shows a sheet. */
   constructor(desk, open) {
     Object.assign(this, { desk, open, rows: new Map(), filter: 'all', others: false });
-    this.status = h('strong.check-status');
+    this.status = h('strong.check-status', { role: 'status' });
     this.says = h('p.check-says');
     this.time = h('span.check-time');
-    this.head = h('header.check-verdict', { role: 'status' }, h('div.check-line', {}, this.status, this.time), this.says);
+    this.head = h('header.check-verdict', {}, h('div.check-line', {}, this.status, this.time), this.says);
     this.filters = h('div.check-filters', { role: 'group', 'aria-label': t('check-filter') });
     this.search = h('input.check-search', { type: 'search', oninput: () => this.draw() });
     this.list = h('div.check-list');

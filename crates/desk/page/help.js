@@ -1,6 +1,7 @@
 // The "?" beside a field: its help, limits and default from the schema, opened by click or Enter, closed by Escape.
 
 import { h, uniqueId } from './dom.js';
+import { marked } from './marked.js';
 import { formatPath } from './path.js';
 import { t } from './words.js';
 
@@ -28,9 +29,9 @@ export function helpFor(field, parts, label, { tabbed = true } = {}) {
 }
 
 function content(field, parts) {
-  const paragraphs = field.help.split(/\n\n+/).map((text) => h('p', {}, text));
+  const paragraphs = field.help.split(/\n\n+/).map((text) => h('p', {}, marked(text)));
   const options = (field.options ?? []).filter((option) => option.help);
-  const list = options.length ? h('dl.field-options', {}, options.map((option) => [h('dt', {}, String(option.value)), h('dd', {}, option.help)])) : null;
+  const list = options.length ? h('dl.field-options', {}, options.map((option) => [h('dt', {}, String(option.value)), h('dd', {}, marked(option.help))])) : null;
   const key = h('p.field-key', {}, h('code', {}, formatPath(parts)));
   return [...paragraphs, list, key].filter(Boolean);
 }
