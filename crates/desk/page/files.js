@@ -69,16 +69,16 @@ export async function chooseTemplate(desk) {
   }
 }
 
-// A list in a dialog, filtered by what is typed; arrows and Enter work.
-function choose(desk, title, entries, none) {
+/** A list in a dialog, filtered by what is typed; arrows and Enter work. Resolves to the id of an entry or null. */
+export function choose(desk, title, entries, none) {
   return new Promise((resolve) => {
     let answer = null;
     const list = h('div.tank-choices', {}, entries.map((entry) => h('button', {
-      type: 'button', dataset: { name: entry.title.toLowerCase() }, onclick: () => { answer = entry.id; dialog.close(); },
+      type: 'button', dataset: { name: `${entry.title} ${entry.words ?? ''}`.toLowerCase() }, onclick: () => { answer = entry.id; dialog.close(); },
     }, entry.title)));
     const filter = h('input', { type: 'search', placeholder: t('doc-filter'), 'aria-label': t('doc-filter'), hidden: entries.length < 9 });
     filter.addEventListener('input', () => {
-      for (const button of list.children) button.hidden = !button.dataset.name.includes(filter.value.toLowerCase());
+      for (const button of list.children) button.hidden = !filter.value.toLowerCase().split(/\s+/).every((word) => button.dataset.name.includes(word));
     });
     const content = h('div.stack', {}, entries.length ? [filter, list] : h('p.empty', {}, none));
     content.addEventListener('keydown', (event) => {

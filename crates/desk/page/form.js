@@ -27,7 +27,7 @@ showAs('list', (form, parts, field, options) => {
 
 export class Form {
   constructor(desk, schema) {
-    Object.assign(this, { desk, schema, views: new Map(), faults: [], faulty: new Set(), sections: [] });
+    Object.assign(this, { desk, schema, views: new Map(), faults: [], faulty: new Set(), revealed: new Set(), sections: [] });
     this.names = h('datalist', { id: uniqueId('materials') });
     this.grades = h('datalist', { id: uniqueId('grades') });
     this.nav = h('nav.tank-nav', { 'aria-label': t('form-groups') });
@@ -118,6 +118,7 @@ export class Form {
 
   /** After undo or another file the fields show the text, not what was typed. */
   forgetTyping() {
+    this.revealed.clear();
     for (const field of this.fields()) field.forget();
   }
 
@@ -145,6 +146,13 @@ export class Form {
     else this.views.delete(path);
   }
 
+  /** Shows a key, also one that is folded or whose object is not given, and moves the focus there. */
+  reveal(parts) {
+    parts.forEach((_, index) => this.revealed.add(formatPath(parts.slice(0, index + 1))));
+    this.update();
+    return this.focusPath(parts);
+  }
+
   focusPath(parts) {
     for (let length = parts.length; length > 0; length -= 1) {
       const view = this.views.get(formatPath(parts.slice(0, length)))?.at(-1);
@@ -158,7 +166,11 @@ export class Form {
 
   /* Faults */
 
-  isFaulty(parts) { return this.faulty.has(formatPath(parts)); }
+  /** Whether a key is shown though it is not given: it has a fault, or somebody looks for it. */
+  mustShow(parts) {
+    const path = formatPath(parts);
+    return this.faulty.has(path) || this.revealed.has(path);
+  }
 
   faultsBelow(parts) {
     const before = formatPath(parts);

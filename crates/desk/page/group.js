@@ -45,7 +45,7 @@ export class Group {
     const folded = [];
     for (const key of this.keys) {
       const child = childOf(node, key);
-      const given = child !== undefined || this.wanted.has(key) || this.asks(key) || this.form.isFaulty([...this.parts, key]);
+      const given = child !== undefined || this.wanted.has(key) || this.asks(key) || this.form.mustShow([...this.parts, key]);
       if (given || this.isBusy(key)) this.place(key, child);
       else folded.push(key);
     }

@@ -257,7 +257,7 @@ class Row {
   updateMore(node) {
     const { nested, item } = this.table;
     const given = Boolean(node) && nested.some((key) => childOf(node, key) !== undefined);
-    const shown = Boolean(node) && nested.length > 0 && (given || this.wide || nested.some((key) => this.form.isFaulty([...this.parts, key])));
+    const shown = Boolean(node) && nested.length > 0 && (given || this.wide || nested.some((key) => this.form.mustShow([...this.parts, key])));
     this.more.hidden = !shown;
     if (shown && !this.group) {
       this.group = new Group(this.form, this.parts, item, { only: nested, flat: true });

@@ -18,6 +18,7 @@ add({
     'Beginnen Sie mit einer Vorlage, öffnen Sie eine Datei des Ordners oder füllen Sie ein leeres Formular aus. Jede Änderung wird sofort geprüft.'],
   'tank-missing': ['{count} to fill in', '{count} auszufüllen'],
   'tank-faulty': ['{count} to correct or fill in', '{count} zu berichtigen oder auszufüllen'],
+  'tank-find': ['Find a field', 'Feld suchen'],
   'tank-key-undo': ['Undo, in form and text', 'Rückgängig, in Formular und Text'],
   'tank-key-redo': ['Redo', 'Wiederholen'],
   'tank-key-text': ['Between form and text', 'Zwischen Formular und Text'],

@@ -4,6 +4,7 @@ import { Checks, stateOf } from './check.js';
 import { openDocument } from './document.js';
 import { fill, h } from './dom.js';
 import { chooseFile, chooseTemplate } from './files.js';
+import { findField } from './find.js';
 import { Form } from './form.js';
 import { labelOf } from './labels.js';
 import { isMissing, marked, placeOf, withoutStyles } from './marked.js';
@@ -29,6 +30,7 @@ class TankRoom {
     desk.shortcut?.('Ctrl+Shift+Z', 'tank-key-redo');
     desk.shortcut?.('Ctrl+E', 'tank-key-text');
     desk.shortcut?.('Alt+↑ ↓', 'tank-key-move');
+    desk.shortcut?.('Ctrl+K', 'tank-find');
     desk.shortcut?.('F1', 'tank-key-help');
   }
 
@@ -96,7 +98,7 @@ class TankRoom {
     return h('div.tank-toolbar', { role: 'toolbar', 'aria-label': t('tank-toolbar') },
       h('span.tank-modes', { role: 'group', 'aria-label': t('tank-view') }, this.modes),
       h('span', {}, button('tank-new', () => chooseTemplate(this.desk)), button('tank-open', () => chooseFile(this.desk)), this.saveButton, button('tank-save-as', () => this.document.saveAs())),
-      h('span', {}, this.undoButton, this.redoButton),
+      h('span', {}, this.undoButton, this.redoButton, button('tank-find', () => this.find(), 'Ctrl+K')),
       h('span', {}, this.solver.buttons()));
   }
 
@@ -205,7 +207,13 @@ class TankRoom {
 
   goTo(parts) {
     this.setMode('form');
-    if (!this.form.focusPath(parts)) this.form.focusPath(parts.slice(0, 1));
+    this.form.reveal(parts);
+  }
+
+  async find() {
+    if (this.document.empty) return;
+    const parts = await findField(this.desk, this.schema);
+    if (parts) this.goTo(parts);
   }
 
   openSheet(method, check) {
@@ -227,6 +235,9 @@ class TankRoom {
       event.preventDefault();
       this.setMode(this.mode === 'form' ? 'text' : 'form');
       if (this.mode === 'text') this.text.area.focus();
+    } else if (key === 'k') {
+      event.preventDefault();
+      this.find();
     } else if (key === 's') {
       this.form.finishTyping();
     }
