@@ -111,21 +111,21 @@ const head = (ids) => h('thead', {}, h('tr', {}, ids.map(([id, number, text]) =>
 const table = (label, ...parts) => h('div.scroll', { tabindex: '0', role: 'region', 'aria-label': label }, h('table.look-table', {}, parts));
 
 /** A table with a choice of methods and a switch for equal rows. */
-function filtered({ rows, equal, single }, isEqual, made) {
+function filtered({ rows, equal, single }, [one, other], isEqual, made) {
   const methods = [...new Set(rows.map((row) => row.method))];
   const body = h('tbody');
   const all = h('input', { type: 'checkbox', onchange: () => show() });
   const select = h('select', { 'aria-label': t('look-method'), onchange: () => show() }, h('option', { value: '' }, t('look-all-methods')), methods.map((method) => h('option', { value: method }, method)));
   const show = () => body.replaceChildren(...rows.filter((row) => (all.checked || !isEqual(row)) && (!select.value || row.method === select.value)).map(made));
   show();
-  const note = [t('look-sorted'), equal ? t('look-equal', { count: equal }) : ''].join(' ');
+  const note = [t('look-sorted', { one: one.label, other: other.label }), equal ? t('look-equal', { count: equal }) : ''].join(' ');
   return { body, tools: h('div.look-line', {}, select, h('label.tick', {}, all, t('look-equal-shown')), h('span.hint', {}, note)), single: single.length ? h('p.hint', {}, t('look-only-one', { list: single.join('; ') })) : null };
 }
 
 function quantityTable(one, other, settings) {
   const found = quantityDifferences(one.results, other.results, settings.language);
   if (!found.rows.length) return h('p.empty', {}, t('look-nothing-common'));
-  const { body, tools, single } = filtered(found, (row) => change(row) < EQUAL, (row) => {
+  const { body, tools, single } = filtered(found, [one, other], (row) => change(row) < EQUAL, (row) => {
     const unit = unitFor(largest([row.one, row.other]), row.dimension, settings.units);
     const value = (number) => withUnit(significant(number / unit.factor, 4), unit);
     return h('tr', {}, h('th', { scope: 'row' }, row.title), h('td', {}, row.method), h('td.number', {}, value(row.one)), h('td.number', {}, value(row.other)),
@@ -141,7 +141,7 @@ function checkTable(one, other, settings) {
   if (!found.rows.length) return h('p.empty', {}, t('look-nothing-common'));
   const cell = (check) => h('td.number', { title: Number.isFinite(check.demand) ? `${display(check.demand, check.dimension, settings.units)} / ${display(check.capacity, check.dimension, settings.units)}` : null },
     significant(check.utilisation, 3), ' ', h('small', {}, stateWord(check.status)));
-  const { body, tools, single } = filtered(found, (row) => !row.moved && row.size === 0, (row) => {
+  const { body, tools, single } = filtered(found, [one, other], (row) => !row.moved && row.size === 0, (row) => {
     const gap = row.a.utilisation - row.b.utilisation;
     const both = Number.isFinite(row.a.utilisation) && Number.isFinite(row.b.utilisation);
     return h('tr', { class: row.moved ? 'look-moved' : '' }, h('th', { scope: 'row' }, row.title), h('td', {}, row.method), cell(row.a), cell(row.b),

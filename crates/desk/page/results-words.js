@@ -31,7 +31,7 @@ add({
   'look-tab-checks': ['Checks', 'Nachweise'],
   'look-this': ['This', 'Dieses'],
   'look-other': ['Other', 'Anderes'],
-  'look-sorted': ['Largest change first.', 'Größte Änderung zuerst.'],
+  'look-sorted': ['Largest change first. Difference: {one} less {other}; ratio: {one} over {other}.', 'Größte Änderung zuerst. Unterschied: {one} minus {other}; Verhältnis: {one} zu {other}.'],
   'look-not-comparable': ['Only results of compare and check are compared.', 'Nur Ergebnisse von compare und check werden verglichen.'],
   'curve-capacity': ['Capacity curve', 'Kapazitätskurve'],
   'curve-top': ['Displacement of the top', 'Verschiebung des Wandkopfs'],

@@ -92,7 +92,7 @@ function settings(room, { name } = {}) {
   if (room.path !== null) open(room, room.path, room.beside);
 }
 
-/** Data of a result, kept for a while: `{data, source}`. */
+/** Calls for the data of a result, whose answers are kept for a while. */
 function fetched(room, path) {
   const { api } = room.desk;
   let own = room.data.get(path);
@@ -104,9 +104,9 @@ function fetched(room, path) {
     };
     const none = (error) => { if (error.status === 404) return null; throw error; };
     own = {
-      results: once(() => api.get('results', { path })), series: once(() => api.get('series', { path }).catch(none)), // A scene is large and read once for each view.
-      scene: () => api.get('scene', { path }).catch(none),
-      manifest: once(() => fetch(api.resultAddress(path, 'manifest.json')).then((answer) => (answer.ok ? answer.json() : null)).catch(() => null)),
+      results: once(() => api.get('results', { path })), series: once(() => api.get('series', { path }).catch(none)),
+      // A scene is large and is read for each view.
+      scene: async () => (entry(room, path)?.scene === false ? null : api.get('scene', { path }).catch(none)),
     };
   }
   room.data.set(path, own);
@@ -128,6 +128,7 @@ async function open(room, path, beside) {
   }
   const own = entry(room, path);
   room.opened = own ? stamp(own) : null;
+  if (matchMedia('(max-width: 900px)').matches) room.side.open = false;
   header(room, own);
   fill(room.body, h('p.empty', {}, t('look-loading')));
   try {
@@ -152,14 +153,13 @@ async function single(room, path, turn) {
   const { desk } = room;
   const own = fetched(room, path);
   const data = await own.results();
-  const manifest = await own.manifest();
   if (turn !== room.turn) return null;
   const address = (name, save = false) => desk.api.resultAddress(path, name, save);
   const report = address('report.html');
   const host = h('div');
   fill(room.body, host);
   if (!String(data?.format).startsWith('tankcheck-results/')) return foreign(room, host, data, report);
-  const listed = manifest?.files ? Object.keys(manifest.files) : ['results.json', 'series.csv', 'report.html'];
+  const listed = entry(room, path)?.files ?? ['results.json', 'series.csv', 'report.html'];
   const figures = listed.filter((name) => name.endsWith('.svg'));
   const source = {
     results: own.results, series: own.series, scene: own.scene, report,

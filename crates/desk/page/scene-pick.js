@@ -27,7 +27,7 @@ function nearest(view, one, best) {
     to.copy(along).multiplyScalar(distance).add(start);
     const apart = [a.distanceTo(to), b.distanceTo(to), c.distanceTo(to)];
     const node = triangles[i + apart.indexOf(Math.min(...apart))];
-    if (cut.value > 0.5 && nodes[3 * node + 1] < 0) continue;
+    if (cut && nodes[3 * node + 1] < 0) continue;
     best = { distance, node };
   }
   return best;

@@ -4,7 +4,7 @@ import { add } from './words.js';
 
 add({
   'scene-wall': ['Wall', 'Wand'],
-  'scene-surface': ['Free surface', 'Flüssigkeitsspiegel'],
+  'scene-surface': ['Free surface', 'Spiegel'],
   'scene-bottom': ['Bottom', 'Boden'],
   'scene-liquid': ['Liquid', 'Flüssigkeit'],
   'scene-colour': ['Colours', 'Farben'],

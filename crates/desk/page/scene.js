@@ -6,7 +6,7 @@ import {
 } from './vendor/three.js';
 import { colour } from './dom.js';
 import { scaleOf, SEQUENTIAL } from './colours.js';
-import { material } from './scene-shader.js';
+import { cutHalf, material } from './scene-shader.js';
 import { fieldAt } from './scene-data.js';
 import { picked, place } from './scene-pick.js';
 import { lower } from './series.js';
@@ -50,7 +50,7 @@ export function createView(host, scene, calls) {
     setShape: (shape, amplitude) => setShape(view, shape, amplitude),
     setField: (field) => setField(view, field),
     setTimes: (part, times) => { view.parts.get(part).times = times; move(view); request(view); },
-    setCut: (cut) => { for (const part of view.parts.values()) part.cut.value = cut === 'all' || (cut === 'wall' && part.id === 'wall') ? 1 : 0; request(view); },
+    setCut: (cut) => setCut(view, cut),
     setShown: (part, shown) => { view.parts.get(part).shown = shown; move(view); if (view.field) mixed(view); visible(view); },
     setMesh: (mesh) => { view.mesh = mesh; visible(view); },
     setBands: (bands) => { view.shared.bands.value = bands; request(view); },
@@ -87,14 +87,14 @@ function build(view) {
   const wall = scene.parts.find(({ id }) => id === 'wall');
   for (const part of scene.parts) {
     const made = placed(scene, part, part.id === 'surface' ? wall : null);
-    const own = { plain: { value: new Color() }, coloured: { value: 0 }, cut: { value: 0 } };
-    const ink = { plain: { value: new Color() }, coloured: { value: 0 }, cut: own.cut };
+    const own = { plain: { value: new Color() }, coloured: { value: 0 } };
+    const ink = { plain: { value: new Color() }, coloured: { value: 0 } };
     const surface = new Mesh(geometry(made, part.triangles), material(view.shared, own));
     const lines = new LineSegments(geometry(made, part.edges), material(view.shared, ink, true));
     const edge = new LineSegments(geometry(made, part.rim), lines.material);
     for (const object of [surface, lines, edge]) object.frustumCulled = false;
     world.add(surface, lines, edge);
-    view.parts.set(part.id, { id: part.id, part, ...made, surface, lines, edge, plain: own.plain, ink: ink.plain, coloured: own.coloured, cut: own.cut, times: 1, shown: part.id !== 'liquid' });
+    view.parts.set(part.id, { id: part.id, part, ...made, surface, lines, edge, plain: own.plain, ink: ink.plain, coloured: own.coloured, cut: false, times: 1, shown: part.id !== 'liquid' });
   }
   const ghost = new BufferGeometry();
   ghost.setAttribute('position', new BufferAttribute(scene.nodes, 3));
@@ -134,7 +134,8 @@ function beside({ nodes, size }, node, among) {
 function geometry({ attributes, local }, index) {
   const made = new BufferGeometry();
   for (const [name, attribute] of Object.entries(attributes)) made.setAttribute(name, attribute);
-  made.setIndex(new BufferAttribute(index.map((node) => local[node]), 1));
+  const Kind = attributes.position.count < 65_536 ? Uint16Array : Uint32Array;
+  made.setIndex(new BufferAttribute(Kind.from(index, (node) => local[node]), 1));
   return made;
 }
 
@@ -145,6 +146,23 @@ function visible(view) {
     edge.visible = shown && !view.mesh && id !== 'surface';
   }
   request(view);
+}
+
+function setCut(view, cut) {
+  for (const part of view.parts.values()) {
+    part.cut = cut === 'all' || (cut === 'wall' && part.id === 'wall');
+    for (const made of [part.surface.material, part.lines.material]) cutHalf(made, part.cut);
+  }
+  request(view);
+}
+
+/** The bottom of a whole tank is not seen from above the liquid; it is as many triangles as the surface. */
+function hideBottom({ parts, camera, scene, mesh }) {
+  const [bottom, surface, wall] = ['bottom', 'surface', 'wall'].map((id) => parts.get(id));
+  if (!bottom) return;
+  const covered = surface?.shown && wall?.shown && !surface.cut && !wall.cut && camera.position.z > scene.high[2];
+  bottom.surface.visible = bottom.shown && !covered;
+  bottom.lines.visible = bottom.surface.visible && mesh;
 }
 
 /** Colours of the page, light or dark. */
@@ -336,6 +354,7 @@ function request(view) {
 
 function draw(view) {
   const start = performance.now();
+  hideBottom(view);
   view.renderer.render(view.world, view.camera);
   if (view.moving) adapt(view, start);
 }

@@ -15,6 +15,9 @@ add({
   'look-not_applicable': ['not required', 'nicht gefordert'],
   'look-state-holds': ['holds', 'eingehalten'],
   'look-state-fails': ['fails', 'nicht eingehalten'],
+  'look-holds-accepted': ['Holds with accepted gaps', 'Eingehalten mit akzeptierten Lücken'],
+  'look-accepted-gaps': ['Accepted gaps', 'Akzeptierte Lücken'],
+  'look-missing': ['Required and not checked', 'Gefordert und nicht nachgewiesen'],
   'look-counts': ['{holds} checks hold, {fails} fail, {open} open, {accepted} gaps accepted', '{holds} Nachweise eingehalten, {fails} nicht, {open} offen, {accepted} Lücken akzeptiert'],
   'look-governing': ['Governing: {check}, {method}, utilisation {value}', 'Maßgebend: {check}, {method}, Ausnutzung {value}'],
   'look-deciding': ['Deciding: {methods}', 'Entscheidend: {methods}'],
@@ -67,10 +70,20 @@ function verdict({ verdict: found, methods: all }, settings) {
     const method = (all ?? []).find((one) => one.id === of.method && one.excitation === of.excitation);
     return method ? methodName(method, settings.language) : of.method;
   };
-  return h('section.look-verdict', {}, h('p.look-big', {}, verdictBadge(found.status)),
+  const partly = found.status === 'holds' && counts?.accepted > 0;
+  const badge = partly ? h('strong.look-badge.accepted', {}, t('look-holds-accepted')) : verdictBadge(found.status);
+  return h('section.look-verdict', {}, h('p.look-big', {}, badge),
     counts ? h('p', {}, t('look-counts', { holds: counts.holds, fails: counts.fails, open: counts.not_checked, accepted: counts.accepted })) : null,
     governing ? h('p', {}, t('look-governing', { check: titled(governing.check.name, settings.language), method: label(governing), value: significant(governing.check.utilisation, 3) })) : null,
-    deciding?.length ? h('p', {}, t('look-deciding', { methods: deciding.map(label).join('; ') })) : null);
+    deciding?.length ? h('p', {}, t('look-deciding', { methods: deciding.map(label).join('; ') })) : null,
+    listed('look-missing', found.missing, settings), listed('look-accepted-gaps', found.accepted, settings));
+}
+
+/** Gaps with who accepted them and why. */
+function listed(title, gaps, settings) {
+  if (!gaps?.length) return null;
+  const why = ({ reason, note, accepted }) => [reason ?? note, accepted ? `${accepted.by}, ${accepted.date}` : null].filter(Boolean).join('; ');
+  return h('details.look-gaps', {}, h('summary', {}, `${t(title)}: ${gaps.length}`), h('ul', {}, gaps.map(({ check }) => h('li', {}, h('b', {}, titled(check?.name ?? '', settings.language)), ' ', h('span.hint', {}, check ? why(check) : '')))));
 }
 
 /** A bar of a utilisation: full length at 1.25. */
