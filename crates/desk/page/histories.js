@@ -40,7 +40,12 @@ export function columnsOf(series, results, language) {
       titles.set(number ? `${run.engine}_${info.id}` : info.id, number ? t('history-engine', { title, engine: t(`engine-${run.engine}`) }) : title);
     }
   });
-  return (series?.columns ?? []).map(({ name, unit }, i) => ({ name, title: titles.get(name) ?? name.replaceAll('_', ' '), dimension: dimensionOf(unit), values: Float64Array.from(series.values[i], (v) => v ?? NaN) }));
+  return (series?.columns ?? []).map(({ name, unit }, i) => ({
+    name,
+    title: titles.get(name) ?? name.replaceAll('_', ' '),
+    dimension: dimensionOf(unit),
+    values: Float64Array.from(series.values[i], (v) => v ?? NaN),
+  }));
 }
 
 /**
@@ -61,15 +66,38 @@ export function histories(sources, settings, clock, every = 1) {
   const charts = h('div.history-charts');
   let drawn = [];
   const rows = [...names.values()].map((column) => {
-    const box = h('input', { type: 'checkbox', onchange: () => { if (box.checked) chosen.add(column.name); else chosen.delete(column.name); draw(); } });
+    const box = h('input', {
+      type: 'checkbox',
+      onchange: () => {
+        if (box.checked) chosen.add(column.name);
+        else chosen.delete(column.name);
+        draw();
+      },
+    });
     box.checked = chosen.has(column.name);
     return { column, item: h('li', {}, h('label.tick', {}, box, column.title)) };
   });
-  const filter = h('input', { type: 'search', placeholder: t('history-filter'), 'aria-label': t('history-filter'), oninput: () => {
-    const wanted = filter.value.trim().toLowerCase();
-    for (const { column, item } of rows) item.hidden = Boolean(wanted) && !column.title.toLowerCase().includes(wanted);
-  } });
-  const list = h('details.history-list', {}, h('summary', {}, t('history-choose')), filter, h('ul', {}, rows.map(({ item }) => item)), every > 1 ? h('p.hint', {}, t('history-every', { count: every })) : null);
+  const filter = h('input', {
+    type: 'search',
+    placeholder: t('history-filter'),
+    'aria-label': t('history-filter'),
+    oninput: () => {
+      const wanted = filter.value.trim().toLowerCase();
+      for (const { column, item } of rows) item.hidden = Boolean(wanted) && !column.title.toLowerCase().includes(wanted);
+    },
+  });
+  const list = h(
+    'details.history-list',
+    {},
+    h('summary', {}, t('history-choose')),
+    filter,
+    h(
+      'ul',
+      {},
+      rows.map(({ item }) => item),
+    ),
+    every > 1 ? h('p.hint', {}, t('history-every', { count: every })) : null,
+  );
   list.open = !matchMedia('(max-width: 800px)').matches;
 
   function draw() {
@@ -93,12 +121,22 @@ export function histories(sources, settings, clock, every = 1) {
 function panel(sources, dimension, columns) {
   const title = columns.length <= 2 ? columns.map((column) => column.title).join('; ') : t(`dim-${dimension}`);
   const time = union(sources.map((source) => source.time));
-  const series = columns.flatMap((column, k) => sources.map((source, i) => {
-    const own = source.columns.find((one) => one.name === column.name);
-    const label = source.label ? `${column.title} (${source.label})` : column.title;
-    // The other result has other colours and dashes.
-    return own && { title: label, look: sources.length > 1 ? 2 * k + 9 * i : k, values: sources.length > 1 ? onto(time, source.time, own.values) : own.values };
-  })).filter(Boolean);
+  const series = columns
+    .flatMap((column, k) =>
+      sources.map((source, i) => {
+        const own = source.columns.find((one) => one.name === column.name);
+        const label = source.label ? `${column.title} (${source.label})` : column.title;
+        // The other result has other colours and dashes.
+        return (
+          own && {
+            title: label,
+            look: sources.length > 1 ? 2 * k + 9 * i : k,
+            values: sources.length > 1 ? onto(time, source.time, own.values) : own.values,
+          }
+        );
+      }),
+    )
+    .filter(Boolean);
   return { title, x: { title: t('scene-time'), values: time, dimension: 'time' }, y: { dimension }, series, height: 210 };
 }
 

@@ -18,13 +18,34 @@ export function createPlayer(clock, { times, moving, frame }) {
   const last = times[times.length - 1] ?? 0;
   const state = { playing: false, handle: 0, before: 0, speed: 1, loop: true, wave: null, seconds: 0, told: 0 };
   const button = h('button.primary', { type: 'button', onclick: () => toggle() }, t('scene-play'));
-  const scrub = h('input.player-scrub', { type: 'range', min: String(first), max: String(last), step: 'any', value: String(first), 'aria-label': t('scene-time'),
-    oninput: () => clock.set(Number(scrub.value), state) });
+  const scrub = h('input.player-scrub', {
+    type: 'range',
+    min: String(first),
+    max: String(last),
+    step: 'any',
+    value: String(first),
+    'aria-label': t('scene-time'),
+    oninput: () => clock.set(Number(scrub.value), state),
+  });
   const label = h('output.player-time');
-  const speed = h('select', { 'aria-label': t('scene-speed'), title: t('scene-speed'), onchange: () => { state.speed = Number(speed.value); } },
-    SPEEDS.map((value) => h('option', { value: String(value) }, `${localised(String(value))} ×`)));
+  const speed = h(
+    'select',
+    {
+      'aria-label': t('scene-speed'),
+      title: t('scene-speed'),
+      onchange: () => {
+        state.speed = Number(speed.value);
+      },
+    },
+    SPEEDS.map((value) => h('option', { value: String(value) }, `${localised(String(value))} ×`)),
+  );
   speed.value = '1';
-  const loop = h('input', { type: 'checkbox', onchange: () => { state.loop = loop.checked; } });
+  const loop = h('input', {
+    type: 'checkbox',
+    onchange: () => {
+      state.loop = loop.checked;
+    },
+  });
   loop.checked = true;
   const step = (text, title, count) => h('button.quiet', { type: 'button', title: t(title), 'aria-label': t(title), onclick: () => go(count) }, text);
   const timed = h('span.player-timed', {}, step('◀', 'scene-back', -1), step('▶', 'scene-on', 1), scrub, label);
@@ -103,8 +124,14 @@ export function createPlayer(clock, { times, moving, frame }) {
   const off = clock.on(show);
   show(clock.time, null);
   return {
-    element, toggle, play, pause, step: go,
-    get playing() { return state.playing; },
+    element,
+    toggle,
+    play,
+    pause,
+    step: go,
+    get playing() {
+      return state.playing;
+    },
     oscillate(wave) {
       pause();
       state.wave = wave;

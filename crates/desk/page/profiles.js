@@ -33,10 +33,15 @@ export function profilesOf(results, excitation, settings, rest = false) {
     own.series.push({ title, z: profile.z, values, look: looks.get(title) });
     found.set(key, own);
   };
-  for (const run of excitation === 'record' ? results.runs ?? [] : []) {
+  for (const run of excitation === 'record' ? (results.runs ?? []) : []) {
     const engine = t(`engine-${run.engine}`);
     for (const profile of run.envelopes ?? []) {
-      into(profile.id, profile, engine, profile.min.map((low, i) => Math.max(Math.abs(low), Math.abs(profile.max[i]))));
+      into(
+        profile.id,
+        profile,
+        engine,
+        profile.min.map((low, i) => Math.max(Math.abs(low), Math.abs(profile.max[i]))),
+      );
       const still = profile.static_ ?? profile.static;
       if (rest && still?.length) into(profile.id, profile, t('profile-static', { engine }), still);
     }
@@ -54,7 +59,11 @@ export function profiles(results, settings) {
   if (!kinds.length) return { element: h('p.empty', {}, t('profile-none')), repaint() {}, destroy() {} };
   const charts = h('div.profile-charts');
   let drawn = [];
-  const select = h('select', { onchange: () => draw() }, kinds.map((kind) => h('option', { value: kind }, t(`look-${kind}`))));
+  const select = h(
+    'select',
+    { onchange: () => draw() },
+    kinds.map((kind) => h('option', { value: kind }, t(`look-${kind}`))),
+  );
   const rest = h('input', { type: 'checkbox', onchange: () => draw() });
 
   function draw() {
@@ -62,14 +71,35 @@ export function profiles(results, settings) {
     const group = createGroup();
     drawn = [...profilesOf(results, select.value, settings, rest.checked).values()].map(({ title, dimension, series }) => {
       const { heights, values } = joined(series);
-      return chart(charts, { kind: 'profile', title, x: { title: t('profile-height'), values: heights, dimension: 'length' }, y: { dimension },
-        series: series.map(({ title: name, look }, i) => ({ title: name, look, values: values[i] })), height: 340 }, settings, group);
+      return chart(
+        charts,
+        {
+          kind: 'profile',
+          title,
+          x: { title: t('profile-height'), values: heights, dimension: 'length' },
+          y: { dimension },
+          series: series.map(({ title: name, look }, i) => ({ title: name, look, values: values[i] })),
+          height: 340,
+        },
+        settings,
+        group,
+      );
     });
   }
 
   queueMicrotask(draw);
-  const tools = h('div.look-line', {}, h('label.scene-field', {}, h('span', {}, t('profile-under')), select), h('label.tick', {}, rest, t('profile-with-static')), h('span.hint', {}, t('profile-note')));
-  return { element: h('div', {}, tools, charts), repaint: () => drawn.forEach((one) => one.repaint()), destroy: () => drawn.forEach((one) => one.destroy()) };
+  const tools = h(
+    'div.look-line',
+    {},
+    h('label.scene-field', {}, h('span', {}, t('profile-under')), select),
+    h('label.tick', {}, rest, t('profile-with-static')),
+    h('span.hint', {}, t('profile-note')),
+  );
+  return {
+    element: h('div', {}, tools, charts),
+    repaint: () => drawn.forEach((one) => one.repaint()),
+    destroy: () => drawn.forEach((one) => one.destroy()),
+  };
 }
 
 /** The tab of spectra. */
@@ -80,8 +110,18 @@ export function spectra(results, settings) {
   let drawn = null;
   queueMicrotask(() => {
     const { heights, values } = joined(found.map((one) => ({ z: one.period, values: one.psa })));
-    drawn = chart(element, { title: t('spectrum-title'), x: { title: t('spectrum-period'), values: heights, dimension: 'time' }, y: { dimension: 'acceleration' }, logarithmic: heights[0] > 0,
-      series: found.map((one, i) => ({ title: one.title, values: values[i] })), height: 360 }, settings);
+    drawn = chart(
+      element,
+      {
+        title: t('spectrum-title'),
+        x: { title: t('spectrum-period'), values: heights, dimension: 'time' },
+        y: { dimension: 'acceleration' },
+        logarithmic: heights[0] > 0,
+        series: found.map((one, i) => ({ title: one.title, values: values[i] })),
+        height: 360,
+      },
+      settings,
+    );
   });
   return { element, repaint: () => drawn?.repaint(), destroy: () => drawn?.destroy() };
 }

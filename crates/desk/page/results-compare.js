@@ -37,7 +37,13 @@ function quantities(results, language) {
   for (const row of results.comparison?.rows ?? []) {
     row.cells.forEach((cell, i) => {
       const method = results.methods[i];
-      if (cell && method) found.set(`${row.quantity}/${method.id}/${method.excitation}`, { title: titled(row.title, language), method: methodName(method, language), dimension: row.dimension, value: cell.value });
+      if (cell && method)
+        found.set(`${row.quantity}/${method.id}/${method.excitation}`, {
+          title: titled(row.title, language),
+          method: methodName(method, language),
+          dimension: row.dimension,
+          value: cell.value,
+        });
     });
   }
   return found;
@@ -45,14 +51,26 @@ function quantities(results, language) {
 
 /** Checks of two results, as `quantityDifferences`; a change of the state comes first. */
 export function checkDifferences(one, other, language) {
-  const listed = (results) => new Map((results.methods ?? []).flatMap((method) => (method.checks ?? []).filter((check) => check.status !== 'not_applicable')
-    .map((check) => [`${method.id}/${method.excitation}/${check.id}`, { title: titled(check.name, language), method: methodName(method, language), check }])));
+  const listed = (results) =>
+    new Map(
+      (results.methods ?? []).flatMap((method) =>
+        (method.checks ?? [])
+          .filter((check) => check.status !== 'not_applicable')
+          .map((check) => [
+            `${method.id}/${method.excitation}/${check.id}`,
+            { title: titled(check.name, language), method: methodName(method, language), check },
+          ]),
+      ),
+    );
   const [mine, theirs] = [listed(one), listed(other)];
   const rows = [];
   const single = [];
   for (const [key, row] of mine) {
     const match = theirs.get(key);
-    if (!match) { single.push(`${row.title}, ${row.method}`); continue; }
+    if (!match) {
+      single.push(`${row.title}, ${row.method}`);
+      continue;
+    }
     const [a, b] = [row.check, match.check];
     const moved = a.status !== b.status;
     const values = [a.utilisation, b.utilisation].every((value) => Number.isFinite(value));
@@ -76,13 +94,21 @@ export function comparison(two, settings) {
   let shown = null;
   const tabs = ['quantities', 'checks', 'histories'];
   const buttons = tabs.map((tab) => h('button.look-tab', { type: 'button', role: 'tab', onclick: () => show(tab) }, t(`look-tab-${tab}`)));
-  const list = h('div.look-tabs', { role: 'tablist', 'aria-label': t('look-tabs'), onkeydown: (event) => {
-    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
-    const next = (tabs.indexOf(list.dataset.tab) + step + tabs.length) % tabs.length;
-    show(tabs[next]);
-    buttons[next].focus();
-  } }, buttons);
+  const list = h(
+    'div.look-tabs',
+    {
+      role: 'tablist',
+      'aria-label': t('look-tabs'),
+      onkeydown: (event) => {
+        const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+        if (!step) return;
+        const next = (tabs.indexOf(list.dataset.tab) + step + tabs.length) % tabs.length;
+        show(tabs[next]);
+        buttons[next].focus();
+      },
+    },
+    buttons,
+  );
 
   async function show(tab) {
     shown?.destroy?.();
@@ -98,7 +124,9 @@ export function comparison(two, settings) {
     fill(body, h('p.empty', {}, t('look-loading')));
     const series = await Promise.all(two.map((own) => own.series().catch(() => null)));
     if (list.dataset.tab !== 'histories') return;
-    const sources = two.map((own, i) => series[i] && { label: own.label, time: series[i].time, columns: columnsOf(series[i], own.results, settings.language) }).filter(Boolean);
+    const sources = two
+      .map((own, i) => series[i] && { label: own.label, time: series[i].time, columns: columnsOf(series[i], own.results, settings.language) })
+      .filter(Boolean);
     shown = histories(sources, settings, createClock(), Math.max(...series.map((own) => own?.every ?? 1)));
     fill(body, shown.element);
   }
@@ -107,7 +135,16 @@ export function comparison(two, settings) {
   return { element: h('div', {}, list, body), repaint: () => shown?.repaint?.(), destroy: () => shown?.destroy?.() };
 }
 
-const head = (ids) => h('thead', {}, h('tr', {}, ids.map(([id, number, text]) => h(number ? 'th.number' : 'th', { scope: 'col' }, text ?? t(id)))));
+const head = (ids) =>
+  h(
+    'thead',
+    {},
+    h(
+      'tr',
+      {},
+      ids.map(([id, number, text]) => h(number ? 'th.number' : 'th', { scope: 'col' }, text ?? t(id))),
+    ),
+  );
 const table = (label, ...parts) => h('div.scroll', { tabindex: '0', role: 'region', 'aria-label': label }, h('table.look-table', {}, parts));
 
 /** A table with a choice of methods and a switch for equal rows. */
@@ -115,23 +152,54 @@ function filtered({ rows, equal, single }, [one, other], isEqual, made) {
   const methods = [...new Set(rows.map((row) => row.method))];
   const body = h('tbody');
   const all = h('input', { type: 'checkbox', onchange: () => show() });
-  const select = h('select', { 'aria-label': t('look-method'), onchange: () => show() }, h('option', { value: '' }, t('look-all-methods')), methods.map((method) => h('option', { value: method }, method)));
-  const show = () => body.replaceChildren(...rows.filter((row) => (all.checked || !isEqual(row)) && (!select.value || row.method === select.value)).map(made));
+  const select = h(
+    'select',
+    { 'aria-label': t('look-method'), onchange: () => show() },
+    h('option', { value: '' }, t('look-all-methods')),
+    methods.map((method) => h('option', { value: method }, method)),
+  );
+  const show = () =>
+    body.replaceChildren(...rows.filter((row) => (all.checked || !isEqual(row)) && (!select.value || row.method === select.value)).map(made));
   show();
   const note = [t('look-sorted', { one: one.label, other: other.label }), equal ? t('look-equal', { count: equal }) : ''].join(' ');
-  return { body, tools: h('div.look-line', {}, select, h('label.tick', {}, all, t('look-equal-shown')), h('span.hint', {}, note)), single: single.length ? h('p.hint', {}, t('look-only-one', { list: single.join('; ') })) : null };
+  return {
+    body,
+    tools: h('div.look-line', {}, select, h('label.tick', {}, all, t('look-equal-shown')), h('span.hint', {}, note)),
+    single: single.length ? h('p.hint', {}, t('look-only-one', { list: single.join('; ') })) : null,
+  };
 }
 
 function quantityTable(one, other, settings) {
   const found = quantityDifferences(one.results, other.results, settings.language);
   if (!found.rows.length) return h('p.empty', {}, t('look-nothing-common'));
-  const { body, tools, single } = filtered(found, [one, other], (row) => change(row) < EQUAL, (row) => {
-    const unit = unitFor(largest([row.one, row.other]), row.dimension, settings.units);
-    const value = (number) => withUnit(significant(number / unit.factor, 4), unit);
-    return h('tr', {}, h('th', { scope: 'row' }, row.title), h('td', {}, row.method), h('td.number', {}, value(row.one)), h('td.number', {}, value(row.other)),
-      h('td.number', {}, signed(value(row.one - row.other), row.one - row.other)), h('td.number', {}, significant(row.ratio, 4)));
-  });
-  return [tools, table(t('look-tab-quantities'), head([['look-quantity'], ['look-method'], ['', true, one.label], ['', true, other.label], ['look-difference', true], ['look-ratio', true]]), body), single];
+  const { body, tools, single } = filtered(
+    found,
+    [one, other],
+    (row) => change(row) < EQUAL,
+    (row) => {
+      const unit = unitFor(largest([row.one, row.other]), row.dimension, settings.units);
+      const value = (number) => withUnit(significant(number / unit.factor, 4), unit);
+      return h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, row.title),
+        h('td', {}, row.method),
+        h('td.number', {}, value(row.one)),
+        h('td.number', {}, value(row.other)),
+        h('td.number', {}, signed(value(row.one - row.other), row.one - row.other)),
+        h('td.number', {}, significant(row.ratio, 4)),
+      );
+    },
+  );
+  return [
+    tools,
+    table(
+      t('look-tab-quantities'),
+      head([['look-quantity'], ['look-method'], ['', true, one.label], ['', true, other.label], ['look-difference', true], ['look-ratio', true]]),
+      body,
+    ),
+    single,
+  ];
 }
 
 const signed = (text, value) => (value > 0 ? `+${text}` : text);
@@ -139,13 +207,44 @@ const signed = (text, value) => (value > 0 ? `+${text}` : text);
 function checkTable(one, other, settings) {
   const found = checkDifferences(one.results, other.results, settings.language);
   if (!found.rows.length) return h('p.empty', {}, t('look-nothing-common'));
-  const cell = (check) => h('td.number', { title: Number.isFinite(check.demand) ? `${display(check.demand, check.dimension, settings.units)} / ${display(check.capacity, check.dimension, settings.units)}` : null },
-    significant(check.utilisation, 3), ' ', h('small', {}, stateWord(check.status)));
-  const { body, tools, single } = filtered(found, [one, other], (row) => !row.moved && row.size === 0, (row) => {
-    const gap = row.a.utilisation - row.b.utilisation;
-    const both = Number.isFinite(row.a.utilisation) && Number.isFinite(row.b.utilisation);
-    return h('tr', { class: row.moved ? 'look-moved' : '' }, h('th', { scope: 'row' }, row.title), h('td', {}, row.method), cell(row.a), cell(row.b),
-      h('td.number', {}, both ? signed(significant(gap, 3), gap) : '–'), h('td.number', {}, both ? significant(row.a.utilisation / row.b.utilisation, 4) : '–'));
-  });
-  return [tools, table(t('look-tab-checks'), head([['look-check'], ['look-method'], ['', true, one.label], ['', true, other.label], ['look-difference', true], ['look-ratio', true]]), body), single];
+  const cell = (check) =>
+    h(
+      'td.number',
+      {
+        title: Number.isFinite(check.demand)
+          ? `${display(check.demand, check.dimension, settings.units)} / ${display(check.capacity, check.dimension, settings.units)}`
+          : null,
+      },
+      significant(check.utilisation, 3),
+      ' ',
+      h('small', {}, stateWord(check.status)),
+    );
+  const { body, tools, single } = filtered(
+    found,
+    [one, other],
+    (row) => !row.moved && row.size === 0,
+    (row) => {
+      const gap = row.a.utilisation - row.b.utilisation;
+      const both = Number.isFinite(row.a.utilisation) && Number.isFinite(row.b.utilisation);
+      return h(
+        'tr',
+        { class: row.moved ? 'look-moved' : '' },
+        h('th', { scope: 'row' }, row.title),
+        h('td', {}, row.method),
+        cell(row.a),
+        cell(row.b),
+        h('td.number', {}, both ? signed(significant(gap, 3), gap) : '–'),
+        h('td.number', {}, both ? significant(row.a.utilisation / row.b.utilisation, 4) : '–'),
+      );
+    },
+  );
+  return [
+    tools,
+    table(
+      t('look-tab-checks'),
+      head([['look-check'], ['look-method'], ['', true, one.label], ['', true, other.label], ['look-difference', true], ['look-ratio', true]]),
+      body,
+    ),
+    single,
+  ];
 }

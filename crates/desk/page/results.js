@@ -61,9 +61,29 @@ const entry = (room, path) => room.list.find((one) => one.path === path);
 const stamp = (one) => `${one.created ?? ''}/${one.modified ?? ''}`;
 
 function names(room) {
-  fill(room.names, room.list.length ? room.list.map((one) => h('li', {}, h('button.look-name', {
-    type: 'button', 'aria-current': one.path === room.path ? 'true' : null, onclick: () => room.desk.go('look', { path: one.path }),
-  }, h('b', {}, one.path || '.'), h('span.look-kind', {}, kind(one)), one.name ? h('span.hint', {}, one.name) : null, h('span.look-when', {}, when(one), one.status ? verdictBadge(one.status) : null)))) : h('li.empty', {}, t('look-no-results')));
+  fill(
+    room.names,
+    room.list.length
+      ? room.list.map((one) =>
+          h(
+            'li',
+            {},
+            h(
+              'button.look-name',
+              {
+                type: 'button',
+                'aria-current': one.path === room.path ? 'true' : null,
+                onclick: () => room.desk.go('look', { path: one.path }),
+              },
+              h('b', {}, one.path || '.'),
+              h('span.look-kind', {}, kind(one)),
+              one.name ? h('span.hint', {}, one.name) : null,
+              h('span.look-when', {}, when(one), one.status ? verdictBadge(one.status) : null),
+            ),
+          ),
+        )
+      : h('li.empty', {}, t('look-no-results')),
+  );
 }
 
 const when = (one) => (one.created ? moment(one.created) : '');
@@ -76,10 +96,25 @@ function kind(one) {
 /** Says that the opened result was written again. */
 function changed(room) {
   if (room.head.querySelector('.look-again')) return;
-  room.head.append(h('p.look-again', { role: 'status' }, t('look-changed'), ' ', h('button', { type: 'button', onclick: () => {
-    room.data.delete(room.path);
-    open(room, room.path, room.beside);
-  } }, t('look-reload'))));
+  room.head.append(
+    h(
+      'p.look-again',
+      { role: 'status' },
+      t('look-changed'),
+      ' ',
+      h(
+        'button',
+        {
+          type: 'button',
+          onclick: () => {
+            room.data.delete(room.path);
+            open(room, room.path, room.beside);
+          },
+        },
+        t('look-reload'),
+      ),
+    ),
+  );
 }
 
 function settings(room, { name } = {}) {
@@ -100,11 +135,19 @@ function fetched(room, path) {
   else {
     const once = (call) => {
       let promise = null;
-      return () => (promise ??= call().catch((error) => { promise = null; throw error; }));
+      return () =>
+        (promise ??= call().catch((error) => {
+          promise = null;
+          throw error;
+        }));
     };
-    const none = (error) => { if (error.status === 404) return null; throw error; };
+    const none = (error) => {
+      if (error.status === 404) return null;
+      throw error;
+    };
     own = {
-      results: once(() => api.get('results', { path })), series: once(() => api.get('series', { path }).catch(none)),
+      results: once(() => api.get('results', { path })),
+      series: once(() => api.get('series', { path }).catch(none)),
       // A scene is large and is read for each view.
       scene: async () => (entry(room, path)?.scene === false ? null : api.get('scene', { path }).catch(none)),
     };
@@ -142,11 +185,21 @@ async function open(room, path, beside) {
 
 function header(room, own) {
   const others = room.list.filter((one) => one.path !== room.path && ['compare', 'check', 'set'].includes(one.kind));
-  const select = h('select', { onchange: () => open(room, room.path, select.value || null) }, h('option', { value: '' }, t('look-compare-none')), others.map((one) => h('option', { value: one.path }, one.path)));
+  const select = h(
+    'select',
+    { onchange: () => open(room, room.path, select.value || null) },
+    h('option', { value: '' }, t('look-compare-none')),
+    others.map((one) => h('option', { value: one.path }, one.path)),
+  );
   select.value = room.beside ?? '';
   const comparable = own && ['compare', 'check', 'set'].includes(own.kind) && others.length;
-  fill(room.head, h('h2', {}, room.path || '.'), own?.status ? verdictBadge(own.status) : null, own ? h('span.hint', {}, kind(own)) : null,
-    comparable ? h('label.scene-field', {}, h('span', {}, t('look-compare-with')), select) : null);
+  fill(
+    room.head,
+    h('h2', {}, room.path || '.'),
+    own?.status ? verdictBadge(own.status) : null,
+    own ? h('span.hint', {}, kind(own)) : null,
+    comparable ? h('label.scene-field', {}, h('span', {}, t('look-compare-with')), select) : null,
+  );
 }
 
 async function single(room, path, turn) {
@@ -162,23 +215,42 @@ async function single(room, path, turn) {
   const listed = entry(room, path)?.files ?? ['results.json', 'series.csv', 'report.html'];
   const figures = listed.filter((name) => name.endsWith('.svg'));
   const source = {
-    results: own.results, series: own.series, scene: own.scene, report,
+    results: own.results,
+    series: own.series,
+    scene: own.scene,
+    report,
     files: listed.filter((name) => !name.endsWith('.svg')).map((name) => ({ name, address: address(name, true) })),
     ...(figures.length ? { figures: async () => figures.map((name) => ({ name, address: address(name) })) } : {}),
   };
-  return mountViewer(host, source, { settings: desk.settings, tab: room.tab, onTab: (tab) => { room.tab = tab; } });
+  return mountViewer(host, source, {
+    settings: desk.settings,
+    tab: room.tab,
+    onTab: (tab) => {
+      room.tab = tab;
+    },
+  });
 }
 
 /** Push, IDA, study and others: their curves where there are some, and the report. */
 function foreign(room, host, data, report) {
   const drawn = hasCurves(data) ? curves(data, room.desk.settings) : null;
-  fill(host, drawn?.element, h('div.look-report', {}, h('p', {}, h('a', { href: report, target: '_blank', rel: 'noopener' }, t('look-open-report'))),
-    h('iframe', { src: report, sandbox: 'allow-popups', title: t('look-tab-report') })));
+  fill(
+    host,
+    drawn?.element,
+    h(
+      'div.look-report',
+      {},
+      h('p', {}, h('a', { href: report, target: '_blank', rel: 'noopener' }, t('look-open-report'))),
+      h('iframe', { src: report, sandbox: 'allow-popups', title: t('look-tab-report') }),
+    ),
+  );
   return { repaint: () => drawn?.repaint(), destroy: () => drawn?.destroy() };
 }
 
 async function twice(room, path, beside) {
-  const two = await Promise.all([path, beside].map(async (one) => ({ label: one, results: await fetched(room, one).results(), series: fetched(room, one).series })));
+  const two = await Promise.all(
+    [path, beside].map(async (one) => ({ label: one, results: await fetched(room, one).results(), series: fetched(room, one).series })),
+  );
   if (two.some(({ results }) => !String(results?.format).startsWith('tankcheck-results/'))) throw new Error(t('look-not-comparable'));
   const made = comparison(two, room.desk.settings);
   fill(room.body, made.element);

@@ -27,4 +27,10 @@ export function savePng(name, canvas) {
 
 /** A name for a file, from a title. */
 export const fileName = (title, extension) =>
-  `${title.normalize('NFKD').replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '').slice(0, 60) || 'tankcheck'}.${extension}`;
+  `${
+    title
+      .normalize('NFKD')
+      .replace(/[^\w.-]+/g, '-')
+      .replace(/^-+|-+$/g, '')
+      .slice(0, 60) || 'tankcheck'
+  }.${extension}`;

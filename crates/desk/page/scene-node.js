@@ -19,7 +19,11 @@ export function nodePanel({ scene, fields, node, clock, settings, close }) {
   const histories = scene.frames ? found(scene, fields, node, Math.atan2(y, x)) : [];
   const values = h('dl.scene-values');
   const host = h('div');
-  const select = h('select', { onchange: () => draw() }, histories.map((one, i) => h('option', { value: String(i) }, one.title)));
+  const select = h(
+    'select',
+    { onchange: () => draw() },
+    histories.map((one, i) => h('option', { value: String(i) }, one.title)),
+  );
   let drawn = null;
 
   function draw() {
@@ -27,20 +31,38 @@ export function nodePanel({ scene, fields, node, clock, settings, close }) {
     drawn = null;
     const one = histories[Number(select.value) || 0];
     if (!one) return;
-    drawn = chart(host, { title: `${one.title}, ${t('scene-node', { node: node + 1 })}`, x: { title: t('scene-time'), values: scene.times, dimension: 'time' },
-      y: { dimension: one.dimension }, series: [{ title: one.title, values: one.values }], height: 160 }, settings, createGroup(clock));
+    drawn = chart(
+      host,
+      {
+        title: `${one.title}, ${t('scene-node', { node: node + 1 })}`,
+        x: { title: t('scene-time'), values: scene.times, dimension: 'time' },
+        y: { dimension: one.dimension },
+        series: [{ title: one.title, values: one.values }],
+        height: 160,
+      },
+      settings,
+      createGroup(clock),
+    );
   }
 
   function at(time) {
     const frame = nearest(scene.times, time);
-    fill(values, histories.map((one) => h('div', {}, h('dt', {}, one.title), h('dd', {}, display(one.values[frame], one.dimension, settings.units)))));
+    fill(
+      values,
+      histories.map((one) => h('div', {}, h('dt', {}, one.title), h('dd', {}, display(one.values[frame], one.dimension, settings.units)))),
+    );
   }
 
   if (histories.length) at(clock.time);
-  const element = h('section.scene-node-inside', {},
+  const element = h(
+    'section.scene-node-inside',
+    {},
     h('header', {}, h('h4', {}, t('scene-node', { node: node + 1 })), h('button.quiet', { type: 'button', onclick: close }, t('scene-close'))),
     h('p', {}, t('scene-place', { x: length(x), y: length(y), z: length(z), r: length(Math.hypot(x, y)), theta: `${angle}°` })),
-    values, histories.length ? h('label.scene-field', {}, h('span', {}, t('scene-node-field')), select) : null, host);
+    values,
+    histories.length ? h('label.scene-field', {}, h('span', {}, t('scene-node-field')), select) : null,
+    host,
+  );
   return { element, draw, at, destroy: () => drawn?.destroy() };
 }
 
@@ -48,6 +70,14 @@ function found(scene, fields, node, theta) {
   const [ux, uy, uz] = motionOf(scene, node);
   const radial = ux.map((value, i) => value * Math.cos(theta) + uy[i] * Math.sin(theta));
   const along = (axis, values) => ({ title: t('scene-along', { axis }), dimension: 'length', values });
-  const own = fields.filter((field) => !field.of).map((field) => ({ title: field.title, dimension: dimensionOf(field.unit), values: historyAt(scene, field, node) }));
-  return [...own.filter((one) => one.values), { title: t('scene-radial'), dimension: 'length', values: radial }, along('x', ux), along('y', uy), along('z', uz)];
+  const own = fields
+    .filter((field) => !field.of)
+    .map((field) => ({ title: field.title, dimension: dimensionOf(field.unit), values: historyAt(scene, field, node) }));
+  return [
+    ...own.filter((one) => one.values),
+    { title: t('scene-radial'), dimension: 'length', values: radial },
+    along('x', ux),
+    along('y', uy),
+    along('z', uz),
+  ];
 }

@@ -32,9 +32,24 @@ export function createScenePanel(scene, clock, settings, name) {
   self.legend = h('div.scene-legend', { hidden: true });
   self.node = h('div.scene-node', { hidden: true });
   self.dot = h('div.scene-dot', { hidden: true });
-  self.view = createView(host, scene, { picked: (node) => pick(self, node), turned: () => turned(self), lost: () => { self.stated.textContent = t('scene-lost'); self.player?.pause(); } });
+  self.view = createView(host, scene, {
+    picked: (node) => pick(self, node),
+    turned: () => turned(self),
+    lost: () => {
+      self.stated.textContent = t('scene-lost');
+      self.player?.pause();
+    },
+  });
   host.append(self.legend, self.stated, self.fps, axesPicture(self), self.dot);
-  self.player = createPlayer(clock, { times: scene.times, moving: (moving) => play(self, moving), frame: () => { self.view.draw(); self.drawn += 1; follow(self); } });
+  self.player = createPlayer(clock, {
+    times: scene.times,
+    moving: (moving) => play(self, moving),
+    frame: () => {
+      self.view.draw();
+      self.drawn += 1;
+      follow(self);
+    },
+  });
   const tools = controls(self);
   self.element = h('div.scene', {}, h('div.scene-main', {}, host, self.player.element), h('div.scene-side', {}, tools, self.node));
   for (const part of scene.parts) exaggerate(self, part, nice(part.most > 0 ? (AIM * scene.size) / part.most : 1, part));
@@ -48,7 +63,9 @@ export function createScenePanel(scene, clock, settings, name) {
     repaint: () => self.view.recolour(),
     play: () => self.player.play(),
     pause: () => self.player.pause(),
-    get player() { return self.player; },
+    get player() {
+      return self.player;
+    },
     destroy() {
       self.off();
       clearInterval(self.counting);
@@ -76,8 +93,19 @@ function controls(self) {
     return h('label.tick', {}, box, text);
   };
   const pick = (text, pairs, act) => {
-    const select = h('select', { onchange: () => act(select.value) }, pairs.map(([value, title]) => (Array.isArray(title)
-      ? h('optgroup', { label: value }, title.map(([id, one]) => h('option', { value: id }, one))) : h('option', { value }, title))));
+    const select = h(
+      'select',
+      { onchange: () => act(select.value) },
+      pairs.map(([value, title]) =>
+        Array.isArray(title)
+          ? h(
+              'optgroup',
+              { label: value },
+              title.map(([id, one]) => h('option', { value: id }, one)),
+            )
+          : h('option', { value }, title),
+      ),
+    );
     return [h('label.scene-field', {}, h('span', {}, text), select), select];
   };
   const fields = [['', t('scene-plain')], ...allFields(self).map((field, i) => [String(i), field.title])];
@@ -85,26 +113,51 @@ function controls(self) {
   const shapes = shapeChoices(self);
   const [shape] = pick(t('scene-shape'), shapes, (value) => choose(self, value));
   self.timed = [colours];
-  const [cut] = pick(t('scene-cut'), ['none', 'wall', 'all'].map((id) => [id, t(`scene-cut-${id}`)]), (value) => view.setCut(value));
+  const [cut] = pick(
+    t('scene-cut'),
+    ['none', 'wall', 'all'].map((id) => [id, t(`scene-cut-${id}`)]),
+    (value) => view.setCut(value),
+  );
   self.selects = new Map();
-  const times = scene.parts.filter((part) => part.id !== 'liquid').map((part) => {
-    const [label, select] = pick(t('scene-times', { part: named(part.id) }), TIMES.map((value) => [String(value), `× ${significant(value, 1)}`]), (value) => exaggerate(self, part, Number(value)));
-    self.selects.set(part.id, select);
-    self.timed.push(select);
-    return label;
-  });
+  const times = scene.parts
+    .filter((part) => part.id !== 'liquid')
+    .map((part) => {
+      const [label, select] = pick(
+        t('scene-times', { part: named(part.id) }),
+        TIMES.map((value) => [String(value), `× ${significant(value, 1)}`]),
+        (value) => exaggerate(self, part, Number(value)),
+      );
+      self.selects.set(part.id, select);
+      self.timed.push(select);
+      return label;
+    });
   const looks = ['axonometric', 'front', 'side', 'top'].map((id) => h('button', { type: 'button', onclick: () => view.look(id) }, t(`scene-${id}`)));
   const start = scene.fields.findIndex((field) => field.id === 'hoop_stress');
   if (scene.frames && scene.fields.length) {
     colours.value = String(Math.max(0, start));
     queueMicrotask(() => paint(self, allFields(self)[Math.max(0, start)]));
   }
-  return h('div.scene-tools', {},
-    scene.modes.length || scene.moments.length ? shape : null, scene.frames ? colour : null, scene.frames ? times : null, cut,
-    h('span.scene-group', { role: 'group', 'aria-label': t('scene-parts') }, scene.parts.map((part) => tick(named(part.id), part.id !== 'liquid', (on) => view.setShown(part.id, on))),
-      tick(t('scene-mesh'), scene.count <= 6000, (on) => view.setMesh(on)), scene.frames ? tick(t('scene-bands'), false, (on) => { view.setBands(on ? 10 : 0); }) : null),
+  return h(
+    'div.scene-tools',
+    {},
+    scene.modes.length || scene.moments.length ? shape : null,
+    scene.frames ? colour : null,
+    scene.frames ? times : null,
+    cut,
+    h(
+      'span.scene-group',
+      { role: 'group', 'aria-label': t('scene-parts') },
+      scene.parts.map((part) => tick(named(part.id), part.id !== 'liquid', (on) => view.setShown(part.id, on))),
+      tick(t('scene-mesh'), scene.count <= 6000, (on) => view.setMesh(on)),
+      scene.frames
+        ? tick(t('scene-bands'), false, (on) => {
+            view.setBands(on ? 10 : 0);
+          })
+        : null,
+    ),
     h('span.scene-group', { role: 'group', 'aria-label': t('scene-view') }, looks),
-    h('button', { type: 'button', onclick: () => picture(self) }, t('scene-picture')));
+    h('button', { type: 'button', onclick: () => picture(self) }, t('scene-picture')),
+  );
 }
 
 /** Fields of the scene, and those that follow from the displacement. */
@@ -116,7 +169,8 @@ function allFields(self) {
     const factor = scene_.scale[frame];
     const from = frame * scene_.count * 3;
     const d = scene_.displacement;
-    for (let i = 0, at = from; i < out.length; i += 1, at += 3) out[i] = Math.sqrt(d[at] * d[at] + d[at + 1] * d[at + 1] + d[at + 2] * d[at + 2]) * factor;
+    for (let i = 0, at = from; i < out.length; i += 1, at += 3)
+      out[i] = Math.sqrt(d[at] * d[at] + d[at + 1] * d[at + 1] + d[at + 2] * d[at + 2]) * factor;
   };
   const rise = (scene_, frame, out) => {
     const factor = scene_.scale[frame];
@@ -125,7 +179,8 @@ function allFields(self) {
   const surface = scene.parts.find(({ id }) => id === 'surface');
   const wall = scene.parts.find(({ id }) => id === 'wall');
   self.fields = scene.fields.map((field) => ({ ...field, title: titled(field.title, settings.language) }));
-  if (surface) self.fields.push({ id: 'wave', title: t('scene-height'), unit: 'm', part: 'surface', low: -surface.most, high: surface.most, of: rise });
+  if (surface)
+    self.fields.push({ id: 'wave', title: t('scene-height'), unit: 'm', part: 'surface', low: -surface.most, high: surface.most, of: rise });
   self.fields.push({ id: 'motion', title: t('scene-motion'), unit: 'm', part: wall ? 'wall' : '', low: 0, high: wall?.most ?? most, of: length });
   return self.fields;
 }
@@ -135,8 +190,15 @@ function shapeChoices(self) {
   const hertz = (frequency) => display(frequency, 'frequency', 'si');
   const title = (mode) => (mode.kind ? t(`scene-${mode.kind}`, { number: mode.number, m: mode.harmonic }) : mode.title);
   const modes = scene.modes.map((mode, i) => [`mode:${i}`, t('scene-mode', { title: title(mode), frequency: hertz(mode.frequency) })]);
-  const moments = scene.moments.map((one, i) => [`moment:${i}`, t('scene-moment', { title: one.title, time: display(one.time, 'time', settings.units) })]);
-  return [...(scene.frames ? [['history', t('scene-history')]] : []), ...(modes.length ? [[t('scene-modes'), modes]] : []), ...(moments.length ? [[t('scene-moments'), moments]] : [])];
+  const moments = scene.moments.map((one, i) => [
+    `moment:${i}`,
+    t('scene-moment', { title: one.title, time: display(one.time, 'time', settings.units) }),
+  ]);
+  return [
+    ...(scene.frames ? [['history', t('scene-history')]] : []),
+    ...(modes.length ? [[t('scene-modes'), modes]] : []),
+    ...(moments.length ? [[t('scene-moments'), moments]] : []),
+  ];
 }
 
 function choose(self, value) {
@@ -165,7 +227,10 @@ function choose(self, value) {
   const wave = (seconds) => view.setShape(mode.displacement, size * Math.sin(Math.PI * seconds));
   player.oscillate(wave);
   view.setShape(mode.displacement, size);
-  self.stated.textContent = t('scene-mode-drawn', { frequency: display(mode.frequency, 'frequency', 'si'), period: display(1 / mode.frequency, 'time', 'si') });
+  self.stated.textContent = t('scene-mode-drawn', {
+    frequency: display(mode.frequency, 'frequency', 'si'),
+    period: display(1 / mode.frequency, 'time', 'si'),
+  });
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches && self.element?.isConnected) player.play();
 }
 
@@ -181,7 +246,9 @@ function exaggerate(self, part, times) {
 function stated(self) {
   if (self.shape || !self.scene.frames) return;
   for (const [part, times] of self.times) self.view.setTimes(part, times);
-  const list = [...self.times].filter(([part]) => part !== 'liquid').map(([part, times]) => t('scene-times-of', { part: named(part), times: significant(times, 1) }));
+  const list = [...self.times]
+    .filter(([part]) => part !== 'liquid')
+    .map(([part, times]) => t('scene-times-of', { part: named(part), times: significant(times, 1) }));
   self.stated.textContent = t('scene-drawn', { list: list.join(', ') });
 }
 
@@ -203,7 +270,12 @@ function paint(self, field) {
   const bar = h('div.scene-bar');
   bar.style.background = gradient(scale.colours);
   const marks = [1, 0.75, 0.5, 0.25, 0].map((share) => h('span', {}, significant((scale.low + share * (scale.high - scale.low)) / unit.factor, 3)));
-  fill(self.legend, h('strong', {}, field.title), h('span.scene-unit', {}, unit.symbol), h('div.scene-scale', {}, bar, h('div.scene-marks', {}, marks)));
+  fill(
+    self.legend,
+    h('strong', {}, field.title),
+    h('span.scene-unit', {}, unit.symbol),
+    h('div.scene-scale', {}, bar, h('div.scene-marks', {}, marks)),
+  );
   if (field.at === 'cell') self.legend.title = t('scene-averaged');
 }
 
@@ -233,7 +305,14 @@ function pick(self, node) {
   self.node.hidden = node === null;
   self.dot.hidden = node === null;
   if (node === null) return;
-  const made = nodePanel({ scene: self.scene, fields: self.scene.frames ? allFields(self) : [], node, clock: self.clock, settings: self.settings, close: () => pick(self, null) });
+  const made = nodePanel({
+    scene: self.scene,
+    fields: self.scene.frames ? allFields(self) : [],
+    node,
+    clock: self.clock,
+    settings: self.settings,
+    close: () => pick(self, null),
+  });
   fill(self.node, made.element);
   self.chart = made;
   made.draw();
@@ -288,7 +367,8 @@ function keys(self) {
     else if (event.target !== self.host) return;
     else if (event.key === ',') self.player.step(-1);
     else if (event.key === '.') self.player.step(1);
-    else if (event.key.startsWith('Arrow')) self.view.turn({ ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key]);
+    else if (event.key.startsWith('Arrow'))
+      self.view.turn({ ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key]);
     else if (event.key === '+' || event.key === '-') self.view.nearer(event.key === '+' ? 0.85 : 1 / 0.85);
     else return;
     event.preventDefault();
@@ -306,7 +386,11 @@ function picture(self) {
   draw.scale(ratio, ratio);
   draw.font = `12px ${style.fontFamily}`;
   draw.fillStyle = style.color;
-  draw.fillText(`${self.stated.textContent}${self.shape ? '' : `; t = ${withUnit(significant(self.clock.time, 4), { symbol: 's' })}`}`, 12, self.host.clientHeight - 12);
+  draw.fillText(
+    `${self.stated.textContent}${self.shape ? '' : `; t = ${withUnit(significant(self.clock.time, 4), { symbol: 's' })}`}`,
+    12,
+    self.host.clientHeight - 12,
+  );
   if (self.painted && !self.legend.hidden) legendInto(self, draw);
   savePng(fileName(self.name, 'png'), canvas);
 }

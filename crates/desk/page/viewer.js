@@ -41,10 +41,30 @@ export async function mount(element, source, options) {
   fill(element, h('p.empty', {}, t('look-loading')));
   const results = await source.results();
   const state = { source, options, settings, results, clock: createClock(), open: new Map(), tab: null, dead: false };
-  const tabs = ['summary', 'scene', 'histories', 'profiles', 'spectra', ...(source.figures ? ['figures'] : []), ...(source.report ? ['report'] : []), ...(source.files ? ['files'] : [])];
-  const buttons = tabs.map((tab) => h('button.look-tab', { type: 'button', role: 'tab', id: `look-tab-${tab}`, 'aria-controls': `look-pane-${tab}`, tabindex: '-1', onclick: () => show(tab) }, t(`look-tab-${tab}`)));
+  const tabs = [
+    'summary',
+    'scene',
+    'histories',
+    'profiles',
+    'spectra',
+    ...(source.figures ? ['figures'] : []),
+    ...(source.report ? ['report'] : []),
+    ...(source.files ? ['files'] : []),
+  ];
+  const buttons = tabs.map((tab) =>
+    h(
+      'button.look-tab',
+      { type: 'button', role: 'tab', id: `look-tab-${tab}`, 'aria-controls': `look-pane-${tab}`, tabindex: '-1', onclick: () => show(tab) },
+      t(`look-tab-${tab}`),
+    ),
+  );
   const list = h('div.look-tabs', { role: 'tablist', 'aria-label': t('look-tabs'), onkeydown: (event) => along(event) }, buttons);
-  const panes = new Map(tabs.map((tab) => [tab, h('div.look-pane', { role: 'tabpanel', id: `look-pane-${tab}`, 'aria-labelledby': `look-tab-${tab}`, tabindex: '-1', hidden: true })]));
+  const panes = new Map(
+    tabs.map((tab) => [
+      tab,
+      h('div.look-pane', { role: 'tabpanel', id: `look-pane-${tab}`, 'aria-labelledby': `look-tab-${tab}`, tabindex: '-1', hidden: true }),
+    ]),
+  );
   fill(element, list, [...panes.values()]);
 
   function along(event) {
@@ -67,13 +87,18 @@ export async function mount(element, source, options) {
     options.onTab?.(tab);
     if (!state.open.has(tab)) {
       state.open.set(tab, {});
-      build(state, tab, panes.get(tab)).then((made) => (state.dead ? made?.destroy?.() : state.open.set(tab, made ?? {})), (error) => fill(panes.get(tab), h('p.empty', {}, error.message)));
+      build(state, tab, panes.get(tab)).then(
+        (made) => (state.dead ? made?.destroy?.() : state.open.set(tab, made ?? {})),
+        (error) => fill(panes.get(tab), h('p.empty', {}, error.message)),
+      );
     }
   }
 
   show(tabs.includes(options.tab) ? options.tab : 'summary');
   return {
-    get tab() { return state.tab; },
+    get tab() {
+      return state.tab;
+    },
     results,
     repaint: () => state.open.forEach((one) => one.repaint?.()),
     pause: () => state.open.forEach((one) => one.pause?.()),
@@ -107,18 +132,43 @@ function put(pane, made) {
 
 function about(results) {
   const { created, version, command } = results.volatile ?? {};
-  return h('section.look-about', {}, h('p', {}, t('look-about', { name: results.name ?? '', when: moment(created), version: version ?? '' })), command ? h('p.hint', {}, h('code', {}, command)) : null);
+  return h(
+    'section.look-about',
+    {},
+    h('p', {}, t('look-about', { name: results.name ?? '', when: moment(created), version: version ?? '' })),
+    command ? h('p.hint', {}, h('code', {}, command)) : null,
+  );
 }
 
 function report(address) {
-  return h('div.look-report', {}, h('p', {}, h('a', { href: address, target: '_blank', rel: 'noopener' }, t('look-open-report'))),
-    h('iframe', { src: address, sandbox: 'allow-popups', title: t('look-tab-report') }));
+  return h(
+    'div.look-report',
+    {},
+    h('p', {}, h('a', { href: address, target: '_blank', rel: 'noopener' }, t('look-open-report'))),
+    h('iframe', { src: address, sandbox: 'allow-popups', title: t('look-tab-report') }),
+  );
 }
 
-const files = (list) => h('ul.look-files', {}, list.map(({ name, address }) => h('li', {}, h('a', { href: address, download: name.split('/').at(-1) }, t('look-save', { name })))));
+const files = (list) =>
+  h(
+    'ul.look-files',
+    {},
+    list.map(({ name, address }) => h('li', {}, h('a', { href: address, download: name.split('/').at(-1) }, t('look-save', { name })))),
+  );
 
-const figures = (list) => h('div.look-figures', {}, list.map(({ name, address }) => h('figure', {}, h('img', { src: address, alt: name.replace(/\.svg$/, '').replaceAll('_', ' '), loading: 'lazy' }),
-  h('figcaption', {}, h('a', { href: address, download: name.split('/').at(-1) }, t('look-save', { name }))))));
+const figures = (list) =>
+  h(
+    'div.look-figures',
+    {},
+    list.map(({ name, address }) =>
+      h(
+        'figure',
+        {},
+        h('img', { src: address, alt: name.replace(/\.svg$/, '').replaceAll('_', ' '), loading: 'lazy' }),
+        h('figcaption', {}, h('a', { href: address, download: name.split('/').at(-1) }, t('look-save', { name }))),
+      ),
+    ),
+  );
 
 /** The scene with the record under it; without scene.json the modes, and the command that keeps a scene. */
 async function sceneTab(state, pane, series, columns) {
@@ -151,11 +201,32 @@ async function sceneTab(state, pane, series, columns) {
     }
   }
   const ground = columns.find(({ name }) => name === 'ground_acceleration') ?? columns[0];
-  const record = ground && chart(under, { title: ground.title, x: { title: t('scene-time'), values: series.time, dimension: 'time' }, y: { dimension: ground.dimension },
-    series: [{ title: ground.title, values: ground.values }], height: 130, scrub: Boolean(scene?.frames) }, settings, createGroup(clock));
+  const record =
+    ground &&
+    chart(
+      under,
+      {
+        title: ground.title,
+        x: { title: t('scene-time'), values: series.time, dimension: 'time' },
+        y: { dimension: ground.dimension },
+        series: [{ title: ground.title, values: ground.values }],
+        height: 130,
+        scrub: Boolean(scene?.frames),
+      },
+      settings,
+      createGroup(clock),
+    );
   return {
-    element: pane, repaint() { panel?.repaint(); record?.repaint(); }, pause: () => panel?.pause(),
-    destroy() { panel?.destroy(); record?.destroy(); },
+    element: pane,
+    repaint() {
+      panel?.repaint();
+      record?.repaint();
+    },
+    pause: () => panel?.pause(),
+    destroy() {
+      panel?.destroy();
+      record?.destroy();
+    },
   };
 }
 
