@@ -5,6 +5,8 @@ export function createClock() {
   const listeners = new Set();
   return {
     time: 0,
+    /** Whether a player moves it: what is costly to draw may then follow a few times a second. */
+    playing: false,
     set(time, by = null) {
       this.time = time;
       for (const listener of listeners) listener(time, by);

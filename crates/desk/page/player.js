@@ -97,6 +97,7 @@ export function createPlayer(clock, { times, moving, frame }) {
     if (state.playing || (!state.wave && !(last > first))) return;
     if (!state.wave && (clock.time >= last || clock.time < first)) clock.set(first, state);
     state.playing = true;
+    clock.playing = true;
     state.before = performance.now();
     button.textContent = t('scene-pause');
     moving(true);
@@ -106,7 +107,9 @@ export function createPlayer(clock, { times, moving, frame }) {
   function pause() {
     if (!state.playing) return;
     state.playing = false;
+    clock.playing = false;
     cancelAnimationFrame(state.handle);
+    clock.set(clock.time, null);
     button.textContent = t('scene-play');
     moving(false);
   }

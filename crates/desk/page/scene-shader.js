@@ -7,9 +7,13 @@ attribute vec3 moved;
 attribute float level;
 varying vec3 seen;
 varying float value;
+#ifdef CUT
 varying float side;
+#endif
 void main() {
+#ifdef CUT
   side = position.y;
+#endif
   value = level;
   vec4 place = modelViewMatrix * vec4(position + moved, 1.0);
   seen = place.xyz;
@@ -22,7 +26,9 @@ uniform vec3 plain;
 uniform float low, high, coloured, bands, lit;
 varying vec3 seen;
 varying float value;
+#ifdef CUT
 varying float side;
+#endif
 vec3 map(float at) {
   if (bands > 0.0) at = (min(floor(at * bands), bands - 1.0) + 0.5) / bands;
   at = clamp(at, 0.0, 1.0) * 10.0;

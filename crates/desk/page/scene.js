@@ -30,7 +30,7 @@ const LEAST = 0.45;
  */
 export function createView(host, scene, calls) {
   const slow = software();
-  const renderer = new WebGLRenderer({ antialias: !slow, powerPreference: 'high-performance', preserveDrawingBuffer: false });
+  const renderer = new WebGLRenderer(opaque(!slow));
   const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, share: 0 };
   view.best = view.ratio;
   if (slow) view.slow = 0.6;
@@ -76,6 +76,14 @@ function software() {
   const name = names ? probe.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
   probe.getExtension('WEBGL_lose_context')?.loseContext();
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+/** A canvas that hides what is below it: three.js alone makes a transparent one, under which the browser composes the page in every frame. */
+function opaque(antialias) {
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('webgl2', { alpha: false, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
+  if (!context) throw new Error('no WebGL');
+  return { canvas, context };
 }
 
 function build(view) {
