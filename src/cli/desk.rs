@@ -30,17 +30,22 @@ pub(crate) struct Args {
     /// Print the address without opening a browser.
     #[arg(long)]
     no_browser: bool,
-    /// Port; 0 takes any that is free.
-    #[arg(long, default_value_t = 0, value_name = "N")]
-    port: u16,
+    /// Port; 0 takes any that is free [default: 8650, else any that is free].
+    #[arg(long, value_name = "N")]
+    port: Option<u16>,
 }
+
+/// Port that is tried first.
+const USUAL: u16 = 8650;
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let path = args.path.unwrap_or_else(|| ".".into());
     let (folder, tank) = opened(&path)?;
     let program = std::env::current_exe().map_err(|e| Error::output(e.to_string()))?;
-    let opening = desk::Opening { folder, tank, port: args.port, program, version: env!("CARGO_PKG_VERSION") };
+    // What a browser keeps belongs to the port: with the same one it is found again.
+    let port = args.port.unwrap_or_else(|| if desk::is_free(USUAL) { USUAL } else { 0 });
+    let opening = desk::Opening { folder, tank, port, program, version: env!("CARGO_PKG_VERSION") };
     progress::stop_gracefully("closing the desk");
     let show = |address: &str| {
         // Whoever started the desk reads the address; where nobody can, it closes by itself.
@@ -55,7 +60,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     served.map_err(|error| match error.kind() {
         std::io::ErrorKind::AddrInUse | std::io::ErrorKind::PermissionDenied => Error::value(format!(
             "--port: found {}, which another program uses or this user may not\n  help: leave --port out, and any free one is taken",
-            args.port
+            port
         )),
         _ => Error::output(error.to_string()),
     })?;

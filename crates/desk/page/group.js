@@ -6,6 +6,7 @@ import { Field } from './field.js';
 import { helpFor } from './help.js';
 import { childOf, plain } from './jsonc.js';
 import { labelOf } from './labels.js';
+import { formatPath } from './path.js';
 import { isLeaf } from './schema.js';
 import { makeView } from './views.js';
 import { t } from './words.js';
@@ -130,7 +131,7 @@ export class Group {
     if (this.offers.dataset.names === names) return;
     this.offers.dataset.names = names;
     fill(this.offers, groups.map((key) => h('button.field-offer', {
-      type: 'button', title: this.fieldOf(key).help, onclick: () => this.add(key),
+      type: 'button', title: this.fieldOf(key).help, dataset: { path: formatPath([...this.parts, key]) }, onclick: () => this.add(key),
     }, `+ ${labelOf(key)}`)));
   }
 

@@ -3,6 +3,7 @@
 import { h, uniqueId } from './dom.js';
 import { helpFor } from './help.js';
 import { labelOf } from './labels.js';
+import { formatPath } from './path.js';
 import { makeView } from './views.js';
 import { t } from './words.js';
 
@@ -14,6 +15,7 @@ export class Union {
       h('option', { value: '' }, t('form-not-stated')),
       field.words.map((word) => h('option', { value: `=${word}` }, word === 'none' ? t('form-none') : word)),
       h('option', { value: '+' }, t('form-described')));
+    this.select.dataset.path = formatPath(parts);
     this.list = h('ul.field-faults', { hidden: true });
     const { button, note } = helpFor(field, parts, this.title);
     this.element = h('section.field-group', { 'aria-label': this.title },

@@ -20,7 +20,7 @@ const TABLE = {
     si: 'kg t', us: [['lb', 0], ['klb', 10]],
   },
   density: {
-    units: [['kg/m³', 'kg/m3', 1], ['t/m³', 't/m3', 1e3], ['g/cm³', 'g/cm3', 1e3, 'g/ml kg/l kg/L kg/dm3'],
+    units: [['kg/m³', 'kg/m3', 1], ['t/m³', 't/m3', 1e3], ['g/cm³', 'g/cm3', 1e3, 'g/ml kg/l kg/L kg/dm3'], ['SG', 'SG', 1e3],
       ['lb/ft³', 'lb/ft3', POUND / FOOT ** 3, 'lbm/ft3 pcf']],
     si: 'kg/m3', us: [['lb/ft3', 0]],
   },

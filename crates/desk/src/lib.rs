@@ -42,6 +42,11 @@ pub struct Opening {
     pub version: &'static str,
 }
 
+/// Whether a port of this machine is free.
+pub fn is_free(port: u16) -> bool {
+    std::net::TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).is_ok()
+}
+
 /// Pause between two looks at whether the desk shall close.
 const LOOK: Duration = Duration::from_millis(50);
 

@@ -204,11 +204,13 @@ fn shown(fault: &Fault, source: &Source) -> Value {
 /// Keys of `results.json` whose texts people read.
 const READ: [&str; 8] = ["title", "label", "note", "reason", "unstated", "assumptions", "notes", "warnings"];
 
-/// Results as JSON, without what only a report needs, the texts in the language of the page.
+/// Results as JSON, without what only a report and sheets need, the texts in the language of the page.
 fn said(mut results: Results) -> Value {
     results.input.clear();
     for method in &mut results.methods {
         method.profiles.clear();
+        // A sheet is asked for by itself.
+        method.steps.clear();
     }
     let mut value = serde_json::to_value(&results).unwrap_or_default();
     if style::language() != Language::English {

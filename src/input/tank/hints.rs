@@ -32,6 +32,10 @@ const HINTS: &[Hint] = hints! {
         "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)";
     ["isolated" "isolation" "base_isolation" "isolator"] in TOP => "",
         "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab";
+    ["legs" "leg" "columns" "skirt" "staging"] in TOP => "",
+        "a tank on legs, on a skirt or on a staging is not modelled: the procedures and engines are those of tanks on the ground";
+    ["specific_gravity" "sg" "relative_density" "weight"] in &["liquid"] => "density",
+        "give `density`, such as \"870 kg/m3\" or \"0.87 SG\", the specific gravity";
     ["floating" "floating_roof"] in TOP => "",
         "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`";
     ["height" "wall_height" "tank_height"] in TOP => "",
@@ -89,7 +93,7 @@ const HINTS: &[Hint] = hints! {
     ["temperature" "design_temperature" "operating_temperature" "design_temp" "temp"] in &["", "tank", "liquid", "site", "materials"] => "",
         "give the properties at the temperature: `liquid.density`, and `youngs_modulus` and `yield_strength` of the material";
     ["corrosion" "corrosion_allowance" "ca"] in &["", "tank"] => "",
-        "give `corrosion_allowance` in each course of `tank.courses` and in `tank.bottom`";
+        "give `tank.corrosion_allowance`, or `corrosion_allowance` in the courses and the bottom that have their own";
     ["design_pressure" "internal_pressure" "overpressure" "vacuum" "external_pressure"] in &["", "tank", "liquid"] => "",
         "give `tank.pressure` with `internal` and `vacuum`";
     ["wind" "wind_speed" "wind_load" "wind_pressure"] in TOP => "",

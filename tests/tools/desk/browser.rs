@@ -130,6 +130,7 @@ impl Browser {
     /// A key, as `Tab`, `Enter`, `ArrowRight` or a character; `modifiers`: 1 Alt, 2 Ctrl, 8 Shift.
     pub(crate) fn key(&mut self, key: &str, modifiers: u8) {
         let code = match key {
+            "Backspace" => 8,
             "Tab" => 9,
             "Enter" => 13,
             "Escape" => 27,

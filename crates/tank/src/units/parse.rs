@@ -241,6 +241,7 @@ mod tests {
             ("1000 kg/m3", Density, 1000.0),
             ("1 t/m³", Density, 1000.0),
             ("0.86 g/cm3", Density, 860.0),
+            ("0.86 SG", Density, 860.0),
             ("1 lb/ft3", Density, 16.018_46),
             ("69 GPa", Stress, 69e9),
             ("235 N/mm2", Stress, 235e6),

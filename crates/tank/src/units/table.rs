@@ -83,6 +83,8 @@ pub const UNITS: &[Unit] = &[
     ten("kg/m³", "kg/m3", D::Density, 0),
     read("t/m³", "t/m3", D::Density, 3),
     also(read("g/cm³", "g/cm3", D::Density, 3), &["g/ml", "kg/l", "kg/L", "kg/dm3"]),
+    // Specific gravity: over that of water, 1000 kg/m³, the G of API 650.
+    read("SG", "SG", D::Density, 3),
     also(by("lb/ft³", "lb/ft3", D::Density, POUND / (FOOT * FOOT * FOOT)), &["lbm/ft3", "pcf"]),
     // velocity
     read("mm/s", "mm/s", D::Velocity, -3),

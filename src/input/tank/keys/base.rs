@@ -5,7 +5,7 @@ use files::code::Code;
 use tank::units::{Dimension, display};
 use tank::{Anchors, FoundationKind, Joint, SIZE, Shape, ShellSupport, Support};
 
-use super::corrosion::loss;
+use super::corrosion::{Common, loss};
 use super::details::Connections;
 use super::materials::Materials;
 use super::named::{Use, material};
@@ -91,6 +91,8 @@ pub(super) struct Above<'a> {
     pub support: Option<Support>,
     /// Whether the slab stands on isolators.
     pub isolated: bool,
+    /// Corrosion allowance of the tank.
+    pub corrosion: Option<Common<'a>>,
 }
 
 /// Bottom plate and foundation.
@@ -101,7 +103,7 @@ pub(super) fn base(
     materials: &Materials,
 ) -> (Option<tank::Bottom>, Option<tank::Foundation>) {
     let founded = given_foundation.given.is_some();
-    let bottom = (given_bottom.value()).and_then(|given| bottom(r, given, materials, founded));
+    let bottom = (given_bottom.value()).and_then(|given| bottom(r, given, materials, (founded, above.corrosion)));
     if let (Some(field), Some(plate)) = (&given_bottom.given, &bottom)
         && let Some(first) = above.courses.and_then(|c| c.first())
         && above.support == Some(Support::Unanchored)
@@ -122,11 +124,17 @@ pub(super) fn base(
 /// The bottom plate: that under the wall first, the plates within it as `sketch`.
 ///
 /// * `founded`: whether there is a `tank.foundation`, whose ground is that of the plate
-fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials, founded: bool) -> Option<tank::Bottom> {
+/// * `common`: corrosion allowance of the tank
+fn bottom(
+    r: &mut Resolver<'_>,
+    given: &Bottom,
+    materials: &Materials,
+    (founded, common): (bool, Option<Common<'_>>),
+) -> Option<tank::Bottom> {
     let inner = r.number(&given.thickness);
     let annular = r.optional(&given.annular_thickness);
     let thickness = annular.unwrap_or(inner);
-    let corrosion = loss(r, thickness, &given.corrosion_allowance, &given.measured_thickness);
+    let corrosion = loss(r, thickness, (&given.corrosion_allowance, &given.measured_thickness), common);
     let width = match (&given.annular_width.given, &given.width.given) {
         (Some(_), Some(field)) => {
             let message = "the width of the annular plate is given twice";

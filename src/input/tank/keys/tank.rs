@@ -5,10 +5,11 @@ use tank::units::Dimension;
 use tank::{Anchors, Pipes, Presence, Pressure, RoofKind, SIZE, Shape, Snow, Support};
 
 use super::base::{self, Above, Bottom, Foundation};
+use super::corrosion::Common;
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
-use super::wall::{self, Course};
+use super::wall::{self, CORROSION, Course};
 use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
@@ -36,6 +37,8 @@ object! {
         support: Field<Support>,
         /// Rings of the wall with constant thickness, from the base up. Their heights add up to the height of the wall.
         courses: Field<Vec<Field<Course>>> [Limits::ANY.items(1, 200)],
+        /// Corrosion allowance of every course and of the bottom plate that state neither their own nor a measured thickness.
+        corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
         /// Joint between the wall of a concrete cylinder and its base.
         wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
         /// Mass on top of the wall. Without it, and without `"none"`, checks that need to know of a roof are open.
@@ -95,7 +98,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let shape = shape(r, field, t);
     r.echo_given(&t.support);
     let support = t.support.value;
-    let courses = wall::courses(r, &t.courses, materials);
+    let corrosion = Common::of(r, &t.corrosion_allowance);
+    let courses = wall::courses(r, &t.courses, materials, corrosion);
     let roof = roof(r, &t.roof);
     for none in [&t.foundation.none, &t.bottom.none, &t.anchors.none, &t.pipes.none] {
         none.iter().for_each(|field| r.echo_none(field));
@@ -103,7 +107,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     if t.bottom.given.is_none() && t.bottom.none.is_none() {
         r.not_given(&t.bottom);
     }
-    let above = Above { courses: courses.as_deref(), shape, support, isolated: t.isolators.given.is_some() };
+    let above = Above { courses: courses.as_deref(), shape, support, isolated: t.isolators.given.is_some(), corrosion };
     let (bottom, foundation) = base::base(r, (&t.bottom, &t.foundation), &above, materials);
     let ground = (t.foundation.value(), foundation.as_ref());
     let isolators = t.isolators.given.as_ref().and_then(|field| isolators(r, field, ground, (shape, support)));
@@ -118,6 +122,10 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         r.refuse(Code::DoesNotApply, anchors, message, allowed);
     }
     let metal = courses.as_ref().is_none_or(|courses| tank::is_metal(courses));
+    if !metal {
+        let message = "a corrosion allowance of the tank does not apply to a wall that is not of plates";
+        r.inapplicable(&t.corrosion_allowance, message, "no corrosion_allowance, or one of `tank.bottom`");
+    }
     let wall_base = wall_base(r, &t.wall_base, shape, metal);
     let tank = tank::Tank {
         shape: shape?,

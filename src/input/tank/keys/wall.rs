@@ -4,7 +4,7 @@ use files::code::Code;
 use tank::{HEIGHT, LayerKind};
 
 use super::bars::{Reinforcement, all_bars, bonded};
-use super::corrosion::loss;
+use super::corrosion::{Common, loss};
 use super::materials::Materials;
 use super::named::{Use, material};
 use crate::input::tank::choice::choice;
@@ -28,7 +28,7 @@ object! {
         thickness ("8 mm"): Opt<Length> [THICKNESS],
         /// Name of its material; together with thickness.
         material ("steel"): Opt<String>,
-        /// Corrosion allowance; together with thickness. Stresses and resistances of the codes use the thickness without it, masses and
+        /// Corrosion allowance; together with thickness. Without it that of the tank. Stresses and resistances of the codes use the thickness without it, masses and
         /// stiffnesses the whole thickness.
         corrosion_allowance ("2 mm"): Opt<Length> [CORROSION],
         /// Measured thickness of a corroded wall, instead of the allowance; thickness is that as built.
@@ -61,6 +61,7 @@ pub(super) fn courses(
     r: &mut Resolver<'_>,
     field: &Field<Vec<Field<Course>>>,
     materials: &Materials,
+    corrosion: Option<Common<'_>>,
 ) -> Option<Vec<tank::Course>> {
     let list = field.value.as_ref()?;
     if !r.sized(field, "courses") {
@@ -72,7 +73,7 @@ pub(super) fn courses(
         let height = r.number(&c.height);
         courses.extend(match &c.layers.given {
             Some(layers) => layered(r, c, height, layers, materials),
-            None => uniform(r, field, c, height, materials),
+            None => uniform(r, (field, c), height, materials, corrosion),
         });
     }
     // A faulty course was already reported; the cross-checks need all courses.
@@ -81,10 +82,10 @@ pub(super) fn courses(
 
 fn uniform(
     r: &mut Resolver<'_>,
-    field: &Field<Course>,
-    c: &Course,
+    (field, c): (&Field<Course>, &Course),
     height: f64,
     materials: &Materials,
+    corrosion: Option<Common<'_>>,
 ) -> Option<tank::Course> {
     let thickness = match &c.thickness.given {
         Some(field) => r.number(field),
@@ -98,7 +99,7 @@ fn uniform(
         return None;
     };
     let Some(list) = &c.reinforcement.given else {
-        let corrosion = loss(r, thickness, &c.corrosion_allowance, &c.measured_thickness);
+        let corrosion = loss(r, thickness, (&c.corrosion_allowance, &c.measured_thickness), corrosion);
         return material(r, name, materials, Use::Shell)
             .map(|material| tank::Course { corrosion, ..tank::Course::uniform(height, thickness, material) });
     };
