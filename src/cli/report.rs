@@ -13,7 +13,12 @@ use files::text::line;
 use files::{self, OutputFolder};
 use report::document::document;
 use report::{self, Level, Report};
-use results::{COMPARE_REPORT, FORMS, REPORT_FILE};
+use results::{COMPARE_REPORT, FORMS, REPORT_FILE, SERIES_FILE};
+use tank::Language;
+use tank::units::System;
+
+/// Name of the scene in a results folder.
+const SCENE_FILE: &str = "scene.json";
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -26,6 +31,7 @@ Examples:
   tankcheck report out/ --pdf=TK-104.pdf
   tankcheck report farm/ --pdf                    the page of a study, of `ida` or of `push`, as it is
   tankcheck report out/ --format docx,xlsx        out/report.docx (through pandoc), out/report.xlsx
+  tankcheck report out/ --interactive             out/interactive.html: scene, charts and tables in one file with scripts, for sending
   tankcheck report out/ --templates our-letterhead/")]
 pub(crate) struct Args {
     /// Results folder written by `tankcheck compare` or `tankcheck check`; with --pdf also that of a study, of `ida` or of `push`.
@@ -38,6 +44,9 @@ pub(crate) struct Args {
     /// Print the report through an installed Chromium [default file: report.pdf in the folder].
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     pdf: Option<Option<PathBuf>>,
+    /// Also write interactive.html: the viewer of `tankcheck desk` with this result in one file, which needs no network.
+    #[arg(long)]
+    interactive: bool,
     #[command(flatten)]
     style: StyleArg,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
@@ -56,6 +65,8 @@ enum Form {
     Docx,
     /// A workbook: a sheet a method, checks, profiles, histories.
     Xlsx,
+    /// A page with scripts: the viewer of the desk with this result.
+    Interactive,
 }
 
 impl Form {
@@ -66,6 +77,7 @@ impl Form {
             Form::Pdf => FORMS[0],
             Form::Docx => FORMS[1],
             Form::Xlsx => FORMS[2],
+            Form::Interactive => FORMS[3],
         }
     }
 }
@@ -109,6 +121,9 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     if args.pdf == Some(None) {
         forms.push(Form::Pdf);
     }
+    if args.interactive {
+        forms.push(Form::Interactive);
+    }
     forms.dedup();
     if let Some(page) = Page::of(&args.folder) {
         return page.print(&args, &forms);
@@ -144,6 +159,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
                 let (results, series) = (results::read(&args.folder)?, results::read_series(&args.folder)?);
                 report::workbook::workbook(&results, &series)?
             }
+            Form::Interactive => interactive(&args.folder, &report)?.into_bytes(),
         };
         results::put(&folder.path().join(form.file()), &bytes)?;
     }
@@ -231,6 +247,42 @@ fn taken(path: PathBuf, what: &str) -> Error {
         what: what.into(),
         help: "move it away, or name another file with --pdf=FILE".into(),
     })
+}
+
+/// The viewer with the result of a folder; says how large it is, and what is left out.
+///
+/// Errors: results that cannot be read.
+fn interactive(folder: &Path, report: &Report) -> Result<String, Error> {
+    let results = results::read(folder)?;
+    let text = |name: &str| {
+        let place = folder.join(name);
+        let read = |place: &Path| files::read_text(place).map_err(|e| files::error::Error::unreadable(place, &e));
+        place.is_file().then(|| read(&place)).transpose()
+    };
+    let (series, scene) = (text(SERIES_FILE)?, text(SCENE_FILE)?);
+    let json = serde_json::to_string(&results).map_err(|e| Error::report(e.to_string()))?;
+    let project = results.project.as_ref();
+    let _scope = report::style::of(project);
+    let html = desk::interactive(&desk::Shown {
+        name: &results.name,
+        results: &json,
+        series: series.as_deref(),
+        scene: scene.as_deref(),
+        figures: &report.figures,
+        language: if report::style::language() == Language::German { "de" } else { "en" },
+        units: if report::style::units(project) == System::Us { "us" } else { "si" },
+    });
+    match scene.map(|scene| scene.len()) {
+        Some(bytes) if bytes > desk::MOST_SCENE => say!(
+            "note: scene.json is left out: it has {} MB, {} fit; `tankcheck desk` shows it",
+            bytes / 1_000_000,
+            desk::MOST_SCENE / 1_000_000
+        ),
+        None => say!("note: the folder has no scene to play; `tankcheck compare --scene` keeps one"),
+        Some(_) => {}
+    }
+    say!("note: {} has {:.1} MB", FORMS[3], html.len() as f64 / 1e6);
+    Ok(html)
 }
 
 /// The report as a text document, by pandoc.

@@ -18,6 +18,7 @@ mod ground_motion;
 mod help;
 mod hostile;
 mod ida;
+mod interactive;
 mod interrupt;
 mod kill;
 mod licences;

@@ -14,6 +14,7 @@
 mod api;
 mod folder;
 mod guard;
+mod interactive;
 mod office;
 mod page;
 mod runs;
@@ -25,6 +26,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 pub use folder::Folder;
+pub use interactive::{MOST_SCENE, Shown, interactive};
 pub use office::{Office, Question, RecordChoice, Refused, Tank};
 
 /// What the desk is opened with.

@@ -31,8 +31,8 @@ pub const OUTPUT: [&str; 5] = [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, REPORT_
 pub const COMPARE: Kind =
     Kind { id: "compare", option: "--out", names: |name| OUTPUT.contains(&name), keeps: |_| false };
 
-/// Other forms of a report that may stand next to it: for print, for a text processor, for a spreadsheet.
-pub const FORMS: [&str; 3] = ["report.pdf", "report.docx", "report.xlsx"];
+/// Other forms of a report that may stand next to it: for print, for a text processor, for a spreadsheet, to look at with scripts.
+pub const FORMS: [&str; 4] = ["report.pdf", "report.docx", "report.xlsx", "interactive.html"];
 
 /// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
