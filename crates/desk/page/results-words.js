@@ -3,6 +3,12 @@
 import { add } from './words.js';
 
 add({
+  'look-form-pdf': ['PDF for print', 'PDF zum Drucken'],
+  'look-form-xlsx': ['Workbook (XLSX)', 'Arbeitsmappe (XLSX)'],
+  'look-form-docx': ['Text document (DOCX)', 'Textdokument (DOCX)'],
+  'look-form-interactive': ['One file with this viewer (HTML)', 'Eine Datei mit dieser Ansicht (HTML)'],
+  'look-making': ['The file is being written; it appears under Files.', 'Die Datei wird geschrieben; sie erscheint unter Dateien.'],
+  'look-to-runs': ['Runs', 'Läufe'],
   'look-key-play': ['Play or pause the scene', 'Szene abspielen oder anhalten'],
   'look-key-arrows': ['Turn the scene; move the cursor of a chart', 'Szene drehen; Zeiger eines Diagramms bewegen'],
   'look-key-zoom': ['Zoom the scene or a chart; Escape shows all of a chart', 'Szene oder Diagramm vergrößern; Escape zeigt das ganze Diagramm'],

@@ -10,6 +10,13 @@ import { curves, hasCurves } from './results-curves.js';
 
 /** Results kept in memory, so that going back is at once. */
 const KEPT = 4;
+/** Forms of a report, with the options of `tankcheck report` that write them. */
+const FORMS = [
+  ['look-form-pdf', '--format', 'pdf'],
+  ['look-form-xlsx', '--format', 'xlsx'],
+  ['look-form-docx', '--format', 'docx'],
+  ['look-form-interactive', '--interactive'],
+];
 
 /**
  * @param {HTMLElement} element
@@ -219,6 +226,7 @@ async function single(room, path, turn) {
     series: own.series,
     scene: own.scene,
     report,
+    forms: FORMS.map(([word, ...options]) => ({ title: t(word), make: () => make(room, path, options) })),
     files: listed.filter((name) => !name.endsWith('.svg')).map((name) => ({ name, address: address(name, true) })),
     ...(figures.length ? { figures: async () => figures.map((name) => ({ name, address: address(name) })) } : {}),
   };
@@ -229,6 +237,17 @@ async function single(room, path, turn) {
       room.tab = tab;
     },
   });
+}
+
+/** Starts the run that writes a form of the report into the folder of the result. */
+async function make(room, path, options) {
+  const { desk } = room;
+  try {
+    await desk.api.post('runs', { command: 'report', arguments: [path, ...options, '--lang', desk.settings.language], out: path });
+    desk.say(t('look-making'), 'info', { title: t('look-to-runs'), act: () => desk.go('runs') });
+  } catch (error) {
+    desk.sayError(error);
+  }
 }
 
 /** Push, IDA, study and others: their curves where there are some, and the report. */

@@ -23,8 +23,7 @@ add({
   'look-loading': ['Loading …', 'Lädt …'],
   'look-save': ['Save {name}', '{name} sichern'],
   'look-open-report': ['Open in a tab of its own', 'In eigenem Reiter öffnen'],
-  'look-fault': ['{what}', '{what}'],
-  'look-command': ['Command', 'Befehl'],
+  'look-make': ['Make from this result:', 'Aus diesem Ergebnis erzeugen:'],
 });
 
 /**
@@ -32,7 +31,7 @@ add({
  *
  * @param {HTMLElement} element
  * @param {{results(): Promise<object>, series(): Promise<object|null>, scene(): Promise<object|null>, report?: string, figures?(): Promise<{name, address}[]>,
- *   files?: {name: string, address: string}[]}} source `scene` resolves to null where the result holds none
+ *   files?: {name: string, address: string}[], forms?: {title: string, make(): void}[]}} source `scene` resolves to null where the result holds none
  * @param {{settings: {language, units}, name?: string, tab?: string, onTab?(tab: string): void}} options
  * @returns `{repaint(), destroy(), tab}`: `repaint` after a change of light and dark; after other settings destroy and mount anew
  */
@@ -116,7 +115,7 @@ async function build(state, tab, pane) {
   if (tab === 'profiles') return put(pane, profiles(results, settings));
   if (tab === 'spectra') return put(pane, spectra(results, settings));
   if (tab === 'report') return put(pane, { element: report(source.report) });
-  if (tab === 'files') return put(pane, { element: files(source.files) });
+  if (tab === 'files') return put(pane, { element: h('div', {}, files(source.files), forms(source.forms)) });
   fill(pane, h('p.empty', {}, t('look-loading')));
   if (tab === 'figures') return put(pane, { element: figures(await source.figures()) });
   const series = await (state.series ??= source.series().catch(() => null));
@@ -155,6 +154,12 @@ const files = (list) =>
     {},
     list.map(({ name, address }) => h('li', {}, h('a', { href: address, download: name.split('/').at(-1) }, t('look-save', { name })))),
   );
+
+/** Forms of the report that are made on demand: `[{title, make()}]`. */
+const forms = (list) =>
+  list?.length
+    ? h('p.look-line.look-forms', {}, t('look-make'), list.map(({ title, make }) => h('button', { type: 'button', onclick: make }, title)))
+    : null;
 
 const figures = (list) =>
   h(
