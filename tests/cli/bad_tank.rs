@@ -156,7 +156,7 @@ fn keys() {
         ("manhole", "`tank.pipes`"),
         ("temperature", "`liquid.density`"),
         ("columns", "on legs, columns"),
-        ("corrosion_allowance", "`tank.courses`"),
+        ("corrosion", "`tank.corrosion_allowance`"),
         ("design_pressure", "`tank.pressure`"),
         ("wind_speed", "not checked"),
     ] {

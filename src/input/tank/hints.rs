@@ -32,10 +32,6 @@ const HINTS: &[Hint] = hints! {
         "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)";
     ["isolated" "isolation" "base_isolation" "isolator"] in TOP => "",
         "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab";
-    ["legs" "leg" "columns" "skirt" "staging"] in TOP => "",
-        "a tank on legs, on a skirt or on a staging is not modelled: the procedures and engines are those of tanks on the ground";
-    ["specific_gravity" "sg" "relative_density" "weight"] in &["liquid"] => "density",
-        "give `density`, such as \"870 kg/m3\" or \"0.87 SG\", the specific gravity";
     ["floating" "floating_roof"] in TOP => "",
         "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`";
     ["height" "wall_height" "tank_height"] in TOP => "",
@@ -64,7 +60,7 @@ const HINTS: &[Hint] = hints! {
         "give `sug`, the seismic use group 1, 2 or 3, from which the importance factor follows; `importance_1993` is that of the zone \
          method alone";
     ["specific_gravity" "sg" "relative_density"] in &["liquid"] => "density",
-        "give `density`: 1000 kg/m3 times the specific gravity, such as \"870 kg/m3\" for 0.87";
+        "give `density`, such as \"0.87 SG\" or \"870 kg/m3\" for a specific gravity of 0.87";
     ["soil_class" "ground_type" "soil"] in &["site.ec8"] => "ground",
         "give `ground`, A to E";
     ["type"] in &["site.ec8"] => "spectrum",

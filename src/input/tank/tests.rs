@@ -1,6 +1,7 @@
 //! The reader as a whole: meaning of a file, defaults and their sources, arbitrary texts.
 
 mod anchors;
+mod corrosion;
 mod dashpots;
 mod force_stations;
 mod frequency;

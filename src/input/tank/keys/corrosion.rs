@@ -34,8 +34,11 @@ pub(super) fn loss(
         if loss < thickness || !thickness.is_finite() || loss.is_nan() {
             return loss;
         }
-        let allowed = format!("less than {}, the thickness", like_field(field, thickness));
-        r.refuse(Code::Contradiction, field, "the corrosion allowance takes the whole plate", &allowed);
+        // Of the allowance of the tank the first plate is enough.
+        if r.faults.list().iter().all(|fault| fault.code != Code::Contradiction || *fault.path != field.path) {
+            let allowed = format!("less than {}, the thickness", like_field(field, thickness));
+            r.refuse(Code::Contradiction, field, "the corrosion allowance takes the whole plate", &allowed);
+        }
         0.0
     };
     match (&allowance.given, &measured.given) {
