@@ -154,7 +154,9 @@ function fetched(room, path) {
     };
     own = {
       results: once(() => api.get('results', { path })),
-      series: once(() => api.get('series', { path }).catch(none)),
+      series: once(() =>
+        entry(room, path)?.files?.includes('series.csv') === false ? Promise.resolve(null) : api.get('series', { path }).catch(none),
+      ),
       // A scene is large and is read for each view.
       scene: async () => (entry(room, path)?.scene === false ? null : api.get('scene', { path }).catch(none)),
     };

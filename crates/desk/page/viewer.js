@@ -6,6 +6,7 @@ import { createClock } from './clock.js';
 import { summary } from './summary.js';
 import { histories, columnsOf } from './histories.js';
 import { profiles, spectra } from './profiles.js';
+import { hasMaps, maps } from './maps.js';
 import { chart, createGroup } from './charts.js';
 import { decoded, modesOf } from './scene-data.js';
 import './scene-words.js';
@@ -15,6 +16,7 @@ add({
   'look-tab-scene': ['Scene', 'Szene'],
   'look-tab-histories': ['Histories', 'Verläufe'],
   'look-tab-profiles': ['Profiles', 'Profile'],
+  'look-tab-maps': ['Maps', 'Karten'],
   'look-tab-spectra': ['Spectra', 'Spektren'],
   'look-tab-report': ['Report', 'Bericht'],
   'look-tab-figures': ['Figures', 'Bilder'],
@@ -45,6 +47,7 @@ export async function mount(element, source, options) {
     'scene',
     'histories',
     'profiles',
+    ...(hasMaps(results) ? ['maps'] : []),
     'spectra',
     ...(source.figures ? ['figures'] : []),
     ...(source.report ? ['report'] : []),
@@ -113,6 +116,7 @@ async function build(state, tab, pane) {
   const { results, settings, source, clock } = state;
   if (tab === 'summary') return put(pane, { element: h('div', {}, about(results), summary(results, settings)) });
   if (tab === 'profiles') return put(pane, profiles(results, settings));
+  if (tab === 'maps') return put(pane, maps(results, settings));
   if (tab === 'spectra') return put(pane, spectra(results, settings));
   if (tab === 'report') return put(pane, { element: report(source.report) });
   if (tab === 'files') return put(pane, { element: h('div', {}, files(source.files), forms(source.forms)) });
@@ -158,7 +162,12 @@ const files = (list) =>
 /** Forms of the report that are made on demand: `[{title, make()}]`. */
 const forms = (list) =>
   list?.length
-    ? h('p.look-line.look-forms', {}, t('look-make'), list.map(({ title, make }) => h('button', { type: 'button', onclick: make }, title)))
+    ? h(
+        'p.look-line.look-forms',
+        {},
+        t('look-make'),
+        list.map(({ title, make }) => h('button', { type: 'button', onclick: make }, title)),
+      )
     : null;
 
 const figures = (list) =>
