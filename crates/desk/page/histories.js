@@ -11,7 +11,7 @@ add({
   'history-filter': ['Filter', 'Filter'],
   'history-none': ['This result holds no histories.', 'Dieses Ergebnis enthält keine Zeitverläufe.'],
   'history-pick': ['Choose histories in the list.', 'Wählen Sie Zeitverläufe in der Liste.'],
-  'history-every': ['Every {count}th sample is shown.', 'Gezeigt wird jeder {count}. Wert.'],
+  'history-every': ['Of every {count} samples the smallest and the largest are shown.', 'Von je {count} Werten sind der kleinste und der größte gezeigt.'],
   'history-engine': ['{title}, {engine}', '{title}, {engine}'],
   'engine-harmonic': ['harmonic elements', 'harmonische Elemente'],
   'engine-solid': ['3-D elements', '3-D-Elemente'],
