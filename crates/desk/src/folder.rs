@@ -47,6 +47,8 @@ struct Found {
     created: Option<String>,
     status: Option<String>,
     scene: bool,
+    /// Names that its manifest lists.
+    files: Vec<String>,
     modified: u64,
 }
 
@@ -172,6 +174,7 @@ impl Folder {
             created: text("/volatile/created"),
             status: text("/verdict/status"),
             scene: owns(&listed, "scene.json"),
+            files: names(&listed).map(str::to_owned).collect(),
             modified: seconds(about.modified().ok()),
         })
     }
@@ -207,13 +210,17 @@ fn owns(manifest: &Value, name: &str) -> bool {
     manifest.get("files").is_some_and(|files| files.get(name).is_some())
 }
 
+/// Names of the files that a manifest lists.
+fn names(manifest: &Value) -> impl Iterator<Item = &str> {
+    manifest.get("files").and_then(Value::as_object).into_iter().flat_map(|files| files.keys().map(String::as_str))
+}
+
 /// `results.json`, or the first other file of numbers.
 fn data_file(manifest: &Value) -> Option<&str> {
-    let names = || manifest.get("files").and_then(Value::as_object).into_iter().flat_map(|files| files.keys());
     let own = ["results.json", "push.json", "ida.json", "study.json", "base.json"];
     own.into_iter()
         .find(|name| owns(manifest, name))
-        .or_else(|| names().map(String::as_str).find(|name| name.ends_with(".json") && *name != "scene.json"))
+        .or_else(|| names(manifest).find(|name| name.ends_with(".json") && *name != "scene.json"))
 }
 
 /// What a JSON file is, by the keys that only such a file has.
