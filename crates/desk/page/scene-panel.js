@@ -289,7 +289,7 @@ function play(self, moving) {
     const now = performance.now();
     const fps = Math.round((self.drawn * 1000) / (now - since));
     const percent = Math.round((100 * self.view.ratio) / Math.min(2, devicePixelRatio));
-    self.fps.textContent = percent < 100 ? t('scene-fps-less', { fps, percent }) : t('scene-fps', { fps });
+    self.fps.textContent = t(self.view.coarse ? 'scene-fps-coarse' : percent < 100 ? 'scene-fps-less' : 'scene-fps', { fps, percent });
     self.host.dataset.fps = String(fps);
     self.drawn = 0;
     since = now;

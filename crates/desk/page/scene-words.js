@@ -45,6 +45,7 @@ add({
   'scene-on': ['One frame on', 'Ein Bild weiter'],
   'scene-fps': ['{fps} pictures/s', '{fps} Bilder/s'],
   'scene-fps-less': ['{fps} pictures/s, resolution {percent} % while it moves', '{fps} Bilder/s, Auflösung {percent} % in Bewegung'],
+  'scene-fps-coarse': ['{fps} pictures/s, resolution {percent} % and a coarser mesh while it moves', '{fps} Bilder/s, Auflösung {percent} % und gröberes Netz in Bewegung'],
   'scene-node': ['Node {node}', 'Knoten {node}'],
   'scene-pick': ['Click the tank to see a place with its values and history. Drag to turn, right button to move, wheel to zoom; Space plays.',
     'Ein Klick auf den Tank zeigt eine Stelle mit Werten und Verlauf. Ziehen dreht, rechte Taste verschiebt, Rad vergrößert; Leertaste spielt ab.'],

@@ -9,6 +9,7 @@ import { scaleOf, SEQUENTIAL } from './colours.js';
 import { cutHalf, material } from './scene-shader.js';
 import { fieldAt } from './scene-data.js';
 import { picked, place } from './scene-pick.js';
+import { coarser } from './scene-coarse.js';
 import { lower } from './series.js';
 
 /** Directions from which the named views look. */
@@ -31,7 +32,7 @@ const LEAST = 0.45;
 export function createView(host, scene, calls) {
   const slow = software();
   const renderer = new WebGLRenderer(opaque(!slow));
-  const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, share: 0 };
+  const view = { host, scene, calls, renderer, world: new Scene(), camera: new PerspectiveCamera(32, 1, 0.01, 1000), ratio: Math.min(2, devicePixelRatio), pending: 0, frame: -1, share: 0, coarse: false };
   view.best = view.ratio;
   if (slow) view.slow = 0.6;
   view.canvas = renderer.domElement;
@@ -46,6 +47,7 @@ export function createView(host, scene, calls) {
   return {
     canvas: view.canvas,
     get ratio() { return view.ratio; },
+    get coarse() { return view.coarse; },
     setTime: (time) => setTime(view, time),
     setShape: (shape, amplitude) => setShape(view, shape, amplitude),
     setField: (field) => setField(view, field),
@@ -378,10 +380,25 @@ function adapt(view, now) {
   const wanted = view.average > SLOW || view.average < FAST ? view.ratio * Math.sqrt(AIM / view.average) : view.ratio;
   const bounded = Math.min(view.best, Math.max(LEAST, wanted));
   view.since = 0;
+  if (bounded === LEAST && view.ratio === LEAST && view.average > SLOW && !view.coarse) coarsen(view, true);
   if (Math.abs(bounded / view.ratio - 1) < 0.05) return;
   view.ratio = bounded;
   view.average = 0;
   view.renderer.setPixelRatio(bounded);
+}
+
+/** Draws fewer triangles, where the lowest resolution is still too slow, or all of them. */
+function coarsen(view, coarse) {
+  view.coarse = coarse;
+  view.average = 0;
+  for (const one of view.parts.values()) {
+    one.fine ??= one.surface.geometry;
+    if (one.coarse === undefined) {
+      const triangles = coarser(one.part, view.scene.nodes, view.scene.size);
+      one.coarse = triangles && geometry(one, triangles);
+    }
+    one.surface.geometry = coarse && one.coarse ? one.coarse : one.fine;
+  }
 }
 
 function begin(view) {
@@ -390,12 +407,15 @@ function begin(view) {
   view.since = 0;
   view.average = 0;
   if (view.slow) view.renderer.setPixelRatio(view.ratio = view.slow);
+  if (view.slowest) coarsen(view, true);
 }
 
 function rest(view) {
   if (!view.moving) return;
   view.moving = false;
   view.slow = view.ratio;
+  view.slowest = view.coarse;
+  if (view.coarse) coarsen(view, false);
   view.ratio = view.best;
   view.renderer.setPixelRatio(view.best);
   request(view);
@@ -431,6 +451,7 @@ function destroy(view) {
   cancelAnimationFrame(view.pending);
   view.resize.disconnect();
   view.controls.dispose();
+  for (const one of view.parts.values()) for (const shape of [one.fine, one.coarse]) shape?.dispose();
   for (const object of [...view.world.children]) {
     object.geometry.dispose();
     object.material.dispose();
