@@ -42,11 +42,13 @@ fn other(method: &Method) -> Other {
     }
 }
 
+/// A check.
 #[derive(Serialize)]
-struct Row {
+pub(super) struct Row {
     name: String,
     clause: String,
-    note: String,
+    /// What there is to say about it.
+    pub(super) note: String,
     demand: String,
     capacity: String,
     unit: &'static str,
@@ -62,7 +64,8 @@ struct Row {
 /// In the title of an edition that is no longer in force.
 const SUPERSEDED: &str = "superseded";
 
-fn row(check: &Check, created: &str) -> Row {
+/// The row of a check.
+pub(super) fn row(check: &Check, created: &str) -> Row {
     let values = [check.demand, check.capacity];
     let scale = Scale::of(check.dimension, values.into_iter().flatten());
     let text = |value: Option<f64>| value.map(|v| scale.text(v)).unwrap_or_default();
@@ -79,7 +82,8 @@ fn row(check: &Check, created: &str) -> Row {
         demand: text(check.demand),
         capacity: text(check.capacity),
         unit: check.demand.or(check.capacity).map_or("", |_| scale.symbol()),
-        utilisation: check.ratio().map(utilisation).unwrap_or_default(),
+        // That of an open check is for information.
+        utilisation: check.ratio().or(check.utilisation).map(utilisation).unwrap_or_default(),
         width: check.ratio().map_or(0.0, bar_width),
         holds: check.holds(),
         compared: check.compared(),

@@ -1,16 +1,23 @@
-//! The matrix quantities × methods with the ratios to the finite elements.
+//! The matrix quantities × methods with the ratios to the finite elements, and the headline quantities as bars.
 
 use serde::Serialize;
 use tank::Quantity;
 use tank::assessment::Excitation;
 
 use super::{Section, Source};
+use crate::figure::Figure;
+use crate::figure::bars::{Bar, bars};
+use crate::level::Level;
 use crate::methods::{divided, divides, dividing, excitation, figure_order, look};
 use crate::number::{Scale, ratio};
 use crate::words::labels::OUTSIDE;
 use crate::words::terminal;
 use files::error::Error;
 use results::{FE, Method, Results, Status};
+
+/// Headline quantities: sloshing height, base moment, membrane stresses.
+const HEADLINES: [Quantity; 4] =
+    [Quantity::SloshingHeight, Quantity::BaseMoment, Quantity::HoopStress, Quantity::AxialMembraneStress];
 
 /// Masses that are modal with finite elements.
 const MODAL: [Quantity; 3] = [Quantity::ImpulsiveMass, Quantity::WallMass, Quantity::RoofMass];
@@ -113,6 +120,13 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("head", &head);
     section.set("rows", &rows);
     section.set("absent", &absent);
+    let mut cells = results.comparison.rows.iter().flat_map(|row| row.cells.iter().flatten());
+    section.set("outside", &cells.any(|cell| cell.outside));
+    let site = headline_figures(results, true);
+    // Design values come first; those under the record have their place where there are no others.
+    let record = source.level == Level::Full || site.is_empty();
+    section.set_figures("site_figures", site);
+    section.set_figures("figures", if record { headline_figures(results, false) } else { Vec::new() });
     Ok(Some(section))
 }
 
@@ -131,4 +145,41 @@ fn absent(results: &Results) -> Vec<Absent> {
             }),
         })
         .collect()
+}
+
+/// Bars under the record, or under the spectrum of the site: design values and those of a record are not drawn side by side.
+fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
+    let order: Vec<usize> = figure_order(results)
+        .into_iter()
+        .filter(|&i| look(&results.methods[i]).site == site && results.methods[i].beyond_scope.is_none())
+        .collect();
+    let mut figures = Vec::new();
+    let freeboard = results.tank.freeboard();
+    let dividing = dividing(results, &order).join(" ");
+    for quantity in HEADLINES {
+        let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else { continue };
+        let values: Vec<Bar> = order
+            .iter()
+            .filter_map(|&i| {
+                let cell = row.cells.get(i).copied().flatten()?;
+                Some(Bar {
+                    look: look(results.methods.get(i)?),
+                    value: cell.value,
+                    ratio: cell.ratio,
+                    outside: cell.outside,
+                    overtops: quantity == Quantity::SloshingHeight && cell.value > freeboard,
+                    divided: divides(row.dimension) && !divided(results, results.methods.get(i)?).is_empty(),
+                })
+            })
+            .collect();
+        let by = if values.iter().any(|bar| bar.divided) { dividing.as_str() } else { "" };
+        figures.extend(bars(
+            &format!("bars_{}{}", row.quantity, if site { "_site" } else { "" }),
+            (&row.title, by),
+            row.dimension,
+            &values,
+            row.cells.iter().flatten().map(|c| c.value),
+        ));
+    }
+    figures
 }

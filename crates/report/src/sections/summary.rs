@@ -1,66 +1,42 @@
-//! First page: verdict, governing check, key figures, the three headline quantities.
+//! First page: verdict, every check that fails or is open, accepted gaps, key figures.
 
 use files::code::{Code, Warning as Warned};
 use serde::Serialize;
-use tank::Quantity;
-use tank::assessment::Excitation;
+use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension;
 
+use super::checks::{Row, row};
 use super::{Section, Source};
-use crate::figure::Figure;
-use crate::figure::bars::{Bar, bars};
 use crate::frame::{self, Pair};
-use crate::methods::{divided, divides, dividing, excitation, figure_order, look};
-use crate::number::{Scale, fixed, utilisation, with_unit};
+use crate::methods::look;
+use crate::number::{fixed, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Aside, Deciding, FE, Limit, Overruled, Results, VerdictStatus};
-
-/// Headline quantities: sloshing height, base moment, membrane stresses.
-const HEADLINES: [Quantity; 4] =
-    [Quantity::SloshingHeight, Quantity::BaseMoment, Quantity::HoopStress, Quantity::AxialMembraneStress];
+use results::{Aside, Deciding, Limit, Method, Overruled, Results, VerdictStatus};
 
 #[derive(Serialize)]
 struct Verdict {
     class: &'static str,
     sign: &'static str,
     headline: String,
-    /// Accepted gaps, before everything else.
-    accepted: Vec<Missing>,
     /// Parts of the tank of which nothing is said, at most one line.
     unstated: String,
     /// What no method verifies, at most one line.
     outside: &'static str,
     /// Methods that decide.
     deciding: String,
-    missing: Vec<Missing>,
+    /// What can be done about open checks.
     supply: &'static str,
     /// Checks under the record that do not decide, at most one line.
     record: Vec<String>,
 }
 
+/// A check of a deciding method.
 #[derive(Serialize)]
-struct Missing {
-    name: String,
+struct Judged {
     method: String,
-    reason: String,
-    /// Who accepts the gap, and when; empty where nobody does.
-    approval: String,
-}
-
-#[derive(Serialize)]
-struct Governing {
-    name: String,
-    method: String,
-    clause: String,
-    demand: String,
-    capacity: String,
-    unit: &'static str,
-    utilisation: String,
-    width: f64,
-    holds: bool,
-    note: String,
+    row: Row,
 }
 
 #[derive(Serialize)]
@@ -77,22 +53,21 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("name", &results.name);
     section.set("subtitle", words::summary::subtitle(source.fe().is_some()));
     section.set("verdict", &verdict(results));
-    section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
+    let (title, judged) = judged(results);
+    section.set("judged_title", title);
+    section.set("judged", &judged);
+    let created = &results.volatile.created;
+    section.set("accepted_title", words::verdict::GAPS);
+    section.set("accepted", &(results.verdict.accepted.iter()).map(|g| of(results, g, created)).collect::<Vec<_>>());
     section.set("facts", &facts(source));
     section.set("warnings", &warnings(results));
     let (input, unusual): (Vec<Warned>, Vec<Warned>) = unusual(results).into_iter().partition(words::verdict::of_input);
     section.set("input", &input);
     section.set("unusual", &unusual);
-    section.set("has_fe", &source.fe().is_some());
-    let mut cells = results.comparison.rows.iter().flat_map(|row| row.cells.iter().flatten());
-    section.set("outside", &cells.any(|cell| cell.outside));
     section.set("project", &frame::document(results.project.as_ref()));
     section.set("signatures", &frame::signatures(results.project.as_ref()));
     section.set("standards", &standards(results));
     section.set_figures("sketch", vec![super::tank::sketch(&source.results.tank)]);
-    section.set_figures("site_figures", headline_figures(results, true));
-    section.set_figures("figures", headline_figures(results, false));
-    section.set("base", &base(results));
     Ok(Some(section))
 }
 
@@ -108,38 +83,55 @@ fn verdict(results: &Results) -> Verdict {
         VerdictStatus::NotAssessed => ("none", "–"),
     };
     let input = v.missing.iter().any(|gap| gap.check.input.is_some());
-    let open = together(&v.missing);
     Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
-        accepted: (v.accepted.iter().map(|gap| missing(gap, &results.volatile.created))).collect(),
         outside: words::verdict::outside(results),
         unstated: words::verdict::unstated(v),
         deciding: deciding(results),
-        supply: match (open.is_empty(), input) {
+        supply: match (v.missing.is_empty(), input) {
             (true, _) => "",
             (false, true) => words::verdict::SUPPLY,
             (false, false) => words::verdict::ACCEPT,
         },
-        missing: open,
         record: (v.overruled.iter().map(overruled))
             .chain(v.record.iter().map(|aside| record(aside, results.record_set.is_some())))
             .collect(),
     }
 }
 
-/// Gaps, those of a method with the same reason in one line.
-fn together(gaps: &[results::Governing]) -> Vec<Missing> {
-    let mut all: Vec<Missing> = Vec::new();
-    for gap in gaps.iter().map(|gap| missing(gap, "")) {
-        let same = |m: &&mut Missing| m.method == gap.method && m.reason == gap.reason;
-        match all.iter_mut().find(same) {
-            Some(same) => same.name = format!("{}, {}", same.name, gap.name),
-            None => all.push(gap),
-        }
+/// Title and rows of the checks that fail, the largest utilisation first, and of those that are open; where none fails, the governing one
+/// comes first.
+fn judged(results: &Results) -> (&'static str, Vec<Judged>) {
+    let v = &results.verdict;
+    let mut failing: Vec<(&Method, &Check)> = (results.methods.iter().filter(|m| v.decides(m)))
+        .flat_map(|m| m.checks.iter().map(move |check| (m, check)))
+        .filter(|(_, check)| check.status == CheckStatus::Fails)
+        .collect();
+    let ratio = |check: &Check| check.ratio().unwrap_or(f64::INFINITY);
+    failing.sort_by(|a, b| ratio(b.1).total_cmp(&ratio(a.1)));
+    let failing: Vec<Judged> = failing.iter().map(|(m, check)| judge(look(m).label, check, "")).collect();
+    let fails = !failing.is_empty();
+    let governing = v.governing.iter().filter(|_| !fails).map(|g| of(results, g, ""));
+    let rows = failing.into_iter().chain(governing).chain(v.missing.iter().map(|g| of(results, g, ""))).collect();
+    (words::verdict::judged(fails, !v.missing.is_empty()), rows)
+}
+
+/// A check with the method that it belongs to.
+fn of(results: &Results, found: &results::Governing, created: &str) -> Judged {
+    let method = results.methods.iter().find(|m| m.id == found.method && m.excitation == found.excitation);
+    judge(method.map_or_else(|| found.method.clone(), |m| look(m).label), &found.check, created)
+}
+
+fn judge(method: String, check: &Check, created: &str) -> Judged {
+    let mut row = row(check, created);
+    // Of a check that is open or accepted the reason counts, not how it is computed.
+    if !check.reason.is_empty() {
+        let said = [words::verdict::approval(check, created), check.reason.clone()].map(|text| capital(&text));
+        row.note = said.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(". ");
     }
-    all
+    Judged { method, row }
 }
 
 /// The deciding methods by their titles.
@@ -152,15 +144,6 @@ fn deciding(results: &Results) -> String {
     match results.verdict.deciding.as_slice() {
         [] => words::verdict::deciding(&results.verdict),
         some => some.iter().map(titled).collect::<Vec<_>>().join("; "),
-    }
-}
-
-fn missing(gap: &results::Governing, created: &str) -> Missing {
-    Missing {
-        name: capital(&gap.check.name),
-        method: gap.method.clone(),
-        reason: gap.check.reason.clone(),
-        approval: words::verdict::approval(&gap.check, created),
     }
 }
 
@@ -179,31 +162,6 @@ fn governed(sentence: String, aside: &Aside) -> String {
         Some(check) => format!("{sentence}; governing: {}", words::terminal::governing(check)),
         None => sentence,
     }
-}
-
-fn governing(results: &Results) -> Option<Governing> {
-    let governing = results.verdict.governing.as_ref()?;
-    let check = &governing.check;
-    let (demand, capacity) = check.demand.zip(check.capacity)?;
-    let ratio = check.ratio()?;
-    let scale = Scale::of(check.dimension, [demand, capacity]);
-    let method = results.methods.iter().find(|m| m.id == governing.method && m.excitation == governing.excitation);
-    Some(Governing {
-        name: capital(&check.name),
-        method: method.map_or(governing.method.clone(), |m| format!("{}, {}", m.title, excitation(m))),
-        clause: check.clause.clone(),
-        demand: scale.text(demand),
-        capacity: scale.text(capacity),
-        unit: scale.symbol(),
-        utilisation: utilisation(ratio),
-        width: bar_width(ratio),
-        holds: check.holds(),
-        note: [check.note.clone(), words::verdict::place(check), words::verdict::within_error(check)]
-            .into_iter()
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join("; "),
-    })
 }
 
 /// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
@@ -227,17 +185,6 @@ fn facts(source: &Source) -> Vec<Pair> {
         add(words::summary::IMPULSIVE, with_unit(t, Dimension::Time));
     }
     facts
-}
-
-/// The base that is free to move, of the first engine under the record.
-fn base(results: &Results) -> Vec<Pair> {
-    let run = |m: &&results::Method| m.id == FE && m.excitation == Excitation::Record;
-    let Some(method) = results.methods.iter().find(run) else { return Vec::new() };
-    let of = |quantity: &Quantity| {
-        let value = method.quantities.get(quantity.id())?;
-        Some(Pair::new(quantity.title(), with_unit(value.value, value.dimension)))
-    };
-    Quantity::OF_BASE.iter().filter_map(of).collect()
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {
@@ -271,41 +218,4 @@ fn standards(results: &Results) -> Vec<String> {
         }
     }
     titles
-}
-
-/// Bars under the record, or under the spectrum of the site: design values and those of a record are not drawn side by side.
-fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
-    let order: Vec<usize> = figure_order(results)
-        .into_iter()
-        .filter(|&i| look(&results.methods[i]).site == site && results.methods[i].beyond_scope.is_none())
-        .collect();
-    let mut figures = Vec::new();
-    let freeboard = results.tank.freeboard();
-    let dividing = dividing(results, &order).join(" ");
-    for quantity in HEADLINES {
-        let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else { continue };
-        let values: Vec<Bar> = order
-            .iter()
-            .filter_map(|&i| {
-                let cell = row.cells.get(i).copied().flatten()?;
-                Some(Bar {
-                    look: look(results.methods.get(i)?),
-                    value: cell.value,
-                    ratio: cell.ratio,
-                    outside: cell.outside,
-                    overtops: quantity == Quantity::SloshingHeight && cell.value > freeboard,
-                    divided: divides(row.dimension) && !divided(results, results.methods.get(i)?).is_empty(),
-                })
-            })
-            .collect();
-        let by = if values.iter().any(|bar| bar.divided) { dividing.as_str() } else { "" };
-        figures.extend(bars(
-            &format!("bars_{}{}", row.quantity, if site { "_site" } else { "" }),
-            (&row.title, by),
-            row.dimension,
-            &values,
-            row.cells.iter().flatten().map(|c| c.value),
-        ));
-    }
-    figures
 }

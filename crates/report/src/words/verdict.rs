@@ -95,6 +95,16 @@ pub fn unstated(verdict: &Verdict) -> String {
     }
 }
 
+/// Title of the checks on the first page.
+pub fn judged(fails: bool, open: bool) -> &'static str {
+    match (fails, open) {
+        (true, true) => "Checks that fail or are open",
+        (true, false) => "Checks that fail",
+        (false, true) => "The governing check, and checks that are open",
+        (false, false) => "The governing check",
+    }
+}
+
 /// Title of the list of accepted gaps.
 pub const GAPS: &str = "Accepted without a check";
 

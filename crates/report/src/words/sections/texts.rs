@@ -18,23 +18,17 @@ pub(super) const ALL: &[Words] = &[
     Words {
         id: "summary",
         title: "Summary",
-        sentences: &[
-            ("seismic", "Seismic part, absolute maxima."),
-            ("engine", "Dashed line: finite elements; × ratio to them."),
-            ("outside", "✗: outside the model of the finite elements, see limits of validity."),
-            ("design", "Design values: spectrum of the site"),
-            ("record", "Under the record"),
-            ("standards", "Standards:"),
-            ("who", "Name"),
-            ("when", "Date"),
-            ("signature", "Signature"),
-        ],
+        sentences: &[("standards", "Standards:"), ("who", "Name"), ("when", "Date"), ("signature", "Signature")],
     },
     Words {
         id: "comparison",
         title: "Quantities by method",
         sentences: &[
             ("seismic", "Seismic part alone, absolute maxima over time and circumference."),
+            ("engine", "Dashed line: finite elements; × ratio to them."),
+            ("outside", "✗: outside the model of the finite elements, see limits of validity."),
+            ("design", "Design values: spectrum of the site"),
+            ("record", "Under the record"),
             (
                 "ratios",
                 "Below each value: its ratio to the finite elements under the same excitation. For the spectrum of the site these are the \
