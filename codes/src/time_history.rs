@@ -43,7 +43,7 @@ mod work;
 use std::collections::BTreeMap;
 
 use tank::Support;
-use tank::assessment::{Check, CheckStatus, Requirement, Step};
+use tank::assessment::{Check, CheckStatus, CourseHoop, Requirement, Step};
 use tank::case::Case;
 use tank::demand::{Angles, Demands, Footing};
 use tank::outside::Outside;
@@ -65,6 +65,8 @@ pub struct Findings {
     pub checks: Vec<Check>,
     /// Calculation lines.
     pub steps: Vec<Step>,
+    /// Hoop stresses course by course, against the limit that is used most; empty where the run is outside its model.
+    pub courses: Vec<CourseHoop>,
     /// Remarks, one sentence each.
     pub notes: Vec<String>,
     /// Why the run is outside its model.
@@ -141,8 +143,9 @@ fn of_demands(
             work.checks.push(Check::without_comparison(state, CheckStatus::NotChecked, reason, None));
         }
     }
-    let Work { sheet, checks, notes, .. } = work;
-    Findings { steps: steps(sheet), checks, notes, outside: outside.map(|(why, _)| why) }
+    let Work { sheet, checks, notes, courses, .. } = work;
+    let courses = if outside.is_some() { Vec::new() } else { courses };
+    Findings { steps: steps(sheet), checks, notes, courses, outside: outside.map(|(why, _)| why) }
 }
 
 /// The lines; none if a formula is faulty, which the tests exclude.

@@ -106,6 +106,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         steps: assessment.steps,
         checks,
         profiles: assessment.profiles,
+        courses: assessment.courses,
         assumptions,
         notes: assessment.notes,
         beyond_scope: assessment.beyond_scope,

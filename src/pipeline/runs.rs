@@ -80,6 +80,7 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation, findings
         notes: [simulation.notes.clone(), findings.notes].concat(),
         checks: decision::checks_of_run(job, id.column(number), unsaid::leave_open(job, findings.checks)),
         steps: findings.steps,
+        courses: findings.courses,
         ..Method::new(id.column(number), id.title(), Excitation::Record)
     }
 }

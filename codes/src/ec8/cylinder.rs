@@ -89,7 +89,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     cylinder_checks::assess(work, &state, vertical);
     damage::assess(work, Some(&state), vertical);
     walls::cylinder(work, &state, vertical);
-    bearing::assess(work, state.largest_pressure(vertical));
+    bearing::assess(work, state.largest_pressure(0.0, vertical));
     pipes::assess(work);
     Ok(())
 }

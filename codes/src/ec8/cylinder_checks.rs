@@ -10,7 +10,7 @@ use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
 use crate::sheet::{number, with_unit};
-use tank::assessment::{Check, CheckStatus};
+use tank::assessment::{Check, CheckStatus, CourseHoop, TOTAL_HOOP};
 use tank::units::Dimension::*;
 use tank::{Course, Support};
 
@@ -189,6 +189,10 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
 fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let hoop = |p: &Place| p.p_max * state.radius / p.course.net_thickness();
     let Some((place, capacity)) = governing(places, hoop, |p| p.yield_strength) else { return };
+    let z = work.heights();
+    let total = |z: f64| state.largest_pressure(z, vertical) * state.radius / state.tank.course_at(z).net_thickness();
+    work.profile(TOTAL_HOOP, "Hoop stress, static and seismic", Stress, &z, total);
+    work.out.courses = courses(state, places);
     let clause = work.edition.clause("10.3");
     work.sheet.section("Hoop stress with the static state");
     pressure_line(work, state, &place, "p_max");
@@ -198,6 +202,27 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let note = format!("p R/(s f_y) < 1 with γ_M = 1, {}", place.describe(vertical));
     let name = "Hoop stress below yield";
     work.check(HOOP.named(name), stress, capacity, &clause, &note);
+}
+
+/// Hoop forces and stresses of the courses, each at its lower edge under the combination of its largest pressure.
+fn courses(state: &State, places: &[Place]) -> Vec<CourseHoop> {
+    let of = |number: usize| {
+        let own = places.iter().filter(|place| place.number == number);
+        let place = own.max_by(|a, b| a.p_max.total_cmp(&b.p_max))?;
+        let force = |pressure: f64| Some(pressure * state.radius);
+        Some(CourseHoop {
+            course: number,
+            z: place.z,
+            thickness: place.course.net_thickness(),
+            hydrostatic: force(state.pressure_hydrostatic(place.z)),
+            impulsive: force(state.pressure_impulsive(place.z)),
+            convective: force(state.pressure_convective(place.z)),
+            vertical: force(state.pressure_vertical(place.z)),
+            stress: place.p_max * state.radius / place.course.net_thickness(),
+            limit: Some(place.yield_strength),
+        })
+    };
+    (1..=state.tank.courses.len()).filter_map(of).collect()
 }
 
 /// Line of the largest (`p_max`) or smallest (`p_min`) interior pressure at a place, with the factors of the seismic design

@@ -147,11 +147,11 @@ impl State<'_> {
         }
     }
 
-    /// Largest interior pressure at the foot of the wall over all combinations [Pa].
-    pub(super) fn largest_pressure(&self, vertical: bool) -> f64 {
+    /// Largest interior pressure at z over all combinations [Pa].
+    pub(super) fn largest_pressure(&self, z: f64, vertical: bool) -> f64 {
         let combinations = self.combinations(vertical).into_iter();
         let all = combinations.flat_map(|factors| self.gas().into_iter().map(move |gas| (factors, gas)));
-        all.map(|(factors, gas)| self.pressure_range(0.0, factors, gas).1).fold(0.0, f64::max)
+        all.map(|(factors, gas)| self.pressure_range(z, factors, gas).1).fold(0.0, f64::max)
     }
 
     pub(super) fn pressure_horizontal(&self, z: f64) -> f64 {

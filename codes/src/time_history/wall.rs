@@ -1,6 +1,7 @@
 //! Stresses of a metal shell against yield and buckling, course by course.
 
 use tank::Course;
+use tank::assessment::CourseHoop;
 use tank::case::Case;
 use tank::quantity::Quantity;
 use tank::units::Dimension::Stress;
@@ -64,6 +65,9 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
     for (asked, courses) in all.iter().zip(worst) {
         let found: Vec<Worst> = courses.into_iter().flatten().collect();
         check(work, asked, &found);
+        if asked.stress == WallStress::Hoop {
+            keep(work, &found);
+        }
     }
 }
 
@@ -107,6 +111,30 @@ fn worst(work: &Work<'_>, all: &[WallLimit<'_>]) -> Vec<Vec<Option<Worst>>> {
         }
     }
     worst
+}
+
+/// Keeps the hoop stresses of the courses, of several limits that which is used most.
+fn keep(work: &mut Work<'_>, found: &[Worst]) {
+    for worst in found {
+        let Found { demand, capacity, rest, .. } = worst.found;
+        let thickness = work.case.tank.courses[worst.course].net_thickness();
+        let of_course = CourseHoop {
+            course: worst.course + 1,
+            z: worst.z,
+            thickness,
+            hydrostatic: Some(rest * thickness),
+            impulsive: None,
+            convective: None,
+            vertical: None,
+            stress: demand,
+            limit: Some(capacity),
+        };
+        match work.courses.iter_mut().find(|known| known.course == of_course.course) {
+            Some(known) if known.utilisation() >= of_course.utilisation() => {}
+            Some(known) => *known = of_course,
+            None => work.courses.push(of_course),
+        }
+    }
 }
 
 /// The check of the governing course with its lines; the others stand in its note.

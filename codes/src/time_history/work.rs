@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use tank::assessment::{Check, CheckStatus, LimitState};
+use tank::assessment::{Check, CheckStatus, CourseHoop, LimitState};
 use tank::case::Case;
 use tank::demand::Demands;
 use tank::quantity::Quantity;
@@ -46,6 +46,8 @@ pub(super) struct Work<'a> {
     states: &'a [LimitState],
     pub(super) sheet: Sheet,
     pub(super) checks: Vec<Check>,
+    /// Hoop stresses of the courses.
+    pub(super) courses: Vec<CourseHoop>,
     pub(super) notes: Vec<String>,
 }
 
@@ -66,6 +68,7 @@ impl<'a> Work<'a> {
             states,
             sheet: Sheet::new(),
             checks: Vec::new(),
+            courses: Vec::new(),
             notes: Vec::new(),
         }
     }

@@ -37,7 +37,7 @@ use files::code::Warning;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use tank::assessment::{Check, Excitation, Profile, Step};
+use tank::assessment::{Check, CourseHoop, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
@@ -197,6 +197,7 @@ impl Method {
             steps: Vec::new(),
             checks: Vec::new(),
             profiles: Vec::new(),
+            courses: Vec::new(),
             assumptions: Vec::new(),
             notes: Vec::new(),
             beyond_scope: None,
@@ -366,6 +367,9 @@ pub struct Method {
     pub checks: Vec<Check>,
     /// Values over the height.
     pub profiles: Vec<Profile>,
+    /// Hoop stresses course by course, static and seismic, of the wall of a metal cylinder.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub courses: Vec<CourseHoop>,
     /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings and remarks.

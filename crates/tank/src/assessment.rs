@@ -83,9 +83,47 @@ pub struct Profile {
     pub dimension: Dimension,
     /// Heights z above the base [m], ascending.
     pub z: Vec<f64>,
-    /// Values in SI, seismic part, absolute.
+    /// Values in SI, seismic part, absolute; of [`TOTAL_HOOP`] with the static part.
     pub values: Vec<f64>,
 }
+
+/// Hoop forces and hoop stress of a course where it is used most, static and seismic.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CourseHoop {
+    /// Number of the course, from 1 at the base.
+    pub course: usize,
+    /// Height above the base [m].
+    pub z: f64,
+    /// Thickness that counts, net of corrosion [m].
+    pub thickness: f64,
+    /// Hydrostatic hoop force N_h [N/m]; this and the following none where the method does not give it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hydrostatic: Option<f64>,
+    /// Impulsive hoop force N_i [N/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub impulsive: Option<f64>,
+    /// Convective hoop force N_c [N/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub convective: Option<f64>,
+    /// Hoop force of the vertical motion N_v [N/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertical: Option<f64>,
+    /// Hoop stress σ [Pa].
+    pub stress: f64,
+    /// Its limit [Pa]; none where a strength is missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit: Option<f64>,
+}
+
+impl CourseHoop {
+    /// σ over its limit.
+    pub fn utilisation(&self) -> Option<f64> {
+        self.limit.filter(|limit| *limit > 0.0).map(|limit| self.stress / limit)
+    }
+}
+
+/// Id of the profile of the hoop stress, static and seismic; the other profiles are the seismic part alone.
+pub const TOTAL_HOOP: &str = "hoop_stress_total";
 
 /// The result of one procedure under one excitation.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -98,6 +136,9 @@ pub struct Assessment {
     pub checks: Vec<Check>,
     /// Values over the height.
     pub profiles: Vec<Profile>,
+    /// Hoop stresses course by course, of the wall of a metal cylinder.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub courses: Vec<CourseHoop>,
     /// Assumptions of the procedure, one sentence each.
     pub assumptions: Vec<String>,
     /// Warnings and remarks, one sentence each.

@@ -5,7 +5,7 @@
 
 use crate::sheet::with_unit;
 use tank::Material;
-use tank::assessment::Profile;
+use tank::assessment::{CourseHoop, Profile, TOTAL_HOOP};
 use tank::case::Combination;
 use tank::ingredients::Vertical;
 use tank::units::Dimension::{Length, LineForce, Stress};
@@ -65,6 +65,30 @@ fn largest<'a>(stations: &'a [Station], f: &dyn Fn(&Station) -> f64) -> &'a Stat
     stations.iter().fold(first, |best, s| if f(s) > f(best) { s } else { best })
 }
 
+/// Hoop forces and stresses of the courses below the surface, each where its stress is largest.
+fn courses(stations: &[Station], allowed: Option<&[f64]>) -> Vec<CourseHoop> {
+    let mut courses: Vec<CourseHoop> = Vec::new();
+    for s in stations {
+        let found = CourseHoop {
+            course: s.course + 1,
+            z: s.z,
+            thickness: s.t,
+            hydrostatic: Some(s.n.hydrostatic),
+            impulsive: Some(s.n.impulsive),
+            convective: Some(s.n.convective),
+            vertical: Some(s.n.vertical),
+            stress: s.total(),
+            limit: allowed.and_then(|allowed| allowed.get(s.course).copied()),
+        };
+        match courses.last_mut().filter(|last| last.course == found.course) {
+            Some(last) if last.stress >= found.stress => {}
+            Some(last) => *last = found,
+            None => courses.push(found),
+        }
+    }
+    courses
+}
+
 /// The stress that lines show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
@@ -102,6 +126,7 @@ impl Run<'_> {
             Ok(allowed) => largest(&|s: &Station| s.total() / allowed[s.course]),
             Err(_) => largest(&Station::total),
         };
+        self.out.courses = courses(&stations, allowable.as_deref().ok());
         self.sheet.section("Hoop stress: largest seismic part");
         let dynamic = self.hoop_lines(&seismic, a, "σ_s", "largest seismic hoop stress", Part::Seismic);
         self.sheet.section("Hoop stress: hydrostatic and seismic");
@@ -221,6 +246,7 @@ impl Run<'_> {
         add("pressure_convective", "Convective pressure", &|s| 2.0 * s.n.convective / d);
         add("pressure_dynamic", "Seismic pressure", &|s| 2.0 * s.n.dynamic() / d);
         add("hoop_stress", "Hoop stress (membrane)", &Station::dynamic);
+        add(TOTAL_HOOP, "Hoop stress, static and seismic", &Station::total);
     }
 
     /// Allowable hoop stress of each course [Pa], or the missing data in words.
