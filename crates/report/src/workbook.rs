@@ -5,14 +5,16 @@
 //! | Overview | project, verdict, files with hashes |
 //! | Quantities | a quantity; a column a method |
 //! | Checks | a check |
-//! | one a method | a line of its calculation |
+//! | one a method | a line of its calculation, as a formula over the lines above where they have all its values |
 //! | Profiles | a height of a profile |
 //! | Histories | an instant; a column a history |
 //!
 //! The same results give the same bytes.
 
+mod formula;
+
 use rust_xlsxwriter::{
-    DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError,
+    DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Formula, Workbook, Worksheet, XlsxError,
 };
 use tank::assessment::Check;
 use tank::units::Dimension;
@@ -50,6 +52,8 @@ struct Page<'a> {
 enum Cell<'a> {
     Text(&'a str),
     Number(f64),
+    /// A formula and its value.
+    Formula(&'a str, f64),
     /// A share, shown in percent.
     Share(f64),
     Whole(usize),
@@ -77,12 +81,17 @@ impl Page<'_> {
                     let format = Format::new().set_num_format(digits(value));
                     self.sheet.write_number_with_format(self.row, column, value, &format)?;
                 }
+                Some(Cell::Formula(text, value)) if value.is_finite() => {
+                    let format = Format::new().set_num_format(digits(value));
+                    let formula = Formula::new(text).set_result(value.to_string());
+                    self.sheet.write_formula_with_format(self.row, column, formula, &format)?;
+                }
                 Some(Cell::Share(value)) if value.is_finite() => {
                     let format = Format::new().set_num_format("0.0%");
                     self.sheet.write_number_with_format(self.row, column, value, &format)?;
                 }
                 Some(Cell::Share(value)) => drop(self.sheet.write_string(self.row, column, utilisation(value))?),
-                Some(Cell::Number(_)) => {}
+                Some(Cell::Number(_) | Cell::Formula(..)) => {}
                 Some(Cell::Whole(value)) => drop(self.sheet.write_number(self.row, column, value as f64)?),
             }
         }
@@ -243,11 +252,20 @@ fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
 }
 
 fn steps(page: &mut Page, method: &Method) -> Result<(), XlsxError> {
-    page.widths(&[5.0, 30.0, 44.0, 12.0, 44.0, 30.0, 12.0, 9.0, 30.0])?;
+    page.widths(&[5.0, 30.0, 44.0, 12.0, 44.0, 30.0, 12.0, 9.0, 30.0, 12.0])?;
     page.head(&words::STEPS, 0)?;
     for (number, step) in (1..).zip(&method.steps) {
         let (value, unit) = in_unit(step.value, step.dimension);
         let text = |text| Some(Cell::Text(text));
+        // A value that is given stands in its unit, to be changed there; a computed one comes from the column in SI.
+        let row = page.row + 1;
+        let factor = Scale::single(step.dimension, [step.value]).convert(1.0);
+        let computed = formula::of_line(&method.steps, number - 1, &|line| format!("J{}", line + 2));
+        let (shown, si) = match &computed {
+            Some(formula) => (format!("=J{row}*{factor}"), format!("={formula}")),
+            None => (String::new(), format!("=G{row}/{factor}")),
+        };
+        let shown = if shown.is_empty() { Cell::Number(value) } else { Cell::Formula(&shown, value) };
         page.cells([
             Some(Cell::Whole(number)),
             text(&step.section),
@@ -255,9 +273,10 @@ fn steps(page: &mut Page, method: &Method) -> Result<(), XlsxError> {
             text(&step.symbol),
             text(&step.formula),
             text(&step.look_up),
-            Some(Cell::Number(value)),
+            Some(shown),
             text(unit),
             text(&step.clause),
+            Some(Cell::Formula(&si, step.value)),
         ])?;
     }
     Ok(())

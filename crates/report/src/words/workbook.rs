@@ -11,7 +11,8 @@ pub mod sheets {
 }
 
 /// Heads of the sheet of a method.
-pub const STEPS: [&str; 9] = ["No.", "Section", "Quantity", "Symbol", "Formula", "Source", "Value", "Unit", "Clause"];
+pub const STEPS: [&str; 10] =
+    ["No.", "Section", "Quantity", "Symbol", "Formula", "Source", "Value", "Unit", "Clause", "Value in SI"];
 /// Heads of the checks.
 pub const CHECKS: [&str; 10] =
     ["Method", "Excitation", "Decides", "Check", "Clause", "Demand", "Capacity", "Unit", "Utilisation", "Result"];
