@@ -104,12 +104,12 @@ impl LevelArg {
 /// How much a report says.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum ReportLevel {
-    /// Cover, verdict, what was not checked, headline figures.
+    /// Cover with verdict, failing and open checks; datasheet.
     Summary,
-    /// Also model, limits, checks, differences, main figures, sheets of the deciding procedures.
+    /// Also checks, sheets of the deciding procedures, comparison, main figures.
     #[default]
     Standard,
-    /// Also all sheets and checks, the input, modes, more figures.
+    /// Also all sheets and checks, the input key by key, modes, more figures.
     Full,
 }
 

@@ -6,6 +6,7 @@ mod attribution;
 mod base;
 mod checks;
 mod comparison;
+mod datasheet;
 mod directions;
 mod engine;
 mod histories;
@@ -61,22 +62,20 @@ macro_rules! sections {
 
 sections![
     summary: Summary,
-    tank: Standard,
-    limits: Standard,
-    engine: Standard,
-    motion: Standard,
-    spectra: Standard,
-    record_set: Standard,
+    tank: Summary,
     checks: Standard,
+    sheets: Standard,
     comparison: Standard,
     partings: Full,
-    attribution: Standard,
     reported: Standard,
+    attribution: Full,
+    limits: Standard,
+    engine: Full,
+    record_set: Standard,
     profiles: Standard,
-    histories: Standard,
     internal_forces: Standard,
     directions: Standard,
-    standing part: Standard,
+    standing part: Full,
     isolation part: Standard,
     base: Standard,
     soil part: Standard,
@@ -86,7 +85,9 @@ sections![
     transfer part: Standard,
     spatial: Standard,
     around: Standard,
-    sheets: Standard,
+    histories: Standard,
+    motion: Standard,
+    spectra: Standard,
     input: Full,
     provenance: Standard,
 ];

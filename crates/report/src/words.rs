@@ -10,6 +10,7 @@
 //! | [`sections`] | titles of sections and the sentences of their templates |
 //! | [`sheets`] | calculation sheets: what stands elsewhere |
 //! | [`base`] | the command of that name |
+//! | [`datasheet`] | names of the keys of the tank file |
 //! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
 //! | [`summary`] | the first page |
@@ -25,6 +26,7 @@
 pub mod after_record;
 pub mod apart;
 pub mod base;
+pub mod datasheet;
 pub mod differences;
 pub mod factors;
 pub mod figures;

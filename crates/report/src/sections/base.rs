@@ -9,6 +9,7 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart};
 use crate::figure::rocking::{self, Elevation, Position};
 use crate::figure::{Figure, HALF};
+use crate::level::Level;
 use crate::number::{Scale, fixed, share, with_unit};
 use crate::table::{Column, Table, columns, spread, spread_with_extremes};
 use crate::words::uplift as words;
@@ -34,6 +35,13 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("energy", &energy(run));
     section.set("balance", &words::balance(run));
     section.set("assumptions", &run.assumptions);
+    let full = source.level == Level::Full;
+    section.set("full", &full);
+    if !full {
+        let figures = [Some(turning(run)?), Some(around(run)?)];
+        section.set_figures("figures", figures.into_iter().flatten().collect());
+        return Ok(Some(section));
+    }
     let sides = Side::BOTH.map(Channel::Uplift);
     let figures = [
         over_time(source, 0, &sides)?,

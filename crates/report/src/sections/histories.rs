@@ -10,7 +10,7 @@ use crate::number::{Scale, fixed};
 use crate::table::{Table, columns};
 use crate::words::{after_record, figures, labels, sections};
 use files::error::Error;
-use results::channel::{Ground, OnWall};
+use results::channel::{OnWall, Side};
 use results::{Channel, SeriesInfo};
 
 /// Histories in the table of peaks below the full level.
@@ -20,7 +20,7 @@ const LISTED: usize = 8;
 fn most(level: Level) -> usize {
     match level {
         Level::Full => 9,
-        _ => 3,
+        _ => 4,
     }
 }
 
@@ -30,8 +30,8 @@ fn rank(info: &SeriesInfo) -> usize {
         Some(channel) if channel.is_wave() => 0,
         Some(Channel::BaseShear) => 1,
         Some(Channel::BaseMoment) => 2,
-        Some(channel) if channel.on_wall() == Some(OnWall::Axial) => 3,
-        Some(Channel::OverturningMoment) => 4,
+        Some(Channel::OverturningMoment) => 3,
+        Some(channel) if channel.on_wall() == Some(OnWall::Axial) => 4,
         _ => 5,
     }
 }
@@ -72,20 +72,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut drawn = Vec::new();
-    let ground = Channel::Ground { motion: Ground::Acceleration, vertical: false };
-    if let Some(values) = source.column(&ground.id()) {
-        let figure = history(
-            source,
-            &format!("history_{}", ground.id()),
-            &ground.title(),
-            ground.dimension(),
-            values,
-            None,
-            "k-ground",
-        )?;
-        drawn.extend(figure);
-    }
-    for info in infos.iter().take(most(source.level)) {
+    // The side away from the motion has its largest value in the table.
+    let facing: Vec<&SeriesInfo> = infos.iter().copied().filter(|info| !info.id.contains(Side::Back.id())).collect();
+    for info in facing.iter().take(most(source.level)) {
         let Some(values) = source.column(&info.id) else { continue };
         let id = format!("history_{}", info.id);
         drawn.extend(history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?);
@@ -108,7 +97,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         ]);
     }
     let mut section = Section::new("histories");
-    let (shown, listed) = (most(source.level).min(infos.len()), listed.min(infos.len()));
+    let (shown, listed) = (drawn.len(), listed.min(infos.len()));
     section.set("undrawn", &sections::undrawn(shown, listed, infos.len()));
     section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set("peaks", &table);
@@ -161,6 +150,9 @@ pub(super) fn history(
     let extent = [values[lowest], values[highest], peak, 0.0].map(|v| 1.12 * v);
     let y = Axis::linear(title, dimension, extent, 5);
     let mut chart = Chart::over_time(time[0], time[n - 1], y);
+    if source.level != Level::Full {
+        chart = chart.halved();
+    }
     chart.history(time, values, format!("{class} hist"), "");
     chart.rules = record_end(source, time[n - 1]).into_iter().collect();
     if chart.x.holds(time_of_peak) {

@@ -29,6 +29,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("one_of", &set.map_or_else(String::new, words::record_set::one_of));
     section.set("records", records);
     section.set("measures", &measures(source));
+    section.set("beside", &(source.level != Level::Full));
     section.set_figures("figures", figures);
     Ok(Some(section))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use tank::assessment::Profile;
+use tank::assessment::{Profile, TOTAL_HOOP};
 use tank::units::Dimension;
 
 use super::{Section, Source};
@@ -57,6 +57,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         for profile in method.profiles.iter().filter(|p| p.z.len() > 1) {
             // The engine has one seismic pressure; the codes call theirs the dynamic one.
             let id = match profile.id.as_str() {
+                // Its figure stands beside the courses.
+                TOTAL_HOOP => continue,
                 "pressure_dynamic" => "pressure",
                 id => id,
             };
@@ -96,7 +98,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     Ok(Some(section))
 }
 
-fn pairs(values: &[f64], z: &[f64]) -> Vec<(f64, f64)> {
+/// Values beside their heights.
+pub(super) fn pairs(values: &[f64], z: &[f64]) -> Vec<(f64, f64)> {
     values.iter().copied().zip(z.iter().copied()).collect()
 }
 

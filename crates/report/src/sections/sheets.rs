@@ -1,8 +1,8 @@
 //! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
-//! site shows only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the engines and of the
-//! procedures that decide (of all procedures where none does). Every symbol of these procedures has its value there; formulas are not repeated with
-//! their numbers, values that are given or looked up take one line, and the same lines for several grounds are set as one. Of an engine that does not
-//! decide there are assumptions and remarks; its lines are counted.
+//! site shows in the full report only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the
+//! engines and of the procedures that decide (of all procedures where none does), each of them whole: formula, numbers, result. Values that are given
+//! or looked up take one line, and the same of them for several grounds are set as one. Of an engine that does not decide there are assumptions and
+//! remarks; its lines are counted.
 
 use std::collections::BTreeSet;
 
@@ -87,7 +87,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         m.id != MEASURED && (said || m.status != Status::Computed) && (all || m.is_run() || verdict.decides(m))
     };
     let methods: Vec<&Method> = source.results.methods.iter().filter(shown).collect();
-    let base = |method: &Method| methods.iter().copied().find(|r| is_base(r, method));
+    let base = |method: &Method| methods.iter().copied().find(|r| full && is_base(r, method));
     let lines = |m: &Method| all || verdict.decides(m);
     let mut sheets: Vec<Sheet> = methods.iter().map(|m| sheet(m, base(m), full, lines(m))).collect();
     let column = EngineId::Nonlinear.beside();
@@ -198,9 +198,7 @@ fn is_base(base: &Method, method: &Method) -> bool {
 }
 
 /// A line of a sheet.
-///
-/// * `numbers`: whether the formula stands with its numbers too
-fn line(number: usize, step: &Step, numbers: bool, document: &str) -> LineView {
+fn line(number: usize, step: &Step, document: &str) -> LineView {
     let (value, unit) = parts(step.value, step.dimension);
     let set = |text: &str, shown: bool| match text {
         text if shown && !text.is_empty() => math::formula(text),
@@ -208,7 +206,7 @@ fn line(number: usize, step: &Step, numbers: bool, document: &str) -> LineView {
     };
     // Not "H/R = H/R".
     let formula = !step.formula.is_empty() && step.formula != step.symbol;
-    let substitution = step.substitution != step.formula && (numbers || !formula);
+    let substitution = step.substitution != step.formula;
     LineView {
         number,
         name: in_units(&step.name),
@@ -224,9 +222,9 @@ fn line(number: usize, step: &Step, numbers: bool, document: &str) -> LineView {
     }
 }
 
-/// * `numbers`: whether the formulas stand with their numbers too, and every line alone
+/// * `alone`: whether every line stands alone
 /// * `lines`: whether there are lines at all
-fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> Sheet {
+fn sheet(method: &Method, base: Option<&Method>, alone: bool, lines: bool) -> Sheet {
     let known = base.map_or(&[][..], |b| &b.steps);
     let document = document(&method.steps);
     let mut shared = 0;
@@ -240,10 +238,10 @@ fn sheet(method: &Method, base: Option<&Method>, numbers: bool, lines: bool) -> 
             found.push(Part { title: step.section.clone(), lines: Vec::new() });
         }
         if let Some(part) = found.last_mut() {
-            part.lines.push(line(number, step, numbers, document));
+            part.lines.push(line(number, step, document));
         }
     }
-    if !numbers {
+    if !alone {
         for part in &mut found {
             part.lines = merged(std::mem::take(&mut part.lines));
         }
@@ -278,11 +276,15 @@ fn in_units(text: &str) -> String {
     converted(text, System::current(), 3).into_owned()
 }
 
-/// Lines of a part, those that repeat set as one: three or more with the same symbol, formula and unit, whose names or sources differ in one word.
+/// Lines of a part, those that repeat set as one: three or more without formula with the same symbol and unit, whose names or sources differ in one word.
 fn merged(lines: Vec<LineView>) -> Vec<LineView> {
     let alike = |a: &LineView, b: &LineView| {
-        let same = a.symbol == b.symbol && a.formula == b.formula && a.unit == b.unit && a.clause == b.clause;
-        same && varied(&[&a.name, &b.name]).is_some() && varied(&[&a.look_up, &b.look_up]).is_some()
+        let same = a.symbol == b.symbol && a.unit == b.unit && a.clause == b.clause;
+        a.short
+            && b.short
+            && same
+            && varied(&[&a.name, &b.name]).is_some()
+            && varied(&[&a.look_up, &b.look_up]).is_some()
     };
     let mut groups: Vec<Vec<LineView>> = Vec::new();
     for line in lines {

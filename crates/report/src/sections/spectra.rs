@@ -4,7 +4,7 @@ use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Rule};
-use crate::figure::{Figure, Room, WIDE, fourway};
+use crate::figure::{Figure, HALF, Room, WIDE, fourway};
 use crate::level::Level;
 use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table, columns, spread};
@@ -25,6 +25,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         figures.push(four_way(source, &curves)?);
     }
     section.set_figures("figures", figures);
+    section.set("beside", &(source.level != Level::Full));
     section.set("at_periods", &at_periods(source, &curves));
     Ok(Some(section))
 }
@@ -83,10 +84,10 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
         points.filter(|(t, _)| **t <= end).map(|(t, a)| (*t, a / gravity)).collect()
     };
     let values: Vec<f64> = curves.iter().flat_map(|c| shown(c)).map(|p| p.1).collect();
-    let x = Axis::exact("Period T", Dimension::Time, (0.0, end), 8);
+    let x = Axis::exact("Period T", Dimension::Time, (0.0, end), if source.level == Level::Full { 8 } else { 5 });
     let mut y = Axis::linear("Pseudo-acceleration", Dimension::Dimensionless, values.into_iter().chain([0.0]), 5);
     y.title = "Pseudo-acceleration PSA [g]".into();
-    let mut chart = Chart::new(WIDE, x, y);
+    let mut chart = Chart::new(if source.level == Level::Full { WIDE } else { HALF }, x, y);
     chart.rules = rules(source);
     for (i, c) in curves.iter().enumerate() {
         chart.line(shown(c), class(i), c.title.clone());

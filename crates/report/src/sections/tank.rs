@@ -1,10 +1,10 @@
-//! The tank: courses, masses, deformability.
+//! The tank: the input as a datasheet, courses, masses, deformability.
 
 use serde::Serialize;
 use tank::units::Dimension;
 use tank::{BarDirection, LayerKind, Shape, Support};
 
-use super::{Section, Source};
+use super::{Section, Source, datasheet};
 use crate::figure::{Figure, sketch};
 use crate::level::Level;
 use crate::number::{Scale, plain, significant};
@@ -47,7 +47,16 @@ fn support(support: Support) -> &'static str {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    Ok(Some(of(&source.results.tank, source.level == Level::Full)))
+    let mut section = of(&source.results.tank, source.level == Level::Full);
+    let courses = datasheet::courses(source.results);
+    section.set("groups", &datasheet::groups(source.results));
+    section.set("forces", &courses.is_some());
+    if let Some(table) = courses {
+        section.set("courses", &table);
+    }
+    let figures = datasheet::hoop(source)?;
+    section.set_figures("figures", figures.into_iter().collect());
+    Ok(Some(section))
 }
 
 /// The section of a tank.
@@ -87,6 +96,9 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     section.set("support", support);
     section.set("facts", &facts);
     section.set("courses", &courses(summary));
+    section.set("forces", &false);
+    section.set("groups", &[(); 0]);
+    section.set_figures("figures", Vec::new());
     section.set("layers", &layers(summary));
     let parameter: Vec<Deformability> = summary
         .deformability

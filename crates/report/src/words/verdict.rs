@@ -117,6 +117,11 @@ pub fn approval(check: &Check, created: &str) -> String {
     if ahead(&accepted.date, created) { format!("{text}, a date after that of these results") } else { text }
 }
 
+/// Who accepts a gap, and when, without words; empty where nobody does.
+pub fn approver(check: &Check) -> String {
+    check.accepted.as_ref().map_or_else(String::new, |accepted| format!("{}, {}", accepted.by, accepted.date))
+}
+
 /// Whether a day is after that of a time; both begin with year, month and day.
 fn ahead(date: &str, created: &str) -> bool {
     created.get(..10).is_some_and(|day| date > day)

@@ -91,7 +91,17 @@ pub(super) const ALL: &[Words] = &[
             ("others", "Methods that do not decide"),
         ],
     },
-    title("tank", "Tank and liquid"),
+    Words {
+        id: "tank",
+        title: "Datasheet",
+        sentences: &[
+            ("defaults", "*: default; the full report has its source."),
+            (
+                "forces",
+                "t: as built; N_h, N_i, N_c, N_v: hoop forces of the static, impulsive, convective and vertical pressure at the height z where the                  course is used most; σ and its limit as the sheet of the method takes them. –: the method does not give it.",
+            ),
+        ],
+    },
     Words {
         id: "input",
         title: "Input",
@@ -257,7 +267,7 @@ pub(super) const ALL: &[Words] = &[
             ("from", "from"),
             (
                 "others",
-                "With their numbers in every formula, and those of the procedures that do not decide: `tankcheck report FOLDER --report full`.",
+                "The sheets of the procedures that do not decide are in the full report: `tankcheck report FOLDER --report full`.",
             ),
         ],
     },

@@ -1,0 +1,103 @@
+//! The datasheet: names of the keys of the tank file.
+
+/// Gaps that are accepted.
+pub const ACCEPTANCE: &str = "Acceptance";
+/// Head of the numbers of courses.
+pub const COURSE: &str = "Course";
+/// Head of the corrosion.
+pub const ALLOWANCE: &str = "Allowance";
+/// Head of the thickness less the corrosion.
+pub const NET: &str = "Net";
+/// Title of the table of courses.
+pub const COURSES: &str = "Courses from the base up, with their hoop forces and stresses";
+/// Axis and title of the figure.
+pub const HOOP: &str = "Hoop stress, static and seismic";
+/// Caption of the figure.
+pub const HOOP_CAPTION: &str = "Largest values; dotted: limits of the courses.";
+/// Description of the figure.
+pub const HOOP_DESCRIPTION: &str = "Largest hoop stress of the static state and the earthquake together over the height of the wall, by method, with the \
+                                    limits of the courses as lines with steps.";
+
+/// The limit of a method in a legend.
+pub fn limit(method: &str) -> String {
+    format!("Limit, {method}")
+}
+
+/// Name of a key, without the part of the path that its group names; empty for a key without one.
+pub fn label(key: &str) -> &'static str {
+    LABELS.iter().find(|(known, _)| *known == key).map_or("", |(_, label)| label)
+}
+
+/// Keys and their names.
+const LABELS: &[(&str, &str)] = &[
+    ("shape", "Plan"),
+    ("radius", "Radius R"),
+    ("length", "Length 2L"),
+    ("breadth", "Breadth"),
+    ("support", "Support"),
+    ("pressure", "Pressure above the liquid"),
+    ("roof", "Roof"),
+    ("roof.mass", "Roof: mass"),
+    ("roof.height", "Roof: height of its centre"),
+    ("roof.snow", "Roof: snow"),
+    ("bottom.thickness", "Bottom plate: thickness"),
+    ("bottom.width", "Bottom plate: width of this thickness"),
+    ("bottom.annular_thickness", "Annular plate: thickness"),
+    ("bottom.annular_width", "Annular plate: width"),
+    ("bottom.projection", "Bottom plate: projection"),
+    ("bottom.subgrade_modulus", "Bottom plate: modulus of the ground"),
+    ("bottom.material", "Bottom plate: material"),
+    ("bottom.connections", "Connections through the bottom"),
+    ("foundation", "Foundation"),
+    ("anchors.count", "Anchors: number"),
+    ("anchors.capacity", "Anchors: capacity of one"),
+    ("pipes", "Pipes"),
+    ("pipes.support_distance", "Pipes: distance of the first support"),
+    ("pipes.allowable_displacement", "Pipes: allowed against the support"),
+    ("pipes.uplift", "Pipes: allowed upwards"),
+    ("pipes.settlement", "Pipes: allowed downwards"),
+    ("pipes.horizontal", "Pipes: allowed horizontally"),
+    ("internals", "Equipment within the liquid"),
+    ("adjacent_structures", "Connected structures"),
+    ("fill_height", "Depth H"),
+    ("density", "Density ρ"),
+    ("youngs_modulus", "Young’s modulus E"),
+    ("poisson_ratio", "Poisson’s ratio ν"),
+    ("yield_strength", "Yield strength f_y"),
+    ("allowable_stress", "Allowable stress S_d"),
+    ("family", "Family"),
+    ("ground", "Ground type"),
+    ("spectrum", "Type of spectrum"),
+    ("ag", "Reference acceleration a_gR"),
+    ("importance", "Importance factor γ_I"),
+    ("behaviour_factor", "Behaviour factor q"),
+    ("construction_quality", "Quality of construction"),
+    ("vertical", "Vertical motion"),
+    ("components", "Horizontal components"),
+    ("friction", "Friction μ"),
+    ("reduction_factor", "Reduction for damage limitation"),
+    ("bearing_capacity", "Bearing resistance"),
+    ("ss", "S_S"),
+    ("s1", "S_1"),
+    ("s0", "S_0"),
+    ("site_class", "Site class"),
+    ("asce7", "Tables of ASCE 7"),
+    ("fa", "F_a"),
+    ("fv", "F_v"),
+    ("q", "Factor Q"),
+    ("sug", "Seismic use group"),
+    ("tl", "T_L in s"),
+    ("av", "A_v"),
+    ("design_pressure", "Design pressure"),
+    ("joint_efficiency", "Joint efficiency"),
+    ("foundation_weight", "Weight of the foundation"),
+    ("zone_factor", "Zone factor Z, 9th edition"),
+    ("soil_factor", "Site factor S, 9th edition"),
+    ("importance_1993", "Importance I, 9th edition"),
+    ("sloshing", "Sloshing"),
+    ("impulsive", "Impulsive part"),
+    ("scale_to", "Scaled to"),
+    ("scale_by", "Scaled by"),
+    ("run", "Procedures"),
+    ("decide", "Deciding"),
+];
