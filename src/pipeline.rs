@@ -33,7 +33,7 @@ use crate::error::Error;
 use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{Context, Incomplete};
-use results::{FORMAT, Method, RecordSummary, Results, Series, Snapshots, Verdict, Volatile, finite};
+use results::{EngineId, FORMAT, Method, RecordSummary, Results, Series, Snapshots, Verdict, Volatile, finite};
 
 /// Results of a job.
 #[derive(Clone, Debug)]
@@ -42,8 +42,8 @@ pub struct Outcome {
     pub results: Results,
     /// For `series.csv`.
     pub series: Series,
-    /// States of the three-dimensional model, if requested.
-    pub snapshots: Option<Snapshots>,
+    /// States of the last engine that has some, if requested.
+    pub snapshots: Option<(EngineId, Snapshots)>,
 }
 
 /// Runs a job: procedures, engines, comparison. `volatile` is empty except for the version.
@@ -83,7 +83,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     for (number, simulation) in simulations.iter().enumerate() {
         finite::check_series(simulation.result.engine.column(number), &simulation.series)?;
     }
-    let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
+    let snapshots = simulations.iter_mut().rev().find_map(|s| Some((s.result.engine, s.snapshots.take()?)));
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
     let of_engine = simulations.first().and_then(|s| s.values.get(&Quantity::SloshingPeriod).copied());
     motion::mark(&mut records, of_engine.or_else(|| sloshing_period(&methods)));

@@ -24,7 +24,7 @@ use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_O
 use crate::job::Job;
 use crate::pipeline;
 use crate::record_set::{self, SetJob};
-use engines::estimate::{Estimate, together};
+use engines::estimate::{Estimate, first_plate_frequency, first_wall_frequency, together};
 use engines::{FeError, Integrator, Task, engine};
 use files::code::{Code, Warning};
 use files::kept_complete;
@@ -36,6 +36,7 @@ use results::{self, EngineId, LeftOut, Omittable, Results, Verdict, VerdictStatu
 
 /// Arguments.
 #[derive(clap::Args)]
+#[command(group(clap::ArgGroup::new("drawn").args(["vtu", "scene"]).multiple(true)))]
 #[command(after_help = "\
 Examples:
   tankcheck compare tank.json --quake elcentro.csv --out out/
@@ -48,6 +49,7 @@ Examples:
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe solid --liquid displacement --vtu paraview/
+  tankcheck compare tank.json --quake elcentro.csv --scene --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/ --resume
 
@@ -73,11 +75,14 @@ pub(crate) struct Args {
     nonlinear: nonlinear::NonlinearArgs,
     #[command(flatten)]
     memory: MemoryArg,
-    /// Write ParaView files (tank.pvd) into this folder: of the three-dimensional or the nonlinear run, else of the bottom plate that lifts.
+    /// Write ParaView files (tank.pvd) into this folder, of the last engine that runs.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,
-    /// Time between two states in the ParaView files [default: a hundredth of the record].
-    #[arg(long, value_name = "SECONDS", requires = "vtu", allow_negative_numbers = true)]
+    /// Keep the motion of wall, surface and bottom in the results folder (scene.json), of the last engine that runs.
+    #[arg(long)]
+    scene: bool,
+    /// Time between two states [default: a hundredth of the record; with --scene an eighth of the first period of the wall].
+    #[arg(long, value_name = "SECONDS", requires = "drawn", allow_negative_numbers = true)]
     vtu_every: Option<f64>,
     /// Time integration [default: modal, or as in the tank file].
     #[arg(long, value_enum)]
@@ -184,17 +189,31 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     replaced(&args.out, &stale);
     remarks(results);
     nonlinear::advise(&job, results, global);
+    let drawn = outcome.snapshots.is_some();
+    if args.scene && !drawn {
+        say!("scene: no file written; {}", without_states(&job, set.is_some(), interrupted));
+    }
     match (&args.vtu, &outcome.snapshots) {
         (Some(folder), Some(_)) if !global.quiet => {
             say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
         }
-        (Some(_), None) if interrupted => {
-            say!("ParaView: no files written; the run was interrupted before the first state");
+        (Some(_), None) => {
+            say!("ParaView: no files written; {}", without_states(&job, set.is_some(), interrupted));
         }
-        (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
         _ => {}
     }
     Ok(exit_code(&results.verdict, args.inputs.strict))
+}
+
+/// Why a run has no states.
+fn without_states(job: &Job, of_set: bool, interrupted: bool) -> &'static str {
+    match job.case.ground_motion {
+        _ if interrupted => "the run was interrupted before the first state",
+        _ if of_set => "states are those of one record, not of a set",
+        _ if job.engines.is_empty() => "states are those of an engine",
+        None => "states are those of a run under a record",
+        Some(_) => "the engine has no states",
+    }
 }
 
 /// The job, and the set of records of which it has the longest.
@@ -310,14 +329,13 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
         None => {}
     }
-    if args.vtu.is_some() {
-        if !draws(job) {
-            return Err(Error::conflict(
-                "--vtu: there is nothing to draw; the harmonic engine has states of a steel bottom plate under a cylinder alone\n  help: \
-                 add --fe solid, --fe both or, for a cylinder, --fe nonlinear; or give `tank.bottom`",
-            ));
-        }
-        job.solid.snapshot_interval = Some(interval(job, args.vtu_every)?);
+    if args.vtu.is_some() && job.engines.is_empty() {
+        return Err(Error::conflict("--vtu: there is nothing to draw without an engine\n  help: remove --fe none"));
+    }
+    // The states of a scene are left out where there are none.
+    if args.vtu.is_some() || (args.scene && job.case.ground_motion.is_some()) {
+        job.solid.snapshot_interval = Some(interval(job, args)?);
+        job.solid.snapshot_inside = args.vtu.is_some();
     }
     // After the interval, which is part of what a checkpoint is of.
     args.nonlinear.apply(job, &args.out)?;
@@ -333,7 +351,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
 
 /// Leaves out what is neither selected nor written: of the harmonic engine under a record. Others compute all they have.
 fn leave_out(job: &mut Job, args: &Args) {
-    let alone = args.no_report && args.vtu.is_none() && job.engines == [EngineId::Harmonic];
+    let alone = args.no_report && args.vtu.is_none() && !args.scene && job.engines == [EngineId::Harmonic];
     if !alone || job.case.ground_motion.is_none() {
         return;
     }
@@ -344,26 +362,27 @@ fn leave_out(job: &mut Job, args: &Args) {
     job.linear.mesh_error &= !job.without.contains(&Omittable::MeshError);
 }
 
-/// Whether an engine may have states for ParaView.
-fn draws(job: &Job) -> bool {
-    let round = matches!(job.case.tank.shape, tank::Shape::Cylinder { .. });
-    let lifts = || base::Base::of(&job.case).is_ok();
-    job.engines.iter().any(|engine| match engine {
-        EngineId::Solid => true,
-        EngineId::Nonlinear => round,
-        EngineId::Harmonic => lifts(),
-    })
-}
-
 /// Default number of states in the ParaView files: enough for a smooth animation.
 const STATES: f64 = 100.0;
+/// Frames of a scene in the first period of the wall, and most of them: of linear engines, and of a nonlinear run, whose checkpoint has them all.
+const FRAMES: (f64, [f64; 2]) = (8.0, [800.0, 400.0]);
 
-/// Time between two states in the ParaView files [s].
-fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
+/// Time between two states [s].
+fn interval(job: &Job, args: &Args) -> Result<f64, Error> {
     let Some(motion) = &job.case.ground_motion else { return Err(Error::Fe(FeError::NoRecord)) };
     let record = &motion.horizontal;
     let duration = record.dt * record.acceleration.len() as f64;
-    match given {
+    match args.vtu_every {
+        None if args.scene => {
+            let (in_a_period, [linear, nonlinear]) = FRAMES;
+            let most = if job.engines.contains(&EngineId::Nonlinear) { nonlinear } else { linear };
+            let frequency = match job.case.tank.shape {
+                tank::Shape::Rectangle { breadth, strip: false, .. } => first_plate_frequency(&job.case, breadth),
+                _ => first_wall_frequency(&job.case),
+            };
+            let period = std::f64::consts::TAU / frequency;
+            Ok((period / in_a_period).max(duration / most).max(record.dt))
+        }
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
         Some(every) => Err(Error::value(format!(

@@ -39,6 +39,7 @@ mod ranges;
 mod record_set;
 mod records;
 mod reproducible;
+mod scene;
 mod select;
 mod sets;
 mod shared_model;

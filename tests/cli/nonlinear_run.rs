@@ -42,7 +42,7 @@ fn options_of_another_engine_are_refused() {
         both.extend(option);
         refused_for(CYLINDER, &both, &out, &[option[0], "--fe nonlinear"]);
     }
-    for option in [&["--mesh", "4x8x4"][..], &["--liquid", "potential"], &["--vtu", "no_such_folder"]] {
+    for option in [&["--mesh", "4x8x4"][..], &["--liquid", "potential"]] {
         let mut command = vec!["--fe", "nonlinear"];
         command.extend(option);
         refused(&command, &out, &[option[0], "--fe solid"]);

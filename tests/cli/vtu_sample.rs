@@ -34,6 +34,7 @@ pub(crate) fn snapshots() -> Snapshots {
             .collect(),
         ground: (0..nodes.len()).map(|k| 100.0 * k as f64).collect(),
         plastic: vec![0.5 * time],
+        ..Snapshot::default()
     };
     Snapshots {
         liquid: vec![hexahedron(lower, middle), hexahedron(middle, upper)],
@@ -41,5 +42,6 @@ pub(crate) fn snapshots() -> Snapshots {
         bottom: vec![lower],
         states: vec![state(0.0), state(0.125)],
         nodes,
+        ..Snapshots::default()
     }
 }

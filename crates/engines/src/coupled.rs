@@ -101,6 +101,10 @@ pub struct ShapeRows {
     pub r: Vec<f64>,
     /// Elevation at each radius; empty where it is zero.
     pub surface: Vec<SparseRow>,
+    /// Axial displacement and amplitude of the circumferential one at each height, of the harmonic engine; empty where they are held.
+    pub tangential: Vec<[SparseRow; 2]>,
+    /// Radius at which the elevation follows from the balance of volume, with its row; none where all are unknowns.
+    pub closing: Option<(f64, SparseRow)>,
 }
 
 impl ShapeRows {

@@ -20,6 +20,7 @@ mod wall_mesh;
 
 pub use build::build;
 pub(crate) use build::build_observed;
+pub(crate) use estimate::add_states;
 pub use estimate::estimate;
 pub use limits::notes;
 pub(crate) use limits::{CLAMPED, IN_CONTACT, assumptions};

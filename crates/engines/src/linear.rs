@@ -4,6 +4,7 @@ pub(crate) mod analysis;
 mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
+mod drawn;
 pub(crate) mod isolation;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
@@ -78,7 +79,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     simulate_to(case, options, (Extent::Whole, None), progress)
 }
 
-/// [`simulate_watched`] that keeps states of a bottom plate that lifts every `states` [s] for pictures, to an extent.
+/// [`simulate_watched`] that keeps states every `states` [s] for pictures, to an extent.
 ///
 /// Errors: as [`simulate`].
 pub(crate) fn simulate_to(
@@ -176,7 +177,7 @@ pub(crate) struct Linear<'a> {
     pub direct: Option<&'a dyn Direct>,
     /// Motion along y of a box.
     pub across: Option<Across<'a>>,
-    /// Time between states of a bottom that lifts, for pictures [s]; none keeps none.
+    /// Time between states for pictures [s]; none keeps none.
     pub states: Option<f64>,
     /// How much of the run is computed.
     pub extent: Extent,
@@ -244,7 +245,7 @@ impl MovingBase {
         motion: &GroundMotion,
     ) -> Result<MovingBase, FeError> {
         let of = (linear.engine, linear.model);
-        let asked = (options, linear.extent, linear.known, linear.states);
+        let asked = (options, linear.extent, linear.known, linear.states.is_some());
         Ok(MovingBase {
             isolated: isolation::isolated(case, of, analysis, motion, options)?,
             free: rocking::free(case, of, analysis, motion, asked),
@@ -325,7 +326,16 @@ fn report(
     let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
     let of_wall = limits::limits(case, seen, (&analysis, around.as_ref()), (motion.horizontal.dt, linear.engine));
-    let snapshots = base.free.take_states();
+    let drawn = drawn::Drawn {
+        case,
+        model: seen,
+        motion: &driven,
+        options,
+        analysis: &analysis,
+        bottom: base.free.bottom(),
+        isolated: base.isolated.as_ref(),
+    };
+    let snapshots = linear.states.map(|every| drawn.states(every)).transpose()?;
     let result = Run {
         modes: modes(case, model),
         modal: modal::parts(&model.on_fixed_base(), hoop_place),

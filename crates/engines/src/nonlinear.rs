@@ -68,7 +68,7 @@ pub fn simulate(
     simulate_with_states(case, options, (None, checkpoint), progress)
 }
 
-/// [`simulate`] that keeps states of a cylinder every `states` [s] for pictures; a strip keeps none.
+/// [`simulate`] that keeps states every `states` [s] for pictures.
 ///
 /// Errors: as [`simulate`].
 pub(crate) fn simulate_with_states(
@@ -80,6 +80,6 @@ pub(crate) fn simulate_with_states(
     check_depth(case)?;
     match case.tank.shape {
         Shape::Cylinder { .. } => cylinder::simulate(case, options, (states, checkpoint), progress),
-        Shape::Rectangle { .. } => strip::simulate(case, options, checkpoint, progress),
+        Shape::Rectangle { .. } => strip::simulate(case, options, (states, checkpoint), progress),
     }
 }

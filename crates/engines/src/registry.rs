@@ -101,7 +101,11 @@ impl Engine for Harmonic {
     }
 
     fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
-        harmonic::estimate(task.case, task.linear)
+        let mut found = harmonic::estimate(task.case, task.linear)?;
+        if let Some(every) = task.solid.snapshot_interval {
+            harmonic::add_states(&mut found, task.case, every)?;
+        }
+        Ok(found)
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
@@ -166,7 +170,11 @@ impl Engine for Nonlinear {
     }
 
     fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
-        nonlinear::estimate(task.case, task.nonlinear)
+        let mut found = nonlinear::estimate(task.case, task.nonlinear)?;
+        if let (Some(every), Shape::Cylinder { .. }) = (task.solid.snapshot_interval, task.case.tank.shape) {
+            nonlinear::cylinder::estimate::add_states(&mut found, task.case, task.nonlinear, every)?;
+        }
+        Ok(found)
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {

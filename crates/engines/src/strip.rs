@@ -38,6 +38,7 @@ mod model;
 mod modes;
 mod parameters;
 mod parts;
+mod pictures;
 mod report;
 mod run;
 pub(crate) mod section;
@@ -52,7 +53,7 @@ mod tests;
 
 pub use contact::{Joints, Touch};
 pub use demand::Demand;
-pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
+pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory, WallState};
 pub use model::{BaseReaction, StripModel};
 pub use parameters::{Contact, LARGEST_DEFLECTION, StripError, StripTank, levels};
 pub use parts::StripDamping;

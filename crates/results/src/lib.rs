@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit. The report, `diff` and users' scripts read only these files.
 
 mod around;
+mod base64;
 mod base_run;
 mod changes;
 pub mod channel;
@@ -24,6 +25,7 @@ mod previous;
 mod push;
 mod record_set;
 mod run;
+pub mod scene;
 mod snapshots;
 mod standing;
 mod store;
@@ -63,7 +65,7 @@ pub use record_set::{Compatibility, RecordSet, SetCheck, SetPeriod, SetQuantity,
 pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
 };
-pub use snapshots::{Resultants, Snapshot, Snapshots};
+pub use snapshots::{DrawnMode, Resultants, Snapshot, Snapshots};
 pub use store::{
     COMPARE, COMPARE_REPORT, FIGURES_FOLDER, FORMS, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put,
     read, read_series, write,

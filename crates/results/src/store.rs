@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
-use super::{FORMAT, Results, Run, Series, layout, previous, transfer};
+use super::{FORMAT, Results, Run, Series, layout, previous, scene, transfer};
 use files::code::Code;
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
@@ -25,7 +25,7 @@ pub const REPORT_FILE: &str = "report.html";
 pub const FIGURES_FOLDER: &str = "figures";
 
 /// Files and folders that a verification writes.
-pub const OUTPUT: [&str; 5] = [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, REPORT_FILE, FIGURES_FOLDER];
+pub const OUTPUT: [&str; 6] = [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, scene::FILE, REPORT_FILE, FIGURES_FOLDER];
 
 /// Results of a verification.
 pub const COMPARE: Kind =
@@ -37,7 +37,7 @@ pub const FORMS: [&str; 4] = ["report.pdf", "report.docx", "report.xlsx", "inter
 /// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
     names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
-    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name) || FORMS.contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, scene::FILE].contains(&name) || FORMS.contains(&name),
     option: "a copy of results.json and series.csv",
     ..COMPARE
 };

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! tank.pvd ─┬─ liquid_0000.vtu   hexahedra: displacement at nodes, pressure in cells
-//!           ├─ wall_0000.vtu     quadrilaterals: displacement at nodes, stress resultants in cells
+//!           ├─ surface_0000.vtu  quadrilaterals: displacement at nodes
+//!           ├─ wall_0000.vtu     quadrilaterals: displacement at nodes, stress resultants and seismic pressure in cells
 //!           └─ bottom_0000.vtu   quadrilaterals: displacement and contact pressure at nodes, plastic rotation in cells
 //! ```
 //!
@@ -12,6 +13,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use super::base64::base64;
 use super::{Snapshot, Snapshots, put};
 use files::Kind;
 use files::error::Error;
@@ -29,7 +31,7 @@ pub const FOLDER: Kind = Kind { id: "compare --vtu", option: "--vtu", names: own
 /// Whether we write files of this name.
 fn owns(name: &str) -> bool {
     let stem = name.strip_suffix(".vtu").unwrap_or("");
-    let number = ["liquid_", "wall_", "bottom_"].iter().find_map(|part| stem.strip_prefix(part));
+    let number = ["liquid_", "surface_", "wall_", "bottom_"].iter().find_map(|part| stem.strip_prefix(part));
     name == COLLECTION || number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
@@ -42,6 +44,7 @@ pub fn write(folder: &Path, snapshots: &Snapshots) -> Result<(), Error> {
     for (i, state) in snapshots.states.iter().enumerate() {
         let parts = [
             (!snapshots.liquid.is_empty()).then(|| (format!("liquid_{i:04}.vtu"), liquid(snapshots, state))),
+            (!snapshots.surface.is_empty()).then(|| (format!("surface_{i:04}.vtu"), surface(snapshots, state))),
             (!snapshots.wall.is_empty()).then(|| (format!("wall_{i:04}.vtu"), wall(snapshots, state))),
             (!snapshots.bottom.is_empty()).then(|| (format!("bottom_{i:04}.vtu"), bottom(snapshots, state))),
         ];
@@ -62,6 +65,10 @@ fn liquid(snapshots: &Snapshots, state: &Snapshot) -> String {
     grid(snapshots, state, HEXAHEDRON, &snapshots.liquid, None, &[("pressure [Pa]", state.pressure.clone())])
 }
 
+fn surface(snapshots: &Snapshots, state: &Snapshot) -> String {
+    grid(snapshots, state, QUAD, &snapshots.surface, None, &[])
+}
+
 fn bottom(snapshots: &Snapshots, state: &Snapshot) -> String {
     let arrays = [("plastic rotation [rad]", state.plastic.clone())];
     let ground = ("contact pressure [Pa]", state.ground.as_slice());
@@ -70,7 +77,7 @@ fn bottom(snapshots: &Snapshots, state: &Snapshot) -> String {
 
 fn wall(snapshots: &Snapshots, state: &Snapshot) -> String {
     let of = |value: fn(&super::Resultants) -> f64| state.resultants.iter().map(value).collect();
-    let arrays: [(&str, Vec<f64>); 7] = [
+    let mut arrays: Vec<(&str, Vec<f64>)> = vec![
         ("n_phi [N/m]", of(|r| r.n_phi)),
         ("n_v [N/m]", of(|r| r.n_v)),
         ("n_phi_v [N/m]", of(|r| r.n_phi_v)),
@@ -79,6 +86,14 @@ fn wall(snapshots: &Snapshots, state: &Snapshot) -> String {
         ("m_phi_v [N]", of(|r| r.m_phi_v)),
         ("q_v [N/m]", of(|r| r.q_v)),
     ];
+    if !state.on_wall.is_empty() {
+        arrays.push(("seismic pressure [Pa]", state.on_wall.clone()));
+    }
+    if !state.cracks.is_empty() {
+        arrays.push(("crack opening strain", state.cracks.clone()));
+    }
+    // Those that the engine does not compute.
+    arrays.retain(|(_, values)| values.iter().any(|v| !v.is_nan()));
     grid(snapshots, state, QUAD, &snapshots.wall, None, &arrays)
 }
 
@@ -157,47 +172,13 @@ fn array(kind: &str, name: &str, components: usize, values: impl Iterator<Item =
     )
 }
 
-/// Base64 of RFC 4648 with padding.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for group in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(group.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for digit in 0..4 {
-            if digit <= group.len() {
-                text.push(char::from(DIGITS[(bits >> (18 - 6 * digit)) as usize & 63]));
-            } else {
-                text.push('=');
-            }
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The test vectors of RFC 4648, section 10.
-    #[test]
-    fn base64_as_in_rfc_4648() {
-        for (plain, coded) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-            ("fooba", "Zm9vYmE="),
-            ("foobar", "Zm9vYmFy"),
-        ] {
-            assert_eq!(base64(plain.as_bytes()), coded);
-        }
-    }
-
     #[test]
     fn own_files_are_known_by_name() {
-        for name in ["tank.pvd", "liquid_0000.vtu", "wall_12345.vtu", "bottom_0001.vtu"] {
+        for name in ["tank.pvd", "liquid_0000.vtu", "wall_12345.vtu", "bottom_0001.vtu", "surface_0002.vtu"] {
             assert!(owns(name), "{name}");
         }
         for name in ["tank.vtu", "wall_.vtu", "wall_1.vtu.bak", "mesh_0000.vtu", "wall_a.vtu"] {

@@ -11,7 +11,7 @@ use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
 use files::code::{Code, Warning};
 use report;
-use results::{self, vtu};
+use results::{self, scene, vtu};
 
 /// Where a run writes.
 pub(super) struct Folders {
@@ -48,8 +48,13 @@ impl Folders {
         if !args.no_report {
             report::render(&self.out.path(), args.templates.as_deref(), args.level.level())?;
         }
-        if let (Some(vtu), Some(snapshots)) = (&self.vtu, &snapshots) {
-            vtu::write(&vtu.path(), snapshots)?;
+        if let Some((engine, snapshots)) = snapshots {
+            if args.scene {
+                scene::write(&self.out.path(), &results.tank, (*engine, snapshots))?;
+            }
+            if let Some(vtu) = &self.vtu {
+                vtu::write(&vtu.path(), snapshots)?;
+            }
         }
         let stale = self.out.stale();
         self.out.commit()?;

@@ -156,15 +156,22 @@ fn free_surface(assembly: &Assembly) -> usize {
 fn shape_rows(assembly: &Assembly) -> ShapeRows {
     let start = assembly.surface_start() - assembly.liquid.surface_columns().start;
     let row = |index: Option<usize>| index.map(|i| (i, 1.0)).into_iter().collect();
+    let of_node = |index: Option<usize>| row(index.and_then(|i| assembly.reduction.index(i)));
     let mut rows = ShapeRows {
         z: assembly.wall.nodes.clone(),
-        wall: assembly.node.iter().map(|n| row(n[2].and_then(|i| assembly.reduction.index(i)))).collect(),
+        wall: assembly.node.iter().map(|n| of_node(n[2])).collect(),
+        tangential: assembly.node.iter().map(|n| [of_node(n[0]), of_node(n[1])]).collect(),
         ..ShapeRows::default()
     };
     for (&r, column) in assembly.liquid.mesh.r.iter().zip(&assembly.liquid.surface) {
         let index = column.map(|c| assembly.reduction.index(start + c));
-        // The elevation that follows from the balance of volume is not an unknown: its radius is omitted.
-        if index != Some(None) {
+        // The elevation that follows from the balance of volume is not an unknown.
+        if let (Some(None), Some(c)) = (index, column) {
+            let mut all = vec![0.0; assembly.size];
+            all[start + c] = 1.0;
+            let own = assembly.reduction.row(&all).into_iter().enumerate();
+            rows.closing = Some((r, own.filter(|(_, c)| *c != 0.0).collect()));
+        } else {
             rows.r.push(r);
             rows.surface.push(row(index.flatten()));
         }

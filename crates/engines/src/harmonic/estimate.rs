@@ -57,6 +57,9 @@ const MANY_COURSES: usize = 1000;
 /// Highest significant mode of the wall over the first, of a cylinder and of a plane wall: the others carry less than a hundredth of the mass. The second of
 /// a cantilever is 22.03/3.516 times as fast as the first.
 const HIGHEST: [f64; 2] = [1.3, 6.3];
+/// Numbers of a state for pictures: displacements of 48 nodes at 35 levels and 15 rings, eight numbers of 48 cells at 34 levels; and the time for each [s].
+const STATE_NUMBERS: f64 = 48.0 * (3.0 * (35.0 + 15.0) + 8.0 * 34.0);
+const STATE_TIME: f64 = 2e-8;
 /// Steps in a period of the highest significant mode, and most of them in a sample: modal and direct.
 const STEPS: [(f64, f64); 2] = [(20.0, 40.0), (80.0, 400.0)];
 
@@ -136,6 +139,19 @@ pub fn estimate(case: &Case, options: &Options) -> Result<Estimate, FeError> {
         found.lever.smaller.push((give, smaller.bytes(), smaller.seconds));
     }
     Ok(found)
+}
+
+/// Adds the states for pictures, `every` [s] apart.
+///
+/// Errors: a response longer than the limits.
+pub(crate) fn add_states(found: &mut Estimate, case: &Case, every: f64) -> Result<(), FeError> {
+    if let Some(response) = Response::of(case, AfterRecord::DEFAULT)? {
+        let count = ((response.duration + response.tail) / every).floor() + 1.0;
+        found.parts.push(("states for pictures (--vtu-every)", NUMBER * count * STATE_NUMBERS));
+        found.seconds += count * STATE_NUMBERS * STATE_TIME;
+        found.lever.other.push_str(", or give a longer --vtu-every");
+    }
+    Ok(())
 }
 
 fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {

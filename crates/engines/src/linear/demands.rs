@@ -273,7 +273,7 @@ fn course_above(case: &Case, z: f64) -> usize {
 }
 
 /// Shares of the neighbours of height `z` in a line by linear interpolation; none above it.
-fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
+pub(super) fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
     let last = line.len().checked_sub(1)?;
     let tolerance = 1e-9 * line[last].abs().max(1e-9);
     if let Some(same) = line.iter().position(|other| (other - z).abs() <= tolerance) {

@@ -25,7 +25,7 @@ use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
 use rayon::prelude::*;
 use results::channel::OnWall;
-use results::{BaseRun, Channel, EngineId, Snapshots};
+use results::{BaseRun, Channel, EngineId};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, Footing, FreeBase};
 use tank::options::LinearOptions as Options;
@@ -39,7 +39,7 @@ use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::response::motion::{Grid, Motion};
 
 pub(super) use lifted::of_base;
-pub(super) use outcome::Moved;
+pub(super) use outcome::{Bottom, Moved};
 use search::Found;
 pub(crate) use setup::Known;
 use setup::Setup;
@@ -140,9 +140,9 @@ impl Free {
         Ok(())
     }
 
-    /// States of the bottom for pictures, where they are asked for.
-    pub(super) fn take_states(&mut self) -> Option<Snapshots> {
-        self.moved_mut()?.states.take()
+    /// The bottom for pictures, where it moves and they are asked for.
+    pub(super) fn bottom(&self) -> Option<&Bottom> {
+        self.moved()?.bottom.as_ref()
     }
 
     /// The results of the run.
@@ -155,8 +155,8 @@ impl Free {
 }
 
 /// What is asked of a run of a base: options; its extent, whether it also runs on softer and harder ground and under motions slightly apart; laws
-/// of the base from runs under other records; time between states of the bottom for pictures [s], none keeps none.
-pub(super) type Asked<'a> = (&'a Options, Extent, Option<&'a Arc<Known>>, Option<f64>);
+/// of the base from runs under other records; whether the bottom is drawn.
+pub(super) type Asked<'a> = (&'a Options, Extent, Option<&'a Arc<Known>>, bool);
 
 /// The run of a tank that is not held down.
 pub(super) fn free(
@@ -164,14 +164,14 @@ pub(super) fn free(
     (engine, model): (EngineId, &Model),
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, extent, known, states): Asked<'_>,
+    (options, extent, known, drawn): Asked<'_>,
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if !round || engine != EngineId::Harmonic {
         return Free::Held;
     }
     if case.tank.support == Support::Anchored {
-        return on_anchors(case, model, analysis, motion, (options, extent, known, states));
+        return on_anchors(case, model, analysis, motion, (options, extent, known, drawn));
     }
     let Ok(base) = Base::of(case) else { return Free::Held };
     if let Some(reason) = words::unsupported(motion.transverse.is_some(), !options.dashpots.is_empty()) {
@@ -180,8 +180,7 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
-    let setup =
-        Setup { thorough: extent.repeats(), grounds: extent.has_band(), known: known.cloned(), states, ..setup };
+    let setup = Setup { thorough: extent.repeats(), grounds: extent.has_band(), known: known.cloned(), drawn, ..setup };
     match setup.dragging(&base).and_then(|setup| run(&setup, &base, analysis)) {
         Ok(free) => free,
         Err(missed) => Free::beyond(words::missed(&missed), &missed),
@@ -194,7 +193,7 @@ fn on_anchors(
     model: &Model,
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    (options, extent, known, states): Asked<'_>,
+    (options, extent, known, drawn): Asked<'_>,
 ) -> Free {
     // The wall that is held down stands on ground that the tank does not feel.
     if case.tank.isolators.is_some() {
@@ -234,7 +233,7 @@ fn on_anchors(
             gap: anchors.gap.unwrap_or(0.0),
             rupture: anchors.rupture_elongation,
         }),
-        states,
+        drawn,
         ..setup
     };
     match run(&setup, &base, analysis) {
@@ -322,7 +321,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
         grounds: true,
         known: None,
         anchors: None,
-        states: None,
+        drawn: false,
         form: form(),
         friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
             coefficient,

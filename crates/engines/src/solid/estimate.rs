@@ -224,8 +224,10 @@ impl Integrated<'_> {
         found.parts.push(("histories", NUMBER * found.samples * HISTORIES));
         if let Some(interval) = solid.snapshot_interval {
             let states = (response.duration / interval).floor() + 1.0;
-            let numbers = 3.0 * (nodes.sectors * nodes.radial * nodes.depth + shells) + cells + 7.0 * shells;
-            found.parts.push(("states for ParaView (--vtu-every)", NUMBER * states * numbers));
+            let surface = nodes.sectors * nodes.radial;
+            let liquid = if solid.snapshot_inside { 3.0 * surface * nodes.depth + cells } else { 3.0 * surface };
+            let numbers = liquid + (3.0 + 8.0) * shells;
+            found.parts.push(("states for pictures (--vtu-every)", NUMBER * states * numbers));
             found.seconds += states * numbers * STATE_TIME;
         }
         if options.integrator == Integrator::Newmark {

@@ -14,7 +14,7 @@ use super::moments::{Histories, Moment};
 use super::reduce::Space;
 use super::spectrum::TankMode;
 use crate::modes::Kind;
-use results::{DeformedShape, Fields, Picture, Resultants, Snapshot, Snapshots, WallMap};
+use results::{DeformedShape, DrawnMode, Fields, Picture, Resultants, Snapshot, Snapshots, WallMap};
 use tank::options::solid::Liquid;
 
 /// Most levels of wall nodes that are drawn.
@@ -356,26 +356,78 @@ impl Closed for WallMap {
     }
 }
 
+/// Nodes, cells and modes of pictures, still without a state: all nodes, or those of wall and surface.
+fn drawn(tank: &TankModel, inside: bool, modes: &[TankMode]) -> (Snapshots, Vec<usize>) {
+    let top: Vec<[usize; 4]> = tank.volume.cells.iter().filter_map(|cell| upper_face(tank, &cell.nodes)).collect();
+    let wall: Vec<[usize; 4]> = tank.wall.faces.iter().map(|f| f.nodes).collect();
+    let mut nodes: Vec<usize> = match inside {
+        true => (0..tank.model.nodes().len()).collect(),
+        false => wall.iter().chain(&top).flatten().copied().collect(),
+    };
+    nodes.sort_unstable();
+    nodes.dedup();
+    let own = |cells: &[[usize; 4]]| -> Vec<[usize; 4]> {
+        cells.iter().map(|cell| cell.map(|node| nodes.partition_point(|n| *n < node))).collect()
+    };
+    let sectors = tank.division.sectors;
+    let drawn = modes.iter().map(|mode| {
+        let shape = nodes.iter().map(|&node| displacement(tank, &mode.vector, node)).collect();
+        DrawnMode::new(title(tank, mode), mode.omega, shape)
+    });
+    let out = Snapshots {
+        nodes: nodes.iter().map(|&n| tank.model.nodes()[n]).collect(),
+        liquid: if inside { tank.volume.cells.iter().map(|c| c.nodes).collect() } else { Vec::new() },
+        wall: own(&wall),
+        thickness: (0..wall.len()).map(|face| tank.wall.thickness[face / sectors]).collect(),
+        surface: own(&top),
+        modes: drawn.collect(),
+        ..Snapshots::default()
+    };
+    (out, nodes)
+}
+
+/// The upper face of a cell below the surface at rest.
+fn upper_face(tank: &TankModel, cell: &[usize; 8]) -> Option<[usize; 4]> {
+    let upper = [cell[4], cell[5], cell[6], cell[7]];
+    let level = tank.depth * (1.0 - 1e-9);
+    upper.iter().all(|&n| tank.model.nodes()[n][2] >= level).then_some(upper)
+}
+
+/// Seismic pressure in the middle of every face of the wall: between the levels of the liquid, a mean of both sides; 0 above the surface at rest.
+fn pressures_on_faces(tank: &TankModel, moment: &Moment) -> Vec<f64> {
+    let (z, sectors) = (&tank.division.liquid, tank.division.sectors);
+    let at: Vec<Vec<f64>> =
+        (0..z.len()).map(|level| (0..sectors).map(|s| wall_pressure(tank, moment, level, s)).collect()).collect();
+    let face = |k: usize| {
+        let (row, sector) = (k / sectors, k % sectors);
+        let middle = 0.5 * (tank.wall.z[row] + tank.wall.z[row + 1]);
+        if middle > tank.depth {
+            return 0.0;
+        }
+        let upper = z.partition_point(|level| *level < middle).clamp(1, z.len() - 1);
+        let share = (middle - z[upper - 1]) / (z[upper] - z[upper - 1]);
+        let side = |s: usize| at[upper - 1][s] + share * (at[upper][s] - at[upper - 1][s]);
+        0.5 * (side(sector) + side((sector + 1) % sectors))
+    };
+    (0..tank.wall.faces.len()).map(face).collect()
+}
+
 /// The states every `interval` [s] up to `end` [s]. A potential liquid has displacements at its surface only.
+///
+/// * `inside`: whether they hold the inside of the liquid
 pub(super) fn snapshots(
     tank: &TankModel,
     spaces: &[Space],
     histories: &Histories,
-    interval: f64,
-    end: f64,
+    modes: &[TankMode],
+    (interval, end, inside): (f64, f64, bool),
 ) -> Snapshots {
-    let mut out = Snapshots {
-        nodes: tank.model.nodes().to_vec(),
-        liquid: tank.volume.cells.iter().map(|c| c.nodes).collect(),
-        wall: tank.wall.faces.iter().map(|f| f.nodes).collect(),
-        ..Snapshots::default()
-    };
+    let (mut out, nodes) = drawn(tank, inside, modes);
     let mut time = 0.0;
     while time <= end {
         let moment = histories.at(tank, spaces, time);
-        let u: Vec<[f64; 3]> =
-            (0..tank.model.nodes().len()).map(|node| displacement(tank, &moment.displacement, node)).collect();
-        let pressure = cell_pressures(tank, &moment);
+        let u = nodes.iter().map(|&node| displacement(tank, &moment.displacement, node)).collect();
+        let pressure = if inside { cell_pressures(tank, &moment) } else { Vec::new() };
         let resultants = centre_resultants(&tank.model, &tank.wall.elements, &moment.displacement)
             .into_iter()
             .map(|(_, r)| Resultants {
@@ -388,7 +440,14 @@ pub(super) fn snapshots(
                 q_v: r[7],
             })
             .collect();
-        out.states.push(Snapshot { time: moment.time, displacement: u, pressure, resultants, ..Snapshot::default() });
+        out.states.push(Snapshot {
+            time: moment.time,
+            displacement: u,
+            pressure,
+            on_wall: pressures_on_faces(tank, &moment),
+            resultants,
+            ..Snapshot::default()
+        });
         time += interval;
     }
     out

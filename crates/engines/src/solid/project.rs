@@ -303,6 +303,7 @@ impl Projector<'_> {
                 .collect(),
             r: radii.clone(),
             surface: radii.iter().map(|&r| dense(self.observer.elevation(r).displacement)).collect(),
+            ..ShapeRows::default()
         }
     }
 }

@@ -206,7 +206,8 @@ impl Prepared {
         simulation.result.fields = Some(fields::fields(&self.tank, &self.spaces, &histories, &drawn, &moments));
         if let Some(interval) = solid.snapshot_interval.filter(|i| *i > 0.0) {
             let end = motion.horizontal.duration();
-            let states = fields::snapshots(&self.tank, &self.spaces, &histories, interval, end);
+            let asked = (interval, end, solid.snapshot_inside);
+            let states = fields::snapshots(&self.tank, &self.spaces, &histories, &drawn, asked);
             simulation.snapshots = Some(states);
         }
         Ok(())

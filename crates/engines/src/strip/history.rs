@@ -137,6 +137,19 @@ impl Cell {
     }
 }
 
+/// A state for pictures.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WallState {
+    /// Time [s].
+    pub time: f64,
+    /// Displacement of the levels along x and upwards, from the wall without load [m].
+    pub displacement: Vec<[f64; 2]>,
+    /// Elevation of each sloshing mode at the wall [m].
+    pub waves: Vec<f64>,
+    /// Opening strain of the widest crack that is open, of every element.
+    pub cracks: Vec<f64>,
+}
+
 /// Opening strain of the widest crack of every element, from the base up: now, and the largest so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
@@ -171,6 +184,8 @@ pub struct WallHistory {
     pub separation: SeparationCheck,
     /// Whether it has left the wall, at the points of the joints.
     pub openings: Option<Openings>,
+    /// States for pictures, where they are asked for.
+    pub states: Vec<WallState>,
     /// The largest moment at the base and its parts.
     pub peak: BaseMoment,
     /// Limits of the model that were passed, the first of each kind by time; known at the end of a run.

@@ -35,6 +35,8 @@ pub struct StripQuake {
     pub newton: Options,
     /// A nominal step is halved so often at most.
     pub halvings: u32,
+    /// Time between states for pictures [s]; none keeps none.
+    pub states: Option<f64>,
 }
 
 impl StripQuake {
@@ -48,6 +50,7 @@ impl StripQuake {
             scheme: TimeScheme::GeneralizedAlpha { radius: 0.9 },
             newton: Options::default(),
             halvings: 8,
+            states: None,
         }
     }
 }
@@ -215,7 +218,7 @@ impl StripModel {
         until: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<WallRun, StripError> {
-        let mut observer = WallObserver::new(self, until);
+        let mut observer = WallObserver::new(self, until, quake.states);
         let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
         Ok(WallRun { lost: observer.lost(), history: observer.finish()?, run })
     }

@@ -26,16 +26,19 @@ use tank::options::nonlinear::{Damping, NonlinearOptions};
 
 /// Time history of a strip.
 ///
+/// * `states`: time between states for pictures [s]; none keeps none
+///
 /// Errors: as [`Strip::new`]; an invalid record; a checkpoint that cannot be written or belongs to another run; interrupted
 /// before the first step of a wall.
 pub(crate) fn simulate(
     case: &Case,
     options: &NonlinearOptions,
-    checkpoint: Option<&CheckpointFile>,
+    (states, checkpoint): (Option<f64>, Option<&CheckpointFile>),
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    let strip = Strip::new(case, options)?;
+    let mut strip = Strip::new(case, options)?;
+    strip.quake.states = states;
     let breadth = match case.tank.shape {
         Shape::Rectangle { breadth, .. } => breadth,
         Shape::Cylinder { .. } => 1.0,
@@ -123,7 +126,7 @@ impl Report<'_> {
             series: histories.series,
             assumptions: self.strip.assumptions.clone(),
             notes: self.notes(),
-            snapshots: None,
+            snapshots: self.walls.snapshots(),
             demands: Some(demands(&lines)),
             units: None,
             of_modes: None,

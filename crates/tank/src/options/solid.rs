@@ -29,6 +29,9 @@ pub struct SolidOptions {
     pub memory_limit_mib: u64,
     /// Time between the states kept for pictures [s]; `None` keeps none.
     pub snapshot_interval: Option<f64>,
+    /// Whether they hold the inside of the liquid, not wall and surface alone.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub snapshot_inside: bool,
     /// Deviations of the wall from the perfect cylinder.
     #[serde(default, skip_serializing_if = "Imperfections::is_empty")]
     pub imperfections: Imperfections,
@@ -44,6 +47,7 @@ impl SolidOptions {
         liquid: Liquid::Potential,
         memory_limit_mib: MEMORY_LIMIT_MIB,
         snapshot_interval: None,
+        snapshot_inside: false,
         imperfections: Imperfections::NONE,
         initial_stress: None,
     };

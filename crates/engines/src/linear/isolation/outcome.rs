@@ -100,6 +100,12 @@ impl Isolated {
         on_isolators(model)
     }
 
+    /// Displacement of the slab at the step next to a time [s], along x and y [m].
+    pub(crate) fn displacement(&self, time: f64) -> [f64; 2] {
+        let place = (time / self.setup.step).round() as usize;
+        self.history.displacement.get(place).or(self.history.displacement.last()).copied().unwrap_or_default()
+    }
+
     /// Steps of the march in one of the record.
     pub(super) fn parts(&self) -> usize {
         self.setup.parts

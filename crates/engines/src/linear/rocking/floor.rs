@@ -12,8 +12,6 @@
 use ::base::{Base, Stands};
 use results::{GroundPlan, Snapshot, Snapshots};
 
-use crate::response::motion::Grid;
-
 /// Uplifts at which the plate is kept, from the lowest to the highest.
 const UPLIFTS: usize = 64;
 /// Lowest pressure on a strip over that at rest, as in the law of the base.
@@ -24,12 +22,14 @@ const FIRST: (f64, usize) = (1e-4, 60);
 const RADII: (usize, f64) = (25, 2.5);
 /// Angles of the plan from 0 to 180°.
 const ANGLES: usize = 25;
-/// Sectors of the states for pictures.
-const SECTORS: usize = 72;
+/// Sectors of the states for pictures, those of the wall.
+const SECTORS: usize = 48;
+/// Rings of the states for pictures are not closer than this part of the radius, or than this part of their distance from the wall.
+const CLOSEST: [f64; 2] = [1.0 / 300.0, 0.15];
 
 /// An instant of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Now {
+pub(crate) struct Now {
     /// w₀ [m].
     pub centre: f64,
     /// ψ, positive where θ = 0 goes down [rad].
@@ -151,13 +151,13 @@ impl Floor {
         }
     }
 
-    /// Places that are drawn, from the axis outwards: not closer than 1/400 of the radius or 4 % of their distance from the wall.
+    /// Places that are drawn, from the axis outwards.
     fn drawn(&self) -> Vec<usize> {
         let mut out = vec![0];
         let last = self.distances.len() - 1;
         for (i, x) in self.distances.iter().enumerate().skip(1) {
             let before = out.last().map_or(f64::INFINITY, |k| self.distances[*k]);
-            let apart = (self.radius / 400.0).max(0.04 * x.abs());
+            let apart = (CLOSEST[0] * self.radius).max(CLOSEST[1] * x.abs());
             if i == last || x.abs() < 1e-9 || before - x >= apart {
                 out.push(i);
             }
@@ -199,12 +199,6 @@ impl Floor {
         };
         Snapshots { states: instants.iter().map(state).collect(), nodes, bottom, ..Snapshots::default() }
     }
-}
-
-/// Instants every `interval` [s] of steps of `h` [s], the last one included.
-pub(super) fn every(interval: f64, grid: &Grid, steps: usize) -> Vec<usize> {
-    let stride = ((interval / grid.h()).round() as usize).max(1);
-    (0..steps).step_by(stride).collect()
 }
 
 /// Distances inwards [m] and the deflections at uplifts [m], as many as there are.

@@ -1,6 +1,7 @@
 //! What is reported of a run on a free base.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use ::base::history::History;
 use ::base::{Base, Origin, Ring, Turn};
@@ -11,10 +12,10 @@ use results::{
 };
 use tank::units::Dimension;
 
-use super::floor::{Floor, Now, every};
+use super::floor::{Floor, Now};
 use super::peaks::{Peaks, largest, turns};
 use super::search::Found;
-use super::setup::Setup;
+use super::setup::{Laws, Setup};
 use super::words;
 use crate::rainflow;
 use crate::response::motion::Grid;
@@ -56,8 +57,8 @@ pub(crate) struct Moved {
     pub wall: Option<[f64; 2]>,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
-    /// States of the bottom for pictures, where they are asked for.
-    pub states: Option<Snapshots>,
+    /// The bottom at any time for pictures, where they are asked for.
+    pub bottom: Option<Bottom>,
 }
 
 /// States of the base, step by step.
@@ -173,7 +174,7 @@ pub(super) fn moved(
         assumptions: words::assumptions(setup, base, &found),
     };
     Moved {
-        states: pictures(setup, base, &found, &states, &grid),
+        bottom: Bottom::of(setup, base, &found, &states),
         columns: columns(setup, &states, &found),
         result,
         march: [peaks.shear.0.abs(), largest(&found.history.resistance).0.abs()],
@@ -225,13 +226,37 @@ fn around(base: &Base, found: &Found, centre: f64, lean: f64) -> [Vec<[f64; 2]>;
     [uplifts, widths]
 }
 
-/// States of the bottom at intervals; none where nobody asks for them or a strip has no equilibrium.
-fn pictures(setup: &Setup, base: &Base, found: &Found, states: &States, grid: &Grid) -> Option<Snapshots> {
-    let steps = every(setup.states?, grid, states.turns.len());
-    let at = |i: usize| (i as f64 * setup.step, now(states, &found.history, i));
-    let instants: Vec<(f64, Now)> = steps.into_iter().map(at).collect();
-    let all: Vec<Now> = instants.iter().map(|(_, now)| *now).collect();
-    Some(floor(setup, base, &all)?.states(&instants, &|w| plastic(found, w)))
+/// The bottom at any time, for pictures.
+pub(crate) struct Bottom {
+    floor: Floor,
+    laws: Arc<Laws>,
+    /// The base at each step.
+    steps: Vec<Now>,
+    /// Length of a step [s].
+    step: f64,
+}
+
+impl Bottom {
+    /// None where nobody asks for it or a strip has no equilibrium.
+    fn of(setup: &Setup, base: &Base, found: &Found, states: &States) -> Option<Bottom> {
+        if !setup.drawn {
+            return None;
+        }
+        let steps: Vec<Now> = (0..states.turns.len()).map(|i| now(states, &found.history, i)).collect();
+        Some(Bottom { floor: floor(setup, base, &steps)?, laws: Arc::clone(&found.laws), steps, step: setup.step })
+    }
+
+    /// The base at the step next to a time [s].
+    pub(crate) fn at(&self, time: f64) -> Now {
+        let place = (time / self.step).round() as usize;
+        self.steps[place.min(self.steps.len() - 1)]
+    }
+
+    /// States of the plate at times [s].
+    pub(crate) fn states(&self, times: &[f64]) -> Snapshots {
+        let instants: Vec<(f64, Now)> = times.iter().map(|&time| (time, self.at(time))).collect();
+        self.floor.states(&instants, &|w| plastic(&self.laws, w))
+    }
 }
 
 /// The base at a step.
@@ -264,14 +289,14 @@ pub(super) fn floor(setup: &Setup, base: &Base, instants: &[Now]) -> Option<Floo
 }
 
 /// Plastic rotation of the joint where the rim is lifted by `uplift` [m] for the first time [rad]; none of one that is pressed down.
-fn plastic(found: &Found, uplift: f64) -> f64 {
-    if uplift > 0.0 { found.laws.rocking.curve().at(uplift).plastic_rotation } else { 0.0 }
+fn plastic(laws: &Laws, uplift: f64) -> f64 {
+    if uplift > 0.0 { laws.rocking.curve().at(uplift).plastic_rotation } else { 0.0 }
 }
 
 /// Cycles of the joint at θ = 0 or 180°, that with the larger range.
 fn joint_cycles(states: &States, found: &Found) -> JointCycles {
     let side = |(rim, degrees): (&Vec<f64>, f64)| {
-        let all = rainflow::cycles(rim.iter().map(|w| plastic(found, *w)));
+        let all = rainflow::cycles(rim.iter().map(|w| plastic(&found.laws, *w)));
         let (range, counts) = rainflow::counted(&all, PLASTIC, &SHARES);
         JointCycles { degrees, range, counts }
     };

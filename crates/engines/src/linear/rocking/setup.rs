@@ -24,8 +24,8 @@ pub(super) struct Setup {
     pub rigid_pressure: [f64; 2],
     /// p_b(r)/p_b(R) at evenly spaced radii from the axis to the wall.
     pub form: Vec<f64>,
-    /// Time between states of the bottom for pictures [s]; none keeps none.
-    pub states: Option<f64>,
+    /// Whether the bottom is drawn.
+    pub drawn: bool,
     /// Anchors, of a tank that stands on them.
     pub anchors: Option<Anchors>,
     /// Inertia on the foot, where it is asked for.

@@ -276,7 +276,7 @@ fn friction_caps_the_shear() {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&Options::default(), Extent::Whole, None, None),
+        (&Options::default(), Extent::Whole, None, false),
     ) else {
         panic!("it does not slide")
     };
@@ -312,7 +312,7 @@ fn the_superposed_wall_agrees_with_the_march() {
     let held = ready.analysis();
     let engine = (EngineId::Harmonic, &ready.model);
     let Free::Moves(mut moved) =
-        free(&ready.case, engine, &held, ready.motion(), (&Options::default(), Extent::Whole, None, None))
+        free(&ready.case, engine, &held, ready.motion(), (&Options::default(), Extent::Whole, None, false))
     else {
         panic!("it does not lift")
     };
@@ -424,7 +424,7 @@ fn run_of(case: Case) -> Free {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        (&options, Extent::Whole, None, None),
+        (&options, Extent::Whole, None, false),
     )
 }
 

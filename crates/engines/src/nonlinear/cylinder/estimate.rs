@@ -259,6 +259,28 @@ impl Size {
     }
 }
 
+/// Adds the states for pictures, `every` [s] apart; a scene mirrors half a tank.
+///
+/// Errors: a response longer than the limits.
+pub(crate) fn add_states(
+    found: &mut Estimate,
+    case: &Case,
+    options: &NonlinearOptions,
+    every: f64,
+) -> Result<(), FeError> {
+    if let Some(response) = Response::of(case, options.after_record)? {
+        let size = Size::of(case, options);
+        let count = ((response.duration + response.tail) / every).floor() + 1.0;
+        let numbers = (3.0 * size.shells + 7.0) * size.number;
+        found.parts.push((
+            "states for pictures (--vtu-every)",
+            NUMBER * count * numbers * if size.cells.half { 3.0 } else { 1.0 },
+        ));
+        found.lever.other.push_str(", or give a longer --vtu-every");
+    }
+    Ok(())
+}
+
 fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
     let size = Size::of(case, options);
     let at_a_time = jobs.max(1).min(runs.max(1)) as f64;

@@ -29,7 +29,7 @@ pub(crate) struct Pictures<'a> {
 impl<'a> Pictures<'a> {
     /// Every so many seconds, from the state at rest on.
     pub(super) fn new(tank: &'a CylinderModel, every: f64) -> Pictures<'a> {
-        let standing = tank.standing.as_ref();
+        let (standing, columns) = (tank.standing.as_ref(), tank.cells.columns());
         Pictures {
             tank,
             every,
@@ -37,7 +37,16 @@ impl<'a> Pictures<'a> {
             states: Snapshots {
                 nodes: tank.model.nodes().to_vec(),
                 wall: tank.footprint.cells.iter().map(|c| tank.wall.inner_cell(*c)).collect(),
+                thickness: tank
+                    .footprint
+                    .cells
+                    .iter()
+                    .enumerate()
+                    .map(|(k, _)| tank.rows[k / columns].thickness)
+                    .collect(),
                 bottom: standing.map_or_else(Vec::new, |s| s.quadrilaterals(tank)),
+                whole: true,
+                half: tank.cells.half,
                 ..Snapshots::default()
             },
         }

@@ -8,7 +8,7 @@ use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;
 use results::nonlinear::BaseMoment;
 
-use super::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
+use super::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory, WallState};
 use crate::strip::demand::base_moment;
 use crate::strip::liquid::Place;
 use crate::strip::model::{BaseReaction, StripModel};
@@ -44,12 +44,14 @@ pub(in crate::strip) struct WallObserver<'a> {
     history: WallHistory,
     validity: Validity,
     until: f64,
+    /// Time between states for pictures, and of the next one [s].
+    drawn: Option<[f64; 2]>,
     failure: Option<StripError>,
 }
 
 impl<'a> WallObserver<'a> {
-    /// Stops the run at the first step at or after `until` [s].
-    pub(crate) fn new(strip: &'a StripModel, until: Option<f64>) -> WallObserver<'a> {
+    /// Stops the run at the first step at or after `until` [s]; keeps a state every `states` [s].
+    pub(crate) fn new(strip: &'a StripModel, until: Option<f64>, states: Option<f64>) -> WallObserver<'a> {
         let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
         let tolerance = 1e-9 * liquid.depth;
         let mut heights: Vec<f64> = tank.levels.to_vec();
@@ -79,8 +81,10 @@ impl<'a> WallObserver<'a> {
                 separation: check,
                 openings: joints.map(|j| Openings::new(j.heights.clone(), j.shares.clone())),
                 peak: BaseMoment::default(),
+                states: Vec::new(),
                 departures: Vec::new(),
             },
+            drawn: states.map(|every| [every, 0.0]),
             validity: Validity::default(),
             until: until.unwrap_or(f64::INFINITY),
             failure: None,
@@ -173,6 +177,30 @@ impl<'a> WallObserver<'a> {
         Ok(())
     }
 
+    /// Keeps a state where one is due.
+    fn draw(&mut self, now: &Instant<'_>) {
+        let Some([every, next]) = &mut self.drawn else { return };
+        if now.time < *next * (1.0 - 1e-9) {
+            return;
+        }
+        while *next <= now.time * (1.0 + 1e-9) {
+            *next += *every;
+        }
+        let (strip, u) = (self.strip, &now.state.committed.u);
+        let at = |&node: &usize| {
+            let own = strip.model.at_node(u, node);
+            [Dof::Ux, Dof::Uz].map(|dof| own[dof.index()])
+        };
+        let [wet, dry] = &self.history.pictures[1].faces;
+        let cracks = wet.iter().zip(dry).map(|(a, b)| a[0].max(b[0])).collect();
+        self.history.states.push(WallState {
+            time: now.time,
+            displacement: strip.wall.iter().map(at).collect(),
+            waves: strip.amplitudes.iter().zip(&strip.liquid.elevation).map(|(&e, wave)| u[e] * wave).collect(),
+            cracks,
+        });
+    }
+
     /// Looks at every fibre.
     fn inspect(&mut self, now: &Instant<'_>, reaction: &BaseReaction) {
         let (strip, moment) = (self.strip, reaction.total()[2]);
@@ -252,6 +280,7 @@ impl Observe for WallObserver<'_> {
     fn see(&mut self, now: &Instant<'_>) {
         if self.failure.is_none() {
             self.failure = self.take(now).err();
+            self.draw(now);
         }
     }
 
@@ -284,6 +313,15 @@ impl Observe for WallObserver<'_> {
         h.separation.save(to);
         if let Some(openings) = &h.openings {
             openings.save(to);
+        }
+        let Some([_, next]) = self.drawn else { return };
+        to.number(next);
+        to.count(h.states.len());
+        for state in &h.states {
+            to.number(state.time);
+            to.numbers(state.displacement.as_flattened());
+            to.numbers(&state.waves);
+            to.numbers(&state.cracks);
         }
     }
 
@@ -326,9 +364,20 @@ impl Observe for WallObserver<'_> {
         h.peak = BaseMoment { time, reaction, section, damping, inertia, load, ..BaseMoment::default() };
         self.validity.restore(from)?;
         h.separation.restore(from)?;
-        match &mut h.openings {
-            Some(openings) => openings.restore(from),
-            None => Ok(()),
+        if let Some(openings) = &mut h.openings {
+            openings.restore(from)?;
         }
+        let Some([_, next]) = &mut self.drawn else { return Ok(()) };
+        *next = from.number()?;
+        h.states.clear();
+        for _ in 0..from.count()? {
+            h.states.push(WallState {
+                time: from.number()?,
+                displacement: from.numbers("displacements of a picture")?.as_chunks::<2>().0.to_vec(),
+                waves: from.numbers("waves of a picture")?,
+                cracks: from.numbers("cracks of a picture")?,
+            });
+        }
+        Ok(())
     }
 }
