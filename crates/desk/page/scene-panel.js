@@ -15,6 +15,8 @@ import { savePng, fileName } from './save.js';
 const TIMES = [1, 2, 5].flatMap((digit) => [0, 1, 2, 3, 4, 5].map((power) => digit * 10 ** power)).sort((a, b) => a - b);
 /** Displacement drawn over the size of the model that is aimed at. */
 const AIM = 0.06;
+/** Marks of the legend, from the top. */
+const SHARES = [1, 0.75, 0.5, 0.25, 0];
 
 /**
  * @param {object} scene of scene-data.js
@@ -154,6 +156,7 @@ function controls(self) {
             view.setBands(on ? 10 : 0);
           })
         : null,
+      scene.frames ? tick(t('scene-own-range'), false, (on) => ownRange(self, on)) : null,
     ),
     h('span.scene-group', { role: 'group', 'aria-label': t('scene-view') }, looks),
     h('button', { type: 'button', onclick: () => picture(self) }, t('scene-picture')),
@@ -255,6 +258,10 @@ function stated(self) {
 function moment(self, time) {
   if (self.shape) return;
   self.view.setTime(time);
+  if (self.ownRange && self.painted && (!self.player.playing || performance.now() - (self.marked ?? 0) > 200)) {
+    self.marked = performance.now();
+    mark(self);
+  }
   self.nodeAt?.(time);
   if (!self.player.playing) requestAnimationFrame(() => follow(self));
 }
@@ -262,21 +269,33 @@ function moment(self, time) {
 /** Colours by a field and its legend. */
 function paint(self, field) {
   self.painted = field;
-  const scale = self.view.setField(field);
+  self.view.setField(field);
   self.legend.hidden = !field;
   if (!field) return;
-  const dimension = dimensionOf(field.unit);
-  const unit = unitFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), dimension, self.settings.units);
-  const bar = h('div.scene-bar');
-  bar.style.background = gradient(scale.colours);
-  const marks = [1, 0.75, 0.5, 0.25, 0].map((share) => h('span', {}, significant((scale.low + share * (scale.high - scale.low)) / unit.factor, 3)));
-  fill(
-    self.legend,
-    h('strong', {}, field.title),
-    h('span.scene-unit', {}, unit.symbol),
-    h('div.scene-scale', {}, bar, h('div.scene-marks', {}, marks)),
-  );
-  if (field.at === 'cell') self.legend.title = t('scene-averaged');
+  self.bar = h('div.scene-bar');
+  self.unit = h('span.scene-unit');
+  self.marks = SHARES.map(() => h('span'));
+  fill(self.legend, h('strong', {}, field.title), self.unit, h('div.scene-scale', {}, self.bar, h('div.scene-marks', {}, self.marks)));
+  self.legend.title = field.at === 'cell' ? t('scene-averaged') : '';
+  mark(self);
+}
+
+/** The legend spans the values of the moment, or those of the whole time. */
+function ownRange(self, on) {
+  self.ownRange = on;
+  self.view.setOwnRange(on);
+  if (self.painted) mark(self);
+}
+
+/** Numbers and colours of the legend for the present range. */
+function mark(self) {
+  const scale = self.view.scale();
+  const { symbol, factor } = unitFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), dimensionOf(self.painted.unit), self.settings.units);
+  self.unit.textContent = symbol;
+  self.bar.style.background = gradient(scale.colours);
+  SHARES.forEach((share, i) => {
+    self.marks[i].textContent = significant((scale.low + share * (scale.high - scale.low)) / factor, 3);
+  });
 }
 
 function play(self, moving) {

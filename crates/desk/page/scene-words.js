@@ -30,6 +30,7 @@ add({
   'scene-parts': ['Parts', 'Teile'],
   'scene-mesh': ['Mesh', 'Netz'],
   'scene-bands': ['Bands', 'Farbstufen'],
+  'scene-own-range': ['Range of the moment', 'Wertebereich des Zeitpunkts'],
   'scene-view': ['View', 'Ansicht'],
   'scene-axonometric': ['Axonometric', 'Axonometrie'],
   'scene-front': ['Front', 'Vorn'],

@@ -51,6 +51,7 @@ export function createView(host, scene, calls) {
     setTime: (time) => setTime(view, time),
     setShape: (shape, amplitude) => setShape(view, shape, amplitude),
     setField: (field) => setField(view, field),
+    setOwnRange: (own) => { view.ownRange = own; return setField(view, view.field ?? null); },
     setTimes: (part, times) => { view.parts.get(part).times = times; move(view); request(view); },
     setCut: (cut) => setCut(view, cut),
     setShown: (part, shown) => { view.parts.get(part).shown = shown; move(view); if (view.field) mixed(view); visible(view); },
@@ -254,11 +255,7 @@ function setField(view, field) {
   view.field = field;
   for (const part of view.parts.values()) part.coloured.value = field && (field.part === part.id || field.part === '') ? 1 : 0;
   if (field) {
-    const scale = scaleOf(field.low, field.high);
-    view.shared.low.value = scale.low;
-    view.shared.high.value = scale.high;
-    scale.colours.forEach((c, i) => view.shared.colours.value[i].set(...c));
-    view.scale = scale;
+    apply(view, scaleOf(field.low, field.high));
   }
   if (view.frame >= 0) {
     values(view);
@@ -266,6 +263,13 @@ function setField(view, field) {
   }
   request(view);
   return field ? view.scale : null;
+}
+
+function apply(view, scale) {
+  view.shared.low.value = scale.low;
+  view.shared.high.value = scale.high;
+  scale.colours.forEach((c, i) => view.shared.colours.value[i].set(...c));
+  view.scale = scale;
 }
 
 /** Values of the field at the frames before and after the moment. */
@@ -282,12 +286,20 @@ function values(view) {
   }
 }
 
-function mixed({ parts, before, after, share }) {
+function mixed(view) {
+  const { parts, before, after, share } = view;
+  let [low, high] = [0, 0];
   for (const { part: { own }, coloured, shown, attributes: { level } } of parts.values()) {
     if (!shown || !coloured.value) continue;
-    for (let i = 0; i < own.length; i += 1) level.array[i] = before[own[i]] + share * (after[own[i]] - before[own[i]]);
+    for (let i = 0; i < own.length; i += 1) {
+      const value = before[own[i]] + share * (after[own[i]] - before[own[i]]);
+      level.array[i] = value;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
     level.needsUpdate = true;
   }
+  if (view.ownRange && view.field) apply(view, scaleOf(low, high));
 }
 
 function look(view, name) {

@@ -209,6 +209,7 @@ async function sceneTab(state, pane, series, columns) {
       const { createScenePanel } = await import('./scene-panel.js');
       panel = createScenePanel(scene, clock, settings, results.name ?? 'tank');
       host.append(panel.element);
+      panel.element.querySelector('.scene-main').append(under);
     } catch (error) {
       console.warn(error);
       host.append(h('p.look-note', {}, t('scene-no-webgl')));
