@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -60,7 +61,7 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 
 def results(found: Results) -> str:
-    """Verdict, quantities by method under each excitation, checks of the deciding methods."""
+    """Verdict, quantities by method under each excitation, checks of the deciding methods, figures."""
     status = found.status
     colour = _COLOURS.get(status, "inherit")
     parts = [
@@ -71,7 +72,19 @@ def results(found: Results) -> str:
         parts.append(_quantities(found, excitation, title))
     for deciding in found.data["verdict"].get("deciding", []):
         parts.append(_checks(found, deciding["method"], deciding["excitation"]))
-    return "".join(parts)
+    return "".join(parts) + _figures(found)
+
+
+#: Figures of a report that a notebook shows, where the report has them.
+_SHOWN = ("sketch", "hoop_total", "history_base_shear", "history_wave_height_theta_0")
+
+
+def _figures(found: Results) -> str:
+    """Figures as images, which run nothing, whatever their file contains."""
+    folder = found.folder / "figures" if found.folder else None
+    files = [folder / f"{name}.svg" for name in _SHOWN] if folder else []
+    images = [b64encode(file.read_bytes()).decode("ascii") for file in files if file.is_file()]
+    return "".join(f'<img alt="" style="width:48%;min-width:20em" src="data:image/svg+xml;base64,{image}"/>' for image in images)
 
 
 def _governing(check: Check | None) -> str:

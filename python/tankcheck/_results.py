@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, Generic, TypeVar, overload
 
-from . import _html
+from . import _html, _program, errors
 
 
 @dataclass(frozen=True)
@@ -224,6 +224,18 @@ class Results:
     def report(self) -> Path | None:
         """Path of ``report.html``; ``None`` without ``out``."""
         return self.folder / "report.html" if self.folder else None
+
+    def viewer(self) -> Path:
+        """Writes ``interactive.html`` beside the report and returns its path: scene, charts and tables in one file.
+
+        In a notebook: ``IPython.display.IFrame(results.viewer(), 1000, 700)``, where the notebook may show local files.
+        """
+        if self.folder is None:
+            raise ValueError("results without a folder have no viewer: give `out`")
+        done = _program.run(["report", self.folder, "--interactive"])
+        if done.exit_code != 0:
+            raise errors.of_exit_code(done.exit_code, done.stderr.strip())
+        return self.folder / "interactive.html"
 
     def series(self) -> dict[str, list[float]]:
         """Time histories by name, SI; empty without a record or without ``out``. Missing samples are NaN."""

@@ -5,6 +5,7 @@ Values are checked against closed forms, and against the program's own JSON read
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 import os
@@ -318,6 +319,19 @@ class Notebook(Folders):
         self.assertIn("Test &lt;tank&gt;", page)
         self.assertNotIn("<tank>", page)
         self.assertIn("ec8-2006 (site)", page)
+
+    def test_figures_and_viewer(self) -> None:
+        out = self.folder / "out"
+        results = tankcheck.check(TANK, out=out)
+        page = results._repr_html_()
+        sketch = (out / "figures" / "sketch.svg").read_bytes()
+        self.assertIn(base64.b64encode(sketch).decode("ascii"), page)
+        # An image runs nothing.
+        self.assertNotIn("<svg", page)
+        viewer = results.viewer()
+        self.assertGreater(viewer.stat().st_size, 100_000)
+        with self.assertRaisesRegex(ValueError, "give `out`"):
+            tankcheck.check(TANK).viewer()
 
     def test_three_digits(self) -> None:
         shown = [_html.number(v) for v in (0.08612, 4.2, 286.4, 1234.5, 5.0, 0.0, None, 99.96)]
