@@ -12,14 +12,16 @@
 
 mod mirror;
 
+use std::fs::File;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use files::error::Error;
+use files::error::{Error, describe};
 use serde::Serialize;
 use tank::Shape;
 
 use super::base64::base64;
-use super::{EngineId, Resultants, Snapshot, Snapshots, TankSummary, put};
+use super::{EngineId, Resultants, Snapshot, Snapshots, TankSummary};
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "scene.json";
@@ -34,10 +36,12 @@ const FULL: f64 = 32767.0;
 ///
 /// Errors: a file that cannot be written.
 pub fn write(folder: &Path, tank: &TankSummary, (engine, snapshots): (EngineId, &Snapshots)) -> Result<(), Error> {
-    let scene = scene(tank, engine, snapshots, MOST);
-    let mut text = serde_json::to_string(&scene).map_err(|e| Error::Report(e.to_string()))?;
-    text.push('\n');
-    put(&folder.join(FILE), text.as_bytes())
+    let path = folder.join(FILE);
+    let unwritten = |e: std::io::Error| Error::Unwritten { path: path.clone(), what: describe(&e) };
+    // Straight into the file: its text would be there twice.
+    let mut file = BufWriter::new(File::create(&path).map_err(unwritten)?);
+    serde_json::to_writer(&mut file, &scene(tank, engine, snapshots, MOST)).map_err(|e| unwritten(e.into()))?;
+    file.write_all(b"\n").and_then(|()| file.flush()).map_err(unwritten)
 }
 
 /// The document.
@@ -188,25 +192,32 @@ const ALL: [Source; 3] = [
     },
 ];
 
-/// A field with its values, frame by frame.
-type Found<'a> = (&'a Source, Vec<Vec<f64>>);
+/// A field that a run has.
+struct Found<'a> {
+    source: &'a Source,
+    /// Number of its cells.
+    cells: usize,
+    /// State in which it is largest.
+    peak: usize,
+}
 
 fn scene(tank: &TankSummary, engine: EngineId, snapshots: &Snapshots, most: usize) -> Scene {
     let whole = mirror::whole(snapshots);
     let snapshots = whole.as_ref().unwrap_or(snapshots);
     let nodes = used(snapshots);
     let shell: &[Source] = if matches!(tank.tank.shape, Shape::Cylinder { .. }) { &ROUND } else { &PLANE };
-    let found: Vec<Found<'_>> = shell.iter().chain(&ALL).filter_map(|source| values(source, snapshots)).collect();
+    let found: Vec<Found<'_>> = shell.iter().chain(&ALL).filter_map(|source| field(source, snapshots)).collect();
     let (kept_every, kept) = kept(snapshots, &nodes, &found, most);
-    let taken = |values: &[Vec<f64>]| coded(kept.iter().map(|&i| values[i].iter().copied()));
-    let fields = found.iter().map(|(source, values)| {
-        let (scale, values) = taken(values);
+    let fields = found.iter().map(|Found { source, .. }| {
+        let (scale, values) = coded(&kept, |i, frame| frame.extend((source.of)(snapshots, &snapshots.states[i])));
         let title = source.title[usize::from(snapshots.whole)];
         Field { id: source.id, title, unit: source.unit, part: source.part, at: "cell", scale, values }
     });
     let fields = fields.collect();
-    let (scale, displacement) =
-        coded(kept.iter().map(|&i| nodes.iter().flat_map(move |&n| snapshots.states[i].displacement[n])));
+    let (scale, displacement) = coded(&kept, |i, frame| {
+        let own = &snapshots.states[i].displacement;
+        nodes.iter().for_each(|&n| frame.extend_from_slice(&own[n]));
+    });
     let single = |points: &[[f64; 3]]| floats(nodes.iter().flat_map(|&n| points[n]));
     let parts = [("wall", &snapshots.wall), ("surface", &snapshots.surface), ("bottom", &snapshots.bottom)];
     let of_part =
@@ -257,22 +268,44 @@ fn places(nodes: &[usize], cells: &[[usize; 4]]) -> String {
 }
 
 /// A field whose values are there and are numbers.
-fn values<'a>(source: &'a Source, snapshots: &Snapshots) -> Option<Found<'a>> {
+fn field<'a>(source: &'a Source, snapshots: &Snapshots) -> Option<Found<'a>> {
     let cells = if source.part == "bottom" { snapshots.bottom.len() } else { snapshots.wall.len() };
-    let all: Vec<Vec<f64>> = snapshots.states.iter().map(|state| (source.of)(snapshots, state)).collect();
-    let there = |values: &Vec<f64>| values.len() == cells && values.iter().all(|v| v.is_finite());
-    (cells > 0 && !all.is_empty() && all.iter().all(there)).then_some((source, all))
+    let (mut peak, mut largest) = (0, -1.0);
+    for (i, state) in snapshots.states.iter().enumerate() {
+        let values = (source.of)(snapshots, state);
+        let size = size(&values);
+        if cells == 0 || values.len() != cells || !size.is_finite() {
+            return None;
+        }
+        if size > largest {
+            (peak, largest) = (i, size);
+        }
+    }
+    (largest >= 0.0).then_some(Found { source, cells, peak })
+}
+
+/// Largest absolute value; not a number where one of them is not.
+fn size(values: &[f64]) -> f64 {
+    let mut largest = 0.0_f64;
+    for v in values {
+        largest = if v.abs() <= largest { largest } else { v.abs() };
+        if v.is_nan() {
+            return f64::NAN;
+        }
+    }
+    largest
 }
 
 /// Every how many states are kept, and which.
 fn kept(snapshots: &Snapshots, nodes: &[usize], found: &[Found<'_>], most: usize) -> (f64, Vec<usize>) {
     let count = snapshots.states.len();
-    let numbers = 3 * nodes.len() + found.iter().map(|(_, values)| values[0].len()).sum::<usize>();
+    let numbers = 3 * nodes.len() + found.iter().map(|found| found.cells).sum::<usize>();
     // Two bytes are 8/3 characters; a scale or a time has up to 24.
     let frame = 8 * numbers / 3 + 24 * (2 + found.len());
     let cells = snapshots.wall.len() + snapshots.surface.len() + snapshots.bottom.len();
     let fixed = 16 * nodes.len() * (1 + snapshots.modes.len()) + 22 * cells;
-    let peaks = peaks(snapshots, nodes, found);
+    let mut peaks = moved(snapshots);
+    peaks.extend(found.iter().map(|found| found.peak));
     let fit = (most.saturating_sub(fixed) / frame.max(1)).saturating_sub(peaks.len()).max(1);
     let every = (count as f64 / fit as f64).max(1.0);
     let even = (0..count.min(fit)).map(|i| ((i as f64 * every).round() as usize).min(count - 1));
@@ -282,36 +315,35 @@ fn kept(snapshots: &Snapshots, nodes: &[usize], found: &[Found<'_>], most: usize
     (every, kept)
 }
 
-/// States in which the displacement of a part or a field is largest.
-fn peaks(snapshots: &Snapshots, nodes: &[usize], found: &[Found<'_>]) -> Vec<usize> {
-    let largest = |of: &dyn Fn(usize) -> f64| {
-        let values = (0..snapshots.states.len()).map(|i| (i, of(i)));
-        values.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
-    };
-    let size = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let parts = [&snapshots.wall, &snapshots.surface, &snapshots.bottom].map(|cells| {
-        let own = Snapshots { wall: cells.clone(), ..Snapshots::default() };
-        used(&own)
+/// States in which the displacement of each part is largest.
+fn moved(snapshots: &Snapshots) -> Vec<usize> {
+    let parts = [&snapshots.wall, &snapshots.surface, &snapshots.bottom];
+    let parts = parts.into_iter().filter(|cells| !cells.is_empty()).map(|cells| {
+        let own = used(&Snapshots { wall: cells.clone(), ..Snapshots::default() });
+        let (mut peak, mut largest) = (0, -1.0);
+        for (i, state) in snapshots.states.iter().enumerate() {
+            let size = own.iter().map(|&n| size(&state.displacement[n])).fold(0.0, f64::max);
+            if size > largest {
+                (peak, largest) = (i, size);
+            }
+        }
+        peak
     });
-    let mut peaks = Vec::new();
-    for own in parts.iter().filter(|own| !own.is_empty() && !nodes.is_empty()) {
-        peaks.extend(largest(&|i| {
-            let all = own.iter().map(|&n| size(&snapshots.states[i].displacement[n]));
-            all.fold(0.0, f64::max)
-        }));
-    }
-    peaks.extend(found.iter().filter_map(|(_, values)| largest(&|i| size(&values[i]))));
-    peaks
+    if snapshots.states.is_empty() { Vec::new() } else { parts.collect() }
 }
 
-/// Frames as 16-bit numbers, and the scale of each.
-fn coded<V: Iterator<Item = f64>>(frames: impl Iterator<Item = V>) -> (Vec<f64>, String) {
-    let (mut scales, mut bytes) = (Vec::new(), Vec::new());
-    for frame in frames {
-        let values: Vec<f64> = frame.collect();
-        let scale = values.iter().fold(0.0_f64, |m, v| m.max(v.abs())) / FULL;
-        let number = |v: f64| if scale > 0.0 { (v / scale).round().clamp(-FULL, FULL) as i16 } else { 0 };
-        bytes.extend(values.into_iter().flat_map(|v| number(v).to_le_bytes()));
+/// Frames as 16-bit numbers, and the scale of each; `values` appends those of a state.
+fn coded(kept: &[usize], values: impl Fn(usize, &mut Vec<f64>)) -> (Vec<f64>, String) {
+    let (mut scales, mut bytes, mut frame) = (Vec::new(), Vec::new(), Vec::new());
+    for &i in kept {
+        frame.clear();
+        values(i, &mut frame);
+        let scale = size(&frame) / FULL;
+        let per_step = if scale > 0.0 { 1.0 / scale } else { 0.0 };
+        for v in &frame {
+            // At most 32767, but for the rounding of the quotient.
+            bytes.extend_from_slice(&((v * per_step).round().clamp(-FULL, FULL) as i16).to_le_bytes());
+        }
         scales.push(scale);
     }
     (scales, base64(&bytes))
