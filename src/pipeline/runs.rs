@@ -48,7 +48,13 @@ pub(super) fn beside(
     for &id in job.engines.iter().skip(1) {
         let missing = |error: Option<String>| Ok(Some(Incomplete::Missing { engine: id, error }));
         match engine(id).run(&job.task(), progress).map_err(Error::Fe) {
-            Ok(simulation) => simulations.push(simulation),
+            Ok(simulation) => {
+                // Those of the last engine are drawn.
+                if simulation.snapshots.is_some() {
+                    simulations.iter_mut().for_each(|earlier| earlier.snapshots = None);
+                }
+                simulations.push(simulation);
+            }
             Err(Error::Fe(FeError::Interrupted { .. })) => return missing(None),
             Err(error) if error.exit_code() == EXIT_COMPUTATION => return missing(Some(error.to_string())),
             Err(error) => return Err(error),

@@ -218,6 +218,28 @@ fn a_scene_is_that_of_the_histories() {
     }
 }
 
+/// Three components: the crest at every quarter of the wall is that of its history, and the top at θ = 0.
+#[test]
+fn three_components_are_those_of_the_histories() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    // Along y the record from its end to its beginning.
+    let text = std::fs::read_to_string(QUAKE).expect("the record");
+    let rows: Vec<(&str, &str)> = text.lines().skip(1).filter_map(|line| line.split_once(',')).collect();
+    let turned = rows.iter().zip(rows.iter().rev()).map(|((t, _), (_, a))| format!("{t},{a}\n"));
+    let across = home.path().join("across.csv");
+    std::fs::write(&across, "time_s,acceleration_g\n".to_owned() + &turned.collect::<String>()).expect("writable");
+    let more = ["--quake-y", across.to_str().expect("text"), "--vertical", QUAKE];
+    run(&broad(home.path(), &[1.83]), &out, &[&["--scene"], &more[..]].concat());
+    let run = Run::of(&out);
+    let radius = 1.83;
+    for (place, degrees) in [([1.0, 0.0], 0), ([0.0, 1.0], 90), ([-1.0, 0.0], 180), ([0.0, -1.0], 270)] {
+        let crest = run.node("surface", [radius * place[0], radius * place[1], 1.525]);
+        run.follows(crest, 2, 1.0, &format!("wave_height_theta_{degrees}"));
+    }
+    run.follows(run.node("wall", [radius, 0.0, 1.83]), 0, 1.0, "radial_displacement_z_1.83");
+}
+
 /// The file belongs to the folder: manifest, report and diff; a run without it removes it.
 #[test]
 fn the_file_belongs_to_its_folder() {

@@ -13,7 +13,7 @@ use tank::options::nonlinear::{Contact, NonlinearOptions};
 use super::super::Strip;
 use super::{options, reinforced, run};
 use crate::FeError;
-use crate::nonlinear::{CheckpointFile, simulate};
+use crate::nonlinear::{CheckpointFile, simulate, simulate_with_states};
 
 /// Stops each wall after a number of steps. Walls march side by side, or one after the other where all threads are busy: a thread counts its own
 /// steps, and from the beginning after it has stopped.
@@ -61,20 +61,24 @@ fn resumed_is_uninterrupted() {
 fn resumed_with(contact: Contact) {
     let case = reinforced(6.0);
     let own = NonlinearOptions { contact, ..options(&case, 12) };
-    let whole = run(&case, &own);
+    let every = Some(0.05);
+    let whole = simulate_with_states(&case, &own, (every, None), &Silent).unwrap();
+    assert_eq!(whole.series, run(&case, &own).series);
     let home = tempfile::tempdir().unwrap();
     let file = file(home.path(), "a");
     for steps in [75, 125] {
-        let part = simulate(&case, &own, Some(&file), &StopAfter::steps(steps)).unwrap();
+        let part = simulate_with_states(&case, &own, (every, Some(&file)), &StopAfter::steps(steps)).unwrap();
         assert!(part.result.incomplete);
         assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
         assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
     }
-    let resumed = simulate(&case, &own, Some(&file), &Silent).unwrap();
+    let resumed = simulate_with_states(&case, &own, (every, Some(&file)), &Silent).unwrap();
     assert_eq!(resumed.values, whole.values);
     assert_eq!(resumed.result, whole.result);
     assert_eq!(resumed.series, whole.series);
     assert_eq!(resumed.notes, whole.notes);
+    // Assertion without the text of all states.
+    assert!(resumed.snapshots == whole.snapshots && whole.snapshots.is_some_and(|s| s.states.len() > 20));
     // Kept until the results are written.
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
     file.remove();
