@@ -1,29 +1,90 @@
 //! Formulas of calculation sheets as formulas of a spreadsheet, over the cells of the lines above.
+//!
+//! A formula takes a value of its own where the sheet gives it one that no line above has under its symbol: `A_i` stands for the spectral
+//! acceleration of a line above, `p_h` for a pressure at another height. The numbers put in tell which.
 
 use tank::assessment::Step;
 use tank::formula::{Bracket, Formula, Operator, Power, Primary, Product, Sign, Sum};
 use tank::units::Dimension;
 
-/// Largest relative difference between a value and that of its formula over the lines above.
-const SAME: f64 = 1e-7;
+/// Largest relative difference between a value and that of its formula, some of whose numbers have five digits.
+const SAME: f64 = 2e-4;
+/// Largest relative difference of a number that is put in from the value of its line.
+const PUT_IN: f64 = 2e-5;
 
-/// The formula of the line at `place` over the cells that hold the values of the lines above in SI; none where the line has no formula, or one
-/// with a symbol whose value is not that of a line above.
+/// A symbol of a formula: its value, and the line above that has it; none of a number alone.
+struct Meaning<'a> {
+    symbol: &'a str,
+    value: f64,
+    line: Option<usize>,
+}
+
+/// The formula of the line at `place` over the cells that hold the values of the lines above in SI, and over numbers that no line above has;
+/// none where the line has no formula.
 ///
 /// * `cell`: address of the cell of a line
 pub(super) fn of_line(steps: &[Step], place: usize, cell: &dyn Fn(usize) -> String) -> Option<String> {
     let (above, step) = (&steps[..place], &steps[place]);
     let formula = Formula::parse(&step.formula).ok()?;
-    let line = |symbol: &str| above.iter().rposition(|step| step.symbol == symbol);
-    let terms: Vec<(&str, f64, Dimension)> = (formula.symbols())
-        .filter_map(|symbol| line(symbol).map(|line| (symbol, above[line].value, above[line].dimension)))
-        .collect();
+    let numbers = Formula::parse(&step.substitution).ok()?;
+    let (mut symbols, mut put_in) = (Vec::new(), Vec::new());
+    leaves(formula.tree(), &mut symbols);
+    leaves(numbers.tree(), &mut put_in);
+    if symbols.len() != put_in.len() {
+        return None;
+    }
+    let mut meanings: Vec<Meaning> = Vec::new();
+    for pair in symbols.into_iter().zip(put_in) {
+        if let (Primary::Symbol(symbol), Primary::Number(number)) = pair {
+            meanings.push(meaning(above, symbol, number.value));
+        }
+    }
+    let terms: Vec<(&str, f64, Dimension)> =
+        meanings.iter().map(|m| (m.symbol, m.value, Dimension::Dimensionless)).collect();
     let value = formula.value(&terms).ok()?;
     if (value - step.value).abs() > SAME * step.value.abs() {
         return None;
     }
-    let symbol = |name: &str| line(name).map(cell);
-    sum(formula.tree(), &symbol)
+    let written = |name: &str| {
+        let own = meanings.iter().find(|meaning| meaning.symbol == name)?;
+        Some(own.line.map_or_else(|| own.value.to_string(), cell))
+    };
+    sum(formula.tree(), &written)
+}
+
+/// What a symbol stands for that is put in as this number: the nearest line above of this symbol, else the nearest of this value, else the
+/// number. A number of three digits may be that of many lines.
+fn meaning<'a>(above: &[Step], symbol: &'a str, number: f64) -> Meaning<'a> {
+    let close = |step: &Step| (step.value - number).abs() <= PUT_IN * number.abs();
+    let named = above.iter().rposition(|step| step.symbol == symbol).filter(|line| close(&above[*line]));
+    let three: f64 = format!("{number:.2e}").parse().unwrap_or(number);
+    let telling = (three - number).abs() > PUT_IN * number.abs();
+    let line = named.or_else(|| above.iter().rposition(close).filter(|_| telling));
+    Meaning { symbol, value: line.map_or(number, |line| above[line].value), line }
+}
+
+/// Symbols and numbers of a formula in their order.
+fn leaves<'t>(tree: &'t Sum, out: &mut Vec<&'t Primary>) {
+    let primary = |leaf: &'t Primary, out: &mut Vec<&'t Primary>| match leaf {
+        Primary::Group(_, inner) => leaves(inner, out),
+        Primary::Call(_, arguments) => arguments.iter().for_each(|argument| leaves(argument, out)),
+        leaf => out.push(leaf),
+    };
+    for (_, product) in &tree.0 {
+        for mut power in std::iter::once(&product.first).chain(product.rest.iter().map(|(_, power)| power)) {
+            while let Power::Root(under) = power {
+                power = under.as_ref();
+            }
+            match power {
+                Power::Plain(base) | Power::Raised(base, _) => primary(base, out),
+                Power::To { base, exponent, .. } => {
+                    primary(base, out);
+                    primary(exponent, out);
+                }
+                Power::Root(_) => {}
+            }
+        }
+    }
 }
 
 /// Writes a symbol.
@@ -92,25 +153,36 @@ fn primary(tree: &Primary, symbol: &Symbol<'_>) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn step(symbol: &str, formula: &str, value: f64) -> Step {
-        Step { symbol: symbol.into(), formula: formula.into(), value, ..Step::default() }
+    fn step(symbol: &str, formula: &str, substitution: &str, value: f64) -> Step {
+        Step {
+            symbol: symbol.into(),
+            formula: formula.into(),
+            substitution: substitution.into(),
+            value,
+            ..Step::default()
+        }
     }
 
     #[test]
-    fn a_formula_refers_to_the_nearest_line_above() {
+    fn a_formula_refers_to_the_lines_above() {
         let steps = [
-            step("t", "", 1.0),
-            step("t", "", 2.0),
-            step("p", "", 3.0),
-            step("σ", "p·(t + 1)²/√(t²) - |p|", 3.0 * 9.0 / 2.0 - 3.0),
-            step("m", "-min(t, π)^0.5", -(2.0_f64.sqrt())),
-            step("x", "p·t", 7.0),
-            step("y", "p·k", 3.0),
+            step("t", "", "", 1.0),
+            step("t", "", "", 2.0),
+            step("p", "", "", 3.0),
+            step("S", "", "", 4.1234567),
+            step("σ", "p·(t + 1)²/√(t²) - |p|", "3·(2 + 1)²/√(2²) - |3|", 3.0 * 9.0 / 2.0 - 3.0),
+            step("m", "-min(t, π)^0.5", "-min(2, π)^0.5", -(2.0_f64.sqrt())),
+            step("Q", "p·A", "3·4.1235", 3.0 * 4.1234567),
+            step("y", "p·k", "3·7.5", 22.5),
+            step("z", "p·t", "3·2", 7.0),
         ];
         let found = |place| of_line(&steps, place, &|line| format!("J{}", line + 2));
-        assert_eq!(found(3).as_deref(), Some("J4*(J3+1)^(2)/SQRT((J3^(2)))-ABS(J4)"));
-        assert_eq!(found(4).as_deref(), Some("0-MIN(J3,PI())^(0.5)"));
-        // Computed with another value than that above; with a value that no line has; given.
-        assert_eq!([found(5), found(6), found(0)], [None, None, None]);
+        assert_eq!(found(4).as_deref(), Some("J4*(J3+1)^(2)/SQRT((J3^(2)))-ABS(J4)"));
+        assert_eq!(found(5).as_deref(), Some("0-MIN(J3,PI())^(0.5)"));
+        // A is the line of its value; k is a number that no line has.
+        assert_eq!(found(6).as_deref(), Some("J4*J5"));
+        assert_eq!(found(7).as_deref(), Some("J4*7.5"));
+        // Another value than that of the formula; a given value.
+        assert_eq!([found(8), found(0)], [None, None]);
     }
 }
