@@ -4,8 +4,8 @@
 //! once to learn the pages, then with their numbers.
 
 /// Looks of the numbers, of the printed page alone.
-const STYLE: &str = "<style>.contents li { padding-left: 0; text-indent: 0; } .contents a { display: flex; } \
-     .contents .no { flex: none; } .contents .page { margin-left: auto; padding-left: .6em; font-variant-numeric: tabular-nums; }</style>";
+const STYLE: &str =
+    "<style>.contents .page { padding-left: .35em; font-weight: 600; font-variant-numeric: tabular-nums; }</style>";
 
 /// The page with a number after each line of its contents; `None` of a page without contents.
 ///

@@ -38,8 +38,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let full = source.level == Level::Full;
     section.set("full", &full);
     if !full {
-        let figures = [Some(turning(run)?), Some(around(run)?)];
-        section.set_figures("figures", figures.into_iter().flatten().collect());
+        section.set_figures("figures", Vec::new());
         return Ok(Some(section));
     }
     let sides = Side::BOTH.map(Channel::Uplift);

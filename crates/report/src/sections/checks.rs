@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::summary::bar_width;
 use super::{Section, Source};
 use crate::level::Level;
 use crate::methods::excitation;
@@ -91,6 +90,11 @@ pub(super) fn row(check: &Check, created: &str) -> Row {
         sign,
         status: words::verdict::result(check),
     }
+}
+
+/// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
+fn bar_width(utilisation: f64) -> f64 {
+    if utilisation.is_finite() { (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round() } else { 100.0 }
 }
 
 /// Class of the colour and sign of a status.

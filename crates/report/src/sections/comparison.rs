@@ -122,11 +122,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("absent", &absent);
     let mut cells = results.comparison.rows.iter().flat_map(|row| row.cells.iter().flatten());
     section.set("outside", &cells.any(|cell| cell.outside));
-    let site = headline_figures(results, true);
-    // Design values come first; those under the record have their place where there are no others.
-    let record = source.level == Level::Full || site.is_empty();
-    section.set_figures("site_figures", site);
-    section.set_figures("figures", if record { headline_figures(results, false) } else { Vec::new() });
+    // Below the full level the table has the numbers of the bars.
+    let drawn = |site: bool| if source.level == Level::Full { headline_figures(results, site) } else { Vec::new() };
+    section.set_figures("site_figures", drawn(true));
+    section.set_figures("figures", drawn(false));
     Ok(Some(section))
 }
 

@@ -185,6 +185,6 @@ pub(super) fn hoop(source: &Source) -> Result<Option<Figure>, Error> {
     for (look, points) in limits {
         chart.line(points, format!("{} limit", look.class), words::limit(&look.label));
     }
-    let figure = chart.with_plot_height(150.0).figure("hoop_total", capital(words::HOOP), table)?;
+    let figure = chart.with_plot_height(78.0).figure("hoop_total", capital(words::HOOP), table)?;
     Ok(Some(figure.captioned(words::HOOP_CAPTION).described(words::HOOP_DESCRIPTION)))
 }

@@ -27,10 +27,10 @@ fn most(level: Level) -> usize {
 /// Place of a history among those that come first.
 fn rank(info: &SeriesInfo) -> usize {
     match info.channel() {
-        Some(channel) if channel.is_wave() => 0,
-        Some(Channel::BaseShear) => 1,
-        Some(Channel::BaseMoment) => 2,
-        Some(Channel::OverturningMoment) => 3,
+        Some(Channel::BaseShear) => 0,
+        Some(Channel::BaseMoment) => 1,
+        Some(Channel::OverturningMoment) => 2,
+        Some(channel) if channel.is_wave() => 3,
         Some(channel) if channel.on_wall() == Some(OnWall::Axial) => 4,
         _ => 5,
     }

@@ -28,7 +28,7 @@ const ORDER: [&str; 7] = [
 ];
 
 /// Those below the full level.
-const HEADLINES: [&str; 4] = ["pressure", "hoop_stress", "axial_membrane_stress", "bending_stress"];
+const HEADLINES: [&str; 2] = ["pressure", "axial_membrane_stress"];
 
 /// Height of the plots in user units.
 const PLOT: f64 = 185.0;
@@ -82,7 +82,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         if let Some(envelope) = group.envelope.filter(|_| full || group.profiles.is_empty()) {
             figures.push(combined(envelope, height)?);
         }
-        if !group.site.is_empty() {
+        if !group.site.is_empty() && (full || figures.is_empty()) {
             site.push(seismic(&format!("{id}_site"), None, &group.site, height)?);
         }
     }

@@ -67,7 +67,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("project", &frame::document(results.project.as_ref()));
     section.set("signatures", &frame::signatures(results.project.as_ref()));
     section.set("standards", &standards(results));
-    section.set_figures("sketch", vec![super::tank::sketch(&source.results.tank)]);
+    let sketch = if crowded(results) { None } else { Some(super::tank::sketch(&results.tank)) };
+    section.set_figures("sketch", sketch.into_iter().collect());
     Ok(Some(section))
 }
 
@@ -101,6 +102,14 @@ fn verdict(results: &Results) -> Verdict {
     }
 }
 
+/// Rows of checks and warnings beside which the sketch stands on the first page.
+const ROOM: usize = 9;
+
+/// Whether the first page is full without the sketch, which then stands in the datasheet.
+pub(super) fn crowded(results: &Results) -> bool {
+    judged(results).1.len() + results.verdict.accepted.len() + warnings(results).len() + unusual(results).len() > ROOM
+}
+
 /// Title and rows of the checks that fail, the largest utilisation first, and of those that are open; where none fails, the governing one
 /// comes first.
 fn judged(results: &Results) -> (&'static str, Vec<Judged>) {
@@ -126,7 +135,7 @@ fn of(results: &Results, found: &results::Governing, created: &str) -> Judged {
 
 fn judge(method: String, check: &Check, created: &str) -> Judged {
     let mut row = row(check, created);
-    // Of a check that is open or accepted the reason counts, not how it is computed.
+    // The reason why a check is open or accepted counts, not how it is computed.
     if !check.reason.is_empty() {
         let said = [words::verdict::approval(check, created), check.reason.clone()].map(|text| capital(&text));
         row.note = said.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(". ");
@@ -162,11 +171,6 @@ fn governed(sentence: String, aside: &Aside) -> String {
         Some(check) => format!("{sentence}; governing: {}", words::terminal::governing(check)),
         None => sentence,
     }
-}
-
-/// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
-pub(super) fn bar_width(utilisation: f64) -> f64 {
-    if utilisation.is_finite() { (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round() } else { 100.0 }
 }
 
 fn facts(source: &Source) -> Vec<Pair> {

@@ -54,8 +54,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     if let Some(table) = courses {
         section.set("courses", &table);
     }
-    let figures = datasheet::hoop(source)?;
-    section.set_figures("figures", figures.into_iter().collect());
+    section.set_figures("figures", datasheet::hoop(source)?.into_iter().collect());
+    let sketch = super::summary::crowded(source.results).then(|| sketch(&source.results.tank));
+    section.set_figures("sketch", sketch.into_iter().collect());
     Ok(Some(section))
 }
 
@@ -92,13 +93,16 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
             fact(words::ANCHOR_CAPACITY, capacity, Dimension::Force);
         }
     }
+    facts.caption = words::MASSES.into();
     section.set("plan", &capital(plan));
     section.set("support", support);
     section.set("facts", &facts);
     section.set("courses", &courses(summary));
     section.set("forces", &false);
     section.set("groups", &[(); 0]);
-    section.set_figures("figures", Vec::new());
+    for figures in ["figures", "sketch"] {
+        section.set_figures(figures, Vec::new());
+    }
     section.set("layers", &layers(summary));
     let parameter: Vec<Deformability> = summary
         .deformability

@@ -80,6 +80,8 @@ pub mod tank {
     pub const ANCHORS: &str = "Number of anchors";
     /// Anchors.
     pub const ANCHOR_CAPACITY: &str = "Capacity of one anchor";
+    /// Table of masses and heights.
+    pub const MASSES: &str = "Masses, and what is derived";
     /// Table of courses.
     pub const COURSES: &str = "Courses from the base up";
     /// Table of layers.
