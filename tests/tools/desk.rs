@@ -308,11 +308,12 @@ pub(crate) fn a_record_is_dropped_run_and_looked_at(chromium: &Path) {
     page.click(&one("#room-runs form button.primary"));
     page.wait("document.querySelectorAll('.run[data-state=done]').length === 2");
     page.open(&format!("{}#look/out", desk.address));
-    page.wait("document.querySelector('#room-look select')");
-    page.value(
-        "(() => { const e = [...document.querySelectorAll('#room-look select')].find(s => [...s.options].some(o => o.value === 'out-2')); \
-         e.value = 'out-2'; e.dispatchEvent(new Event('change', { bubbles: true })); e.dispatchEvent(new Event('input', { bubbles: true })) })()",
-    );
+    let beside = "[...document.querySelectorAll('#room-look select')].find(s => s.options[0].value === '' && s.options.length === 2)";
+    page.wait(beside);
+    page.value(&format!(
+        "(() => {{ const e = {beside}; e.value = e.options[1].value; \
+         e.dispatchEvent(new Event('input', {{ bubbles: true }})); e.dispatchEvent(new Event('change', {{ bubbles: true }})) }})()"
+    ));
     page.wait("document.querySelectorAll('.look-table tbody tr').length > 5");
     page.picture("desk-two");
     assert!(page.faults.is_empty(), "{:?}", page.faults);

@@ -55,7 +55,7 @@ object! {
         /// Modulus of the ground under the rim of the bottom plate, pressure over settlement. The rim loads a strip some decimetres
         /// wide, so it is much stiffer than a plate-load test of the whole bottom.
         stiffness ("100 MN/m3"): Opt<Subgrade> [Limits::from(1e6).to(1e12)]
-            = Absent::Follows("from shear_wave_velocity after Vesic; else 100 MN/m³ of soil, 10 000 MN/m³ of a ring wall or slab"),
+            = Absent::Follows("of soil from shear_wave_velocity after Vesic, else 100 MN/m³; of a ring wall or slab 10 000 MN/m³"),
         /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
         /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks. An anchored
         /// cylinder on a slab moves with it on this soil, a uniform half-space, in the harmonic engine; EN 1998-4 A.7 and ASCE 7 chapter 19
