@@ -35,6 +35,7 @@ use around::Around;
 
 pub(crate) use analysis::Extent;
 use analysis::{Analysis, LineExtremes, analyse_on};
+use drawn::Drawn;
 use mesh_error::{Second, SecondMesh};
 use model::Model;
 use system::Harmonic;
@@ -45,7 +46,7 @@ use super::{FeError, Simulation};
 use crate::checks::checked_motion;
 use results::channel::OnWall;
 use results::nonlinear::End;
-use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
+use results::{EngineId, Envelope, Mode, Run, SeriesInfo, Snapshots};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
@@ -260,6 +261,21 @@ impl MovingBase {
         }
     }
 
+    /// States of the tank on this base every so many seconds, where they are asked for.
+    ///
+    /// Errors: a response that is not finite.
+    fn states(
+        &self,
+        every: Option<f64>,
+        (case, model): (&Case, &Model),
+        (motion, options): (&GroundMotion, &Options),
+        analysis: &Analysis<'_>,
+    ) -> Result<Option<Snapshots>, FeError> {
+        let (bottom, isolated) = (self.free.bottom(), self.isolated.as_ref());
+        let drawn = Drawn { case, model, motion, options, analysis, bottom, isolated };
+        every.map(|every| drawn.states(every)).transpose()
+    }
+
     /// The motion of the ground as the tank feels it: on isolators that of the slab.
     fn motion(&self, ground: &GroundMotion) -> GroundMotion {
         self.isolated.as_ref().map_or_else(|| ground.clone(), |found| found.motion.clone())
@@ -326,16 +342,7 @@ fn report(
     let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
     let of_wall = limits::limits(case, seen, (&analysis, around.as_ref()), (motion.horizontal.dt, linear.engine));
-    let drawn = drawn::Drawn {
-        case,
-        model: seen,
-        motion: &driven,
-        options,
-        analysis: &analysis,
-        bottom: base.free.bottom(),
-        isolated: base.isolated.as_ref(),
-    };
-    let snapshots = linear.states.map(|every| drawn.states(every)).transpose()?;
+    let snapshots = base.states(linear.states, (case, seen), (&driven, options), &analysis)?;
     let result = Run {
         modes: modes(case, model),
         modal: modal::parts(&model.on_fixed_base(), hoop_place),
