@@ -17,9 +17,6 @@ use results::{COMPARE_REPORT, FORMS, REPORT_FILE, SERIES_FILE};
 use tank::Language;
 use tank::units::System;
 
-/// Name of the scene in a results folder.
-const SCENE_FILE: &str = "scene.json";
-
 /// Arguments.
 #[derive(clap::Args)]
 #[command(after_help = "\
@@ -259,7 +256,7 @@ fn interactive(folder: &Path, report: &Report) -> Result<String, Error> {
         let read = |place: &Path| files::read_text(place).map_err(|e| files::error::Error::unreadable(place, &e));
         place.is_file().then(|| read(&place)).transpose()
     };
-    let (series, scene) = (text(SERIES_FILE)?, text(SCENE_FILE)?);
+    let (series, scene) = (text(SERIES_FILE)?, text(results::scene::FILE)?);
     let json = serde_json::to_string(&results).map_err(|e| Error::report(e.to_string()))?;
     let project = results.project.as_ref();
     let _scope = report::style::of(project);

@@ -58,3 +58,20 @@ fn one_file_holds_the_result() {
     assert_eq!(code, Some(2), "{message}");
     assert_eq!(std::fs::read_to_string(out.join("interactive.html")).unwrap(), "mine");
 }
+
+#[test]
+fn the_scene_of_a_result_is_in_its_file_and_stays_in_the_folder() {
+    let home = tempfile::tempdir().unwrap();
+    std::fs::write(home.path().join("r.csv"), RECORD).unwrap();
+    let (_, tank, _) = tankcheck(home.path(), &["init"]);
+    std::fs::write(home.path().join("tank.json"), tank).unwrap();
+    let compare = ["compare", "tank.json", "--quake", "r.csv", "--no-mesh-error", "--scene", "--out", "out"];
+    let (code, _, message) = tankcheck(home.path(), &compare);
+    assert!(matches!(code, Some(0 | 1 | 4)), "{message}");
+    let (code, _, message) = tankcheck(home.path(), &["report", "out", "--format", "interactive"]);
+    assert_eq!(code, Some(0), "{message}");
+    let read = |name: &str| std::fs::read_to_string(home.path().join("out").join(name)).unwrap();
+    let kept: Value = serde_json::from_str(&read("scene.json")).unwrap();
+    assert_eq!(block(&read("interactive.html"), "scene"), kept);
+    assert!(read("manifest.json").contains("scene.json"));
+}
