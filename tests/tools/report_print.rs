@@ -151,13 +151,13 @@ addEventListener("load", () => {
 pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (kind, html) in kinds(folder.path()) {
-        // On paper: the print rules for every medium, and no screen rules; 210 mm less the margins is 665 px.
+        // On paper: the print rules for every medium, and no screen rules; 210 mm less the margins is 676 px.
         let paper = html.replace("@media print", "@media all").replace("@media screen", "@media not all");
         let attribute = |text: &str| text.replace('&', "&amp;").replace('"', "&quot;");
         let mut page = String::from("<!DOCTYPE html><meta charset=\"utf-8\"><body>");
         page.push_str(MEASURE);
         for (id, width, text) in
-            [("phone", 390, &html), ("screen", 1280, &html), ("tablet", 800, &html), ("paper", 665, &paper)]
+            [("phone", 390, &html), ("screen", 1280, &html), ("tablet", 800, &html), ("paper", 676, &paper)]
         {
             page.push_str(&format!(
                 "<iframe id=\"{id}\" width=\"{width}\" height=\"900\" style=\"border:0\" srcdoc=\"{}\"></iframe>",

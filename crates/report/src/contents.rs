@@ -4,8 +4,7 @@
 //! once to learn the pages, then with their numbers.
 
 /// Looks of the numbers, of the printed page alone.
-const STYLE: &str =
-    "<style>.contents .page { padding-left: .35em; font-weight: 600; font-variant-numeric: tabular-nums; }</style>";
+const STYLE: &str = "<style>.contents .page { font-weight: 600; } .contents .page::before { content: \" … \"; white-space: pre; font-weight: 400; }</style>";
 
 /// The page with a number after each line of its contents; `None` of a page without contents.
 ///
