@@ -173,7 +173,7 @@ impl Cli {
             Command::Modes(args) => modes::run(args, &self.global),
             Command::Spectrum(args) => spectrum::run(args, &self.global),
             Command::Quake(args) => quake::run(args, &self.global),
-            Command::Desk(args) => desk::run(args, &self.global),
+            Command::Desk(args) => desk::run(args, command(), &self.global),
             Command::Report(args) => report::run(args, &self.global),
             Command::Templates(args) => templates::run(args, &self.global),
             Command::Diff(args) => diff::run(args, &self.global),

@@ -39,7 +39,9 @@ pub(crate) struct Args {
 const USUAL: u16 = 8650;
 
 /// Runs the subcommand; returns the exit code.
-pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
+///
+/// * `commands`: all commands, of which the desk runs some
+pub(crate) fn run(args: Args, commands: clap::Command, global: &Global) -> Result<u8, Error> {
     let path = args.path.unwrap_or_else(|| ".".into());
     let (folder, tank) = opened(&path)?;
     let program = std::env::current_exe().map_err(|e| Error::output(e.to_string()))?;
@@ -56,7 +58,12 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             say!("note: no browser was opened; open the address in one");
         }
     };
-    let served = desk::serve(opening, Arc::new(office::Answers), show, progress::stopped);
+    let served = desk::serve(
+        opening,
+        Arc::new(office::Answers { commands: commands.no_binary_name(true) }),
+        show,
+        progress::stopped,
+    );
     served.map_err(|error| match error.kind() {
         std::io::ErrorKind::AddrInUse | std::io::ErrorKind::PermissionDenied => Error::value(format!(
             "--port: found {}, which another program uses or this user may not\n  help: leave --port out, and any free one is taken",

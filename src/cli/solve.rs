@@ -222,7 +222,9 @@ pub(crate) fn paragraph(solution: &Solution) -> String {
         }
     }
     if let Variable::Thickness(_) = variable {
-        text.push_str(" The other courses keep theirs; the thickness of the static design (API 650 5.6) is not searched.");
+        text.push_str(
+            " The other courses keep theirs; the thickness of the static design (API 650 5.6) is not searched.",
+        );
     }
     let _ = write!(text, " ({tried})");
     text

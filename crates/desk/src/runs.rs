@@ -308,30 +308,38 @@ mod tests {
         assert_eq!(typed(&["check", "a b's.json", ""]), "tankcheck check 'a b'\\''s.json' ''");
     }
 
-    /// A shell stands for the program: it counts, and one that sleeps is cancelled.
+    /// A shell stands for the program; what it waits for is a file that goes.
     #[cfg(unix)]
     #[test]
-    fn one_computes_the_others_wait_and_both_end() {
-        let runs = Runs::new("/bin/sh".into(), std::env::temp_dir());
+    fn one_computes_and_the_others_wait() {
+        let folder = tempfile::tempdir().unwrap();
+        let gate = folder.path().join("gate");
+        std::fs::write(&gate, "").unwrap();
+        let runs = Runs::new("/bin/sh".into(), folder.path().to_owned());
         let shell = |script: &str| vec!["-c".to_owned(), script.to_owned()];
-        let slow = runs
-            .add(shell("echo 'progress {\"stage\":\"steps\",\"percent\":40}' >&2; exec sleep 60"), Some("a".into()));
+        let begun = "echo 'progress {\"stage\":\"steps\",\"percent\":40}' >&2";
+        let slow = runs.add(shell(&format!("{begun}; while [ -e gate ]; do sleep 0.01; done")), Some("a".into()));
+        let never = runs.add(shell("touch never"), Some("b".into()));
         let quick = runs.add(shell("echo said >&2; echo shown; exit 4"), None);
         let wait = |what: &dyn Fn(&[Shown]) -> bool| {
             let began = Instant::now();
             while !what(&runs.list()) {
-                assert!(began.elapsed().as_secs() < 20, "nothing happens");
+                assert!(began.elapsed().as_secs() < 120, "nothing happens");
                 std::thread::sleep(std::time::Duration::from_millis(5));
             }
         };
-        wait(&|list| list[1].progress.percent == Some(40.0));
-        assert_eq!(runs.list()[0].state, State::Waiting);
-        assert!(runs.writes("a") && !runs.writes("b"));
-        assert!(runs.cancel(slow) && !runs.cancel(99));
+        // The newest stands first.
+        wait(&|list| list[2].progress.percent == Some(40.0));
+        let states = |list: &[Shown]| list.iter().map(|run| run.state).collect::<Vec<_>>();
+        assert_eq!(states(&runs.list()), [State::Waiting, State::Waiting, State::Running]);
+        assert!(runs.writes("a") && runs.writes("b") && !runs.writes("c"));
+        assert!(runs.cancel(never) && !runs.cancel(99));
+        std::fs::remove_file(&gate).unwrap();
         wait(&|list| list[0].state == State::Done);
         let list = runs.list();
-        assert_eq!((list[0].id, list[0].code, list[1].state), (quick, Some(4), State::Cancelled));
+        assert_eq!(states(&list), [State::Done, State::Cancelled, State::Done]);
+        assert_eq!((list[0].id, list[0].code, list[2].id, list[2].code), (quick, Some(4), slow, Some(0)));
         assert_eq!(list[0].output, ["said", "shown"]);
-        assert!(!runs.writes("a"));
+        assert!(!runs.writes("a") && !folder.path().join("never").exists());
     }
 }

@@ -26,7 +26,10 @@ use report::language;
 use results::Results;
 
 /// The program.
-pub(super) struct Answers;
+pub(super) struct Answers {
+    /// Its commands, without its name.
+    pub commands: clap::Command,
+}
 
 /// Commands that the desk may run.
 const COMMANDS: [&str; 11] = [
@@ -66,7 +69,7 @@ impl Office for Answers {
     }
 
     fn admit(&self, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused> {
-        admitted(command, arguments)
+        admitted(&self.commands, command, arguments)
     }
 }
 
@@ -322,16 +325,15 @@ fn drawn(values: &[f64], dt: f64) -> (Vec<f64>, Vec<f64>) {
 /// The files and folders that a command names.
 ///
 /// Errors: a command that is not for the desk; arguments that it does not take.
-fn admitted(command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused> {
+fn admitted(own: &clap::Command, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused> {
     if !COMMANDS.contains(&command) {
         let known = COMMANDS.map(|name| format!("`{name}`")).join(", ");
         return Err(Refused::new(format!("found the command `{}`, expected one of {known}", text::line(command))));
     }
     let words = || command.split(' ').map(str::to_owned).chain(arguments.iter().cloned());
-    let own = crate::cli::command().no_binary_name(true);
     let matches = own.clone().try_get_matches_from(words()).map_err(|e| Refused::new(e.to_string()))?;
     // Down to the command itself: its arguments that are paths, as it declares them.
-    let (mut declared, mut found) = (&own, &matches);
+    let (mut declared, mut found) = (own, &matches);
     while let Some((name, inner)) = found.subcommand() {
         let Some(next) = declared.find_subcommand(name) else { break };
         (declared, found) = (next, inner);
@@ -384,8 +386,9 @@ mod tests {
 
     #[test]
     fn commands_name_their_files_and_others_are_refused() {
+        let own = crate::cli::command().no_binary_name(true);
         let admitted = |command: &str, arguments: &[&str]| {
-            admitted(command, &arguments.iter().map(|a| (*a).to_owned()).collect::<Vec<_>>())
+            admitted(&own, command, &arguments.iter().map(|a| (*a).to_owned()).collect::<Vec<_>>())
         };
         let found = admitted("compare", &["t.json", "--quake", "a.csv", "--quake", "../b.csv", "--out", "o"]).unwrap();
         for path in ["t.json", "a.csv", "../b.csv", "o"] {
