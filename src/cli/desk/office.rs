@@ -101,7 +101,7 @@ fn wished(tank: &Tank) -> Wished {
 /// Why there is no job.
 enum Unfit {
     /// Faults of the file, in its text.
-    Faults(Faults, Source),
+    Faults(Box<(Faults, Source)>),
     /// What is wrong beyond it: a record, options that do not go together.
     Other(Error),
 }
@@ -117,7 +117,8 @@ fn job(asked: &Tank) -> Result<(Job, Vec<String>), Unfit> {
     let name = asked.name.as_deref().unwrap_or(UNNAMED);
     // Files that it names are beside it.
     let source = Source::new(asked.folder.join(name).to_string_lossy(), asked.text.as_str());
-    let file = parse(&source).map_err(|faults| Unfit::Faults(faults, Source::new(name, asked.text.as_str())))?;
+    let file =
+        parse(&source).map_err(|faults| Unfit::Faults(Box::new((faults, Source::new(name, asked.text.as_str())))))?;
     let remarks = file.remarks.clone();
     let record = asked.record.as_ref();
     let inputs = Inputs {
@@ -167,7 +168,8 @@ fn check(asked: &Tank) -> Value {
                 "results": said(results),
             })
         }
-        Err(Unfit::Faults(faults, source)) => {
+        Err(Unfit::Faults(found)) => {
+            let (faults, source) = *found;
             let list: Vec<Value> = faults.list().iter().map(|fault| shown(fault, &source)).collect();
             json!({ "faults": list, "text_faults": faults.render(&source, false), "warnings": [], "results": null, "sketch": null })
         }
@@ -241,7 +243,7 @@ fn translate(value: &mut Value, read: bool) {
 fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refused> {
     let _wished = wished(asked);
     let (job, _) = job(asked).map_err(|unfit| match unfit {
-        Unfit::Faults(..) => Refused::new("the tank has faults, so that nothing was computed"),
+        Unfit::Faults(_) => Refused::new("the tank has faults, so that nothing was computed"),
         Unfit::Other(error) => refused(&error),
     })?;
     let results = pipeline::run(&job, &Silent).map_err(|e| refused(&e))?.results;
@@ -259,7 +261,7 @@ fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refu
 fn solution(asked: &Tank, variable: &str) -> Result<Value, Refused> {
     let _wished = wished(asked);
     let (job, _) = job(asked).map_err(|unfit| match unfit {
-        Unfit::Faults(..) => Refused::new("the tank has faults, so that nothing was computed"),
+        Unfit::Faults(_) => Refused::new("the tank has faults, so that nothing was computed"),
         Unfit::Other(error) => refused(&error),
     })?;
     let variable = Variable::parse(variable).map_err(|e| refused(&e))?;
@@ -386,7 +388,9 @@ mod tests {
 
     #[test]
     fn commands_name_their_files_and_others_are_refused() {
-        let own = crate::cli::command().no_binary_name(true);
+        use clap::Args;
+        let compare = crate::cli::compare::Args::augment_args(clap::Command::new("compare"));
+        let own = clap::Command::new("tankcheck").no_binary_name(true).subcommand(compare);
         let admitted = |command: &str, arguments: &[&str]| {
             admitted(&own, command, &arguments.iter().map(|a| (*a).to_owned()).collect::<Vec<_>>())
         };
