@@ -4,9 +4,11 @@
 import { h, fill } from './dom.js';
 import { isMissing, marked } from './marked.js';
 import { significant, show, unitFor } from './units.js';
+import { decides, recordSentence } from './verdict.js';
 import { localised, t } from './words.js';
 import './check-words.js';
 
+const ROLES = ['decides', 'record', 'informs'];
 const ORDER = ['fails', 'not_checked', 'accepted', 'holds', 'not_applicable'];
 /** Utilisation at the end of a bar. */
 const BAR_END = 1.5;
@@ -60,10 +62,10 @@ export class Checks {
     this.search.placeholder = t('check-search');
   }
 
-  // Says who decides, what governs and what is open.
+  // Says who decides, what governs and what is open, and what a record would say that does not decide.
   sentences(verdict) {
     const title = (id) => this.results.methods.find((method) => method.id === id)?.label ?? id;
-    const deciding = (verdict.deciding ?? []).map((one) => title(one.method));
+    const deciding = [...new Set((verdict.deciding ?? []).map((one) => title(one.method)))];
     const parts = deciding.length ? [t('check-decide', { who: deciding.join(', ') })] : [];
     const counts = verdict.counts ?? {};
     const named = ['fails', 'not_checked', 'accepted', 'holds'].filter((key) => counts[key]).map((key) => `${counts[key]} ${t(`check-count-${key}`)}`);
@@ -72,23 +74,34 @@ export class Checks {
     if (governing?.check?.utilisation != null) {
       parts.push(t('check-governs', { name: governing.check.name, method: title(governing.method), ratio: localised(significant(governing.check.utilisation)) }));
     }
-    return parts.join(' ');
+    const record = recordSentence(verdict.record, (one) => title(one.method), (name) => name);
+    return [parts.join(' '), record ? h('span.check-record', {}, record) : null];
   }
 
+  // The methods that decide, then those under the record, then the rest.
   groups() {
-    const deciding = new Set((this.results?.verdict?.deciding ?? []).map((one) => one.method));
-    const groups = (this.results?.methods ?? []).map((method, index) => ({ method, index, decides: deciding.has(method.id) }));
-    return groups.sort((a, b) => b.decides - a.decides || a.index - b.index);
+    const { verdict, methods = [] } = this.results ?? {};
+    const role = (method) => (decides(verdict, method) ? 'decides' : method.excitation === 'record' && verdict?.deciding?.length ? 'record' : 'informs');
+    const groups = methods.map((method, index) => ({ method, index, role: role(method) }));
+    return groups.sort((a, b) => ROLES.indexOf(a.role) - ROLES.indexOf(b.role) || a.index - b.index);
+  }
+
+  // Whether a group has something to show: a check that passes the filter, or why its method has none.
+  hasRows({ method }) {
+    const bare = this.filter === 'all' && !this.search.value.trim();
+    return this.sorted(method.checks ?? []).length > 0 || (bare && !method.checks?.length && Boolean(method.status?.reason));
   }
 
   draw() {
     this.drawFilters();
     const kept = new Set();
     // Where nothing decides, all methods are shown.
-    const alone = !this.groups().some((group) => group.decides);
-    const sections = this.groups().filter((group) => group.decides || this.others || alone).map((group) => this.section(group, kept));
+    const groups = this.groups();
+    const alone = !groups.some(({ role }) => role === 'decides');
+    const filled = groups.filter((group) => this.hasRows(group));
+    const sections = filled.filter(({ role }) => role !== 'informs' || this.others || alone).map((group) => this.section(group, kept));
     for (const key of [...this.rows.keys()]) if (!kept.has(key)) this.rows.delete(key);
-    const others = alone ? 0 : this.groups().filter((group) => !group.decides).length;
+    const others = alone ? 0 : filled.filter(({ role }) => role === 'informs').length;
     this.othersButton ??= h('button.quiet.check-others', { type: 'button', onclick: () => { this.others = !this.others; this.draw(); } });
     this.othersButton.textContent = t(this.others ? 'check-hide-others' : 'check-show-others', { count: others });
     const wanted = [...sections, ...(others ? [this.othersButton] : [])];
@@ -110,7 +123,7 @@ export class Checks {
     made.group = group;
     const checks = this.sorted(group.method.checks ?? []);
     const state = group.method.status?.state ?? '';
-    fill(made.heading, h('span', {}, group.method.title), h('small', {}, group.decides ? t('check-decides') : t('check-informs')),
+    fill(made.heading, h('span', {}, group.method.title), h('small', {}, t(`check-${group.role}`)),
       checks.length ? null : h('small', {}, group.method.status?.reason ?? state));
     const rows = checks.map((check, index) => this.row(key, check, index, kept));
     rows.forEach((row, index) => { if (made.body.children[index] !== row) made.body.insertBefore(row, made.body.children[index] ?? null); });
@@ -172,11 +185,10 @@ export class Checks {
   }
 
   drawFilters() {
-    const counts = new Map();
-    for (const { method, decides } of this.groups()) {
-      if (!decides && !this.others) continue;
-      for (const check of method.checks ?? []) counts.set(check.status, (counts.get(check.status) ?? 0) + 1);
-    }
+    const groups = this.groups();
+    const alone = !groups.some(({ role }) => role === 'decides');
+    const count = (id, role) => groups.filter((group) => alone || group.role === role)
+      .reduce((sum, { method }) => sum + (method.checks ?? []).filter((check) => check.status === id).length, 0);
     if (!this.filters.childNodes.length) {
       fill(this.filters, ['all', ...ORDER].map((id) => h('button.quiet', {
         type: 'button', dataset: { filter: id }, onclick: () => { this.filter = id; this.draw(); },
@@ -184,8 +196,9 @@ export class Checks {
     }
     for (const button of this.filters.children) {
       const id = button.dataset.filter;
-      button.hidden = id !== 'all' && !counts.get(id) && this.filter !== id;
-      button.textContent = id === 'all' ? t('check-all') : `${t(`check-filter-${id}`)} ${counts.get(id) ?? 0}`;
+      const [own, record] = [count(id, 'decides'), alone ? 0 : count(id, 'record')];
+      button.hidden = id !== 'all' && !own && !record && this.filter !== id;
+      fill(button, id === 'all' ? t('check-all') : `${t(`check-filter-${id}`)} ${own}`, record ? h('small', {}, ` ${t('check-filter-record', { count: record })}`) : null);
       button.setAttribute('aria-pressed', String(this.filter === id));
     }
   }

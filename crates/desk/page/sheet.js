@@ -4,6 +4,7 @@ import { h, fill } from './dom.js';
 import { nodeAt } from './jsonc.js';
 import { marked, withoutStyles } from './marked.js';
 import { parsePath } from './path.js';
+import { decides } from './verdict.js';
 import { t } from './words.js';
 
 export class Sheet {
@@ -20,8 +21,7 @@ export class Sheet {
   /** Shows the sheet of a check, or of the whole method where `check` is null. */
   async open(method, check, results) {
     this.from = document.activeElement;
-    const decides = results.verdict?.deciding?.some((one) => one.method === results.methods[method]?.id) ?? false;
-    this.shown = { method, id: check?.id ?? null, check, results, decides };
+    this.shown = { method, id: check?.id ?? null, check, results, decides: decides(results.verdict, results.methods[method]) };
     this.element.hidden = false;
     this.title.textContent = check?.name ?? results.methods[method]?.title ?? t('check-sheet');
     this.element.setAttribute('aria-label', `${t('check-sheet')}: ${this.title.textContent}`);

@@ -4,6 +4,7 @@ import { h } from './dom.js';
 import { add, t } from './words.js';
 import { display, largest, significant, unitFor } from './display.js';
 import { titled } from './titles.js';
+import { recordSentence } from './verdict.js';
 
 add({
   'look-holds': ['Holds', 'Eingehalten'],
@@ -76,6 +77,7 @@ function verdict({ verdict: found, methods: all }, settings) {
     const method = (all ?? []).find((one) => one.id === of.method && one.excitation === of.excitation);
     return method ? methodName(method, settings.language) : of.method;
   };
+  const record = recordSentence(found.record, label, (name) => titled(name, settings.language));
   const partly = found.status === 'holds' && counts?.accepted > 0;
   const badge = partly ? h('strong.look-badge.accepted', {}, t('look-holds-accepted')) : verdictBadge(found.status);
   return h(
@@ -94,6 +96,7 @@ function verdict({ verdict: found, methods: all }, settings) {
           }),
         )
       : null,
+    record ? h('p.look-record', {}, record) : null,
     deciding?.length ? h('p', {}, t('look-deciding', { methods: deciding.map(label).join('; ') })) : null,
     listed('look-missing', found.missing, settings),
     listed('look-accepted-gaps', found.accepted, settings),
