@@ -3,7 +3,7 @@
 import { fill, h, labelled } from './dom.js';
 import { nodeAt, plain } from './jsonc.js';
 import { parsePath } from './path.js';
-import { t } from './words.js';
+import { localised, t } from './words.js';
 
 export class Solver {
   constructor(desk) {
@@ -44,16 +44,27 @@ export class Solver {
     fill(this.element, h('p', {}, t('solve-waiting')));
     try {
       const answer = await this.desk.api.post('solve', { ...document.question(text), variable });
-      this.show(answer);
+      this.show(answer, variable);
     } catch (error) {
       fill(this.element, h('p', {}, error.message), error.help ? h('p.hint', {}, error.help) : null, this.closeButton());
     }
   }
 
-  show(answer) {
+  // The sentence of the page, what the search looked at, and the sentence of the program with its details.
+  show(answer, variable) {
     const use = answer.found && answer.text ? h('button.primary', { type: 'button', onclick: () => this.use(answer) }, t('solve-use', { value: answer.text })) : null;
-    fill(this.element, h('p', {}, answer.message), h('div.row', {}, use, this.closeButton()));
+    const thickness = variable.startsWith('thickness:');
+    const name = thickness ? t('solve-found-thickness', { course: variable.split(':')[1] }) : t(`solve-found-${variable}`);
+    const first = answer.found ? t('solve-found', { name, value: localised(String(answer.text)) }) : t('solve-none', { name });
+    fill(this.element, h('p', {}, h('strong', {}, first)), h('p.hint', {}, [t(this.bySpectrum() ? 'solve-scope' : 'solve-scope-record'), thickness ? t('solve-scope-thickness') : ''].join(' ').trim()),
+      h('details', { open: !answer.found || this.desk.settings.language === 'en' }, h('summary', {}, t('solve-details')), h('p', { lang: 'en' }, answer.message)), h('div.row', {}, use, this.closeButton()));
     (use ?? this.element.querySelector('button')).focus();
+  }
+
+  // Without a site the codes decide under the record.
+  bySpectrum() {
+    const deciding = this.desk.document.check?.results?.verdict?.deciding ?? [];
+    return !deciding.length || deciding.some((one) => one.excitation === 'site');
   }
 
   closeButton() {
