@@ -16,6 +16,7 @@ add({
   'chart-png': ['PNG', 'PNG'],
   'chart-png-long': ['Save the picture as PNG', 'Bild als PNG sichern'],
   'chart-peak': ['{value} at {at}', '{value} bei {at}'],
+  'chart-sample': ['largest sample {value} at {at}', 'größter gespeicherter Wert {value} bei {at}'],
   'chart-hide': ['Show or hide {title}', '{title} zeigen oder verbergen'],
 });
 
@@ -32,8 +33,9 @@ export function createGroup(clock = null) {
  * Draws a chart into an element.
  *
  * @param {HTMLElement} element
- * @param {object} spec `{title, x: {title, values, dimension}, y: {title?, dimension}, series: [{title, values, look?}], kind: 'history'|'profile'|'curve', height?, logarithmic?,
- *   scrub?}`; values in SI; `look` is the number of a colour. Of a profile x is the height and drawn upwards; of a curve each series has its own `x`.
+ * @param {object} spec `{title, x: {title, values, dimension}, y: {title?, dimension}, series: [{title, values, look?, peak?: {value, at}}], kind: 'history'|'profile'|'curve', height?,
+ *   logarithmic?, scrub?, sampled?}`; values in SI; `look` is the number of a colour; with `sampled` a peak is called the largest sample where the series
+ *   brings none. Of a profile x is the height and drawn upwards; of a curve each series has its own `x`.
  * @param {object} settings `{units}`
  * @param {object} group of `createGroup`
  * @returns `{element, show(x), clear(), zoom(from, to), repaint(), destroy()}`
@@ -120,7 +122,7 @@ function options(self) {
     width: Math.max(240, self.parts.root.clientWidth || 600), height: state.spec.height ?? 220, padding: [8, 12, 0, 0], legend: { show: false },
     cursor: { drag: { x: state.kind === 'history', y: false, setScale: false }, focus: { prox: 30 }, points: { size: 7 }, x: true, y: state.kind !== 'history' },
     scales: {
-      x: { time: false, ori: profile ? 1 : 0, distr: state.spec.logarithmic ? 3 : 1, range: whole ? wholeRange(self, 'x') : undefined },
+      x: { time: false, ori: profile ? 1 : 0, distr: state.spec.logarithmic ? 3 : 1, range: whole ? wholeRange(self, 'x') : state.spec.logarithmic ? (plot, low, high) => [low, high] : undefined },
       y: { ori: profile ? 0 : 1, range: whole ? wholeRange(self, 'y') : undefined },
     },
     axes: [xAxis, yAxis],
@@ -167,8 +169,10 @@ function curvePath(plot, index) {
 
 /** Texts of the ticks: as many decimals as the step needs. */
 function ticks(plot, splits, axis, space, step) {
+  const logarithmic = plot.scales[plot.axes[axis].scale].distr === 3;
   return splits.map((value) => {
     if (value === null) return '';
+    if (logarithmic) return localised(String(Number(value.toPrecision(2))));
     if (!(step > 0)) return significant(value, 2);
     if (Math.abs(value) >= 1e6 || (value !== 0 && step < 1e-5)) return localised(value.toExponential(1));
     return localised(value.toFixed(decimals(step)));
@@ -214,7 +218,7 @@ function legend(self) {
     const value = h('span.chart-value');
     const name = h('button.quiet.chart-name', { type: 'button', 'aria-pressed': 'true', title: t('chart-hide', { title: one.title }), onclick: () => toggle(self, i) }, line, one.title);
     parts.names.append(h('li', {}, name, value));
-    return { line, value, name, peak: peak(Array.from(one.values, (v) => v ?? 0)) };
+    return { line, value, name, peak: peakOf(state, one) };
   });
   const tool = (id, long, act) => h('button.quiet', { type: 'button', title: t(long), 'aria-label': t(long), onclick: act }, t(id));
   parts.reset = tool('chart-reset', 'chart-reset', () => zoomAll(self, null));
@@ -222,6 +226,13 @@ function legend(self) {
   parts.tools.append(parts.reset, tool('chart-csv', 'chart-csv-long', () => csv(self)), tool('chart-png', 'chart-png-long', () => png(self)));
   paintLegend(self);
   values(self, null);
+}
+
+/** The peak of a series `{value, at, sample}`: the one it brings, which may lie between samples, else its largest sample. */
+function peakOf(state, one) {
+  if (one.peak) return { ...one.peak, sample: false };
+  const { at, value } = peak(Array.from(one.values, (v) => v ?? 0));
+  return { value, at: (state.kind === 'curve' ? one.x : state.xs)[at], sample: Boolean(state.spec.sampled) };
 }
 
 function paintLegend(self) {
@@ -246,7 +257,7 @@ function values(self, x) {
   self.rows.forEach((row, i) => {
     const one = state.series[i];
     const xs = state.kind === 'curve' ? one.x : state.xs;
-    if (x === null) row.value.textContent = one.values.length ? t('chart-peak', { value: text(row.peak.value), at: place(xs[row.peak.at], 3) }) : '–';
+    if (x === null) row.value.textContent = one.values.length ? t(row.peak.sample ? 'chart-sample' : 'chart-peak', { value: text(row.peak.value), at: place(row.peak.at, 3) }) : '–';
     else row.value.textContent = text(one.values[state.kind === 'curve' ? closest(xs, x) : nearest(xs, x)]);
   });
   parts.live.textContent = x === null ? '' : place(x);

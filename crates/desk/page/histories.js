@@ -5,6 +5,7 @@ import { add, t } from './words.js';
 import { dimensionOf } from './display.js';
 import { titled } from './titles.js';
 import { chart, createGroup } from './charts.js';
+import { lower } from './series.js';
 
 add({
   'history-choose': ['Histories', 'Zeitverläufe'],
@@ -31,13 +32,16 @@ add({
 
 const FIRST = ['ground_acceleration', 'wave_height_theta_0', 'base_shear', 'base_moment', 'overturning_moment'];
 
-/** Columns of `api/series` as `[{name, title, dimension, values}]`; a title is that of results.json. */
+/** Columns of `api/series` as `[{name, title, dimension, values, peak}]`; title and peak `{value, time}` are those of results.json, where it has them. */
 export function columnsOf(series, results, language) {
   const titles = new Map();
+  const peaks = new Map();
   (results?.runs ?? []).forEach((run, number) => {
     for (const info of run.histories ?? []) {
       const title = titled(info.title, language);
-      titles.set(number ? `${run.engine}_${info.id}` : info.id, number ? t('history-engine', { title, engine: t(`engine-${run.engine}`) }) : title);
+      const name = number ? `${run.engine}_${info.id}` : info.id;
+      if (Number.isFinite(info.peak)) peaks.set(name, { value: info.peak, time: info.time });
+      titles.set(name, number ? t('history-engine', { title, engine: t(`engine-${run.engine}`) }) : title);
     }
   });
   return (series?.columns ?? []).map(({ name, unit }, i) => ({
@@ -45,6 +49,7 @@ export function columnsOf(series, results, language) {
     title: titles.get(name) ?? name.replaceAll('_', ' '),
     dimension: dimensionOf(unit),
     values: Float64Array.from(series.values[i], (v) => v ?? NaN),
+    peak: peaks.get(name) ?? null,
   }));
 }
 
@@ -130,6 +135,7 @@ function panel(sources, dimension, columns) {
         return (
           own && {
             title: label,
+            peak: signed(own, source.time),
             look: sources.length > 1 ? 2 * k + 9 * i : k,
             values: sources.length > 1 ? onto(time, source.time, own.values) : own.values,
           }
@@ -137,7 +143,16 @@ function panel(sources, dimension, columns) {
       }),
     )
     .filter(Boolean);
-  return { title, x: { title: t('scene-time'), values: time, dimension: 'time' }, y: { dimension }, series, height: 210 };
+  return { title, x: { title: t('scene-time'), values: time, dimension: 'time' }, y: { dimension }, series, height: 210, sampled: true };
+}
+
+/** The peak of a history, between samples, with the sign of the samples beside it; null where the results have none. */
+function signed({ peak, values }, time) {
+  if (!peak) return null;
+  const after = Math.min(lower(time, peak.time), time.length - 1);
+  const [one, other] = [values[Math.max(0, after - 1)], values[after]];
+  const near = Math.abs(one) > Math.abs(other) ? one : other;
+  return { value: near < 0 ? -peak.value : peak.value, at: peak.time };
 }
 
 /** All times of several results, ascending. */
