@@ -2,7 +2,7 @@
 
 import { fill, h } from './dom.js';
 import { copyCommand, drawCommand } from './run-form.js';
-import { endWords, judges } from './run-end.js';
+import { endWords, judges, resultOf } from './run-end.js';
 import { nextOfStudy, printed, writtenForms } from './run-options.js';
 import { duration, t } from './words.js';
 
@@ -66,7 +66,7 @@ function createCard(list, run) {
 function updateCard(list, card, run) {
   const ended = ENDED.has(run.state);
   if (ended) card.stopping = false;
-  const verdict = list.results.find((one) => one.path === run.out)?.status;
+  const there = ended ? resultOf(run, list.results) : undefined;
   card.name.textContent = run.out ?? run.command;
   card.element.dataset.state = run.state;
   card.state.textContent = t(card.stopping ? 'run-stopping' : stateWords(run));
@@ -77,9 +77,9 @@ function updateCard(list, card, run) {
   else card.bar.value = 0;
   card.line.textContent = line(run, ended);
   card.words.hidden = !ended;
-  if (ended) fill(card.words, endWords(run), ' ', h('small.hint', {}, run.code === null || run.code === undefined ? '' : t('run-code', { code: run.code })));
+  if (ended) fill(card.words, endWords(run, Boolean(there)));
   drawCommand(card.command, run.command);
-  const kind = `${run.state} ${card.stopping} ${verdict} ${followed(list, run)}`;
+  const kind = `${run.state} ${card.stopping} ${Boolean(there)} ${there?.status} ${followed(list, run)}`;
   if (card.shown !== kind) {
     const first = card.shown === '';
     card.shown = kind;
@@ -87,7 +87,7 @@ function updateCard(list, card, run) {
     if (ended && (run.code === 2 || run.code === 3 || run.state === 'failed')) card.details.open = true;
     else if (first && run.state === 'running') card.details.open = false;
   }
-  drawOutput(card, run.output ?? []);
+  drawOutput(card, run);
 }
 
 const stateWords = (run) => (run.state === 'done' && judges(run) ? { 0: 'run-holds', 1: 'run-fails', 4: 'run-open' }[run.code] ?? 'run-done' : `run-${run.state}`);
@@ -109,7 +109,7 @@ function buttons(list, card, run) {
   const act = (words, onclick, kind = '') => h('button', { type: 'button', class: kind, onclick }, t(words));
   if (!ENDED.has(run.state)) return act(card.stopping ? 'run-cancel-now' : 'run-cancel', () => cancel(list, card, run), 'danger');
   const spec = list.specs.get(run.id);
-  const there = list.results.some((one) => one.path === run.out);
+  const there = Boolean(resultOf(run, list.results));
   const report = desk.api.resultAddress(run.out ?? '', 'report.html');
   const step = followed(list, run) ? null : nextOfStudy(run);
   const planned = /^tankcheck study (plan|run)/.test(run.command);
@@ -139,8 +139,10 @@ async function cancel(list, card, run) {
   }
 }
 
-function drawOutput(card, lines) {
-  const text = lines.map(plain).join('\n').trimEnd();
+// What the program has written, and its exit code for whoever runs it by a script.
+function drawOutput(card, run) {
+  const coded = run.code !== null && run.code !== undefined && ENDED.has(run.state) ? [t('run-code', { code: run.code })] : [];
+  const text = [...(run.output ?? []).map(plain), ...coded].join('\n').trimEnd();
   card.details.hidden = text === '';
   if (text === card.text) return;
   card.text = text;

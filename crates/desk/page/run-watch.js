@@ -1,6 +1,6 @@
 // Runs seen from any room: how many there are stands on the tab, and the end of one is told.
 
-import { endWords } from './run-end.js';
+import { endWords, resultOf } from './run-end.js';
 import { t } from './words.js';
 
 const RUNNING = new Set(['waiting', 'running']);
@@ -19,11 +19,13 @@ export function watchRuns(desk, current) {
   });
 }
 
-function told(desk, run, room) {
+async function told(desk, run, room) {
   if (room === 'runs' || room === 'records' && run.out?.endsWith('-rule')) return;
   const kind = run.state === 'done' ? { 0: 'ok', 1: 'warning', 4: 'warning' }[run.code] ?? 'info' : 'error';
-  const act = run.state === 'failed' ? { title: t('room-runs'), act: () => desk.go('runs') } : { title: t('run-look'), act: () => desk.go('look', { path: run.out }) };
-  desk.say(t('run-ended', { out: run.out ?? run.command, text: endWords(run) }), kind, act);
+  const { results } = await desk.api.get('folder').catch(() => ({ results: [] }));
+  const kept = Boolean(resultOf(run, results ?? []));
+  const act = run.state === 'failed' || !kept ? { title: t('room-runs'), act: () => desk.go('runs') } : { title: t('run-look'), act: () => desk.go('look', { path: run.out }) };
+  desk.say(t('run-ended', { out: run.out ?? run.command, text: endWords(run, kept) }), kind, act);
 }
 
 /** Puts the number of runs on the tab. */

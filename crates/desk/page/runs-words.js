@@ -101,6 +101,8 @@ add({
   'run-code-130': ['Stopped without results.', 'Ohne Ergebnisse angehalten.'],
   'run-code-other': ['Ended unexpectedly.', 'Unerwartet beendet.'],
   'run-code': ['exit code {code}', 'Rückgabewert {code}'],
+  'run-empty': ['Nothing was kept.', 'Es wurde nichts aufgehoben.'],
+  'run-cancelled-empty': ['Stopped; nothing was kept.', 'Angehalten; es wurde nichts aufgehoben.'],
   'run-kept': ['What was computed is kept.', 'Was gerechnet wurde, bleibt erhalten.'],
   'run-elapsed': ['{time} so far', 'bisher {time}'],
   'run-took': ['took {time}', 'Dauer {time}'],
