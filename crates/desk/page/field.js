@@ -112,6 +112,8 @@ export class Field {
 
   placeholder() {
     const { field } = this;
+    const graded = this.form.fromGrade(this.parts, field);
+    if (graded !== null) return graded;
     if (field.default !== undefined) return defaultWords(field.default);
     if (!this.required && field.fallback) return field.fallback;
     return field.example === undefined ? '' : t('form-example', { value: field.example });
@@ -251,8 +253,11 @@ export class Field {
 
 const defaultWords = (value) => (value === true ? t('form-yes') : value === false ? t('form-no') : typeof value === 'number' ? String(Number(value.toPrecision(6))) : String(value));
 
+/** What to do about a fault. The program speaks of its options where the page has a room. */
+const helpWords = (fault) => (fault.code === 'T0104' ? t('form-no-motion') : fault.help);
+
 /** A fault in the words of the terminal, with what it found, what it takes and what to do. */
 export function faultItem(form, fault) {
-  const sent = [fault.allowed ? t('form-expected', { what: fault.allowed }) : null, fault.help].filter(Boolean);
+  const sent = [fault.allowed ? t('form-expected', { what: fault.allowed }) : null, helpWords(fault)].filter(Boolean);
   return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', {}, marked(fault.message)), sent.map((text) => h('span', {}, marked(text))), form.remedies(fault));
 }

@@ -8,11 +8,12 @@ import { nodeAt, plain } from './jsonc.js';
 import { List } from './list.js';
 import { Named } from './map.js';
 import { isMissing, placeOf } from './marked.js';
-import { formatPath, parsePath } from './path.js';
+import { formatPath, parsePath, valueAt } from './path.js';
 import { rename } from './rows.js';
 import { SECTIONS, keysOf } from './sections.js';
 import { Table } from './table.js';
 import { Union } from './union.js';
+import { show } from './units.js';
 import { showAs } from './views.js';
 import { t } from './words.js';
 import './form-words.js';
@@ -97,6 +98,25 @@ export class Form {
   }
 
   valueAt(parts) { return plain(nodeAt(this.document.root, parts)); }
+
+  /** Takes what the program knows of the materials, so that fields left empty show the value of the grade. */
+  setMaterials(results) {
+    if (!results) return;
+    const known = materialsOf(results.tank);
+    const picture = JSON.stringify([...known]);
+    if (this.knownMaterials === picture) return;
+    this.knownMaterials = picture;
+    this.known = known;
+    this.update();
+  }
+
+  /** What an empty field of a material with a grade stands for, or null where it is no such field. */
+  fromGrade(parts, field) {
+    if (parts[0] !== 'materials' || parts.length < 3 || parts[2] === 'grade' || !this.valueAt([...parts.slice(0, 2), 'grade'])) return null;
+    const value = valueAt(this.known?.get(parts[1]), parts.slice(2));
+    if (typeof value !== 'number') return t('form-from-grade');
+    return t('form-value-from-grade', { value: show(value, field.dimensions?.[0], this.units) });
+  }
 
   /* To the text */
 
@@ -240,6 +260,14 @@ export class Form {
     }
     return buttons;
   }
+}
+
+// The materials that parts of the tank have, by their names.
+function materialsOf(part, found = new Map()) {
+  if (part === null || typeof part !== 'object') return found;
+  if (typeof part.name === 'string' && part.behaviour) found.set(part.name, part);
+  for (const inner of Object.values(part)) materialsOf(inner, found);
+  return found;
 }
 
 function belongs(path, part, schema) {

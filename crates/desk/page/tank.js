@@ -161,6 +161,7 @@ class TankRoom {
     if (answer.sketch) this.drawSketch(answer.sketch);
     this.sketch.classList.toggle('check-old', !answer.sketch);
     this.setFaults(answer.faults ?? [], answer.text);
+    this.form.setMaterials(answer.results);
     this.sheet.update(answer.results);
     this.drawStrip();
   }

@@ -198,7 +198,7 @@ async function sceneTab(state, pane, series, columns) {
   if (!scene) {
     scene = modesOf(results);
     const command = results.volatile?.command;
-    if (!notes.length) notes.push(h('p.look-note', {}, t('scene-none'), ' ', h('code', {}, kept(command)), ' ', scene ? t('scene-none-modes') : ''));
+    if (!notes.length) notes.push(noScene(h('code', {}, kept(command)), Boolean(scene), Boolean(source.forms)));
   }
   const host = h('div');
   const under = h('div');
@@ -243,6 +243,13 @@ async function sceneTab(state, pane, series, columns) {
       record?.destroy();
     },
   };
+}
+
+/** Says how a scene is had: by a run from the desk, or by a command where there is only this file. */
+function noScene(command, modes, desk) {
+  const drawn = modes ? t('scene-none-modes') : '';
+  if (!desk) return h('p.look-note', {}, t('scene-none-file'), ' ', command, ' ', drawn);
+  return h('div.look-note', {}, h('p', {}, t('scene-none'), ' ', drawn), h('details', {}, h('summary', {}, t('scene-command')), command));
 }
 
 /** The command of the result with `--scene`. */
