@@ -3,6 +3,7 @@
 import { add } from './words.js';
 
 add({
+  'check-before-fault': ['Before the fault:', 'Vor dem Fehler:'],
   'check-title': ['Checks', 'Nachweise'],
   'check-waiting': ['Nothing is checked yet.', 'Noch ist nichts nachgewiesen.'],
   'check-faulty': ['{count} to correct', '{count} zu berichtigen'],

@@ -55,7 +55,9 @@ export class Checks {
     const missing = faults > 0 && this.answer.faults.every(isMissing);
     if (missing) this.head.dataset.status = 'open';
     this.status.textContent = faults ? t(missing ? 'check-missing' : 'check-faulty', { count: faults }) : t(status === 'accepted' ? 'check-holds-accepted' : `check-is-${status}`);
-    fill(this.says, verdict ? this.sentences(verdict) : this.answer ? '' : t('check-waiting'));
+    const before = faults && verdict ? h('strong', {}, `${t('check-before-fault')} `) : null;
+    fill(this.says, before, verdict ? this.sentences(verdict) : this.answer ? '' : t('check-waiting'));
+    this.says.classList.toggle('check-before', Boolean(before));
     const waited = this.answer?.waited;
     this.time.textContent = this.answer ? t('check-time', { server: Math.round(this.answer.milliseconds ?? 0), total: waited ? Math.round(waited) : '–' }) : '';
     this.search.setAttribute('aria-label', t('check-search'));
@@ -174,7 +176,8 @@ export class Checks {
     row.ratio.textContent = has ? localised(ratio < 10 ? ratio.toFixed(2) : significant(ratio)) : '–';
     const { units } = this.desk.settings;
     const unit = unitFor(Math.max(Math.abs(check.demand ?? 0), Math.abs(check.capacity ?? 0)), check.dimension, units);
-    const value = (number) => show(number, check.dimension, units, 3, unit);
+    // A value keeps its unit beside it where the two are broken into lines.
+    const value = (number) => show(number, check.dimension, units, 3, unit).replace(' ', '\u00a0');
     row.values.textContent = check.demand === null && check.capacity === null ? t(`check-is-${check.status}`) : `${value(check.demand)} / ${value(check.capacity)}`;
     row.clause.textContent = check.clause ?? '';
     fill(row.reason, marked(check.reason ?? ''));

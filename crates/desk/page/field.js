@@ -7,8 +7,8 @@ import { helpFor } from './help.js';
 import { labelOf } from './labels.js';
 import { isMissing, marked } from './marked.js';
 import { formatPath } from './path.js';
-import { complete, completed, converted, tidy } from './quantity.js';
-import { t } from './words.js';
+import { complete, completed, converted, split, tidy } from './quantity.js';
+import { localised, t } from './words.js';
 
 /** Texts that are short. */
 const SHORT = new Set(['material', 'grade', 'date', 'revision', 'by', 'check']);
@@ -46,7 +46,8 @@ export class Field {
   bare() {
     this.control.setAttribute('aria-label', this.label);
     const wide = this.field.kind === 'text' && !SHORT.has(this.parts.at(-1));
-    return h('div.field-cell', { class: wide ? 'field-text' : '' }, this.control, this.list);
+    this.cell = true;
+    return h('div.field-cell', { class: wide ? 'field-text' : '' }, this.control, this.hint, this.list);
   }
 
   makeControl() {
@@ -124,12 +125,20 @@ export class Field {
     const text = this.control.value;
     if (this.typed && this.field.kind === 'quantity') {
       const whole = completed(this.field, text, this.model(), this.form.units);
-      this.hint.textContent = whole === tidy(text) ? '' : `→ ${whole}`;
+      const other = converted(this.field, whole, this.form.units);
+      this.hint.textContent = whole === tidy(text) ? '' : `→ ${whole}${other ? ` = ${other}` : ''}`;
       if (this.hint.textContent) return;
     }
     const words = this.field.dimensions ? converted(this.field, text, this.form.units) : '';
-    this.hint.textContent = words ? `= ${words}` : '';
+    this.hint.textContent = this.cell ? '' : [words ? `= ${words}` : '', this.diameter(text)].filter(Boolean).join(' · ');
     this.control.title = words ? `${text} = ${words}` : '';
+  }
+
+  // Data sheets give the diameter.
+  diameter(text) {
+    if (formatPath(this.parts) !== 'tank.radius') return '';
+    const parts = split(text);
+    return parts?.unit && Number(parts.number) > 0 ? t('form-diameter', { value: localised(`${Number((2 * Number(parts.number)).toPrecision(12))} ${parts.unit}`) }) : '';
   }
 
   setRequired(required) {

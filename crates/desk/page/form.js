@@ -274,5 +274,5 @@ function belongs(path, part, schema) {
   if (part.path.some((key, index) => path[index] !== key)) return false;
   const next = path[part.path.length];
   const field = part.path.reduce((at, key) => schema.field(at.properties[key]), schema.field(schema.json));
-  return keysOf(field, part).includes(next) || (part.rest === true && (next === undefined || !(next in field.properties)));
+  return keysOf(field, part).includes(next) || (part.rest === true && next !== undefined && !(next in field.properties));
 }

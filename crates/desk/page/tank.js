@@ -192,11 +192,17 @@ class TankRoom {
   setFaults(faults, text = this.document.text) {
     this.form.setFaults(faults);
     this.text.setFaults(text === this.document.text ? faults : []);
+    this.countText(faults.filter((fault) => !placeOf(fault).length).length);
     this.faultList.hidden = !faults.length;
     const missing = faults.filter(isMissing).length;
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
     fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: isMissing(fault) ? 'field-missing' : '' },
       h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault)), ' ', marked(fault.message)))));
+  }
+
+  // A fault of the text as such belongs to no group of the form: it is counted at the text.
+  countText(count) {
+    fill(this.modes[1], t('tank-text'), count ? h('span.field-count', { title: t('form-faults', { count }) }, String(count)) : null);
   }
 
   goToFault(fault) {
