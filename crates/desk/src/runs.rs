@@ -42,7 +42,7 @@ struct Run {
     seconds: f64,
     progress: Progress,
     output: VecDeque<String>,
-    /// Of the process, while it lives.
+    /// Number of the process, while it lives.
     process: Option<u32>,
     cancelled: bool,
 }
