@@ -46,8 +46,8 @@ pub(crate) fn run(args: Args, commands: clap::Command, global: &Global) -> Resul
     let (folder, tank) = opened(&path)?;
     let program = std::env::current_exe().map_err(|e| Error::output(e.to_string()))?;
     // What a browser keeps belongs to the port: with the same one it is found again.
-    let port = args.port.unwrap_or_else(|| if desk::is_free(USUAL) { USUAL } else { 0 });
-    let opening = desk::Opening { folder, tank, port, program, version: env!("CARGO_PKG_VERSION") };
+    let ports = args.port.map_or_else(|| vec![USUAL, 0], |port| vec![port]);
+    let opening = desk::Opening { folder, tank, ports, program, version: env!("CARGO_PKG_VERSION") };
     progress::stop_gracefully("closing the desk");
     let show = |address: &str| {
         // Whoever started the desk reads the address; where nobody can, it closes by itself.
@@ -67,7 +67,7 @@ pub(crate) fn run(args: Args, commands: clap::Command, global: &Global) -> Resul
     served.map_err(|error| match error.kind() {
         std::io::ErrorKind::AddrInUse | std::io::ErrorKind::PermissionDenied => Error::value(format!(
             "--port: found {}, which another program uses or this user may not\n  help: leave --port out, and any free one is taken",
-            port
+            args.port.unwrap_or_default()
         )),
         _ => Error::output(error.to_string()),
     })?;

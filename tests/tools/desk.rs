@@ -308,8 +308,8 @@ pub(crate) fn a_record_is_dropped_run_and_looked_at(chromium: &Path) {
     page.click(&one("#room-runs form button.primary"));
     page.wait("document.querySelectorAll('.run[data-state=done]').length === 2");
     page.open(&format!("{}#look/out", desk.address));
-    let beside = "[...document.querySelectorAll('#room-look select')].find(s => s.options[0].value === '' && s.options.length === 2)";
-    page.wait(beside);
+    let beside = "[...document.querySelectorAll('#room-look label')].find(l => l.textContent.includes('Compare with')).querySelector('select')";
+    page.wait(&format!("{beside}.options.length > 1"));
     page.value(&format!(
         "(() => {{ const e = {beside}; e.value = e.options[1].value; \
          e.dispatchEvent(new Event('input', {{ bubbles: true }})); e.dispatchEvent(new Event('change', {{ bubbles: true }})) }})()"

@@ -36,17 +36,12 @@ pub struct Opening {
     pub folder: PathBuf,
     /// File in it that is shown first.
     pub tank: Option<String>,
-    /// Port; 0 for any that is free.
-    pub port: u16,
+    /// Ports, of which the first that is free is taken; 0 for any.
+    pub ports: Vec<u16>,
     /// The program that runs are made with.
     pub program: PathBuf,
     /// Version, for the page.
     pub version: &'static str,
-}
-
-/// Whether a port of this machine is free.
-pub fn is_free(port: u16) -> bool {
-    std::net::TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).is_ok()
 }
 
 /// Pause between two looks at whether the desk shall close.
@@ -67,7 +62,9 @@ pub fn serve(
     let token = guard::token()?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().max_blocking_threads(8).build()?;
     runtime.block_on(async {
-        let listener = tokio::net::TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, opening.port))).await?;
+        let addresses: Vec<SocketAddr> =
+            opening.ports.iter().map(|port| SocketAddr::from((Ipv4Addr::LOCALHOST, *port))).collect();
+        let listener = tokio::net::TcpListener::bind(addresses.as_slice()).await?;
         let port = listener.local_addr()?.port();
         let runs = runs::Runs::new(opening.program.clone(), folder.root().to_owned());
         let desk = Arc::new(api::Desk { opening, folder, office, runs: runs.clone() });
