@@ -3,6 +3,9 @@
 import { add } from './words.js';
 
 add({
+  'check-empty': ['Nothing is filled in yet', 'Noch ist nichts ausgefüllt'],
+  'check-fill': ['A verdict needs a title, the tank with its shape and courses, the liquid, the materials, and a site or a record. What is missing is listed from the first entry on.',
+    'Ein Urteil braucht einen Titel, den Tank mit Form und Schüssen, die Flüssigkeit, die Werkstoffe und einen Standort oder ein Beben. Was fehlt, steht ab der ersten Eingabe hier.'],
   'check-before-fault': ['Before the fault:', 'Vor dem Fehler:'],
   'check-title': ['Checks', 'Nachweise'],
   'check-waiting': ['Nothing is checked yet.', 'Noch ist nichts nachgewiesen.'],
@@ -14,7 +17,7 @@ add({
   'check-is-fails': ['Fails', 'Versagt'],
   'check-is-open': ['Open', 'Offen'],
   'check-is-accepted': ['Accepted', 'Hingenommen'],
-  'check-is-not_checked': ['not checked', 'nicht geprüft'],
+  'check-is-not_checked': ['open', 'offen'],
   'check-is-not_applicable': ['not required', 'nicht gefordert'],
   'check-count-fails': ['fail', 'nicht erfüllt'],
   'check-count-not_checked': ['open', 'offen'],
@@ -41,6 +44,7 @@ add({
   'check-whole-sheet': ['Whole sheet', 'Ganzes Blatt'],
   'check-close': ['Close the sheet', 'Blatt schließen'],
   'check-old-sheet': ['Of the last complete text', 'Des letzten vollständigen Textes'],
+  'check-assumption': ['assumption', 'Annahme'],
   'check-accept': ['Accept this gap …', 'Diese Lücke hinnehmen …'],
   'check-input': ['Go to the field', 'Zum Feld'],
 });

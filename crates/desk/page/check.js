@@ -14,9 +14,9 @@ const ORDER = ['fails', 'not_checked', 'accepted', 'holds', 'not_applicable'];
 const BAR_END = 1.5;
 
 export class Checks {
-  /** `open(method index, check)` shows a sheet. */
-  constructor(desk, open) {
-    Object.assign(this, { desk, open, rows: new Map(), filter: 'all', others: false });
+  /** `open(method index, check)` shows a sheet, `goTo(path)` a field of the form. */
+  constructor(desk, open, goTo) {
+    Object.assign(this, { desk, open, goTo, rows: new Map(), filter: 'all', others: false });
     this.status = h('strong.check-status', { role: 'status' });
     this.says = h('p.check-says');
     this.time = h('span.check-time');
@@ -48,6 +48,7 @@ export class Checks {
   }
 
   drawVerdict() {
+    if (this.answer?.untouched) return this.drawUntouched();
     const faults = this.answer?.faults?.length ?? 0;
     const verdict = this.results?.verdict;
     const status = faults ? 'faulty' : stateOf(verdict);
@@ -62,6 +63,14 @@ export class Checks {
     this.time.textContent = this.answer ? t('check-time', { server: Math.round(this.answer.milliseconds ?? 0), total: waited ? Math.round(waited) : '–' }) : '';
     this.search.setAttribute('aria-label', t('check-search'));
     this.search.placeholder = t('check-search');
+  }
+
+  // An empty form has no faults yet.
+  drawUntouched() {
+    this.head.dataset.status = 'none';
+    this.status.textContent = t('check-empty');
+    this.says.textContent = t('check-fill');
+    this.time.textContent = '';
   }
 
   // Says who decides, what governs and what is open, and what a record would say that does not decide.
@@ -154,7 +163,8 @@ export class Checks {
       const parts = { name: h('span.check-name'), bar, ratio: h('span.check-ratio'), values: h('span.check-values'), clause: h('span.check-clause'), reason: h('span.check-reason') };
       const element = h('button.check-row', { type: 'button', onclick: () => this.open(this.indexOf(group), this.rows.get(key).check) },
         parts.name, h('span.check-bar', { 'aria-hidden': true }, bar), parts.ratio, parts.values, parts.clause, parts.reason);
-      this.rows.set(key, { ...parts, element, holder: h('div', { role: 'listitem' }, element) });
+      const go = h('button.link.check-go', { type: 'button', onclick: () => this.goTo(this.rows.get(key).check.input) }, t('check-input'));
+      this.rows.set(key, { ...parts, element, go, holder: h('div', { role: 'listitem' }, element, go) });
     }
     this.fillRow(this.rows.get(key), check);
     return this.rows.get(key).holder;
@@ -182,6 +192,8 @@ export class Checks {
     row.clause.textContent = check.clause ?? '';
     fill(row.reason, marked(check.reason ?? ''));
     row.reason.hidden = !check.reason;
+    row.go.hidden = check.status !== 'not_checked' || !check.input;
+    row.go.setAttribute('aria-label', `${t('check-input')}: ${check.name}`);
     row.element.title = check.note ?? '';
     row.element.setAttribute('aria-label', [check.name, t(`check-is-${check.status}`), has ? t('check-utilised', { ratio: row.ratio.textContent }) : '',
       row.values.textContent, check.clause, check.reason].filter(Boolean).join(', '));

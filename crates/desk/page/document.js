@@ -1,10 +1,10 @@
 // The text of tank.json: the one truth that form, text editor and checks share. Every change is a new text on a stack,
 // so that undo works across all of them. What is not saved is kept as a draft in the browser.
 
-import { changedElsewhere, nameForSaving } from './files.js';
-import { nodeAt, parse } from './jsonc.js';
+import { changedElsewhere, nameForSaving, proposedName } from './files.js';
+import { nodeAt, parse, plain } from './jsonc.js';
 import { formatPath } from './path.js';
-import { keepDraft, removeDraft, storedDraft } from './drafts.js';
+import { keepDraft, keepLast, lastFile, removeDraft, storedDraft } from './drafts.js';
 import { putShort } from './rows.js';
 import { t } from './words.js';
 import './document-words.js';
@@ -17,6 +17,16 @@ export async function openDocument(desk) {
   const document = new TankDocument(desk);
   await document.start();
   return document;
+}
+
+// The tank file in the address: #tank/PATH.
+function addressed() {
+  const [room, ...path] = location.hash.slice(1).split('/');
+  try {
+    return room === 'tank' ? decodeURIComponent(path.join('/')) : '';
+  } catch {
+    return '';
+  }
 }
 
 export class TankDocument {
@@ -45,13 +55,23 @@ export class TankDocument {
 
   get dirty() { return this.text !== this.saved; }
   get empty() { return this.path === null && this.text.trim() === ''; }
+  /** Whether nothing has been entered into an empty form yet. */
+  get untouched() { return this.path === null && !this.canUndo && this.root?.members?.length === 0; }
   get canUndo() { return this.past.length > 0; }
   get canRedo() { return this.future.length > 0; }
 
   async start() {
-    const file = this.desk.info.tank;
-    if (file) return this.open(file).catch((error) => this.desk.sayError(error));
-    this.draft = storedDraft(this.desk.info.folder, null);
+    const { folder, tank } = this.desk.info;
+    const { here, ever } = lastFile(folder);
+    const address = addressed();
+    const file = address || (here ?? (tank || ever));
+    try {
+      if (file) return await this.open(file);
+    } catch (error) {
+      // A file that is only remembered may be gone.
+      if (file === address || file === tank) this.desk.sayError(error);
+    }
+    this.draft = storedDraft(folder, null);
     this.tell('open');
   }
 
@@ -174,6 +194,9 @@ export class TankDocument {
   }
 
   tell(origin) {
+    keepLast(this.desk.info.folder, this.path);
+    // An address with another file would open that one at a reload.
+    if (addressed() && addressed() !== this.path) history.replaceState(null, '', '#tank');
     this.desk.events.dispatchEvent(new CustomEvent('text', { detail: { origin } }));
   }
 
@@ -241,7 +264,7 @@ export class TankDocument {
 
   async saveAs() {
     await this.working;
-    const path = await nameForSaving(this.desk, this.path);
+    const path = await nameForSaving(this.desk, this.path ?? proposedName(plain(nodeAt(this.root, ['name']))));
     return path ? this.write(path, path === this.path ? this.sha : null) : false;
   }
 

@@ -27,3 +27,24 @@ export function storedDraft(folder, path) {
     return null;
   }
 }
+
+const lastName = (folder) => `desk.last:${folder}`;
+
+/** Keeps which file of a folder is open; an empty text for a new tank. */
+export function keepLast(folder, path) {
+  try {
+    sessionStorage.setItem(lastName(folder), path ?? '');
+    if (path) localStorage.setItem(lastName(folder), path);
+  } catch {
+    // Without storage a reload begins anew.
+  }
+}
+
+/** The file that was open last in a folder: `{here, ever}`, in this window before a reload and in any window; null where there was none. */
+export function lastFile(folder) {
+  try {
+    return { here: sessionStorage.getItem(lastName(folder)), ever: localStorage.getItem(lastName(folder)) };
+  } catch {
+    return { here: null, ever: null };
+  }
+}

@@ -4,6 +4,12 @@ import { differenceBlock } from './difference.js';
 import { h, labelled } from './dom.js';
 import { t } from './words.js';
 
+/** The name for a file after the title of its tank: the tag in it, such as `tk-204.json` for TK-204; else tank.json. */
+export function proposedName(title) {
+  const tag = /(?<![\p{L}\d.,-])(?=[\p{L}\d-]*\p{L})(?=[\p{L}\d-]*\d)\p{L}[\p{L}\d]*(?:-[\p{L}\d]+)*/u.exec(String(title ?? ''))?.[0];
+  return tag ? `${tag.toLowerCase()}.json` : 'tank.json';
+}
+
 /** Asks for a file name in the opened folder; resolves to a path or null. */
 export async function nameForSaving(desk, path) {
   const input = h('input', { type: 'text', value: path ?? 'tank.json', spellcheck: 'false', autocomplete: 'off' });

@@ -92,7 +92,8 @@ export class Form {
     const known = this.materials.join('\n');
     if (this.names.dataset.known !== known) {
       this.names.dataset.known = known;
-      fill(this.names, this.materials.map((name) => h('option', { value: name })));
+      const grades = [...this.gradeNames].filter((name) => !this.materials.includes(name));
+      fill(this.names, [...this.materials, ...grades].map((name) => h('option', { value: name })));
     }
     for (const section of this.sections) for (const { view, path } of section.views) view.update(nodeAt(root, path));
   }

@@ -11,6 +11,9 @@ import { isLeaf } from './schema.js';
 import { makeView } from './views.js';
 import { t } from './words.js';
 
+/** Keys that are not offered for a shape of the tank. */
+const NOT_FOR = { cylinder: ['length', 'breadth', 'strip'], rectangle: ['radius'] };
+
 export class Group {
   /** `only`: the keys of the object that this group has; `flat`: without a heading of its own. */
   constructor(form, parts, field, { only = null, flat = false, removable = false, title = labelOf(parts.at(-1) ?? ''), head = null } = {}) {
@@ -43,12 +46,13 @@ export class Group {
     const wanted = expectedKeys(this.field.schema, value);
     this.wanted = new Set([...wanted.own, ...this.extra]);
     this.below = wanted.below;
+    this.ruledOut = new Set(NOT_FOR[value?.shape]);
     const folded = [];
     for (const key of this.keys) {
       const child = childOf(node, key);
       const given = child !== undefined || this.wanted.has(key) || this.asks(key) || this.form.mustShow([...this.parts, key]);
       if (given || this.isBusy(key)) this.place(key, child);
-      else folded.push(key);
+      else if (!this.ruledOut.has(key)) folded.push(key);
     }
     // An object that was just added and needs nothing shows what it may have.
     if (node?.members?.length === 0 && !this.wanted.size) this.fold.open = true;
@@ -98,7 +102,10 @@ export class Group {
   updateFold(keys) {
     this.waiting = keys;
     for (const [key, view] of this.children) {
-      if (!keys.includes(key)) continue;
+      if (!keys.includes(key)) {
+        if (this.ruledOut.has(key) && this.folded.contains(view.element)) this.drop(key);
+        continue;
+      }
       if (!isLeaf(this.fieldOf(key))) this.drop(key);
       else if (this.fold.open) this.stow(key, view);
       else this.drop(key);

@@ -11,6 +11,8 @@ import { createClock } from './clock.js';
 
 /** Values closer than this are equal. */
 const EQUAL = 1e-9;
+/** Number of different inputs that are listed. */
+const INPUTS = 8;
 
 /**
  * Quantities of two results: `{rows: [{title, method, dimension, one, other, ratio}], equal, single}`, largest change first.
@@ -132,7 +134,37 @@ export function comparison(two, settings) {
   }
 
   show('quantities');
-  return { element: h('div', {}, list, body), repaint: () => shown?.repaint?.(), destroy: () => shown?.destroy?.() };
+  return { element: h('div', {}, inputs(one, other), list, body), repaint: () => shown?.repaint?.(), destroy: () => shown?.destroy?.() };
+}
+
+/** What differs in the input of two results: `[{name, one, other}]` with the texts of the file, null where a result has no such value. */
+export function inputDifferences(one, other) {
+  const texts = (results) => {
+    const found = new Map((results.input ?? []).map(({ path, text }) => [path, text]));
+    const records = (results.records ?? []).map((record) => record.name ?? record.file ?? '').join(', ');
+    if (records) found.set(t('look-record'), records);
+    return found;
+  };
+  const [mine, theirs] = [texts(one), texts(other)];
+  const names = [...new Set([...mine.keys(), ...theirs.keys()])];
+  return names.map((name) => ({ name, one: mine.get(name) ?? null, other: theirs.get(name) ?? null })).filter((row) => row.one !== row.other);
+}
+
+function inputs(one, other) {
+  const rows = inputDifferences(one.results, other.results);
+  if (!rows.length) return h('p.hint.look-inputs', {}, t('look-input-same'));
+  const more = rows.length > INPUTS ? h('p.hint', {}, t('look-input-more', { count: rows.length - INPUTS })) : null;
+  return h(
+    'section.look-inputs',
+    {},
+    h('h3', {}, t('look-input-differs')),
+    table(
+      t('look-input-differs'),
+      head([['look-input'], ['', false, one.label], ['', false, other.label]]),
+      h('tbody', {}, rows.slice(0, INPUTS).map((row) => h('tr', {}, h('th', { scope: 'row' }, row.name), [row.one, row.other].map((text) => h('td', {}, text ?? '–'))))),
+    ),
+    more,
+  );
 }
 
 const head = (ids) =>

@@ -97,7 +97,7 @@ add({
   'run-code-1': ['A check fails.', 'Ein Nachweis ist nicht erfüllt.'],
   'run-code-2': ['The input has a fault; nothing was computed.', 'Die Eingabe hat einen Fehler; es wurde nichts gerechnet.'],
   'run-code-3': ['The computation failed or was interrupted, or the tank collapsed.', 'Die Rechnung ist gescheitert oder wurde unterbrochen, oder der Tank versagt.'],
-  'run-code-4': ['Something required was not checked.', 'Etwas Verlangtes ist nicht nachgewiesen.'],
+  'run-code-4': ['Open: something required was not checked.', 'Offen: Etwas Verlangtes ist nicht nachgewiesen.'],
   'run-code-130': ['Stopped without results.', 'Ohne Ergebnisse angehalten.'],
   'run-code-other': ['Ended unexpectedly.', 'Unerwartet beendet.'],
   'run-code': ['exit code {code}', 'Rückgabewert {code}'],

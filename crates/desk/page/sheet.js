@@ -63,6 +63,7 @@ export class Sheet {
       const top = this.body.scrollTop;
       // The server renders this from results; texts of files are escaped there.
       this.body.innerHTML = withoutStyles(html);
+      for (const cell of this.body.querySelectorAll('.clause')) if (cell.textContent === 'assumption') cell.textContent = t('check-assumption');
       if (check?.reason) this.body.prepend(h('p.check-reason', {}, marked(check.reason)));
       if (check?.note) this.body.append(h('p.hint', {}, marked(check.note)));
       this.body.scrollTop = top;

@@ -9,7 +9,7 @@ import { recordSentence } from './verdict.js';
 add({
   'look-holds': ['Holds', 'Eingehalten'],
   'look-fails': ['Fails', 'Nicht eingehalten'],
-  'look-incomplete': ['Incomplete', 'Unvollständig'],
+  'look-incomplete': ['Open', 'Offen'],
   'look-not_assessed': ['Not assessed', 'Nicht beurteilt'],
   'look-not_checked': ['open', 'offen'],
   'look-accepted': ['accepted', 'akzeptiert'],
@@ -18,7 +18,7 @@ add({
   'look-state-fails': ['fails', 'nicht eingehalten'],
   'look-holds-accepted': ['Holds with accepted gaps', 'Eingehalten mit akzeptierten Lücken'],
   'look-accepted-gaps': ['Accepted gaps', 'Akzeptierte Lücken'],
-  'look-missing': ['Required and not checked', 'Gefordert und nicht nachgewiesen'],
+  'look-missing': ['Open: required and not checked', 'Offen: gefordert und nicht nachgewiesen'],
   'look-counts': [
     '{holds} checks hold, {fails} fail, {open} open, {accepted} gaps accepted',
     '{holds} Nachweise eingehalten, {fails} nicht, {open} offen, {accepted} Lücken akzeptiert',

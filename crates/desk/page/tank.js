@@ -70,7 +70,7 @@ class TankRoom {
   build() {
     this.form = new Form(this.desk, this.schema);
     this.text = new TextEditor(this.desk, this.form);
-    this.checks = new Checks(this.desk, (method, check) => this.openSheet(method, check));
+    this.checks = new Checks(this.desk, (method, check) => this.openSheet(method, check), (path) => this.goTo(parsePath(path)));
     this.sheet = new Sheet(this.desk, (parts) => this.goTo(parts));
     this.solver = new Solver(this.desk);
     this.draft = h('div.tank-draft.panel', { hidden: true });
@@ -156,7 +156,8 @@ class TankRoom {
     this.drawStrip();
   }
 
-  checked(answer) {
+  checked(given) {
+    const answer = this.document.untouched ? { ...given, faults: [], untouched: true } : given;
     this.checks.update(answer);
     if (answer.sketch) this.drawSketch(answer.sketch);
     this.sketch.classList.toggle('check-old', !answer.sketch);

@@ -205,6 +205,16 @@ const GERMAN = {
   'pressure below atmospheric; the liquid separates': 'Druck unter Atmosphärendruck; die Flüssigkeit löst sich',
   'pressure of the liquid below atmospheric': 'Druck der Flüssigkeit unter Atmosphärendruck',
   'the liquid separates from the wall': 'die Flüssigkeit löst sich von der Wand',
+  'ENV 1998-4:1998, annex B (superseded)': 'ENV 1998-4:1998, Anhang B (zurückgezogen)',
+  'EN 1998-4:2006, annex A': 'EN 1998-4:2006, Anhang A',
+  'API 650, appendix E (9th edition, 1993, superseded)': 'API 650, Anhang E (9. Ausgabe, 1993, zurückgezogen)',
+  'API 650, 9th ed.': 'API 650, 9. Ausg.',
+  'API 650, annex E (12th edition 2013, 13th edition 2020)': 'API 650, Anhang E (12. Ausgabe 2013, 13. Ausgabe 2020)',
+  'API 650 annex E': 'API 650 Anhang E',
+  'Measured': 'Gemessen',
+  'Freeboard': 'Freibord',
+  'Pressure under the ring wall at the toe': 'Pressung unter dem Ringfundament am Druckrand',
+  'Supports of the shell that the clause excludes': 'Auflager des Mantels, die der Abschnitt ausschließt',
 };
 
 /** Patterns of what follows a title. */
@@ -212,6 +222,7 @@ const PLACES = [
   [/^(.*) at z = ([\d.]+) (m|mm) \(largest over the height\)$/, (m) => `${one(m[1])} bei z = ${localised(m[2])} ${m[3]} (größte über die Höhe)`],
   [/^(.*) at z = ([\d.]+) (m|mm)$/, (m) => `${one(m[1])} bei z = ${localised(m[2])} ${m[3]}`],
   [/^(.*) at ([\d.]+) m from the centre$/, (m) => `${one(m[1])} ${localised(m[2])} m von der Mitte`],
+  [/^Freeboard, ([\d.]+) δ_s for seismic use group (\d)$/, (m) => `Freibord, ${localised(m[1])} δ_s für Seismic Use Group (SUG) ${m[2]}`],
   [/^(.*), (θ = -?\d+°)$/, (m) => `${one(m[1])}, ${m[2]}`],
 ];
 
