@@ -184,6 +184,8 @@ function filtered({ rows, equal, single }, [one, other], isEqual, made) {
   const methods = [...new Set(rows.map((row) => row.method))];
   const body = h('tbody');
   const all = h('input', { type: 'checkbox', onchange: () => show() });
+  // Where all are equal, an empty table would say less.
+  all.checked = rows.every(isEqual);
   const select = h(
     'select',
     { 'aria-label': t('look-method'), onchange: () => show() },

@@ -60,6 +60,8 @@ async function refresh(room) {
     return;
   }
   const now = entry(room, room.path);
+  // A result that came meanwhile can be compared with.
+  if (now && room.compared !== comparables(room).join('\n')) header(room, now);
   if (room.opened && now && stamp(now) !== room.opened) changed(room);
   names(room);
 }
@@ -192,22 +194,26 @@ async function open(room, path, beside) {
   }
 }
 
+const comparable = (one) => ['compare', 'check', 'set'].includes(one?.kind);
+/** Paths of the results that the opened one can be compared with. */
+const comparables = (room) => room.list.filter((one) => one.path !== room.path && comparable(one)).map((one) => one.path);
+
 function header(room, own) {
-  const others = room.list.filter((one) => one.path !== room.path && ['compare', 'check', 'set'].includes(one.kind));
+  const others = comparables(room);
+  room.compared = others.join('\n');
   const select = h(
     'select',
     { onchange: () => open(room, room.path, select.value || null) },
     h('option', { value: '' }, t('look-compare-none')),
-    others.map((one) => h('option', { value: one.path }, one.path)),
+    others.map((path) => h('option', { value: path }, path)),
   );
   select.value = room.beside ?? '';
-  const comparable = own && ['compare', 'check', 'set'].includes(own.kind) && others.length;
   fill(
     room.head,
     h('h2', {}, room.path || '.'),
     own?.status ? verdictBadge(own.status) : null,
     own ? h('span.hint', {}, kind(own)) : null,
-    comparable ? h('label.scene-field', {}, h('span', {}, t('look-compare-with')), select) : null,
+    comparable(own) && others.length ? h('label.scene-field', {}, h('span', {}, t('look-compare-with')), select) : null,
   );
 }
 
