@@ -18,7 +18,7 @@ add({
   'look-state-fails': ['fails', 'nicht eingehalten'],
   'look-holds-accepted': ['Holds with accepted gaps', 'Eingehalten mit akzeptierten Lücken'],
   'look-accepted-gaps': ['Accepted gaps', 'Akzeptierte Lücken'],
-  'look-missing': ['Open: required and not checked', 'Offen: gefordert und nicht nachgewiesen'],
+  'look-missing': ['Open, as required and not checked', 'Offen, da gefordert und nicht nachgewiesen'],
   'look-counts': [
     '{holds} checks hold, {fails} fail, {open} open, {accepted} gaps accepted',
     '{holds} Nachweise eingehalten, {fails} nicht, {open} offen, {accepted} Lücken akzeptiert',

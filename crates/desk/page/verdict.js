@@ -4,10 +4,11 @@ import { significant } from './display.js';
 import { add, t } from './words.js';
 
 add({
-  'check-record-fails': ['Under this record, unreduced and not deciding: {fails} of {count} checks fail.',
-    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: {fails} von {count} Nachweisen nicht erfüllt.'],
-  'check-record-holds': ['Under this record, unreduced and not deciding: none of {count} checks fails.',
-    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: von {count} Nachweisen ist keiner verletzt.'],
+  'check-record-fails': ['Under this record, unreduced and not deciding: {fails} of {count} checks fail{open}.',
+    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: {fails} von {count} Nachweisen nicht erfüllt{open}.'],
+  'check-record-holds': ['Under this record, unreduced and not deciding: none of {count} checks fails{open}.',
+    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: von {count} Nachweisen ist keiner verletzt{open}.'],
+  'check-record-open': [', {count} open', ', {count} offen'],
   'check-governs': ['Governing: {name} ({method}), utilisation {ratio}.', 'Maßgebend: {name} ({method}), Ausnutzung {ratio}.'],
 });
 
@@ -17,10 +18,11 @@ export const decides = (verdict, method) => verdict?.deciding?.some((one) => one
 /** What the checks say under a record that does not decide, or an empty text. `method` and `check` give names. */
 export function recordSentence(record, method, check) {
   const counts = record?.counts;
-  const count = counts ? counts.fails + counts.holds + counts.not_checked + counts.accepted : 0;
+  const count = counts ? counts.fails + counts.holds : 0;
   if (!count) return '';
   const { governing } = record;
-  const head = t(counts.fails ? 'check-record-fails' : 'check-record-holds', { fails: counts.fails, count });
+  const open = counts.not_checked ? t('check-record-open', { count: counts.not_checked }) : '';
+  const head = t(counts.fails ? 'check-record-fails' : 'check-record-holds', { fails: counts.fails, count, open });
   if (governing?.check?.utilisation == null) return head;
   const ratio = significant(governing.check.utilisation);
   return `${head} ${t('check-governs', { name: check(governing.check.name), method: method(governing), ratio })}`;
