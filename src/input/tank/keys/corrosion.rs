@@ -34,7 +34,7 @@ pub(super) fn loss(
         if loss < thickness || !thickness.is_finite() || loss.is_nan() {
             return loss;
         }
-        // Of the allowance of the tank the first plate is enough.
+        // The allowance of the tank is reported for the first such plate alone.
         if r.faults.list().iter().all(|fault| fault.code != Code::Contradiction || *fault.path != field.path) {
             let allowed = format!("less than {}, the thickness", like_field(field, thickness));
             r.refuse(Code::Contradiction, field, "the corrosion allowance takes the whole plate", &allowed);
