@@ -37,9 +37,7 @@ fn set(node: &CstNode, steps: &[Step], value: &Value, path: &str) -> Result<(), 
             let items = list.elements();
             match items.get(*index) {
                 Some(item) if rest.is_empty() => {
-                    let place = item.element_index().unwrap_or(*index);
-                    item.clone().remove();
-                    list.insert(place, written(value));
+                    replace(item, written(value));
                     Ok(())
                 }
                 Some(item) => set(item, rest, value, path),
@@ -52,6 +50,19 @@ fn set(node: &CstNode, steps: &[Step], value: &Value, path: &str) -> Result<(), 
         }
         _ => nowhere(),
     }
+}
+
+/// Puts a value in the place of another.
+fn replace(node: &CstNode, value: CstInputValue) {
+    macro_rules! as_one_of {
+        ($($kind:ident)+) => {
+            $(if let Some(node) = node.$kind() {
+                node.replace_with(value);
+                return;
+            })+
+        };
+    }
+    as_one_of!(as_object as_array as_string_lit as_number_lit as_boolean_lit as_null_keyword as_word_lit);
 }
 
 fn member(object: &CstObject, key: &str, rest: &[Step], value: &Value, path: &str) -> Result<(), String> {
