@@ -53,7 +53,7 @@ struct Found {
 }
 
 impl Folder {
-    /// Errors: a path that is no folder.
+    /// Errors: the path does not lead to a folder.
     pub fn open(path: &Path) -> std::io::Result<Folder> {
         let root = path.canonicalize()?;
         match root.is_dir() {
@@ -99,7 +99,7 @@ impl Folder {
     /// Errors: as [`Folder::inside`].
     pub(crate) fn admits(&self, path: &Path) -> Result<(), Refused> {
         let relative = path.strip_prefix(&self.0).unwrap_or(path);
-        // The channel of a record, `FILE#CHANNEL`, is no part of its name.
+        // `FILE#CHANNEL` names a channel; the name of the file ends before `#`.
         let text = relative.to_string_lossy();
         let name = text.split('#').next().unwrap_or_default();
         let trimmed = name.strip_prefix("./").unwrap_or(name).trim_end_matches('/');

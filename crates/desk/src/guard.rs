@@ -60,7 +60,7 @@ pub(crate) async fn guard(State(port): State<u16>, request: Request, next: Next)
     response
 }
 
-/// Whether a change was asked for by the desk's own page, or by a program that is no browser.
+/// Whether the desk's own page, or a program other than a browser, asked for a change.
 fn from_here(headers: &HeaderMap, own: &[String; 2]) -> bool {
     let origin = text(headers, header::ORIGIN);
     let site = text(headers, HeaderName::from_static("sec-fetch-site"));
@@ -71,7 +71,7 @@ fn from_here(headers: &HeaderMap, own: &[String; 2]) -> bool {
 /// A header that stands there once, as text.
 fn text(headers: &HeaderMap, name: HeaderName) -> Option<&str> {
     let mut all = headers.get_all(name).iter();
-    // Twice is no name at all: of two, this program and a proxy might each take another.
+    // A header that is given twice counts as unknown: this program and a proxy might each read another one.
     match (all.next(), all.next()) {
         (Some(one), None) => Some(one.to_str().unwrap_or("?")),
         (Some(_), Some(_)) => Some("?"),

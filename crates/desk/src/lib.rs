@@ -51,7 +51,7 @@ const LOOK: Duration = Duration::from_millis(50);
 ///
 /// * `opened`: gets the address, with its token
 ///
-/// Errors: a folder that is none, a port that is taken, a system without random numbers.
+/// Errors: the path is not a folder, the port is taken, or the system has no random numbers.
 pub fn serve(
     opening: Opening,
     office: Arc<dyn Office>,

@@ -18,7 +18,7 @@ pub trait Office: Send + Sync {
     fn admit(&self, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused>;
 }
 
-/// Why there is no answer.
+/// A refusal with its reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
     /// What is wrong, as on a terminal.

@@ -250,7 +250,7 @@ impl Runs {
     }
 }
 
-/// Lines of a stream, whatever its bytes.
+/// Yields the lines of a stream; bytes that are not UTF-8 are replaced.
 fn lines(stream: Option<impl Read>) -> impl Iterator<Item = String> {
     let mut reader = stream.map(BufReader::new);
     std::iter::from_fn(move || {
@@ -279,7 +279,7 @@ fn interrupt(process: Option<u32>) {
     }
 }
 
-/// There is no Ctrl-C for one process; it ends at once, and its folder stays as it was.
+/// Windows cannot send Ctrl-C to one process: the run ends at once, and its folder stays as it was.
 #[cfg(not(unix))]
 fn interrupt(process: Option<u32>) {
     if let Some(id) = process {

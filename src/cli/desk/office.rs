@@ -98,7 +98,7 @@ fn wished(tank: &Tank) -> Wished {
     })
 }
 
-/// Why there is no job.
+/// What keeps a tank from becoming a job.
 enum Unfit {
     /// Faults of the file, in its text.
     Faults(Box<(Faults, Source)>),
@@ -109,6 +109,15 @@ enum Unfit {
 impl From<Error> for Unfit {
     fn from(error: Error) -> Unfit {
         Unfit::Other(error)
+    }
+}
+
+impl From<Unfit> for Refused {
+    fn from(unfit: Unfit) -> Refused {
+        match unfit {
+            Unfit::Faults(_) => Refused::new("the tank has faults, so that nothing was computed"),
+            Unfit::Other(error) => refused(&error),
+        }
     }
 }
 
@@ -242,10 +251,7 @@ fn translate(value: &mut Value, read: bool) {
 
 fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refused> {
     let _wished = wished(asked);
-    let (job, _) = job(asked).map_err(|unfit| match unfit {
-        Unfit::Faults(_) => Refused::new("the tank has faults, so that nothing was computed"),
-        Unfit::Other(error) => refused(&error),
-    })?;
+    let (job, _) = job(asked)?;
     let results = pipeline::run(&job, &Silent).map_err(|e| refused(&e))?.results;
     let method = results.methods.get(method).ok_or_else(|| Refused::new("there is no such method"))?;
     let check = check.map(|id| {
@@ -260,10 +266,7 @@ fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refu
 
 fn solution(asked: &Tank, variable: &str) -> Result<Value, Refused> {
     let _wished = wished(asked);
-    let (job, _) = job(asked).map_err(|unfit| match unfit {
-        Unfit::Faults(_) => Refused::new("the tank has faults, so that nothing was computed"),
-        Unfit::Other(error) => refused(&error),
-    })?;
+    let (job, _) = job(asked)?;
     let variable = Variable::parse(variable).map_err(|e| refused(&e))?;
     let solution = solve::run(&job, variable).map_err(|e| refused(&e))?;
     let path = match variable {

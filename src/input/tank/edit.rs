@@ -10,7 +10,7 @@ use super::variant::{Step, steps};
 /// The text with a value at a path (`tank.courses[0].thickness`). Objects on the way that are missing are added; an index one beyond the end
 /// appends. Without a value, the key or item is removed.
 ///
-/// Errors: in words: a text that is no JSON, a path that leads nowhere.
+/// Errors, in words: the text is not JSON, or the path leads nowhere.
 pub fn edited(text: &str, path: &str, value: Option<&Value>) -> Result<String, String> {
     if !text.trim().is_empty() {
         syntax::check_tokens(text).map_err(|fault| fault.message)?;
@@ -29,7 +29,7 @@ pub fn edited(text: &str, path: &str, value: Option<&Value>) -> Result<String, S
 }
 
 fn set(node: &CstNode, steps: &[Step], value: &Value, path: &str) -> Result<(), String> {
-    let nowhere = || Err(format!("`{path}` leads through a value that is no object and no list"));
+    let nowhere = || Err(format!("`{path}` leads through a value that is neither an object nor a list"));
     let Some((step, rest)) = steps.split_first() else { return nowhere() };
     match (step, node.as_object(), node.as_array()) {
         (Step::Key(key), Some(object), _) => member(&object, key, rest, value, path),

@@ -1,7 +1,7 @@
 //! Formulas of calculation sheets as formulas of a spreadsheet, over the cells of the lines above.
 //!
-//! A formula takes a value of its own where the sheet gives it one that no line above has under its symbol: `A_i` stands for the spectral
-//! acceleration of a line above, `p_h` for a pressure at another height. The numbers put in tell which.
+//! The sheet may put a number for a symbol that no line above gives under that symbol: `A_i` is the spectral acceleration of a line above, `p_h` a
+//! pressure at another height. The formula then contains the number, or the cell of the line with this value.
 
 use tank::assessment::Step;
 use tank::formula::{Bracket, Formula, Operator, Power, Primary, Product, Sign, Sum};

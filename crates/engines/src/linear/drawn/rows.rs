@@ -31,7 +31,7 @@ pub(super) struct CellRows {
 
 /// Where the terms of an observable come from.
 enum Source {
-    /// A probe of its own, of a system.
+    /// A probe that only pictures need, in one system.
     Own(usize, Box<Probe>),
     /// Shares of the places of a line of m = 1.
     Line(OnWall, Vec<(usize, f64)>),
