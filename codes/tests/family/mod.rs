@@ -108,6 +108,8 @@ impl Draw {
             wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            rings: Vec::new(),
+            attachments: Vec::new(),
             anchors: self.yes().then(|| Anchors {
                 count: 40,
                 capacity: self.yes().then_some(200e3),

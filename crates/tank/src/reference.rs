@@ -54,6 +54,8 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             wall_base: crate::tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            rings: Vec::new(),
+            attachments: Vec::new(),
             anchors: None,
             pressure: Default::default(),
             pipes: None,

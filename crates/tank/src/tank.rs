@@ -19,7 +19,7 @@ pub use foundation::{Foundation, FoundationKind};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
-pub use parts::{Pipes, RoofKind};
+pub use parts::{Attachment, Pipes, Ring, RoofKind};
 pub use plane::PLANE_WALLS;
 
 use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};
@@ -234,6 +234,12 @@ pub struct Tank {
     pub wall_base: WallBase,
     /// Roof.
     pub roof: Roof,
+    /// Stiffening rings and wind girders.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rings: Vec<Ring>,
+    /// Masses that the wall carries at a height.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub attachments: Vec<Attachment>,
     /// Bottom plate, where given.
     pub bottom: Option<Bottom>,
     /// Foundation, where given.
@@ -348,13 +354,24 @@ impl Tank {
         })
     }
 
-    /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across
-    /// the shaking and, unless it is a strip, the two along it.
+    /// Masses of rings and attachments, each with its height: [kg], [m].
+    pub fn carried(&self) -> impl Iterator<Item = (f64, f64)> {
+        let rings = self.rings.iter().map(|ring| (ring.area * ring.material.density * self.perimeter(), ring.height));
+        rings.chain(self.attachments.iter().map(|one| (one.mass, one.height)))
+    }
+
+    /// Mass of the wall [kg]: circumference × Σ height × thickness × density, and what it carries below the roof. A rectangle counts the
+    /// two walls across the shaking and, unless it is a strip, the two along it.
     pub fn wall_mass(&self) -> f64 {
+        self.shell_mass() + self.carried().map(|(mass, _)| mass).sum::<f64>()
+    }
+
+    /// Mass of the courses alone [kg].
+    pub fn shell_mass(&self) -> f64 {
         self.courses.iter().map(|c| self.perimeter() * c.height * c.thickness * c.material.density).sum()
     }
 
-    /// Height of the wall's centre of mass [m].
+    /// Height of the centre of mass of the wall with what it carries [m].
     pub fn wall_centroid(&self) -> f64 {
         let (mut moment, mut sum, mut base) = (0.0, 0.0, 0.0);
         for c in &self.courses {
@@ -363,12 +380,20 @@ impl Tank {
             sum += weight;
             base += c.height;
         }
+        for (mass, height) in self.carried() {
+            moment += mass / self.perimeter() * height;
+            sum += mass / self.perimeter();
+        }
         moment / sum
     }
 
     /// Mass of wall and roof above the height `z` [kg], and its moment about `z` [kg·m].
     pub fn mass_above(&self, z: f64) -> (f64, f64) {
         let (mut mass, mut moment) = (self.roof.mass, self.roof.mass * (self.roof_height() - z));
+        for (one, height) in self.carried().filter(|(_, height)| *height >= z) {
+            mass += one;
+            moment += one * (height - z);
+        }
         let mut base = 0.0;
         for c in &self.courses {
             let top = base + c.height;

@@ -223,6 +223,8 @@ fn tank(kind: Kind) -> Tank {
         wall_base: tank::WallBase::Fixed,
         foundation: None,
         isolators: None,
+        rings: Vec::new(),
+        attachments: Vec::new(),
         anchors: None,
         pressure: Default::default(),
         pipes: None,

@@ -90,6 +90,8 @@ mod tests {
             wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            rings: Vec::new(),
+            attachments: Vec::new(),
             anchors: None,
             pressure: Default::default(),
             pipes: None,

@@ -51,6 +51,8 @@ fn tank() -> TankSummary {
         wall_base: tank::WallBase::Fixed,
         foundation: None,
         isolators: None,
+        rings: Vec::new(),
+        attachments: Vec::new(),
         anchors: None,
         pressure: tank::Pressure::default(),
         pipes: None,

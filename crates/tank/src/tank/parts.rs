@@ -1,8 +1,9 @@
-//! Roofs and pipes.
+//! Roofs, rings, attachments and pipes.
 
-use super::SIZE;
+use super::{Material, SIZE};
 use crate::keys::{Length, Limits, Opt, keys};
 use crate::words;
+use serde::{Deserialize, Serialize};
 
 words! {
     /// How a roof is carried.
@@ -21,6 +22,31 @@ impl RoofKind {
     pub fn is_fixed(&self) -> bool {
         *self == RoofKind::Fixed
     }
+}
+
+/// A stiffening ring or wind girder around the wall. It stiffens the wall against ovalling: extension of its axis and bending in its
+/// plane; its torsion and its bending out of the plane are left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ring {
+    /// Height above the tank bottom [m].
+    pub height: f64,
+    /// Area A of its section [m²].
+    pub area: f64,
+    /// Second moment I of its section about the vertical axis through its centroid [m⁴].
+    pub inertia: f64,
+    /// Material.
+    pub material: Material,
+}
+
+/// A mass that the wall carries at one height, such as a ladder, a platform or a nozzle; it counts as spread around the wall.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Attachment {
+    /// Name in the input file.
+    pub name: String,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Height of its centre above the tank bottom [m].
+    pub height: f64,
 }
 
 /// Displacements of pipes.

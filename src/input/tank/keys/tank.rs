@@ -133,6 +133,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         courses: courses?,
         wall_base: wall_base?,
         roof,
+        rings: Vec::new(),
+        attachments: Vec::new(),
         bottom,
         foundation,
         isolators,
