@@ -69,6 +69,8 @@ listed! {
     Energy: "J", "an energy", "5 kJ";
     /// m²/m
     LineArea: "m2/m", "an area per length", "7.0 cm2/m";
+    /// °C
+    Temperature: "degC", "a temperature", "90 degC";
     /// 1/m
     Curvature: "rad/m", "a curvature", "0.01 rad/m";
     /// N/m³

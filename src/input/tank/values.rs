@@ -8,7 +8,7 @@ use tank::units::{self, Dimension, UnitError};
 
 pub(in crate::input) use tank::keys::{
     Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
-    Subgrade, Time, Velocity, Whole,
+    Subgrade, Temperature, Time, Velocity, Whole,
 };
 
 use super::read::{Field, FromNode, other_kind, text_of, wrong_kind, wrong_value};
@@ -148,6 +148,7 @@ quantity! {
     Density: Dimension::Density;
     Velocity: Dimension::Velocity;
     Subgrade: Dimension::Subgrade;
+    Temperature: Dimension::Temperature;
     Acceleration: Dimension::Acceleration;
     Force: Dimension::Force;
     Stress: Dimension::Stress;

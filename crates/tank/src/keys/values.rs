@@ -45,6 +45,8 @@ numbers! {
     LineForce;
     /// An area per length.
     LineArea;
+    /// A temperature, kept in °C.
+    Temperature;
     /// A mapped acceleration, kept in units of g.
     InG;
     /// A period, kept in seconds.

@@ -410,8 +410,9 @@ mod tests {
         fn what_is_written_is_read(value in -1e6..1e6_f64, index in 0..UNITS.len(), blank in "[ \u{a0}]{0,2}") {
             let unit = &UNITS[index];
             let read = parse(&format!("{value}{blank}{}", unit.text), unit.dimension).unwrap();
-            let expected = value * unit.factor();
-            prop_assert!((read - expected).abs() <= 4.0 * f64::EPSILON * expected.abs());
+            let expected = value * unit.factor() + unit.zero();
+            let size = expected.abs().max(unit.zero().abs());
+            prop_assert!((read - expected).abs() <= 4.0 * f64::EPSILON * size);
         }
     }
 }

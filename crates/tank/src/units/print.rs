@@ -14,7 +14,7 @@ pub fn in_unit(value: f64, unit: &Unit) -> f64 {
     match unit.scale {
         // The factor of a positive power is exact, of a negative one its reciprocal is: both round once.
         Scale::Ten(exponent) if exponent < 0 => value * power_of_ten(-exponent),
-        _ => value / unit.factor(),
+        _ => (value - unit.zero()) / unit.factor(),
     }
 }
 

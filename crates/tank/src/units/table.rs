@@ -12,6 +12,8 @@ pub(super) enum Scale {
     Ten(i32),
     /// Any other factor.
     Factor(f64),
+    /// A factor, and the value in SI of its zero.
+    Shifted(f64, f64),
 }
 
 /// A unit of measurement.
@@ -157,6 +159,10 @@ pub const UNITS: &[Unit] = &[
     ten("cm²/m", "cm2/m", D::LineArea, -4),
     ten("m²/m", "m2/m", D::LineArea, 0),
     by("in²/ft", "in2/ft", D::LineArea, INCH * INCH / FOOT),
+    // temperature
+    also(ten("°C", "degC", D::Temperature, 0), &["C"]),
+    also(unit("K", "K", D::Temperature, Scale::Shifted(1.0, -273.15), false), &["kelvin"]),
+    also(unit("°F", "degF", D::Temperature, Scale::Shifted(5.0 / 9.0, -160.0 / 9.0), false), &["F"]),
     // curvature
     ten("rad/km", "rad/km", D::Curvature, -3),
     ten("rad/m", "rad/m", D::Curvature, 0),
@@ -219,7 +225,15 @@ impl Unit {
     pub fn factor(&self) -> f64 {
         match self.scale {
             Scale::Ten(exponent) => power_of_ten(exponent),
-            Scale::Factor(factor) => factor,
+            Scale::Factor(factor) | Scale::Shifted(factor, _) => factor,
+        }
+    }
+
+    /// Value of zero such units in SI: 0 of all but temperatures.
+    pub fn zero(&self) -> f64 {
+        match self.scale {
+            Scale::Shifted(_, zero) => zero,
+            Scale::Ten(_) | Scale::Factor(_) => 0.0,
         }
     }
 
@@ -244,7 +258,7 @@ impl Unit {
                 };
                 format!("{mantissa}e{}", exponent.checked_add(shift)?).parse().ok()?
             }
-            Scale::Factor(factor) => number.parse::<f64>().ok()? * factor,
+            Scale::Factor(_) | Scale::Shifted(..) => number.parse::<f64>().ok()? * self.factor() + self.zero(),
         };
         value.is_finite().then_some(value)
     }
