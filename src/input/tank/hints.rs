@@ -87,7 +87,7 @@ const HINTS: &[Hint] = hints! {
     ["nozzles" "nozzle" "manholes" "manhole" "manway" "openings" "opening" "fittings" "cleanout"] in TOP => "",
         "openings of the wall are not modelled; the displacements that connected pipes can take are `tank.pipes`";
     ["temperature" "design_temperature" "operating_temperature" "design_temp" "temp"] in &["", "tank", "liquid", "site", "materials"] => "",
-        "give the properties at the temperature: `liquid.density`, and `youngs_modulus` and `yield_strength` of the material";
+        "give `tank.design_temperature`, and the values of the material there as its `hot`; `liquid.density` is that at the temperature";
     ["corrosion" "corrosion_allowance" "ca"] in &["", "tank"] => "",
         "give `tank.corrosion_allowance`, or `corrosion_allowance` in the courses and the bottom that have their own";
     ["design_pressure" "internal_pressure" "overpressure" "vacuum" "external_pressure"] in &["", "tank", "liquid"] => "",

@@ -37,6 +37,7 @@ mod site;
 mod solid;
 mod spectrum;
 mod tank;
+mod temperature;
 mod unsaid;
 mod unusual;
 mod wall;
@@ -65,11 +66,16 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     }
     let gravity = r.or_default(&file.gravity);
     let materials = materials::materials(&mut r, &file.materials, &plates::plates(file));
-    let tank = tank::tank(&mut r, &file.tank, &materials);
+    let mut tank = tank::tank(&mut r, &file.tank, &materials);
     let liquid = file.liquid.value.as_ref().and_then(|given| given.resolve(&mut r));
     cross::checks(&mut r, file, tank.as_ref(), liquid);
     plausible::tank(&mut r, file, tank.as_ref(), liquid);
-    cross::unused(&mut r, file);
+    let used = cross::used(file);
+    cross::unused(&mut r, file, &used);
+    let temperature = temperature::design(&mut r, file, &used, &materials);
+    if let Some(tank) = &mut tank {
+        tank.details.design_temperature = temperature;
+    }
     let record = record::record(&mut r, &file.record);
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
     let site = site::site(&mut r, &file.site, tank.as_ref(), folder);

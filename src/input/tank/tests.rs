@@ -2,6 +2,7 @@
 
 mod anchors;
 mod corrosion;
+mod temperature;
 mod dashpots;
 mod force_stations;
 mod frequency;

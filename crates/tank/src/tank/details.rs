@@ -82,6 +82,9 @@ pub struct Details {
     /// Connections through the bottom.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bottom_connections: Option<BottomConnections>,
+    /// Design temperature of wall and bottom [°C]; the materials have their values at it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub design_temperature: Option<f64>,
 }
 
 impl Details {

@@ -204,23 +204,28 @@ fn meant(text: &str, units: &[&str], usual: impl Fn(f64) -> bool) -> Option<Stri
 }
 
 /// Adds a remark for each unused material.
-pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
-    let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else { return };
+pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile, used: &BTreeSet<&String>) {
+    for (name, field) in file.materials.value.iter().flat_map(|named| &named.0).filter(|(name, _)| !used.contains(name))
+    {
+        r.remarks.push(format!("{}: material `{name}` is unused", field.path));
+    }
+}
+
+/// Names of the materials of wall, bars and bottom.
+pub(super) fn used(file: &TankFile) -> BTreeSet<&String> {
+    let Some(tank) = &file.tank.value else { return BTreeSet::new() };
     let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
     let layered = courses.clone().flat_map(layers);
     let bars = layered.clone().filter_map(|l| l.reinforcement.value());
     let bars = bars.chain(courses.clone().filter_map(|c| c.reinforcement.value()));
     let bars = bars.flatten().filter_map(|b| b.value.as_ref());
     let bottom = tank.bottom.value().map(|b| &b.material);
-    let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.given.as_ref()))
+    (courses.filter_map(|c| c.material.given.as_ref()))
         .chain(layered.map(|l| &l.material))
         .chain(bars.map(|b| &b.material))
         .chain(bottom)
         .filter_map(|m| m.value.as_ref())
-        .collect();
-    for (name, field) in materials.0.iter().filter(|(name, _)| !used.contains(name)) {
-        r.remarks.push(format!("{}: material `{name}` is unused", field.path));
-    }
+        .collect()
 }
 
 /// The readable layers of a course.

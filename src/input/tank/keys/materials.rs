@@ -61,8 +61,23 @@ object! {
         /// Allowable design stress S_d (API 650 table 5-2; annex S or AL), needed by the API hoop-stress check. A grade of table 5-2 or of ASTM A240
         /// supplies its own.
         allowable_stress ("160 MPa"): Opt<Stress> [STRESS] = without("the API hoop-stress check is left out"),
+        /// Values at `tank.design_temperature`, which then take the place of those at room temperature.
+        hot: Opt<Hot> = Absent::Follows("the values at room temperature"),
         /// Behaviour beyond the elastic range.
         behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
+    }
+}
+
+object! {
+    /// Values of a metal at the design temperature of the tank, from the standard of the material or API 650 annex M or S.
+    Hot {
+        /// Young's modulus there; at most that at room temperature.
+        youngs_modulus ("195 GPa"): Field<Stress> [MODULUS],
+        /// Yield strength there; at most that at room temperature.
+        yield_strength ("205 MPa"): Field<Stress> [STRESS],
+        /// Allowable design stress S_d there, needed by the API hoop-stress check.
+        allowable_stress ("137 MPa"): Opt<Stress> [STRESS]
+            = Absent::Follows("the lesser of that at room temperature and 2/3 of the yield strength there (API 650 M.3.2)"),
     }
 }
 
@@ -154,6 +169,10 @@ fn material(
         Some(Strengths::Steel { allowable: Some(stress), .. }) => Some(reader.supplied(r, &m.allowable_stress, stress)),
         _ => r.optional(&m.allowable_stress),
     };
+    let (youngs_modulus, yield_strength, allowable_stress) = match m.hot.value() {
+        Some(hot) => at_temperature(r, hot, youngs_modulus, yield_strength, allowable_stress),
+        None => (youngs_modulus, yield_strength, allowable_stress),
+    };
     reader.path = join(&field.path, "behaviour");
     let elastic = (youngs_modulus, yield_strength);
     let behaviour = match kinds {
@@ -178,6 +197,45 @@ fn material(
         allowable_stress,
         behaviour,
     })
+}
+
+/// E, f_y and S_d [Pa] at the design temperature, from those at room temperature.
+fn at_temperature(
+    r: &mut Resolver<'_>,
+    hot: &Hot,
+    youngs_modulus: f64,
+    yield_strength: Option<f64>,
+    allowable_stress: Option<f64>,
+) -> (f64, Option<f64>, Option<f64>) {
+    let mut below = |field: &Field<Stress>, cold: Option<f64>| {
+        let value = r.number(field);
+        if let Some(cold) = cold.filter(|cold| value > *cold) {
+            let allowed = format!("at most {}, that at room temperature", reader::like(field, cold));
+            r.refuse(
+                Code::Contradiction,
+                field,
+                "the value at the design temperature is above that at room temperature",
+                &allowed,
+            );
+        }
+        value
+    };
+    let e = below(&hot.youngs_modulus, Some(youngs_modulus));
+    let yielding = below(&hot.yield_strength, yield_strength);
+    let allowable = match &hot.allowable_stress.given {
+        Some(field) => Some(below(field, allowable_stress)),
+        None => allowable_stress.map(|cold| {
+            let stress = cold.min(yielding / 1.5);
+            let text = reader::shown::<Stress>(stress, 4);
+            r.or_else(
+                &hot.allowable_stress,
+                stress,
+                &text,
+                "the lesser of S_d and 2/3 of the yield strength, API 650 M.3.2",
+            )
+        }),
+    };
+    (e, Some(yielding), allowable)
 }
 
 /// The grade; the outer `None` if it is unknown or the plates are too thick for it (already reported).

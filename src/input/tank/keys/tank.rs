@@ -9,13 +9,14 @@ use super::corrosion::Common;
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
+use super::temperature::TEMPERATURE;
 use super::wall::{self, CORROSION, Course};
 use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::stated::Stated;
-use crate::input::tank::values::{Length, Mass};
+use crate::input::tank::values::{Length, Mass, Temperature};
 use ::tank::words;
 use tank::keys::{Absent, Limits, default, without};
 
@@ -39,6 +40,9 @@ object! {
         courses: Field<Vec<Field<Course>>> [Limits::ANY.items(1, 200)],
         /// Corrosion allowance of every course and of the bottom plate that state neither their own nor a measured thickness.
         corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
+        /// Design temperature of wall and bottom. Above 93 °C (carbon steel) or 40 °C (other metals) each material states its values there as
+        /// `hot`.
+        design_temperature ("120 degC"): Opt<Temperature> [TEMPERATURE] = Absent::Follows("values at room temperature hold"),
         /// Joint between the wall of a concrete cylinder and its base.
         wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
         /// Mass on top of the wall. Without it, and without `"none"`, checks that need to know of a roof are open.
@@ -195,6 +199,7 @@ fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
         annular_weld: bottom.and_then(|b| r.optional(&b.annular_weld)),
         shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
         bottom_connections: bottom.and_then(|b| r.optional(&b.connections)),
+        design_temperature: None,
     }
 }
 
