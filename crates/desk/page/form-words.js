@@ -14,7 +14,7 @@ add({
   'form-section-anchors': ['Anchors and pipes', 'Anker und Rohre'],
   'form-section-site': ['Site', 'Standort'],
   'form-section-damping': ['Damping and record', 'Dämpfung und Beben'],
-  'form-section-procedures': ['Procedures and acceptance', 'Verfahren und Hinnahme'],
+  'form-section-procedures': ['Procedures and acceptance', 'Verfahren und Akzeptanz'],
   'form-section-analysis': ['Analysis and measurements', 'Berechnung und Messungen'],
   'form-help': ['Help on {name}', 'Hilfe zu {name}'],
   'form-remove': ['Remove {name}', '{name} entfernen'],

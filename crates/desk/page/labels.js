@@ -6,7 +6,7 @@ const NAMES = {
   name: ['Title', 'Titel'], project: ['Project', 'Projekt'], notes: ['Notes', 'Bemerkungen'], gravity: ['Gravity', 'Fallbeschleunigung'],
   tank: ['Tank', 'Tank'], liquid: ['Liquid', 'Flüssigkeit'], materials: ['Materials', 'Werkstoffe'], record: ['Record', 'Beben'],
   damping: ['Damping', 'Dämpfung'], site: ['Site', 'Standort'], procedures: ['Procedures', 'Verfahren'],
-  accepted: ['Accepted gaps', 'Hingenommene Lücken'], analysis: ['Finite elements', 'Finite Elemente'],
+  accepted: ['Accepted gaps', 'Akzeptierte Lücken'], analysis: ['Finite elements', 'Finite Elemente'],
   measured: ['Measured values', 'Messwerte'], published: ['Published values', 'Veröffentlichte Werte'], $schema: ['Schema', 'Schema'],
   client: ['Client', 'Auftraggeber'], document: ['Document', 'Dokument'], revision: ['Revision', 'Revision'], date: ['Date', 'Datum'],
   author: ['Author', 'Verfasser'], checker: ['Checker', 'Prüfer'], approver: ['Approver', 'Freigabe'], language: ['Language', 'Sprache'],

@@ -5,9 +5,9 @@ import { add, t } from './words.js';
 
 add({
   'check-record-fails': ['Under this record, unreduced and not deciding: {fails} of {count} checks fail{open}.',
-    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: {fails} von {count} Nachweisen nicht erfüllt{open}.'],
+    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: {fails} von {count} Nachweisen nicht eingehalten{open}.'],
   'check-record-holds': ['Under this record, unreduced and not deciding: none of {count} checks fails{open}.',
-    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: von {count} Nachweisen ist keiner verletzt{open}.'],
+    'Unter diesem Beben, nicht abgemindert und nicht entscheidend: alle {count} Nachweise eingehalten{open}.'],
   'check-record-open': [', {count} open', ', {count} offen'],
   'check-governs': ['Governing: {name} ({method}), utilisation {ratio}.', 'Maßgebend: {name} ({method}), Ausnutzung {ratio}.'],
 });
