@@ -1,6 +1,7 @@
 // The shell: header, rooms, settings, keyboard, lost connection. Each room is a module of its own, loaded when it is first shown.
 
 import { createApi } from './api.js';
+import { nextArea } from './areas.js';
 import { ask, say, sayError, show } from './dialogs.js';
 import { choice, download, fill, h } from './dom.js';
 import { drawBusy, watchRuns } from './run-watch.js';
@@ -309,6 +310,10 @@ function pressed(event) {
     Promise.resolve(desk.document?.save?.()).catch(sayError);
     return;
   }
+  if (event.key === 'F6' && !event.ctrlKey && !event.altKey && !document.querySelector('dialog[open]')) {
+    if (nextArea(event.shiftKey)) event.preventDefault();
+    return;
+  }
   if (event.key === 'Escape') closeSettings();
   const typing = event.target.closest?.('input, textarea, select, [contenteditable]');
   if (event.key === '?' && !typing && !document.querySelector('dialog[open]')) {
@@ -319,7 +324,7 @@ function pressed(event) {
 
 function showHelp() {
   const rows = [
-    ['Alt+1 … Alt+4', 'key-room'], ['← →', 'key-arrows'], ['Ctrl+S', 'key-save'], ...keys, ['?', 'key-help'], ['Esc', 'key-escape'],
+    ['Alt+1 … Alt+4', 'key-room'], ['F6', 'key-area'], ['← →', 'key-arrows'], ['Ctrl+S', 'key-save'], ...keys, ['?', 'key-help'], ['Esc', 'key-escape'],
   ];
   show(t('help-title'),
     h('table.keys', {},

@@ -1,6 +1,7 @@
 // The verdict and every check as a row: utilisation, demand, capacity, clause. Failing and open checks of the deciding
 // methods stand first; a row opens the sheet of its check.
 
+import { rove, toolbar } from './areas.js';
 import { h, fill } from './dom.js';
 import { isMissing, marked } from './marked.js';
 import { significant, show, unitFor } from './units.js';
@@ -12,6 +13,8 @@ const ROLES = ['decides', 'record', 'informs'];
 const ORDER = ['fails', 'not_checked', 'accepted', 'holds', 'not_applicable'];
 /** Utilisation at the end of a bar. */
 const BAR_END = 1.5;
+/** What arrows go through in the list. */
+const STOPS = '.check-row, .check-method';
 
 export class Checks {
   /** `open(method index, check)` shows a sheet, `goTo(path)` a field of the form. */
@@ -26,7 +29,9 @@ export class Checks {
     this.list = h('div.check-list');
     this.warnings = h('ul.check-warnings');
     this.element = h('section.check', { 'aria-label': t('check-title') }, this.head, h('div.check-tools', {}, this.filters, this.search), this.list, this.warnings);
+    this.drawTools = toolbar(this.filters);
     this.list.addEventListener('keydown', (event) => this.pressed(event));
+    this.list.addEventListener('focusin', ({ target }) => { if (target.matches(STOPS)) this.stop(target); });
   }
 
   /** Shows an answer of `api/check`; while a text has faults the last results stay, marked as old. */
@@ -36,7 +41,7 @@ export class Checks {
     this.element.classList.toggle('check-old', !answer.results);
     this.drawVerdict();
     this.draw();
-    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), ` ${warning.message}`)));
+    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), h('span', { lang: 'en' }, ` ${warning.message}`))));
   }
 
   clear() {
@@ -119,6 +124,18 @@ export class Checks {
     // Elements that stay are not moved: a focused row keeps the focus.
     wanted.forEach((element, index) => { if (this.list.children[index] !== element) this.list.insertBefore(element, this.list.children[index] ?? null); });
     while (this.list.children.length > wanted.length) this.list.lastElementChild.remove();
+    this.stop(this.current);
+  }
+
+  // The list is one stop of Tab; arrows go from row to row.
+  stop(current) {
+    this.current = rove([...this.list.querySelectorAll(STOPS)], current);
+    for (const go of this.list.querySelectorAll('.check-go')) go.tabIndex = go.parentElement.contains(this.current) ? 0 : -1;
+  }
+
+  focus() {
+    (this.current ?? this.search).focus();
+    this.element.scrollIntoView({ block: 'nearest' });
   }
 
   section(group, kept) {
@@ -216,15 +233,15 @@ export class Checks {
       fill(button, id === 'all' ? t('check-all') : `${t(`check-filter-${id}`)} ${own}`, record ? h('small', {}, ` ${t('check-filter-record', { count: record })}`) : null);
       button.setAttribute('aria-pressed', String(this.filter === id));
     }
+    this.drawTools?.();
   }
 
   // Arrows go from row to row.
   pressed(event) {
-    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (!step) return;
-    const rows = [...this.list.querySelectorAll('.check-row, .check-method')];
-    const next = rows[rows.indexOf(event.target) + step];
-    if (!next) return;
+    const rows = [...this.list.querySelectorAll(STOPS)];
+    const here = rows.indexOf(event.target);
+    const next = { ArrowDown: rows[here + 1], ArrowUp: rows[here - 1], Home: rows[0], End: rows.at(-1) }[event.key];
+    if (here < 0 || !next) return;
     event.preventDefault();
     next.focus();
   }

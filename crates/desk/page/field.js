@@ -4,7 +4,7 @@
 import { meaning } from './choices.js';
 import { h, fill, uniqueId } from './dom.js';
 import { helpFor } from './help.js';
-import { labelOf } from './labels.js';
+import { labelAt } from './labels.js';
 import { isMissing, marked } from './marked.js';
 import { formatPath } from './path.js';
 import { complete, completed, converted, split, tidy } from './quantity.js';
@@ -20,7 +20,7 @@ let stays = 0;
 const PAUSE = 1200;
 
 export class Field {
-  constructor(form, parts, field, { bare = false, label = labelOf(parts.at(-1)) } = {}) {
+  constructor(form, parts, field, { bare = false, label = labelAt(parts, null) } = {}) {
     Object.assign(this, { form, parts, field, label, required: false, before: '', typed: false, faults: [] });
     this.control = this.makeControl();
     this.control.id = uniqueId('value');
@@ -39,8 +39,16 @@ export class Field {
       toggle();
     });
     const wide = this.field.kind === 'text' && !SHORT.has(this.parts.at(-1));
+    this.named = h('label', { for: this.control.id }, this.label);
     return h('div.field-row', { class: wide ? 'field-wide' : '' },
-      h('label', { for: this.control.id }, this.label), h('div.field-entry', {}, this.control, button, this.hint), note, this.list);
+      this.named, h('div.field-entry', {}, this.control, button, this.hint), note, this.list);
+  }
+
+  /** Another name for the same key: what it means may hang on its neighbours. */
+  relabel(label) {
+    if (this.label === label || !this.named) return;
+    this.label = label;
+    this.named.textContent = label;
   }
 
   bare() {
@@ -117,6 +125,9 @@ export class Field {
     if (graded !== null) return graded;
     if (field.default !== undefined) return defaultWords(field.default);
     if (!this.required && field.fallback) return field.fallback;
+    // Beside a quantity, words such as "none" are answers.
+    const words = field.kind === 'quantity' ? field.suggestions ?? [] : [];
+    if (words.length) return [...words, ...(field.example !== undefined && !words.includes(field.example) ? [field.example] : [])].join(', ');
     return field.example === undefined ? '' : t('form-example', { value: field.example });
   }
 
@@ -268,5 +279,8 @@ const helpWords = (fault) => (fault.code === 'T0104' ? t('form-no-motion') : fau
 /** A fault in the words of the terminal, with what it found, what it takes and what to do. */
 export function faultItem(form, fault) {
   const sent = [fault.allowed ? t('form-expected', { what: fault.allowed }) : null, helpWords(fault)].filter(Boolean);
-  return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', {}, marked(fault.message)), sent.map((text) => h('span', {}, marked(text))), form.remedies(fault));
+  // The words of the program are English in every language, those of the page are not.
+  const own = helpWords(fault) !== fault.help;
+  return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', { lang: 'en' }, marked(fault.message)),
+    sent.map((text, index) => h('span', { lang: own && index === sent.length - 1 ? null : 'en' }, marked(text))), form.remedies(fault));
 }

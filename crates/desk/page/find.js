@@ -1,8 +1,8 @@
 // Finds a field by its name or key, also one that is folded or not given yet.
 
 import { choose } from './files.js';
-import { labelOf } from './labels.js';
-import { nodeAt } from './jsonc.js';
+import { labelAt } from './labels.js';
+import { nodeAt, plain } from './jsonc.js';
 import { formatPath } from './path.js';
 import { isLeaf } from './schema.js';
 import { t } from './words.js';
@@ -17,7 +17,7 @@ export async function findField(desk, schema) {
 
 function collect(schema, node, parts, root, entries) {
   const field = schema.field(node);
-  if (parts.length) entries.push(entryOf(field, parts));
+  if (parts.length) entries.push(entryOf(field, parts, root));
   if (isLeaf(field) || parts.length > 5) return;
   if (field.kind === 'union') inside(schema, field.other, parts, root, entries);
   else if (field.kind === 'map') for (const { key } of nodeAt(root, parts)?.members ?? []) collect(schema, field.item, [...parts, key], root, entries);
@@ -29,8 +29,8 @@ function inside(schema, node, parts, root, entries) {
   for (const [key, property] of Object.entries(field.properties ?? {})) collect(schema, property, [...parts, key], root, entries);
 }
 
-function entryOf(field, parts) {
+function entryOf(field, parts, root) {
   const path = formatPath(parts);
-  const title = parts.map((part, index) => (index && parts[index - 1] === 'materials' ? part : labelOf(part))).join(' › ');
+  const title = parts.map((part, index) => (index && parts[index - 1] === 'materials' ? part : labelAt(parts.slice(0, index + 1), plain(nodeAt(root, parts.slice(0, index)))))).join(' › ');
   return { id: path, parts, title, words: `${path} ${field.help.slice(0, 160)}` };
 }

@@ -7,6 +7,7 @@ add({
   'form-section-project': ['Project', 'Projekt'],
   'form-section-tank': ['Tank', 'Tank'],
   'form-section-courses': ['Courses', 'Schüsse'],
+  'form-section-fittings': ['Rings, attachments, insulation', 'Ringe, Anbauteile, Dämmung'],
   'form-section-roof': ['Roof', 'Dach'],
   'form-section-bottom': ['Bottom and foundation', 'Boden und Gründung'],
   'form-section-liquid': ['Liquid', 'Flüssigkeit'],

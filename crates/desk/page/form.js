@@ -54,6 +54,7 @@ export class Form {
   build() {
     const root = this.schema.field(this.schema.json);
     for (const section of SECTIONS) {
+      if (!this.hasKeys(root, section)) continue;
       const id = `tank-section-${section.id}`;
       const count = h('span.field-count', { hidden: true });
       const heading = h('h2', { id, tabindex: -1 }, t(`form-section-${section.id}`), count);
@@ -71,8 +72,18 @@ export class Form {
     }
   }
 
+  fieldAt(root, path) { return path.reduce((at, key) => this.schema.field(at.properties[key]), root); }
+
+  // A schema need not have the keys of every group.
+  hasKeys(root, section) {
+    return section.parts.some((part) => {
+      const field = this.fieldAt(root, part.path);
+      return keysOf(field, part).some((key) => key in field.properties);
+    });
+  }
+
   makePart(root, part, body) {
-    const field = part.path.reduce((at, key) => this.schema.field(at.properties[key]), root);
+    const field = this.fieldAt(root, part.path);
     const view = new Group(this, part.path, field, { only: keysOf(field, part), flat: true });
     body.append(view.element);
     return { view, path: part.path };

@@ -5,7 +5,7 @@ import { expectedKeys } from './expected.js';
 import { Field } from './field.js';
 import { helpFor } from './help.js';
 import { childOf, plain } from './jsonc.js';
-import { labelOf } from './labels.js';
+import { labelAt, labelOf } from './labels.js';
 import { formatPath } from './path.js';
 import { isLeaf } from './schema.js';
 import { makeView } from './views.js';
@@ -43,6 +43,7 @@ export class Group {
   update(node) {
     this.node = node;
     const value = plain(node);
+    this.value = value;
     const wanted = expectedKeys(this.field.schema, value);
     this.wanted = new Set([...wanted.own, ...this.extra]);
     this.below = wanted.below;
@@ -77,6 +78,7 @@ export class Group {
       this.insert(leaf ? this.rows : this.groups, key, view);
     }
     view.setRequired?.(this.wanted.has(key));
+    view.relabel?.(labelAt([...this.parts, key], this.value));
     if (view.extra) view.extra = this.below.get(key) ?? new Set();
     view.update(node);
   }
@@ -112,13 +114,14 @@ export class Group {
     }
     // What has the focus must not vanish: the key that is typed would be lost.
     this.fold.hidden = keys.length === 0 && !this.fold.contains(document.activeElement);
-    fill(this.summary, t('form-more', { count: keys.length }), h('span.field-names', {}, keys.map(labelOf).join(', ')));
+    fill(this.summary, t('form-more', { count: keys.length }), h('span.field-names', {}, keys.map((key) => labelAt([...this.parts, key], this.value)).join(', ')));
     if (this.fold.open) this.opened();
   }
 
   stow(key, view) {
     if (!this.folded.contains(view.element)) this.insert(this.folded, key, view);
     view.setRequired(false);
+    view.relabel?.(labelAt([...this.parts, key], this.value));
     view.update(undefined);
   }
 

@@ -57,11 +57,56 @@ const NAMES = {
   slab_mass: ['Mass of the slab', 'Masse der Platte'], by_group: ['By group', 'Nach Gruppen'],
 };
 
+// German of the keys whose English name is the key itself.
+const GERMAN = {
+  after_record: 'Nach dem Beben', allow_negative: 'Negativ zulassen', amplitude: 'Amplitude', anchor_force: 'Ankerkraft', applied_peak: 'Aufgebrachte Spitze',
+  applied_step: 'Aufgebrachter Zeitschritt', area: 'Fläche', at: 'Bei', attachments: 'Anbauteile', axial_membrane_stress: 'Meridianmembranspannung',
+  base_moment: 'Wandfußmoment', base_rotation: 'Verdrehung des Wandfußes', base_shear: 'Gesamterdbebenkraft', bending_stress: 'Biegespannung',
+  biaxial_ratio: 'Verhältnis der zweiachsigen Festigkeit', bond: 'Verbund', bottom_mesh: 'Netz des Bodens', brittle: 'Spröde', caughey: 'Caughey', cladding: 'Bekleidung',
+  characteristic_strength: 'Charakteristische Festigkeit', checkpoint: 'Sicherungspunkt', circumference: 'Umfang', code: 'Norm', coefficient: 'Beiwert',
+  coefficients: 'Beiwerte', columns: 'Stützen', compressive_strength: 'Druckfestigkeit', contact: 'Kontakt', convective_mass: 'Konvektive Masse', crack_spacing: 'Rissabstand',
+  damper_coefficient: 'Dämpferkonstante', damper_exponent: 'Dämpferexponent', dashpots: 'Dämpfer', design_temperature: 'Auslegungstemperatur',
+  displacement_capacity: 'Verschiebungsvermögen', duration: 'Dauer', e_normal: 'E, normal', e_parallel: 'E, parallel', elastic: 'Elastisch', elements: 'Elemente',
+  envelope: 'Hüllkurve', factor: 'Faktor', first: 'Erste', follower_pressure: 'Mitgehender Druck', force_stations: 'Höhen für Schnittgrößen',
+  fracture_energy: 'Bruchenergie', friction_rate: 'Geschwindigkeitseinfluss der Reibung', friction_slow: 'Reibung bei langsamer Bewegung', from: 'Von', gauges: 'Messstellen',
+  hardening_modulus: 'Verfestigungsmodul', heave: 'Anhebung', hoop_stress: 'Umfangsspannung', imperfections: 'Imperfektionen', impulsive_mass: 'Impulsive Masse',
+  impulsive_period: 'Impulsive Periode', inertia: 'Flächenmoment 2. Grades', initial_stiffness: 'Anfangssteifigkeit', initial_stress: 'Anfangsspannung', insulation: 'Dämmung',
+  integration: 'Integration', integrator: 'Zeitintegration', interlayer: 'Zwischenschicht', isolator_displacement: 'Verschiebung der Isolatoren',
+  kinematic_share: 'Kinematischer Anteil', law: 'Gesetz', live_load: 'Nutzlast', lower_bound: 'Untere Grenze', mass_proportional: 'Massenproportional', memory_limit: 'Speichergrenze',
+  mesh: 'Netz', mesh_error: 'Diskretisierungsfehler', missing_mass: 'Fehlende Masse', motion: 'Bewegung', n: 'Anzahl', overturning_moment: 'Kippmoment', parts: 'Teile',
+  peak: 'Spitze', phase: 'Phase', plane_foot: 'Ebener Fuß', plastic_rotation: 'Plastische Verdrehung', points: 'Punkte', quantity: 'Größe', ratio: 'Verhältnis',
+  rayleigh: 'Rayleigh', reduced: 'Reduziert', refine: 'Verfeinerung', rim_hoop_stress: 'Umfangsspannung am Rand', rings: 'Ringe', rise: 'Stich', roof_mass: 'Dachmasse',
+  rupture_strain: 'Bruchdehnung', second: 'Zweite', self_weight: 'Eigengewicht', sha256: 'SHA-256', shear_modulus: 'Schubmodul', shear_retention: 'Restschubsteifigkeit',
+  shear_retention_strain: 'Dehnung der Restschubsteifigkeit', slip: 'Gleitweg', slope: 'Neigung', sloshing_height: 'Schwapphöhe', sloshing_period: 'Schwappperiode', snapshots: 'Zustände',
+  softening_strain: 'Entfestigungsdehnung', spectral_radius: 'Spektralradius', stations: 'Höhen für Spannungen', step: 'Schritt', strength: 'Festigkeit',
+  symmetry: 'Symmetrie', tangent_modulus: 'Tangentenmodul', tensile_strength: 'Zugfestigkeit', tension: 'Zug', tension_stiffening: 'Zugversteifung', theta: 'Winkel θ',
+  tilt: 'Schiefstellung', time_step: 'Zeitschritt', to: 'Bis', toe_axial_stress: 'Meridianspannung am Druckrand', ultimate_strength: 'Bruchfestigkeit',
+  upper_bound: 'Obere Grenze', wall: 'Wand', wall_mass: 'Wandmasse', wave_modes: 'Schwappformen', z: 'Höhe z',
+};
+
+// What a key means for one word of another key beside it.
+const MEANT = {
+  'foundation.thickness': ['kind', {
+    ring_wall: ['Height of the ring wall', 'Höhe des Ringfundaments'], slab: ['Thickness of the slab', 'Dicke der Platte'],
+  }],
+  'foundation.width': ['kind', {
+    ring_wall: ['Width of the ring wall', 'Breite des Ringfundaments'], soil: ['Width of the pad under the shell', 'Breite des Polsters unter dem Mantel'],
+  }],
+};
+
+/** The name of the value at a path; `beside` is the object that it is in. */
+export function labelAt(parts, beside) {
+  const [by, names] = MEANT[parts.slice(-2).join('.')] ?? [];
+  const pair = names?.[beside?.[by]];
+  return pair ? pair[language() === 'de' ? 1 : 0] : labelOf(parts.at(-1));
+}
+
 /** The name of a key in the language of the page. */
 export function labelOf(key) {
   if (typeof key === 'number') return String(key + 1);
   const pair = Object.hasOwn(NAMES, key) ? NAMES[key] : null;
   if (pair) return pair[language() === 'de' ? 1 : 0];
+  if (language() === 'de' && Object.hasOwn(GERMAN, key)) return GERMAN[key];
   const words = key.replace(/_/g, ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

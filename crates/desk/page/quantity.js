@@ -8,6 +8,7 @@ const NUMBER = /^\s*([-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
 const US_FOR = {
   mm: 'in', cm: 'in', m: 'ft', t: 'klb', kg: 'lb', MPa: 'ksi', GPa: 'ksi', kPa: 'psf', kN: 'kip', MN: 'kip', N: 'lbf',
   'kg/m3': 'lb/ft3', 'kN/m': 'kip/ft', 'MN/m': 'kip/in', 'm/s': 'ft/s', 'cm2/m': 'in2/ft', 'MN/m3': 'lb/in3', kNm: 'kip*ft',
+  mm2: 'in2', cm2: 'in2', mm4: 'in4', cm4: 'in4', 'kg/m2': 'lb/ft2',
 };
 
 /** A decimal comma becomes a point, a minus sign a hyphen: the file has points. */

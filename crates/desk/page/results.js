@@ -26,9 +26,9 @@ const FORMS = [
 export function mount(element, desk) {
   const room = { desk, list: [], path: null, beside: null, view: null, tab: null, data: new Map(), shown: false, turn: 0 };
   room.names = h('ul.look-list');
-  room.head = h('div.look-head');
-  room.body = h('div.look-body');
-  room.side = h('details.look-side', { open: true }, h('summary', {}, t('look-results')), room.names);
+  room.head = h('div.look-head', { dataset: { area: '' } });
+  room.body = h('div.look-body', { dataset: { area: '' } });
+  room.side = h('details.look-side', { open: true, dataset: { area: '' } }, h('summary', {}, t('look-results')), room.names);
   fill(element, h('div.look', {}, room.side, h('div.look-main', {}, room.head, room.body)));
   desk.events.addEventListener('folder', () => (room.shown ? refresh(room) : (room.stale = true)));
   desk.events.addEventListener('settings', (event) => settings(room, event.detail));

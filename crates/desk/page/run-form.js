@@ -7,7 +7,7 @@ import { t } from './words.js';
 /** Makes the form; `started(id, spec)` is called after a start. */
 export function createForm(desk, started) {
   const along = desk.record?.path;
-  const form = { desk, started, kind: 'compare', values: {}, out: {}, files: [], results: [], runs: [], inputs: new Map(), element: h('section.panel.run-form') };
+  const form = { desk, started, kind: 'compare', values: {}, out: {}, files: [], results: [], runs: [], inputs: new Map(), element: h('section.panel.run-form', { dataset: { area: '' } }) };
   for (const [kind, { options }] of Object.entries(KINDS)) form.values[kind] = Object.fromEntries(options.map((option) => [option.id, option.value ?? (option.kind === 'tick' ? false : '')]));
   if (along) form.values.compare.along = form.values.ida.along = along;
   return {

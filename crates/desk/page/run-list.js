@@ -10,7 +10,7 @@ const ENDED = new Set(['done', 'failed', 'cancelled']);
 
 /** Makes the list. `acts` has `again(spec)`, `resume(spec)` and `post(spec)`; `specs` maps ids to what this page has started. */
 export function createList(desk, specs, acts) {
-  const list = { desk, specs, acts, cards: new Map(), element: h('div.run-list'), results: [] };
+  const list = { desk, specs, acts, cards: new Map(), element: h('div.run-list', { dataset: { area: '' } }), results: [] };
   return {
     element: list.element,
     update(runs, results) {

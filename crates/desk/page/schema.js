@@ -1,8 +1,8 @@
 // The JSON Schema of tank.json, read for the form: what kind of field a key has, with unit, limits, default and help.
 
 const DIMENSIONS = {
-  Acceleration: 'acceleration', Angle: 'angle', Density: 'density', Force: 'force', Length: 'length', LineArea: 'line_area',
-  LineForce: 'line_force', Mass: 'mass', Moment: 'moment', Stress: 'stress', Subgrade: 'subgrade', Time: 'time', Velocity: 'velocity',
+  Acceleration: 'acceleration', Angle: 'angle', Area: 'area', AreaMass: 'area_mass', Density: 'density', Force: 'force', Length: 'length', LineArea: 'line_area',
+  LineForce: 'line_force', Mass: 'mass', Moment: 'moment', SecondMoment: 'second_moment', Stress: 'stress', Subgrade: 'subgrade', Time: 'time', Velocity: 'velocity',
 };
 const BY_UNIT = [[/\|s\|/, 'time'], [/Hz/, 'frequency'], [/rad \?/, 'angular_frequency'], [/m ?\\?\??.*s.*\|gal/, 'acceleration']];
 
@@ -41,8 +41,8 @@ export class Schema {
 
   kind(whole) {
     if (whole.anyOf && !whole.properties) return this.union(whole);
-    const words = whole.enum ?? whole.oneOf?.map((one) => one.const).filter((one) => one !== undefined);
-    if (words?.length) return { kind: 'choice', options: words.map((value) => ({ value, help: wordHelp(whole, value) })) };
+    const words = wordsOf(whole);
+    if (words.length) return { kind: 'choice', options: words.map((value) => ({ value, help: wordHelp(whole, value) })) };
     if (whole.type === 'object' || whole.properties) return this.object(whole);
     if (whole.type === 'array') return { kind: 'list', item: whole.items ?? {}, most: whole.maxItems ?? 1000 };
     if (whole.type === 'boolean' || whole.type === 'integer') return { kind: whole.type };
@@ -60,11 +60,12 @@ export class Schema {
 
   union(whole) {
     const parts = whole.anyOf.map((one) => this.resolve(one));
-    const words = parts.flatMap((part) => part.const ?? []);
+    const words = parts.flatMap(wordsOf);
     const object = parts.find((part) => part.properties);
     const list = parts.find((part) => part.type === 'array');
     if (object || list) return { kind: 'union', words, other: whole.anyOf[parts.indexOf(object ?? list)] };
     const patterns = parts.filter((part) => part.pattern);
+    const helps = words.map((value) => ({ value, help: parts.map((part) => wordHelp(part, value)).find(Boolean) ?? '' }));
     const number = parts.find((part) => part.type === 'number');
     const percent = patterns.some((part) => part.pattern.endsWith('(%)?$'));
     if (number && percent) {
@@ -73,7 +74,7 @@ export class Schema {
     const measured = this.measured(patterns);
     if (number) measured.patterns.push(/^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/);
     measured.patterns.push(...words.map((word) => new RegExp(`^${word}$`)));
-    return { kind: 'quantity', ...measured, bare: Boolean(number), suggestions: words };
+    return { kind: 'quantity', ...measured, bare: Boolean(number), suggestions: words, options: helps.filter(({ help }) => help) };
   }
 
   measured(parts) {
@@ -86,6 +87,9 @@ export class Schema {
 function dimensionOf(pattern) {
   return BY_UNIT.find(([units]) => units.test(pattern))?.[1] ?? (/\(ms\|s\|sec\)/.test(pattern) ? 'time' : null);
 }
+
+/** The words that a value may be. */
+const wordsOf = (whole) => [whole.const ?? whole.enum ?? whole.oneOf?.map((one) => one.const) ?? []].flat().filter((one) => one !== undefined);
 
 const wordHelp = (whole, value) => whole.oneOf?.find((one) => one.const === value)?.description ?? '';
 

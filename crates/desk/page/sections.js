@@ -7,6 +7,7 @@ export const SECTIONS = [
   { id: 'project', parts: [{ path: [], keys: ['name', 'project', 'notes'] }] },
   { id: 'tank', parts: [{ path: TANK, rest: true }] },
   { id: 'courses', parts: [{ path: TANK, keys: ['courses'] }] },
+  { id: 'fittings', parts: [{ path: TANK, keys: ['rings', 'attachments', 'insulation'] }] },
   { id: 'roof', parts: [{ path: TANK, keys: ['roof'] }] },
   { id: 'bottom', parts: [{ path: TANK, keys: ['bottom', 'foundation', 'isolators'] }] },
   { id: 'liquid', parts: [{ path: ['liquid'], rest: true }] },

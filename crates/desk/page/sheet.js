@@ -14,7 +14,7 @@ export class Sheet {
     this.title = h('h2', { tabindex: -1 });
     this.tools = h('div.check-sheet-tools');
     this.body = h('div.check-sheet-body', { tabindex: 0 });
-    this.element = h('aside.check-sheet.panel', { hidden: true }, h('header', {}, this.title, this.tools), this.body);
+    this.element = h('aside.check-sheet.panel', { hidden: true, dataset: { area: '' } }, h('header', {}, this.title, this.tools), this.body);
     this.element.addEventListener('keydown', (event) => { if (event.key === 'Escape') this.close(); });
   }
 

@@ -41,11 +41,12 @@ add({
   'help-keys': ['Keys', 'Tasten'],
   'help-does': ['What they do', 'Wirkung'],
   'key-room': ['Go to a room', 'Raum wechseln'],
+  'key-area': ['Go to the next part of the page; Shift+F6 goes back', 'Zum nächsten Teil der Seite; Umschalt+F6 zurück'],
   'key-arrows': ['Between the rooms, when a tab has the focus', 'Zwischen den Räumen, wenn ein Reiter den Fokus hat'],
   'key-save': ['Save the tank file', 'Tankdatei sichern'],
   'key-help': ['This help', 'Diese Hilfe'],
   'key-escape': ['Close a dialog', 'Dialog schließen'],
   'about': ['tankcheck {version}, folder {folder}', 'tankcheck {version}, Ordner {folder}'],
   'about-more': ['The page is served by the program on this computer; nothing leaves it. Every run is a command that can be repeated in a terminal.',
-    'Die Seite liefert das Programm auf diesem Rechner; nichts verlässt ihn. Jeder Lauf ist ein Befehl, der sich im Terminal wiederholen lässt.'],
+    'Die Seite liefert das Programm auf diesem Rechner; nichts verlässt ihn. Jeder Lauf ist ein Befehl, der sich im Terminal wiederholen lässt. Hilfetexte zu Feldern und Meldungen zu Fehlern sind englisch, wie im Terminal.'],
 });

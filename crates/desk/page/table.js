@@ -20,7 +20,8 @@ export class Table {
     this.leaves = this.item.kind === 'object' ? Object.keys(this.item.properties).filter((key) => isLeaf(this.fieldOf(key))) : null;
     this.nested = this.item.kind === 'object' ? Object.keys(this.item.properties).filter((key) => !this.leaves.includes(key)) : [];
     this.heading = h('tr');
-    this.body = h('tbody', { onkeydown: (event) => this.pressed(event), onpaste: (event) => this.pasted(event) });
+    this.body = h('tbody', { onkeydown: (event) => this.pressed(event), onpaste: (event) => this.pasted(event), onfocusin: (event) => this.entered(event.target), onpointerdown: () => { this.begun = null; } });
+    this.body.addEventListener('focusout', ({ relatedTarget }) => { if (!this.body.contains(relatedTarget)) this.begun = null; });
     this.list = h('ul.field-faults', { hidden: true });
     this.columnSelect = h('select', { 'aria-label': t('form-column'), onchange: () => this.addColumn() });
     const tools = h('div.field-tools', {},
@@ -54,6 +55,20 @@ export class Table {
     while (this.rows.length > items.length + 1) this.rows.pop().remove();
     while (this.rows.length < items.length + 1) this.rows.push(new Row(this, this.rows.length));
     this.rows.forEach((row, index) => row.update(items[index]));
+    this.stops();
+  }
+
+  // Tab goes through the cells of one row: the one that had the focus last.
+  stops() {
+    if (!this.rows.includes(this.current)) this.current = this.rows[0];
+    for (const row of this.rows) row.setStops(row === this.current);
+  }
+
+  entered(target) {
+    const row = this.rows.find((one) => one.element.contains(target));
+    if (!row || row === this.current) return;
+    this.current = row;
+    this.stops();
   }
 
   columnsFor(items) {
@@ -129,6 +144,10 @@ export class Table {
     const row = this.rows.findIndex((one) => one.element.contains(event.target));
     const column = this.columnOf(event.target);
     if (row < 0 || column === undefined) return;
+    // As in a spreadsheet, Enter after Tab goes on where the row was begun.
+    if (event.key === 'Tab') this.begun ??= column;
+    const from = event.key === 'Enter' ? this.begun ?? column : column;
+    if (['Enter', 'ArrowUp', 'ArrowDown'].includes(event.key)) this.begun = null;
     const step = { ArrowUp: -1, ArrowDown: 1, Enter: event.shiftKey ? -1 : 1 }[event.key];
     if (!step || (event.target.tagName === 'SELECT' && event.key !== 'Enter') || event.ctrlKey) return;
     event.preventDefault();
@@ -138,7 +157,7 @@ export class Table {
     }
     this.rows[row].cells.get(column).finish?.();
     // The row below may be made by what was just finished.
-    this.form.afterEdits(() => this.rows[row + step]?.focus(column));
+    this.form.afterEdits(() => this.rows[row + step]?.focus(from));
   }
 
   pasted(event) {
@@ -242,9 +261,14 @@ class Row {
       button('↑', 'form-row-up', () => table.move(index, -1), index === 0), button('↓', 'form-row-down', () => table.move(index, 1), last),
       button('+', 'form-row-repeat', () => table.repeat(index)), button('×', 'form-row-remove', () => table.removeRow(index)),
     ] : []);
-    // One stop of Tab for the buttons of a row; arrows go between them.
-    [...this.tools.children].forEach((tool, place) => { tool.tabIndex = place ? -1 : 0; });
+    this.setStops(this === table.current);
     this.tools.children[at]?.focus();
+  }
+
+  // One stop of Tab for the buttons of a row; arrows go between them.
+  setStops(on) {
+    for (const { control } of this.cells.values()) control.tabIndex = on ? 0 : -1;
+    [...this.tools.children].forEach((tool, place) => { tool.tabIndex = on && !place ? 0 : -1; });
   }
 
   toolKey(event) {

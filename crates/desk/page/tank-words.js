@@ -5,6 +5,7 @@ import { add } from './words.js';
 add({
   'tank-toolbar': ['Tank file', 'Tankdatei'],
   'tank-view': ['View', 'Ansicht'],
+  'tank-skip': ['Skip to the checks', 'Zu den Nachweisen springen'],
   'tank-form': ['Form', 'Formular'],
   'tank-text': ['Text', 'Text'],
   'tank-new': ['New …', 'Neu …'],
@@ -22,6 +23,8 @@ add({
   'tank-key-undo': ['Undo, in form and text', 'Rückgängig, in Formular und Text'],
   'tank-key-redo': ['Redo', 'Wiederholen'],
   'tank-key-text': ['Between form and text', 'Zwischen Formular und Text'],
+  'tank-key-row': ['In a table: next row; after Tab from the column where the row was begun', 'In einer Tabelle: nächste Zeile, nach Tab ab der Spalte, in der die Zeile begonnen wurde'],
+  'tank-key-checks': ['Between checks', 'Zwischen Nachweisen'],
   'tank-key-move': ['Move the row of a table', 'Zeile einer Tabelle verschieben'],
   'tank-key-help': ['Help on a field', 'Hilfe zu einem Feld'],
   'text-label': ['Text of the tank file', 'Text der Tankdatei'],

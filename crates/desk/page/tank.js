@@ -1,14 +1,16 @@
 // The room Tank: form and text of the tank on one side, sketch, verdict and sheet on the other, all of one document.
 
+import { toolbar } from './areas.js';
 import { Checks, stateOf } from './check.js';
 import { openDocument } from './document.js';
 import { fill, h } from './dom.js';
 import { chooseFile, chooseTemplate } from './files.js';
 import { findField } from './find.js';
 import { Form } from './form.js';
-import { labelOf } from './labels.js';
+import { plain } from './jsonc.js';
+import { labelAt } from './labels.js';
 import { isMissing, marked, placeOf, withoutStyles } from './marked.js';
-import { parsePath } from './path.js';
+import { parsePath, valueAt } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
 import { Solver } from './solve.js';
@@ -29,7 +31,9 @@ class TankRoom {
     desk.shortcut?.('Ctrl+Z', 'tank-key-undo');
     desk.shortcut?.('Ctrl+Shift+Z', 'tank-key-redo');
     desk.shortcut?.('Ctrl+E', 'tank-key-text');
+    desk.shortcut?.('Enter ↑ ↓', 'tank-key-row');
     desk.shortcut?.('Alt+↑ ↓', 'tank-key-move');
+    desk.shortcut?.('↑ ↓', 'tank-key-checks');
     desk.shortcut?.('Ctrl+K', 'tank-find');
     desk.shortcut?.('F1', 'tank-key-help');
   }
@@ -79,11 +83,13 @@ class TankRoom {
     this.formPane = h('div.tank-pane', {}, this.form.element);
     this.textPane = h('div.tank-pane', { hidden: true }, this.text.element);
     this.begin = this.startPanel();
-    this.work = h('div.tank-work', {}, this.form.nav, h('div.tank-data', {}, this.faultList, this.formPane, this.textPane),
-      h('div.tank-side', { id: 'tank-side' }, h('div.panel.tank-sketch-panel', {}, this.sketch), h('div.panel', {}, this.checks.element)), this.sheet.element);
+    this.work = h('div.tank-work', {}, this.form.nav, h('div.tank-data', { dataset: { area: '' } }, this.faultList, this.formPane, this.textPane),
+      h('div.tank-side', { id: 'tank-side', dataset: { area: '' } }, h('div.panel.tank-sketch-panel', {}, this.sketch), h('div.panel', {}, this.checks.element)), this.sheet.element);
     this.strip = h('a.tank-strip', { href: '#tank-side', onclick: (event) => { event.preventDefault(); this.element.querySelector('#tank-side').scrollIntoView({ block: 'start' }); } });
     this.bar = this.toolbar();
-    fill(this.element, this.bar, this.draft, this.solver.element, this.begin, this.work, this.strip);
+    this.drawBar = toolbar(this.bar);
+    const skip = h('a.skip', { href: '#tank-side', onclick: (event) => { event.preventDefault(); this.checks.focus(); } }, t('tank-skip'));
+    fill(this.element, skip, this.bar, this.draft, this.solver.element, this.begin, this.work, this.strip);
     this.setMode(this.mode);
     this.changed('open');
     if (this.document.check) this.checked(this.document.check);
@@ -95,7 +101,7 @@ class TankRoom {
     this.redoButton = button('tank-redo', () => this.document.redo(), 'Ctrl+Shift+Z');
     this.saveButton = button('doc-save', () => this.document.save(), 'Ctrl+S');
     this.modes = ['form', 'text'].map((mode) => h('button', { type: 'button', dataset: { mode }, title: 'Ctrl+E', onclick: () => this.setMode(mode) }, t(`tank-${mode}`)));
-    return h('div.tank-toolbar', { role: 'toolbar', 'aria-label': t('tank-toolbar') },
+    return h('div.tank-toolbar', { dataset: { area: '' }, role: 'toolbar', 'aria-label': t('tank-toolbar') },
       h('span.tank-modes', { role: 'group', 'aria-label': t('tank-view') }, this.modes),
       h('span', {}, button('tank-new', () => chooseTemplate(this.desk)), button('tank-open', () => chooseFile(this.desk)), this.saveButton, button('tank-save-as', () => this.document.saveAs())),
       h('span', {}, this.undoButton, this.redoButton, button('tank-find', () => this.find(), 'Ctrl+K')),
@@ -145,6 +151,7 @@ class TankRoom {
     this.undoButton.disabled = !document.canUndo;
     this.redoButton.disabled = !document.canRedo;
     this.saveButton.disabled = !document.dirty && document.path !== null;
+    this.drawBar();
     this.drawDraft();
   }
 
@@ -196,9 +203,10 @@ class TankRoom {
     this.countText(faults.filter((fault) => !placeOf(fault).length).length);
     this.faultList.hidden = !faults.length;
     const missing = faults.filter(isMissing).length;
+    const value = plain(this.document.root);
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
     fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: isMissing(fault) ? 'field-missing' : '' },
-      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault)), ' ', marked(fault.message)))));
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault, value)), ' ', h('span', { lang: 'en' }, marked(fault.message))))));
   }
 
   // A fault of the text as such belongs to no group of the form: it is counted at the text.
@@ -253,8 +261,9 @@ class TankRoom {
 }
 
 // The words for the place of a fault: the names of its keys, or its line.
-function placeWords(fault) {
+function placeWords(fault, value) {
   const parts = placeOf(fault);
   if (!parts.length) return t('text-line', { line: fault.line });
-  return parts.map((part) => (typeof part === 'number' ? `${t('form-row')} ${part + 1}` : labelOf(part))).join(' › ');
+  const label = (part, index) => labelAt(parts.slice(0, index + 1), valueAt(value, parts.slice(0, index)));
+  return parts.map((part, index) => (typeof part === 'number' ? `${t('form-row')} ${part + 1}` : label(part, index))).join(' › ');
 }

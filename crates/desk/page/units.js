@@ -68,10 +68,13 @@ const TABLE = {
     units: [['N/m³', 'N/m3', 1], ['kN/m³', 'kN/m3', 1e3], ['MN/m³', 'MN/m3', 1e6], ['lb/in³', 'lb/in3', LBF / INCH ** 3, 'pci lbf/in3']],
     si: 'N/m3 kN/m3 MN/m3', us: [['lb/in3', 0]],
   },
+  area: { units: [['mm²', 'mm2', 1e-6], ['cm²', 'cm2', 1e-4], ['m²', 'm2', 1], ['in²', 'in2', INCH ** 2]], si: 'cm2 m2', us: [['in2', 0]] },
+  second_moment: { units: [['mm⁴', 'mm4', 1e-12], ['cm⁴', 'cm4', 1e-8], ['m⁴', 'm4', 1], ['in⁴', 'in4', INCH ** 4]], si: 'cm4 m4', us: [['in4', 0]] },
+  area_mass: { units: [['kg/m²', 'kg/m2', 1], ['lb/ft²', 'lb/ft2', POUND / FOOT ** 2, 'lbm/ft2']], si: 'kg/m2', us: [['lb/ft2', 0]] },
   fraction: { units: [['%', '%', 1e-2]], si: '' },
 };
 
-const canonical = (text) => text.trim().replace(/\s*\/\s*/g, '/').replace(/\^/g, '').replace(/²/g, '2').replace(/³/g, '3').replace(/·/g, '*');
+const canonical = (text) => text.trim().replace(/\s*\/\s*/g, '/').replace(/\^/g, '').replace(/²/g, '2').replace(/³/g, '3').replace(/⁴/g, '4').replace(/·/g, '*');
 
 const bySpelling = new Map();
 for (const [dimension, { units }] of Object.entries(TABLE)) {
