@@ -231,7 +231,7 @@ function drawFile() {
   const button = document.getElementById('file');
   const name = fileName();
   const folder = desk.info.folder.split(/[/\\]/).filter(Boolean).at(-1) ?? '';
-  fill(button, h('b', {}, name ?? t('no-file')), desk.document?.dirty ? h('i.unsaved', {}, t('unsaved')) : null);
+  fill(button, h('b', {}, name ?? t(desk.document && !desk.document.empty ? 'new-file' : 'no-file')), desk.document?.dirty ? h('i.unsaved', {}, t('unsaved')) : null);
   button.title = t('open-file', { folder });
   document.title = title();
   const used = document.getElementById('with');

@@ -7,7 +7,7 @@ import { helpFor } from './help.js';
 import { labelAt } from './labels.js';
 import { isMissing, marked } from './marked.js';
 import { formatPath } from './path.js';
-import { complete, completed, converted, split, tidy } from './quantity.js';
+import { complete, completed, converted, halved, split, tidy } from './quantity.js';
 import { localised, t } from './words.js';
 
 /** Texts that are short. */
@@ -135,7 +135,7 @@ export class Field {
     if (this.values) return;
     const text = this.control.value;
     if (this.typed && this.field.kind === 'quantity') {
-      const whole = completed(this.field, text, this.model(), this.form.units);
+      const whole = completed(this.field, this.isRadius() ? halved(text) : text, this.model(), this.form.units);
       const other = converted(this.field, whole, this.form.units);
       this.hint.textContent = whole === tidy(text) ? '' : `→ ${whole}${other ? ` = ${other}` : ''}`;
       if (this.hint.textContent) return;
@@ -145,10 +145,13 @@ export class Field {
     this.control.title = words ? `${text} = ${words}` : '';
   }
 
+  isRadius() { return this.field.kind === 'quantity' && formatPath(this.parts) === 'tank.radius'; }
+
   // Data sheets give the diameter.
   diameter(text) {
-    if (formatPath(this.parts) !== 'tank.radius') return '';
+    if (!this.isRadius()) return '';
     const parts = split(text);
+    if (text.trim() === '') return t('form-or-diameter');
     return parts?.unit && Number(parts.number) > 0 ? t('form-diameter', { value: localised(`${Number((2 * Number(parts.number)).toPrecision(12))} ${parts.unit}`) }) : '';
   }
 
@@ -187,6 +190,7 @@ export class Field {
   finish() {
     clearTimeout(this.timer);
     if (!this.typed) return;
+    if (this.isRadius()) this.control.value = halved(this.control.value);
     if (this.field.kind === 'quantity') this.control.value = completed(this.field, this.control.value, this.model(), this.form.units);
     else if (this.field.kind !== 'text') this.control.value = tidy(this.control.value);
     this.commit();
@@ -219,7 +223,7 @@ export class Field {
 
   chosen() { this.put(this.values.get(this.control.value)); }
 
-  commit() { this.put(this.valueOf(this.control.value)); }
+  commit() { this.put(this.valueOf(this.isRadius() ? halved(this.control.value) : this.control.value)); }
 
   valueOf(text) {
     const { kind } = this.field;

@@ -42,6 +42,7 @@ add({
   'form-row-remove': ['Remove', 'Entfernen'],
   'form-faults': ['Faults: {count}', 'Fehler: {count}'],
   'form-add-grade': ['Add {name} to the materials', '{name} zu den Werkstoffen'],
+  'form-or-diameter': ['or a diameter: D 40 m', 'oder ein Durchmesser: D 40 m'],
   'form-diameter': ['diameter {value}', 'Durchmesser {value}'],
   'form-no-motion': ['choose a record in the room Records, or add a site with its design spectra', 'im Raum Beben eines wählen oder einen Standort mit seinen Entwurfsspektren angeben'],
   'form-from-grade': ['from the grade', 'aus der Sorte'],

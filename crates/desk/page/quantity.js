@@ -16,6 +16,14 @@ export function tidy(text) {
   return text.trim().replace(/^([-+−]?\d*),(\d+)(?!,)/, '$1.$2').replace(/^−/, '-').replace(/\s+/g, ' ');
 }
 
+const DIAMETER = /^(?:⌀|ø|Ø|d|D|dia\.?)\s*=?\s*(?=[\d.,])/;
+
+/** A diameter, `D 40 m`, as the radius that the file has; other texts stay. */
+export function halved(text) {
+  const parts = DIAMETER.test(text.trim()) ? split(text.trim().replace(DIAMETER, '')) : null;
+  return parts ? [Number((Number(parts.number) / 2).toPrecision(12)), parts.unit].filter((part) => part !== '').join(' ') : text;
+}
+
 /** `{number, unit}` of a text, or null where it does not begin with a number. */
 export function split(text) {
   const match = NUMBER.exec(tidy(String(text ?? '')));

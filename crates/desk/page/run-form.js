@@ -181,7 +181,12 @@ function drawSpec(form) {
   form.parts.start.disabled = missing(form) !== undefined;
   const { document } = form.desk;
   const unsaved = document?.dirty && document.path === form.values[form.kind].tank ? t('run-unsaved', { path: document.path }) : '';
-  form.parts.note.textContent = missing(form) ? t('run-missing', { name: t(missing(form).words) }) : unsaved;
+  const own = document && document.path === form.values[form.kind].tank;
+  const faults = own ? document.check?.faults?.length ?? 0 : 0;
+  if (!missing(form) && faults) {
+    fill(form.parts.note, t('run-faulty', { path: document.path, count: faults }), ' ',
+      h('button.link', { type: 'button', onclick: () => form.desk.go('tank') }, t('run-to-tank')));
+  } else form.parts.note.textContent = missing(form) ? t('run-missing', { name: t(missing(form).words) }) : unsaved;
   if (form.parts.outNote?.isConnected) noteOut(form, spec.out);
 }
 

@@ -76,6 +76,8 @@ add({
   'run-start': ['Start', 'Starten'],
   'run-queue': ['Put in the queue', 'In die Warteschlange'],
   'run-missing': ['Missing: {name}', 'Fehlt: {name}'],
+  'run-faulty': ['{path} has {count} values to correct or fill in; a run stops there.', '{path} hat {count} Werte, die zu berichtigen oder auszufüllen sind; ein Lauf hält dort an.'],
+  'run-to-tank': ['Go to the tank', 'Zum Tank'],
   'run-unsaved': ['{path} has changes that are not saved; a run reads the file.', '{path} hat ungesicherte Änderungen; ein Lauf liest die Datei.'],
   'run-save-start': ['Save and start', 'Sichern und starten'],
   'run-start-saved': ['Start with the file as saved', 'Mit der Datei wie gesichert starten'],

@@ -25,6 +25,7 @@ add({
   'theme-light': ['Light', 'Hell'],
   'theme-dark': ['Dark', 'Dunkel'],
   help: ['Help', 'Hilfe'],
+  'new-file': ['new tank', 'neuer Tank'],
   'no-file': ['no tank file', 'keine Tankdatei'],
   unsaved: ['not saved', 'nicht gesichert'],
   'with-record': ['The checks use the record {path}', 'Die Nachweise verwenden das Beben {path}'],

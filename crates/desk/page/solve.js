@@ -40,6 +40,8 @@ export class Solver {
     const { document } = this.desk;
     await document.working;
     const text = document.text;
+    // The faults stand above the form and at their fields.
+    if (document.check?.text === text && document.check.faults?.length) return void this.desk.say(t('solve-faulty'), 'warning');
     this.element.hidden = false;
     fill(this.element, h('p', {}, t('solve-waiting')));
     try {
