@@ -150,8 +150,12 @@ impl Procedure for En2006 {
         applies(case, excitation, Edition::En2006)
     }
 
+    fn snow_share(&self, case: &Case) -> f64 {
+        snow_share(case)
+    }
+
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
-        assess(case, excitation, Edition::En2006)
+        assess(&case.with_snow(self.snow_share(case)), excitation, Edition::En2006)
     }
 }
 
@@ -176,9 +180,18 @@ impl Procedure for Env1998 {
         applies(case, excitation, Edition::Env1998)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
-        assess(case, excitation, Edition::Env1998)
+    fn snow_share(&self, case: &Case) -> f64 {
+        snow_share(case)
     }
+
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        assess(&case.with_snow(self.snow_share(case)), excitation, Edition::Env1998)
+    }
+}
+
+/// ψ_E of EN 1998-1:2004 4.2.4 for the snow on the roof.
+fn snow_share(case: &Case) -> f64 {
+    case.tank.roof.snow.map_or(0.0, |snow| snow.combination)
 }
 
 /// The only limits are those of the ground motion: a missing record or site, a ground type the pre-standard lacks.

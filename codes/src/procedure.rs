@@ -92,6 +92,10 @@ pub trait Procedure: Sync {
     fn modal_action<'a>(&self, _case: &'a Case, _reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
         None
     }
+    /// Share of the snow load of the roof in the mass that it counts; [`Procedure::assess`] counts it whatever share the case has.
+    fn snow_share(&self, _case: &Case) -> f64 {
+        0.0
+    }
     /// Whether the procedure covers this case under this excitation; if not, the clause and the reason.
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable>;
     /// Runs the procedure. Callers need not call [`Procedure::applies`] before.

@@ -55,7 +55,7 @@ use limit_states::{ANCHORS, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
 pub(crate) use lists::tables;
-pub use lists::{Judges, counted, ground_motion, limit_states, without_code};
+pub use lists::{Judges, counted, ground_motion, limit_states, snow_share, without_code};
 pub use ready::Ready;
 
 /// What the demands of a run amount to.

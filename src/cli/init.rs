@@ -64,7 +64,7 @@ pub(crate) fn templates() -> Vec<(String, String, &'static str)> {
     Shape::value_variants().iter().filter_map(described).collect()
 }
 
-/// The tanks on anchors and of a strip, and the first without anchors and with gas above the liquid: between them every limit state is declared.
+/// The tanks on anchors and of a strip, and the first without anchors, with gas above the liquid and columns under its roof: between them every limit state is declared.
 pub(crate) fn cases() -> Vec<Case> {
     let read = |shape: Shape| {
         let file = parse(&Source::new("tank.json", shape.text()));
@@ -85,6 +85,7 @@ pub(crate) fn cases() -> Vec<Case> {
         lifted.tank.support = Support::Unanchored;
         lifted.tank.anchors = None;
         lifted.tank.pressure.internal = GAS;
+        lifted.tank.roof.on_columns = 1.0 / 3.0;
         if let Some(site) = &mut lifted.site.api650 {
             site.design_pressure = GAS;
         }

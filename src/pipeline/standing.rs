@@ -24,7 +24,7 @@ pub(super) fn standing(job: &Job, methods: &[Method]) -> Option<Standing> {
     });
     let (method, moment) = moments.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let tank = &job.case.tank;
-    let at_rest = || tank.mass_above(0.0).0 * job.case.gravity / tank.perimeter();
+    let at_rest = || tank.weight_above(0.0) * job.case.gravity / tank.perimeter();
     let weight = method.hold_down.unwrap_or_else(at_rest);
     let drawn = drawings(&job.case, moment, weight);
     if drawn.is_empty() {

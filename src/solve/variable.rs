@@ -143,8 +143,9 @@ impl Variable {
             }
             Variable::Ss => case.site.api650.iter_mut().for_each(|s| s.ss = value),
             Variable::Thickness(number) => {
-                let course = number.checked_sub(1).and_then(|i| case.tank.courses.get_mut(i));
-                course.into_iter().for_each(|c| c.thickness = value);
+                if let Some(index) = number.checked_sub(1) {
+                    case.tank.thicken(index, value);
+                }
             }
         }
     }

@@ -9,7 +9,8 @@ use tank::{Family, Material, Shape, Support};
 
 use super::hold_down;
 use super::masses::SQUAT;
-use crate::{corrosion, roof};
+use crate::corrosion;
+use crate::roof::{self, LiveLoad};
 
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
@@ -114,18 +115,22 @@ impl<'a> Basis<'a> {
             ("t_s", "thickness of the bottom course", self.t_s, Length, "tank.courses"),
             ("W_s", "weight of the shell", self.w_s, Force, "tank.courses"),
             ("X_s", "height of its centre of mass", self.x_s, Length, "tank.courses"),
-            ("W_r", "weight of the roof", self.w_r, Force, "tank.roof"),
-            (roof.0, "height of the roof's weight", roof.1, Length, "tank.roof"),
-            ("W_p", "weight of the product", self.w_p, Force, "liquid"),
         ] {
             sheet.input(symbol, name, value, dimension, source);
         }
+        roof::weight_lines(sheet, self.case);
+        sheet.input(roof.0, "height of the roof's weight", roof.1, Length, "tank.roof");
+        sheet.input("W_p", "weight of the product", self.w_p, Force, "liquid");
         roof::line(sheet, &self.case.tank);
     }
 
     /// Line for the weight of shell and roof per length of shell; returns it [N/m].
     pub fn weight_line(&self, sheet: &mut Sheet, clause: &str) -> f64 {
-        sheet.calc("w_t", "weight of shell and roof per length of shell", "(W_s + W_r)/(π·D)", LineForce, clause)
+        let formula = match self.case.tank.roof.on_columns > 0.0 {
+            true => "(W_s + W_rs)/(π·D)",
+            false => "(W_s + W_r)/(π·D)",
+        };
+        sheet.calc("w_t", "weight of shell and roof per length of shell", formula, LineForce, clause)
     }
 
     /// Assumptions common to both editions.
@@ -143,10 +148,10 @@ impl<'a> Basis<'a> {
             },
             "The constants of the standard contain g = 9.81 m/s² and water of 1000 kg/m³.".into(),
         ]);
-        if self.case.tank.roof.mass > 0.0 {
+        if self.case.tank.roof.mass > 0.0 && self.case.tank.roof.on_columns == 0.0 {
             out.assumptions.push("The shell carries the whole roof.".into());
         }
-        out.assumptions.extend(roof::assumption(&self.case.tank));
+        out.assumptions.extend(roof::assumptions(&self.case.tank, &LiveLoad::Api));
         if !self.case.tank.is_metal() {
             let reason = "API 650 is for welded tanks of metal: its values of this wall stand in the tables alone";
             out.beyond_scope = Some(reason.into());

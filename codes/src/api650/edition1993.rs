@@ -22,6 +22,7 @@ use crate::base_state::BaseState;
 use crate::lifted;
 use crate::limit_state::LimitStateDef;
 use crate::procedure::{CodeError, Label, Procedure};
+use crate::roof::SNOW_OF_API;
 use crate::sheet::Sheet;
 use tank::assessment::{Assessment, CheckStatus, Excitation, NotApplicable};
 use tank::case::{Case, Combination};
@@ -111,12 +112,21 @@ impl Procedure for Api6501993 {
         Err(NotApplicable { clause: E3_3.into(), reason: reason.into() })
     }
 
+    fn snow_share(&self, _case: &Case) -> f64 {
+        SNOW_OF_API
+    }
+
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         self.applies(case, excitation)?;
+        let case = &*case.with_snow(self.snow_share(case));
         let basis = Basis::new(case, EDITION)?;
         let mut sheet = Sheet::new();
         let mut out = Assessment::default();
         basis.assumptions(&mut out, false);
+        if case.tank.roof.snow.is_some() {
+            let text = "The 9th edition leaves the portion of the snow in W_r to the purchaser; it is 10 % here, as in the current annex.";
+            out.assumptions.push(text.into());
+        }
         let shell_height = case.tank.wall_height();
         basis.inputs(&mut sheet, ("H_t", shell_height));
 

@@ -51,6 +51,7 @@ use crate::hazard;
 use crate::limit_state::LimitStateDef;
 use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
+use crate::roof::SNOW_OF_API;
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
 use tank::assessment::{Assessment, Check, CheckStatus, Excitation, LimitState, NotApplicable};
@@ -234,8 +235,13 @@ impl Procedure for Api6502020 {
         Err(NotApplicable { clause: "API 650:2020 E.4".into(), reason: reason.into() })
     }
 
+    fn snow_share(&self, _case: &Case) -> f64 {
+        SNOW_OF_API
+    }
+
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         self.applies(case, excitation)?;
+        let case = &*case.with_snow(self.snow_share(case));
         let basis = Basis::new(case, EDITION)?;
         let mut run = Run::new(basis, excitation);
         basis.assumptions(&mut run.out, true);

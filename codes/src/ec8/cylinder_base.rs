@@ -20,7 +20,7 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     let name = "uplift at the base of an anchored wall";
     work.sheet.given(&[
         ("n_z", state.axial(0.0), LineForce),
-        ("N_0", state.weight(0.0), LineForce),
+        ("N_0", state.held(), LineForce),
         ("A_v", work.demand.vertical_ground(), Acceleration),
     ]);
     // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z; c_v of two horizontal components.
@@ -90,8 +90,11 @@ fn missing(state: &State) -> Option<String> {
 /// w_t: weight of wall and roof per length, less what lifts them [N/m].
 fn weight(work: &mut Work, state: &State, clause: &str) -> f64 {
     let name = "weight of wall and roof";
-    work.sheet.given(&[("N_0", state.weight(0.0), LineForce), ("A_v", work.demand.vertical_ground(), Acceleration)]);
+    work.sheet.given(&[("N_0", state.held(), LineForce), ("A_v", work.demand.vertical_ground(), Acceleration)]);
     let (mut name, mut formula) = (String::from(name), String::from("N_0"));
+    if state.tank.roof.snow_on_wall() > 0.0 {
+        name += ", without snow";
+    }
     if work.demand.vertical {
         name += ", less 0.3 of the vertical motion";
         formula += "·(1 - 0.3·A_v/g)";
@@ -101,7 +104,7 @@ fn weight(work: &mut Work, state: &State, clause: &str) -> f64 {
         formula += " - p_g·R/2";
     }
     match formula.as_str() {
-        "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, clause),
+        "N_0" => work.sheet.input("w_t", &name, state.held(), LineForce, clause),
         formula => work.sheet.calc("w_t", &name, formula, LineForce, clause),
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! p_i(z) = ρ H C(ζ) A_i      p_c(z) = ρ R w_1 cosh(λ_1 γ ζ)/cosh(λ_1 γ) A_c       largest at θ = 0
-//! n_θ = p R      n_z = M(z)/(π R²)      N_0 = (m_w + m_r above z) g/(2πR)        (membrane)
+//! n_θ = p R      n_z = M(z)/(π R²)      N_0 = (m_w + f_s m_r above z) g/(2πR)        (membrane; f_s of a roof on columns)
 //! n_θ = E s w/R of the shell on its joint with the base where the wall is not a metal shell ([`Shell`])
 //! ```
 //!
@@ -260,9 +260,15 @@ impl State<'_> {
         moment / (PI * self.radius * self.radius)
     }
 
-    /// Axial force per length of the weight above z [N/m].
+    /// Axial force per length of the weight that the wall carries at z [N/m].
     pub(super) fn weight(&self, z: f64) -> f64 {
-        self.tank.mass_above(z).0 * self.gravity / (2.0 * PI * self.radius)
+        self.tank.weight_above(z) * self.gravity / (2.0 * PI * self.radius)
+    }
+
+    /// The same at the base without snow, which may be absent: what holds the wall down [N/m].
+    pub(super) fn held(&self) -> f64 {
+        let mass = self.tank.weight_above(0.0) - self.tank.roof.snow_on_wall();
+        mass * self.gravity / (2.0 * PI * self.radius)
     }
 
     /// `1 ± v A_v/g` on the weight.

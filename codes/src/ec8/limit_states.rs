@@ -42,6 +42,7 @@ pub(super) const TABLE: &[LimitStateDef] = &[
     OTHER_DIRECTION,
     SOIL,
     SNOW,
+    ROOF_COLUMNS,
 ];
 
 pub(crate) const FREEBOARD: LimitStateDef = common::FREEBOARD.by("EN 1998-4:2006 A.2.1.4");
@@ -315,10 +316,23 @@ pub(crate) const SOIL: LimitStateDef = LimitStateDef {
 
 pub(crate) const SNOW: LimitStateDef = common::SNOW.by("EN 1998-1:2004 3.2.4").when(snow);
 
+pub(crate) const ROOF_COLUMNS: LimitStateDef = LimitStateDef {
+    id: "roof_columns",
+    name: "Columns under the roof",
+    clause: "EN 1998-4:2006 4.5.1",
+    applies: |_| NotImplemented,
+    exists: |case| case.tank.roof.on_columns > 0.0,
+    demand: "bending and compression of the columns in the moving liquid",
+    capacity: "not compared: not implemented",
+    dimension: Dimensionless,
+    page: 415,
+    ..ASKED
+};
+
 /// All limit states of a case.
 pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
     let of = |state: &LimitStateDef| state.under(edition.alike(state.clause), case);
-    TABLE.iter().map(of).collect()
+    TABLE.iter().filter(|state| (state.exists)(case)).map(of).collect()
 }
 
 /// A cylinder, and a wall of metal.

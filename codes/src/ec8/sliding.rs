@@ -12,6 +12,7 @@
 
 use super::limit_states::SLIDING;
 use super::work::Work;
+use crate::roof;
 use tank::case::Components;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -32,21 +33,22 @@ pub(super) fn assess(work: &mut Work) {
     let name = "design friction of the foundation, tan δ/γ_M";
     work.sheet.input("μ", name, friction, Dimensionless, FRICTION);
     work.sheet.given(&[("A_v", work.demand.vertical_ground(), Acceleration)]);
+    let roof = roof::holding(&mut work.sheet, &work.case.tank, true);
     // 0.3 E_x + E_z meets 0.3 Q only; divided by 0.3, its weight is compared with the whole of Q.
     let (name, formula) = if work.demand.vertical && work.demand.components == Components::HundredThirty {
         (
             "effective weight: the smaller of 0.3 E_z beside both horizontal components and of E_z beside c_v of them, divided by c_v",
-            "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/c_v)",
+            format!("(m + m_w + {roof})·min(g - 0.3·A_v, (g - A_v)/c_v)"),
         )
     } else if work.demand.vertical {
         (
             "effective weight: the smaller of E_x + 0.3 E_z and of 0.3 E_x + E_z divided by 0.3",
-            "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
+            format!("(m + m_w + {roof})·min(g - 0.3·A_v, (g - A_v)/0.3)"),
         )
     } else {
-        ("weight of liquid, wall and roof", "(m + m_w + m_r)·g")
+        ("weight of liquid, wall and roof", format!("(m + m_w + {roof})·g"))
     };
-    work.sheet.calc("N_Ed", name, formula, Force, CLAUSE);
+    work.sheet.calc("N_Ed", name, &formula, Force, CLAUSE);
     let capacity = work.sheet.calc("V_Rd", "sliding resistance", "μ·N_Ed", Force, CLAUSE);
     let note = "without the weight of bottom plate and foundation and without earth pressure";
     work.check(SLIDING, shear, capacity, CLAUSE, note);

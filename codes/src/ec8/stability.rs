@@ -15,6 +15,7 @@
 use super::limit_states::{ANCHORS, OVERTURNING};
 use super::work::Work;
 use crate::base_state::BaseState;
+use crate::roof;
 use crate::sheet::with_unit;
 use tank::Support;
 use tank::assessment::CheckStatus;
@@ -39,11 +40,12 @@ pub(super) fn assess(work: &mut Work) {
         false => "effective weight of walls and roof (the bottom is not one with the walls)",
     };
     // As in sliding: 0.3 E_x + E_z meets 0.3 of the moment.
+    let roof = roof::holding(&mut work.sheet, tank, monolithic);
     let formula = match work.demand.vertical {
-        true => "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
-        false => "(m + m_w + m_r)·g",
+        true => format!("(m + m_w + {roof})·min(g - 0.3·A_v, (g - A_v)/0.3)"),
+        false => format!("(m + m_w + {roof})·g"),
     };
-    work.sheet.calc("W_Ed", name, formula, Force, &clause);
+    work.sheet.calc("W_Ed", name, &formula, Force, &clause);
     let name = "moment about the toe that the weight resists";
     let resisted = work.sheet.calc("M_Rd", name, "W_Ed·L", Moment, &clause);
     match tank.support {

@@ -3,11 +3,12 @@
 use super::demand::{Demand, Edition};
 use super::limit_states;
 use crate::base_state::BaseState;
+use crate::corrosion;
 use crate::limit_state::{LimitStateDef, Part};
 use crate::mechanical::Lumped;
 use crate::procedure::CodeError;
+use crate::roof::{self, LiveLoad};
 use crate::sheet::Sheet;
-use crate::{corrosion, roof};
 use tank::Shape;
 use tank::assessment::{Assessment, Check, CheckStatus, Profile};
 use tank::case::{Case, Combination};
@@ -92,10 +93,10 @@ impl Work<'_> {
         self.mass = sheet.calc("m", "mass of the liquid", formula, Mass, "definition");
         sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
         sheet.input("h_w", "height of its centre", case.tank.wall_centroid(), Length, "input");
-        sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
+        roof::mass_lines(sheet, case);
         sheet.input("h_r", "height of its centre", case.tank.roof_height(), Length, "input");
         roof::line(sheet, &case.tank);
-        self.out.assumptions.extend(roof::assumption(&case.tank));
+        self.out.assumptions.extend(roof::assumptions(&case.tank, &LiveLoad::Eurocode));
         let sheet = &mut self.sheet;
         sheet.input("g", "acceleration of free fall", case.gravity, Acceleration, "input");
         let [i, c] = [case.damping.impulsive, case.damping.sloshing];

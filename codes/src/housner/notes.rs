@@ -27,7 +27,12 @@ pub(super) fn assumptions(run: &Run) -> Vec<String> {
         } else {
             "Convective constants as published (1957/1963).".into()
         },
-        "Wall and roof inertia is not counted: Housner's procedure gives the liquid's forces.".into(),
+        match run.case.tank.roof.snow {
+            None => "Wall and roof inertia is not counted: Housner's procedure gives the liquid's forces.".into(),
+            Some(_) => {
+                "Inertia of wall, roof and snow is not counted: Housner's procedure gives the liquid's forces.".into()
+            }
+        },
         "Brüggemann 2002: M. Brüggemann, Zur nichtlinearen Zeitbereichssimulation flüssigkeitsgefüllter \
          Tankbauwerke unter Erdbebenanregung, Wuppertal 2002."
             .into(),

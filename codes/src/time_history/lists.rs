@@ -35,6 +35,14 @@ pub fn counted(case: &Case, decide: &[String]) -> Judges {
     Judges { codes, alone }
 }
 
+/// Share of the snow load in the mass that an engine moves: the largest of the codes that count.
+///
+/// * `decide`: ids of the methods that decide
+pub fn snow_share(case: &Case, decide: &[String]) -> f64 {
+    let codes = counted(case, decide).codes;
+    codes.iter().map(|code| code.in_force().snow_share(case)).fold(0.0, f64::max)
+}
+
 /// Those of all lists, for their meanings.
 pub(crate) fn tables() -> impl Iterator<Item = LimitStateDef> {
     let of_codes = CODES.iter().flat_map(|code| code.of_run());

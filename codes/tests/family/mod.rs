@@ -110,6 +110,7 @@ impl Draw {
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            insulation: None,
             anchors: self.yes().then(|| Anchors {
                 count: 40,
                 capacity: self.yes().then_some(200e3),

@@ -109,7 +109,7 @@ impl Base {
             projection: bottom.projection,
             radius,
             pressure,
-            weight: tank.mass_above(0.0).0 * gravity / (std::f64::consts::TAU * radius),
+            weight: tank.weight_above(0.0) * gravity / (std::f64::consts::TAU * radius),
             modulus,
             origin,
             wall_yield: wall.material.yield_strength,

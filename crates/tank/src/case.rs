@@ -1,5 +1,7 @@
 //! Complete input of a procedure for one verification.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use crate::hazard::SiteSpectrum;
@@ -394,6 +396,18 @@ impl Case {
     /// Height of the wall above the still liquid [m].
     pub fn freeboard(&self) -> f64 {
         self.tank.wall_height() - self.liquid.fill_height - self.tank.roof.rim
+    }
+
+    /// The case with this share of the snow load in the mass of its roof, in place of any other.
+    pub fn with_snow(&self, share: f64) -> Cow<'_, Case> {
+        let (roof, area) = (self.tank.roof, self.tank.shape.plan_area());
+        let snowed = roof.with_snow(share, area, self.gravity);
+        if snowed == roof {
+            return Cow::Borrowed(self);
+        }
+        let mut case = self.clone();
+        case.tank.roof = snowed;
+        Cow::Owned(case)
     }
 
     /// Mass of the liquid [kg].

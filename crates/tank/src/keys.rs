@@ -9,8 +9,8 @@ mod values;
 pub(crate) use declared::keys;
 pub use declared::{As, ByHand, Declared, Field, Form, Needed, Opt, Or, Reader, Reads, Within};
 pub use values::{
-    Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
-    Subgrade, Temperature, Time, Velocity, Whole,
+    Acceleration, Angle, Area, AreaMass, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch,
+    SecondMoment, Seconds, Stress, Subgrade, Temperature, Time, Velocity, Whole,
 };
 
 use crate::units::{Dimension, Unit, in_unit, unit_for};

@@ -19,7 +19,7 @@ pub use foundation::{Foundation, FoundationKind};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
-pub use parts::{Attachment, Pipes, Ring, RoofKind};
+pub use parts::{Attachment, Insulation, Pipes, Ring, Roof, RoofKind, SnowLoad};
 pub use plane::PLANE_WALLS;
 
 use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};
@@ -123,25 +123,6 @@ pub struct Course {
     pub layers: Vec<Layer>,
 }
 
-/// Mass on top of the wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Roof {
-    /// Mass m_r that the wall carries [kg]; 0 of a floating roof.
-    pub mass: f64,
-    /// Height of its centre of mass above the tank bottom [m]; the top of the wall unless given.
-    pub height: Option<f64>,
-    /// How it is carried.
-    #[serde(default, skip_serializing_if = "RoofKind::is_fixed")]
-    pub kind: RoofKind,
-    /// Mass that the liquid carries [kg]: it displaces its own mass of liquid below the level of the fill height, so the mass of the
-    /// liquid contains it.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub afloat: f64,
-    /// Height of a floating roof's rim and seal above the level of the liquid [m].
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub rim: f64,
-}
-
 /// Bottom plate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bottom {
@@ -240,6 +221,9 @@ pub struct Tank {
     /// Masses that the wall carries at a height.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attachments: Vec<Attachment>,
+    /// Insulation of the wall, whose mass the densities of the courses contain.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub insulation: Option<Insulation>,
     /// Bottom plate, where given.
     pub bottom: Option<Bottom>,
     /// Foundation, where given.
@@ -371,6 +355,12 @@ impl Tank {
         self.courses.iter().map(|c| self.perimeter() * c.height * c.thickness * c.material.density).sum()
     }
 
+    /// Mass of the insulation [kg], which that of the courses contains.
+    pub fn insulation_mass(&self) -> f64 {
+        let area = |one: &Insulation| self.perimeter() * one.height.unwrap_or(f64::INFINITY).min(self.wall_height());
+        self.insulation.as_ref().map_or(0.0, |one| one.mass * area(one))
+    }
+
     /// Height of the centre of mass of the wall with what it carries [m].
     pub fn wall_centroid(&self) -> f64 {
         let (mut moment, mut sum, mut base) = (0.0, 0.0, 0.0);
@@ -387,7 +377,23 @@ impl Tank {
         moment / sum
     }
 
-    /// Mass of wall and roof above the height `z` [kg], and its moment about `z` [kg·m].
+    /// Mass whose weight the wall carries at the height `z` [kg]: that of [`Tank::mass_above`] without what columns carry of the roof.
+    pub fn weight_above(&self, z: f64) -> f64 {
+        self.mass_above(z).0 - self.roof.on_columns * self.roof.mass
+    }
+
+    /// Gives a course another thickness [m]; its insulation keeps its mass.
+    pub fn thicken(&mut self, index: usize, thickness: f64) {
+        let base: f64 = self.courses.iter().take(index).map(|course| course.height).sum();
+        let up_to = self.insulation.map(|one| (one.mass, one.height.unwrap_or(f64::INFINITY)));
+        let Some(course) = self.courses.get_mut(index) else { return };
+        if let Some((mass, _)) = up_to.filter(|(_, up_to)| base < *up_to * (1.0 - 1e-9)) {
+            course.material.density += mass / thickness - mass / course.thickness;
+        }
+        course.thickness = thickness;
+    }
+
+    /// Mass of wall and roof above the height `z` [kg], and its moment about `z` [kg·m]: what moves with the wall there.
     pub fn mass_above(&self, z: f64) -> (f64, f64) {
         let (mut mass, mut moment) = (self.roof.mass, self.roof.mass * (self.roof_height() - z));
         for (one, height) in self.carried().filter(|(_, height)| *height >= z) {
@@ -410,7 +416,7 @@ impl Tank {
 
     /// Height of the roof's centre of mass [m].
     pub fn roof_height(&self) -> f64 {
-        self.roof.height.unwrap_or_else(|| self.wall_height())
+        self.roof.centre(self.wall_height())
     }
 
     /// Length of wall in plan that counts for its mass [m].

@@ -83,6 +83,12 @@ listed! {
     RotationalDashpot: "N*m*s/rad", "a rotational dashpot coefficient", "5 kNms/rad";
     /// kg·m² (moment of inertia of a mass)
     RotationalInertia: "kg*m2", "a moment of inertia", "500 kgm2";
+    /// m² (section of a ring)
+    Area: "m2", "an area", "24 cm2";
+    /// m⁴
+    SecondMoment: "m4", "a second moment of area", "820 cm4";
+    /// kg/m² (insulation)
+    AreaMass: "kg/m2", "a mass per area", "15 kg/m2";
 }
 
 impl Dimension {

@@ -33,7 +33,13 @@ const HINTS: &[Hint] = hints! {
     ["isolated" "isolation" "base_isolation" "isolator"] in TOP => "",
         "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab";
     ["floating" "floating_roof"] in TOP => "",
-        "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`";
+        "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`; of a roof below a fixed one `internal_floating`";
+    ["cone_roof" "dome_roof" "fixed_roof" "roof_type"] in TOP => "",
+        "give `tank.roof` with \"type\": \"cone\" or \"dome\", `mass` and `rise`";
+    ["slope" "pitch"] in &["tank.roof"] => "rise",
+        "give `rise`, the slope times the radius";
+    ["floating" "floating_roof" "internal_floating_roof"] in &["tank.roof"] => "internal_floating",
+        "give `internal_floating`, the mass of the roof on the liquid below the fixed one";
     ["height" "wall_height" "tank_height"] in TOP => "",
         "the height of the wall is the sum of the heights of `tank.courses`; that of the liquid is `liquid.fill_height`";
     ["level" "liquid_level" "water_level" "filling" "height" "depth"] in &["", "tank", "liquid"] => "fill_height",
@@ -74,18 +80,20 @@ const HINTS: &[Hint] = hints! {
     ["fy" "f_y" "yield" "yield_stress"] in &["materials"] => "yield_strength",
         "give `yield_strength`";
     ["legs" "leg" "skirt" "saddles" "pedestal" "tower" "elevated" "columns" "support_columns" "stand" "lugs"] in TOP => "",
-        "the wall has to stand on the ground: tanks on legs, columns, a skirt or a tower are not modelled; of columns under a roof, give \
-         `tank.roof.mass` with the part that the wall carries";
+        "the wall has to stand on the ground: tanks on legs, columns, a skirt or a tower are not modelled; columns under a roof are \
+         `tank.roof.columns`";
     ["wind_girder" "wind_girders" "girder" "stiffeners" "stiffener" "stiffening_rings" "ring" "rings" "top_angle" "top_ring" "curb_angle"]
-     in TOP => "",
-        "rings do not stiffen the wall here; add the mass of those at its top to `tank.roof.mass`";
-    ["insulation" "cladding" "lining" "coating" "jacket"] in TOP => "",
-        "add the mass of an insulation to the wall: raise `density` of its material by the mass per area over the thickness of the wall";
-    ["snow" "snow_load" "live_load" "roof_load" "roof_live_load" "platform" "platforms" "ladder" "stairs" "walkway" "agitator" "mixer"] in
-     TOP => "",
-        "add what acts together with the earthquake to `tank.roof.mass`, at its `height`";
+     in TOP => "rings",
+        "give `tank.rings`, each with `height`, `area`, `inertia` and `material`, or as a flat plate with `width` and `thickness`";
+    ["insulation" "cladding" "lining" "coating" "jacket"] in TOP => "insulation",
+        "give `tank.insulation` with its `mass` per area of wall, such as \"15 kg/m2\"";
+    ["snow" "snow_load" "live_load" "roof_load" "roof_live_load"] in TOP => "",
+        "give `tank.roof.snow` and `tank.roof.live_load`, loads such as \"1.2 kPa\"";
+    ["appurtenances" "accessories" "platform" "platforms" "ladder" "ladders" "stairs" "stairway" "walkway" "agitator" "mixer"] in TOP => "",
+        "give `tank.attachments`, each with `name`, `mass` and `height`";
     ["nozzles" "nozzle" "manholes" "manhole" "manway" "openings" "opening" "fittings" "cleanout"] in TOP => "",
-        "openings of the wall are not modelled; the displacements that connected pipes can take are `tank.pipes`";
+        "openings of the wall are not modelled; their masses are `tank.attachments`, and the displacements that connected pipes can take are \
+         `tank.pipes`";
     ["temperature" "design_temperature" "operating_temperature" "design_temp" "temp"] in &["", "tank", "liquid", "site", "materials"] => "",
         "give `tank.design_temperature`, and the values of the material there as its `hot`; `liquid.density` is that at the temperature";
     ["corrosion" "corrosion_allowance" "ca"] in &["", "tank"] => "",

@@ -7,6 +7,7 @@ mod after_record;
 mod bar_layout;
 mod bars;
 mod base;
+mod carried;
 mod contradictions;
 mod corrosion;
 mod cross;
@@ -33,6 +34,7 @@ mod rayleigh;
 mod record;
 mod reported;
 mod response;
+mod roof;
 mod site;
 mod solid;
 mod spectrum;
@@ -46,6 +48,7 @@ use std::path::Path;
 
 use ::tank::case::Case;
 use ::tank::check::Decision;
+use codes::time_history::snow_share;
 
 pub(super) use file::TankFile;
 pub use solid::solid_defaults;
@@ -66,12 +69,14 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     }
     let gravity = r.or_default(&file.gravity);
     let materials = materials::materials(&mut r, &file.materials, &plates::plates(file));
-    let mut tank = tank::tank(&mut r, &file.tank, &materials);
+    let tank = tank::tank(&mut r, &file.tank, &materials);
     let liquid = file.liquid.value.as_ref().and_then(|given| given.resolve(&mut r));
     cross::checks(&mut r, file, tank.as_ref(), liquid);
     plausible::tank(&mut r, file, tank.as_ref(), liquid);
     let used = cross::used(file);
     cross::unused(&mut r, file, &used);
+    // Checks of the courses above see them bare.
+    let mut tank = tank.map(|tank| carried::insulated(&mut r, tank));
     let temperature = temperature::design(&mut r, file, &used, &materials);
     if let Some(tank) = &mut tank {
         tank.details.design_temperature = temperature;
@@ -110,6 +115,8 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         measured,
         published,
     };
+    // Each procedure counts the share of its own code.
+    let case = case.with_snow(snow_share(&case, &decision.decide)).into_owned();
     contradictions::warn(&mut r, &case, &decision.without);
     unusual::warn(&mut r, &case, &fe, &nonlinear);
     bar_layout::warn(&mut r, &case.tank);

@@ -199,7 +199,21 @@ fn value_schema(shape: &Shape, limits: Limits, definitions: &mut Map<String, Val
             json!({ "type": "object", "additionalProperties": value_schema(item, Limits::ANY, definitions) })
         }
         Shape::Either(word, other) => {
-            json!({ "anyOf": [{ "const": word }, value_schema(other, limits, definitions)] })
+            let mut ways = vec![json!({ "const": word })];
+            match value_schema(other, limits, definitions) {
+                // A second word stands beside the first.
+                Value::Object(mut rest) if matches!(other.as_ref(), Shape::Either(..)) => {
+                    ways.extend(
+                        rest.remove("anyOf")
+                            .as_mut()
+                            .and_then(Value::as_array_mut)
+                            .into_iter()
+                            .flat_map(std::mem::take),
+                    );
+                }
+                rest => ways.push(rest),
+            }
+            json!({ "anyOf": ways })
         }
         Shape::Measured(object) => measured(object, definitions),
     }

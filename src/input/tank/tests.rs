@@ -1,17 +1,19 @@
 //! The reader as a whole: meaning of a file, defaults and their sources, arbitrary texts.
 
 mod anchors;
+mod carried;
 mod corrosion;
-mod temperature;
 mod dashpots;
 mod force_stations;
 mod frequency;
 mod heave;
 mod imperfections;
 mod isolators;
+mod roof;
 mod schema;
 mod snapshots;
 mod spectrum;
+mod temperature;
 
 use proptest::prelude::*;
 use serde_json::{Value, json};

@@ -7,8 +7,8 @@ use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};
 
 pub(in crate::input) use tank::keys::{
-    Acceleration, Angle, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch, Seconds, Stress,
-    Subgrade, Temperature, Time, Velocity, Whole,
+    Acceleration, Angle, Area, AreaMass, Density, Force, InG, Length, LineArea, LineForce, Mass, Number, Pitch,
+    SecondMoment, Seconds, Stress, Subgrade, Temperature, Time, Velocity, Whole,
 };
 
 use super::read::{Field, FromNode, other_kind, text_of, wrong_kind, wrong_value};
@@ -80,6 +80,7 @@ pub(in crate::input) fn pattern(dimension: Dimension) -> String {
                 '/' => regex.push_str(" ?/ ?"),
                 '2' | '²' => regex.push_str("\\^?[2²]"),
                 '3' | '³' => regex.push_str("\\^?[3³]"),
+                '4' | '⁴' => regex.push_str("\\^?[4⁴]"),
                 '·' | '*' => regex.push_str("[·*]"),
                 c => regex.push(c),
             }
@@ -154,6 +155,9 @@ quantity! {
     Stress: Dimension::Stress;
     LineForce: Dimension::LineForce;
     LineArea: Dimension::LineArea;
+    Area: Dimension::Area;
+    SecondMoment: Dimension::SecondMoment;
+    AreaMass: Dimension::AreaMass;
 }
 
 /// Quantities that may also be a bare number in one conventional unit.

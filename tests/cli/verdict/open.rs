@@ -42,6 +42,10 @@ fn kinds() -> Vec<(&'static str, Vec<Value>)> {
         ("an unanchored box of metal", steel_box()),
         ("a vacuum", vec![tank(json!({ "pressure": { "vacuum": "0.1 kPa" } }))]),
         ("equipment within the liquid", vec![tank(json!({ "internals": "present" }))]),
+        (
+            "columns under the roof",
+            vec![tank(json!({ "roof": { "mass": "30 t", "shell_share": 0.5, "snow": "none" } }))],
+        ),
         ("connected structures", vec![tank(json!({ "adjacent_structures": "present" }))]),
         ("shear waves below 100 m/s", vec![tank(json!({ "foundation": soft }))]),
         ("a tank file without an answer", vec![bare]),

@@ -86,7 +86,10 @@ impl Run<'_> {
                     return self.without_comparison(id, CheckStatus::NotChecked, reason, None);
                 };
                 let name = "pressure of the liquid on the bottom, with that of the earthquake at its edge";
-                let formula = "(W_p + W_f)·(1 + 0.4·A_v)·4/(π·D²) + 32·(M_s - M_rw)/(π·D³)";
+                let formula = match b.case.tank.roof.on_columns > 0.0 {
+                    true => "(W_p + W_f + W_r - W_rs)·(1 + 0.4·A_v)·4/(π·D²) + 32·(M_s - M_rw)/(π·D³)",
+                    false => "(W_p + W_f)·(1 + 0.4·A_v)·4/(π·D²) + 32·(M_s - M_rw)/(π·D³)",
+                };
                 self.sheet.calc("p_i", name, formula, Stress, DERIVED);
                 self.sheet.given(&[("q_rw", sigma * b.t_s, LineForce), ("b_f", width, Length)]);
                 let name = "pressure under the ring wall or pad, the larger of that and of the pressure within it";

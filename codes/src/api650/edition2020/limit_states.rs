@@ -341,16 +341,17 @@ fn presence(answer: Option<Presence>, path: &str, none: &str) -> Requirement {
 /// Snow: a share of it belongs to the weight of the roof that the shell carries.
 pub(crate) fn snow(case: &Case) -> Requirement {
     let roof = &case.tank.roof;
+    if roof.snow.is_some() {
+        return NotApplicable("the mass of the roof contains the share of the snow load of the tank file".into());
+    }
     match (roof.kind, roof.mass > 0.0, case.tank.details.snow) {
         (RoofKind::Floating, ..) => NotApplicable("the roof floats: the wall does not carry its snow".into()),
-        (RoofKind::Open, ..) | (RoofKind::Fixed, false, None) => {
-            NotApplicable("no roof of mass stands on the wall".into())
-        }
+        (RoofKind::Open, ..) | (_, false, None) => NotApplicable("no roof of mass stands on the wall".into()),
         (_, _, Some(Snow::None)) => NotApplicable("no snow, by the tank file".into()),
         (_, _, Some(Snow::Included)) => {
             NotApplicable("the mass of the roof contains the share of the snow, by the tank file".into())
         }
-        (RoofKind::Fixed, true, None) => Missing("tank.roof.snow".into()),
+        (_, true, None) => Missing("tank.roof.snow".into()),
     }
 }
 
@@ -425,6 +426,10 @@ fn support(case: &Case) -> Requirement {
 }
 
 fn internals(case: &Case) -> Requirement {
+    // The clause names columns that support the roof.
+    if case.tank.roof.on_columns > 0.0 {
+        return NotImplemented;
+    }
     let none = "wall and bottom carry no equipment within the liquid";
     presence(case.tank.details.internals, "tank.internals", none)
 }

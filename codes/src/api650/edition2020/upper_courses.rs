@@ -133,6 +133,14 @@ impl Run<'_> {
             ("D", b.d, Length),
             ("t", edge.course.net_thickness(), Length),
         ]);
+        let carried = match b.case.tank.roof.on_columns > 0.0 {
+            true => {
+                let weight = b.case.gravity * b.case.tank.weight_above(edge.z);
+                sheet.input("W_as", "the same on the shell, without what columns carry", weight, Force, "tank");
+                "W_as/(π·D)"
+            }
+            false => "W_a/(π·D)",
+        };
         let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
             sheet.calc(symbol, name, formula, dimension, E6_2_2)
         };
@@ -140,7 +148,7 @@ impl Run<'_> {
         line("M_zi", "impulsive moment at z", formula, Moment);
         line("M_zc", "convective moment at z", "A_c·W_c·X_c·χ_c", Moment);
         line("M_z", "moment at z", "√(M_zi² + M_zc²)", Moment);
-        line("w_z", "weight above z per length of shell", "W_a/(π·D)", LineForce);
+        line("w_z", "weight above z per length of shell", carried, LineForce);
         let name = "compression at the lower edge of the course";
         line("σ_cz", name, "(w_z·(1 + 0.4·A_v) + 1.273·M_z/D²)/t", Stress)
     }

@@ -143,7 +143,7 @@ fn along_the_joint(work: &mut Work, state: &State, (flow, friction): (f64, Optio
         );
     };
     let lifted = if vertical { -0.3 } else { 0.0 };
-    let weight = state.weight(0.0) * state.weight_factor(lifted);
+    let weight = state.held() * state.weight_factor(lifted);
     let sheet = &mut work.sheet;
     sheet.section("Wall of concrete: shear along the joint at its base");
     let source = "Q/(π·R) at the sides of the tank";

@@ -139,7 +139,7 @@ pub(in crate::ec8) fn assess(work: &mut Work, tank: &BoxTank) {
             m: 0.0,
             shear: None,
         };
-        let own = case.tank.mass_above(z).0 * case.gravity / case.tank.perimeter();
+        let own = case.tank.weight_above(z) * case.gravity / case.tank.perimeter();
         let section = (tank.section)(z);
         for factors in &cases {
             let axial = axial(tank, section, factors.x * horizontal.scale(factors.situation));

@@ -52,7 +52,8 @@ pub(crate) fn build_observed(
     let share = meshed_share(case);
     let roof =
         RoofShare { mass: share * case.tank.roof.mass, offset: case.tank.roof_height() - case.tank.wall_height() };
-    let state = Static::solve(case, options.refine, roof.mass).map_err(failure("the wall's static stiffness"))?;
+    let state = Static::solve(case, options.refine, share * case.tank.roof.on_wall())
+        .map_err(failure("the wall's static stiffness"))?;
     let assembly = Assembly::new(case, harmonic, wall, liquid, roof);
 
     let mass = assembly.reduction.matrix(&assembly.mass);

@@ -25,7 +25,7 @@ pub struct Static {
 }
 
 impl Static {
-    /// Solves the static state; `roof_mass` is the share of the roof that the meshed wall carries [kg].
+    /// Solves the static state; `roof_mass` is the mass of the roof whose weight the meshed wall carries [kg].
     ///
     /// Errors: a stiffness matrix that is not positive definite.
     pub fn solve(case: &Case, refine: f64, roof_mass: f64) -> Result<Static, LinalgError> {

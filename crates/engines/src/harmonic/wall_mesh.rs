@@ -92,6 +92,7 @@ mod tests {
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            insulation: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

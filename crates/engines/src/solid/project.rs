@@ -184,8 +184,8 @@ impl Projector<'_> {
         let axial = self.observer.edge_reaction(Dof::Uz)?.scaled(-1.0);
         let of_moment = sparse_dot(&moment.displacement, self.statics);
         // The weight that the lowest elements bring onto the edge does not depend on displacements.
-        let (tank, roof) = (&case.tank, case.tank.roof.mass);
-        let weight = case.gravity * (tank.wall_mass() + roof) / tank.perimeter();
+        let tank = &case.tank;
+        let weight = case.gravity * tank.weight_above(0.0) / tank.perimeter();
         let probe = |what, row: Row, static_value| {
             let empty = Probe { static_value, ..Probe::new(Channel::Base(what)) };
             self.probe(empty, &row)

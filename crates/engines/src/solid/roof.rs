@@ -21,6 +21,8 @@ pub(crate) struct RoofRing {
     shares: Vec<f64>,
     mass: f64,
     lever: f64,
+    /// Share of its weight that the wall carries.
+    carried: f64,
 }
 
 impl RoofRing {
@@ -51,7 +53,14 @@ impl RoofRing {
             shares,
             mass,
             lever,
+            carried: 1.0,
         }
+    }
+
+    /// The same with this share of its weight on the wall; columns carry the rest.
+    #[must_use]
+    pub(crate) fn carrying(self, share: f64) -> RoofRing {
+        RoofRing { carried: share, ..self }
     }
 
     /// A closed frame of `mass` [kg] on nodes in the order of a polygon symmetric about both axes, spread evenly over its length; its centre
@@ -67,7 +76,14 @@ impl RoofRing {
         let square = |axis: usize| -> f64 { positions.iter().zip(&shares).map(|(p, s)| s * p[axis] * p[axis]).sum() };
         let [x, y] = [square(0), square(1)];
         let tilts = positions.iter().zip(&shares);
-        RoofRing { tilts: tilts.map(|(p, s)| (-s * p[0] / x, -s * p[1] / y)).collect(), nodes, shares, mass, lever }
+        RoofRing {
+            tilts: tilts.map(|(p, s)| (-s * p[0] / x, -s * p[1] / y)).collect(),
+            nodes,
+            shares,
+            mass,
+            lever,
+            carried: 1.0,
+        }
     }
 }
 
@@ -100,8 +116,8 @@ impl Element for RoofRing {
 
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         for (force, share) in out.chunks_exact_mut(3).zip(&self.shares) {
-            for (f, b) in force.iter_mut().zip(acceleration) {
-                *f += self.mass * share * b;
+            for ((f, b), part) in force.iter_mut().zip(acceleration).zip([1.0, 1.0, self.carried]) {
+                *f += self.mass * share * part * b;
             }
         }
     }

@@ -129,7 +129,7 @@ pub(super) fn add_wall(
             Some(_) => RoofRing::frame(top, &positions, case.tank.roof.mass, lever),
             None => RoofRing::new(top, &positions, case.tank.roof.mass, lever),
         };
-        builder.element(ROOF, ring);
+        builder.element(ROOF, ring.carrying(1.0 - case.tank.roof.on_columns));
     }
     Ok(WallPart {
         z: division.wall.clone(),

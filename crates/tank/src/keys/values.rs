@@ -45,6 +45,12 @@ numbers! {
     LineForce;
     /// An area per length.
     LineArea;
+    /// An area.
+    Area;
+    /// A second moment of area.
+    SecondMoment;
+    /// A mass per area.
+    AreaMass;
     /// A temperature, kept in °C.
     Temperature;
     /// A mapped acceleration, kept in units of g.

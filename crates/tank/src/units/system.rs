@@ -44,6 +44,9 @@ const US: &[(D, &[(&str, f64)])] = &[
     (D::Dashpot, &[("lbf*s/ft", 0.0), ("kip*s/ft", 1.0)]),
     (D::RotationalDashpot, &[("lbf*ft*s/rad", 0.0), ("kip*ft*s/rad", 1.0)]),
     (D::RotationalInertia, &[("lb*ft2", 0.0), ("klb*ft2", 10.0)]),
+    (D::Area, &[("in2", 0.0)]),
+    (D::SecondMoment, &[("in4", 0.0)]),
+    (D::AreaMass, &[("lb/ft2", 0.0)]),
 ];
 
 /// The US customary units of a dimension; empty where it keeps SI.
@@ -214,6 +217,9 @@ mod tests {
             ("kip*ft*s/rad", D::RotationalDashpot, 1_355.817_948_331_400_4),
             ("lb*ft2", D::RotationalInertia, pound * foot * foot),
             ("klb*ft2", D::RotationalInertia, 1e3 * pound * foot * foot),
+            ("in2", D::Area, inch * inch),
+            ("in4", D::SecondMoment, inch.powi(4)),
+            ("lb/ft2", D::AreaMass, pound / (foot * foot)),
         ] {
             let unit = Unit::find(text, dimension).unwrap();
             // Products of a few factors: a few units in the last place.

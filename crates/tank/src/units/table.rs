@@ -195,6 +195,18 @@ pub const UNITS: &[Unit] = &[
     ten("t·m²", "tm2", D::RotationalInertia, 3),
     by("lb·ft²", "lb*ft2", D::RotationalInertia, POUND * FOOT * FOOT),
     by("klb·ft²", "klb*ft2", D::RotationalInertia, 1000.0 * POUND * FOOT * FOOT),
+    // sections
+    ten("mm²", "mm2", D::Area, -6),
+    ten("cm²", "cm2", D::Area, -4),
+    ten("m²", "m2", D::Area, 0),
+    by("in²", "in2", D::Area, INCH * INCH),
+    ten("mm⁴", "mm4", D::SecondMoment, -12),
+    ten("cm⁴", "cm4", D::SecondMoment, -8),
+    ten("m⁴", "m4", D::SecondMoment, 0),
+    by("in⁴", "in4", D::SecondMoment, INCH * INCH * INCH * INCH),
+    // mass per area
+    ten("kg/m²", "kg/m2", D::AreaMass, 0),
+    also(by("lb/ft²", "lb/ft2", D::AreaMass, POUND / (FOOT * FOOT)), &["lbm/ft2"]),
 ];
 
 /// A spelling of a unit, written once: a file has thousands of quantities.
@@ -277,6 +289,7 @@ pub(super) fn canonical(spelling: &str) -> String {
         match c {
             '²' => out.push('2'),
             '³' => out.push('3'),
+            '⁴' => out.push('4'),
             '^' => {}
             '*' | '·' | '⋅' | '×' => join(&mut out, '·'),
             '/' | '∕' => join(&mut out, '/'),

@@ -291,7 +291,7 @@ fn pressures(r: &mut Resolver<'_>, tank: &Tank, site: &Site) {
             display(tank.pressure.internal, Dimension::Stress)
         ));
     }
-    let closed = tank.roof.kind == RoofKind::Fixed;
+    let closed = tank.roof.kind.is_fixed();
     if !closed && !tank.pressure.is_none() {
         let text = "tank.pressure and tank.roof.type contradict each other: gas needs a fixed roof above the liquid";
         r.inconsistent(text.into());

@@ -8,7 +8,8 @@ use tank::units::{Dimension, Unit};
 use tank::{Liquid, Shape, Tank};
 
 use super::file::TankFile;
-use super::tank::{Roof, Tank as TankKeys};
+use super::roof::Roof;
+use super::tank::Tank as TankKeys;
 use super::wall::{Course, Layer, THICKNESS};
 use crate::input::diagnostic::Fault;
 use crate::input::tank::read::Field;
@@ -75,7 +76,8 @@ fn roof(r: &mut Resolver<'_>, given: &Roof, tank: &Tank, liquid: Option<Liquid>)
     if liquid.is_some_and(|liquid| tank.roof.afloat > 0.0 && tank.roof.afloat >= liquid.mass(tank.shape)) {
         let message = "the floating roof is heavier than the liquid";
         let allowed = "less than the mass of the liquid, which contains the roof's";
-        r.refuse(Code::Contradiction, &given.mass, message, allowed);
+        let internal = given.internal_floating.place().filter(|_| tank.roof.kind.is_fixed());
+        r.refuse(Code::Contradiction, &internal.unwrap_or_else(|| given.mass.place()), message, allowed);
     }
 }
 
@@ -220,10 +222,12 @@ pub(super) fn used(file: &TankFile) -> BTreeSet<&String> {
     let bars = bars.chain(courses.clone().filter_map(|c| c.reinforcement.value()));
     let bars = bars.flatten().filter_map(|b| b.value.as_ref());
     let bottom = tank.bottom.value().map(|b| &b.material);
+    let rings = tank.rings.value().into_iter().flatten().filter_map(|ring| ring.value.as_ref());
     (courses.filter_map(|c| c.material.given.as_ref()))
         .chain(layered.map(|l| &l.material))
         .chain(bars.map(|b| &b.material))
         .chain(bottom)
+        .chain(rings.map(|ring| &ring.material))
         .filter_map(|m| m.value.as_ref())
         .collect()
 }

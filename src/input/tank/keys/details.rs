@@ -3,7 +3,7 @@
 use files::code::Code;
 use tank::units::Dimension;
 use tank::value::Value;
-use tank::{BottomConnections, Joint, Presence, ShellSupport, Snow};
+use tank::{BottomConnections, Joint, Presence, ShellSupport};
 
 use crate::input::diagnostic::Faults;
 use crate::input::tank::choice::choice;
@@ -13,7 +13,7 @@ use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Length, echoed};
 use tank::keys::Limits;
 
-choice!(Presence, Snow, ShellSupport, Joint);
+choice!(Presence, ShellSupport, Joint);
 
 /// Distances from the shell.
 const DISTANCE: Limits = Limits::from(0.0).to(1000.0);

@@ -23,6 +23,8 @@ pub(super) enum Use {
     Interlayer,
     /// Bars in concrete.
     Bars,
+    /// A ring around the wall.
+    Ring,
 }
 
 /// The material of this name. Reports an unknown name and a material of the wrong kind, but not a material that is faulty itself.
@@ -47,6 +49,9 @@ pub(super) fn material(
                 "an interlayer",
                 "an elastic material or one with the behaviour interlayer",
             ),
+            (Use::Ring, b) => {
+                (matches!(b, Behaviour::Elastic | Behaviour::Steel(_)), "a ring", "an elastic material or steel")
+            }
             (Use::Bars, b) => (
                 matches!(b, Behaviour::Elastic | Behaviour::Steel(_) | Behaviour::Reinforcement(_)),
                 "bars",

@@ -21,6 +21,9 @@ pub(super) fn plates(file: &TankFile) -> BTreeMap<&str, f64> {
             add(&mut plates, &layer.material, layer.thickness.value.map(Si::si));
         }
     }
+    for ring in tank.rings.value().into_iter().flatten().filter_map(|ring| ring.value.as_ref()) {
+        add(&mut plates, &ring.material, of(&ring.thickness));
+    }
     if let Some(bottom) = tank.bottom.value() {
         add(&mut plates, &bottom.material, bottom.thickness.value.map(Si::si));
         add(&mut plates, &bottom.material, of(&bottom.annular_thickness));

@@ -2,13 +2,15 @@
 
 use files::code::Code;
 use tank::units::Dimension;
-use tank::{Anchors, Pipes, Presence, Pressure, RoofKind, SIZE, Shape, Snow, Support};
+use tank::{Anchors, Attachment, Insulation, Pipes, Presence, Pressure, SIZE, Shape, Snow, Support};
 
 use super::base::{self, Above, Bottom, Foundation};
+use super::carried::{self, Ring};
 use super::corrosion::Common;
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
+use super::roof::{Roof, roof};
 use super::temperature::TEMPERATURE;
 use super::wall::{self, CORROSION, Course};
 use crate::input::tank::choice::choice;
@@ -16,9 +18,9 @@ use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::Resolver;
 use crate::input::tank::stated::Stated;
-use crate::input::tank::values::{Length, Mass, Temperature};
+use crate::input::tank::values::{Length, Temperature};
 use ::tank::words;
-use tank::keys::{Absent, Limits, default, without};
+use tank::keys::{Absent, Limits, default};
 
 object! {
     /// An upright tank on the ground.
@@ -47,6 +49,13 @@ object! {
         wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
         /// Mass on top of the wall. Without it, and without `"none"`, checks that need to know of a roof are open.
         roof: Stated<Roof> = Absent::Follows("no mass"),
+        /// Stiffening rings, wind girders and the top angle of a cylinder. Their mass counts with the wall; the finite-element engines have
+        /// their stiffness too, the formulas of the codes have not.
+        rings: Opt<Vec<Field<Ring>>> [Limits::ANY.items(0, 200)],
+        /// Masses that the wall carries at heights: ladders, stairs, platforms, walkways, nozzles.
+        attachments: Opt<Vec<Field<Given<Attachment>>>> [Limits::ANY.items(0, 1000)],
+        /// Insulation of the wall.
+        insulation: Opt<Given<Insulation>>,
         /// Bottom plate under the wall, needed by the anchorage and uplift checks.
         bottom: Stated<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
         /// What the tank stands on: the ground under the rim of the bottom plate, and the soil. Without it, and without `"none"` (the tank stands
@@ -65,23 +74,6 @@ object! {
         /// Structures that are connected to the tank, such as walkways to another tank.
         adjacent_structures ("none"): Opt<Presence> = Absent::Follows("not known; API 650 E.7.8 stays open"),
     }
-
-    /// Roof, or the mass on top of the wall of an open tank.
-    Roof {
-        /// How the roof is carried. The mass of a floating roof does not load the wall; it displaces its own mass of liquid below the
-        /// level of fill_height.
-        ///
-        /// An open tank has the mass of the girders on top of its wall.
-        r#type: Opt<RoofKind> = default(RoofKind::Fixed),
-        /// Mass of the roof with its loads.
-        mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
-        /// Height of its centre of mass above the tank bottom, not below the liquid; not of a floating roof.
-        height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),
-        /// Snow on the roof.
-        snow ("none"): Opt<Snow> = Absent::Follows("not known; the share of the snow stays open"),
-        /// Height of a floating roof's rim and seal above the level of the liquid; the freeboard is less by it.
-        rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],
-    }
 }
 
 words! {
@@ -94,7 +86,7 @@ words! {
     }
 }
 
-choice!(Plan, RoofKind, Support);
+choice!(Plan, Support);
 
 /// The tank.
 pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materials) -> Option<tank::Tank> {
@@ -104,7 +96,11 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let support = t.support.value;
     let corrosion = Common::of(r, &t.corrosion_allowance);
     let courses = wall::courses(r, &t.courses, materials, corrosion);
-    let roof = roof(r, &t.roof);
+    let (roof, snow) = roof(r, &t.roof, shape);
+    let wall = carried::wall_height(courses.as_deref());
+    let rings = carried::rings(r, &t.rings, (shape, wall), materials);
+    let attachments = carried::attachments(r, &t.attachments, wall);
+    let insulation = carried::insulation(r, &t.insulation, courses.as_deref());
     for none in [&t.foundation.none, &t.bottom.none, &t.anchors.none, &t.pipes.none] {
         none.iter().for_each(|field| r.echo_none(field));
     }
@@ -137,15 +133,16 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         courses: courses?,
         wall_base: wall_base?,
         roof,
-        rings: Vec::new(),
-        attachments: Vec::new(),
+        rings,
+        attachments,
+        insulation,
         bottom,
         foundation,
         isolators,
         anchors,
         pressure,
         pipes,
-        details: details(r, t),
+        details: details(r, t, snow),
     };
     if tank.corrodes() {
         let remark = "tank: finite elements and Housner's procedure use the thicknesses as built; the codes' stresses and resistances those \
@@ -163,38 +160,13 @@ fn pipes(r: &mut Resolver<'_>, stated: &Stated<Given<Pipes>>) -> Option<Pipes> {
     stated.value()?.resolve(r)
 }
 
-/// The roof; a floating one does not load the wall.
-fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> tank::Roof {
-    if let Some(field) = &stated.none {
-        r.echo_none(field);
-    } else if stated.given.is_none() {
-        r.echo_default("tank.roof.mass", "0 kg", "no roof stated");
-    }
-    let Some(given) = stated.value() else { return tank::Roof::default() };
-    let kind = r.or_default(&given.r#type);
-    let mass = r.number(&given.mass);
-    if kind == RoofKind::Floating {
-        let message = "height does not apply to a floating roof";
-        r.inapplicable(&given.height, message, "no height: the roof is on the liquid");
-        return tank::Roof {
-            afloat: mass,
-            kind,
-            rim: given.rim.given.as_ref().map_or(0.0, |rim| r.number(rim)),
-            ..tank::Roof::default()
-        };
-    }
-    let message = "rim does not apply to a roof that does not float";
-    r.inapplicable(&given.rim, message, "\"type\": \"floating\", or a roof without rim");
-    tank::Roof { mass, height: r.optional(&given.height), kind, ..tank::Roof::default() }
-}
-
 /// Answers about the construction.
-fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
+fn details(r: &mut Resolver<'_>, t: &Tank, snow: Option<Snow>) -> tank::Details {
     let bottom = t.bottom.value();
     tank::Details {
         internals: r.optional(&t.internals),
         adjacent_structures: r.optional(&t.adjacent_structures),
-        snow: t.roof.value().and_then(|roof| r.optional(&roof.snow)),
+        snow,
         shell_support: t.foundation.value().and_then(|f| r.optional(&f.shell_support)),
         annular_weld: bottom.and_then(|b| r.optional(&b.annular_weld)),
         shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),

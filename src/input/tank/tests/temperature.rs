@@ -33,7 +33,11 @@ fn carbon_steel_needs_them_above_93_degrees() {
 #[test]
 fn contradictions() {
     let none = tank("120 degC", HOT).replace("\"design_temperature\": \"120 degC\",", "");
-    assert!(refused(&none).contains("the key `design_temperature` is missing: the material `steel`"), "{}", refused(&none));
+    assert!(
+        refused(&none).contains("the key `design_temperature` is missing: the material `steel`"),
+        "{}",
+        refused(&none)
+    );
     let strong = refused(&tank("120 degC", &HOT.replace("210", "250")));
     assert!(strong.contains("above that at room temperature") && strong.contains("at most 240"), "{strong}");
     assert!(refused(&tank("261 degC", HOT)).contains("260"));

@@ -98,7 +98,7 @@ pub(super) fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint
         true => RoofRing::half(nodes, &positions, case.tank.roof.mass, lever),
         false => RoofRing::new(nodes, &positions, case.tank.roof.mass, lever),
     };
-    builder.element(ROOF, ring);
+    builder.element(ROOF, ring.carrying(1.0 - case.tank.roof.on_columns));
 }
 
 pub(super) fn add_liquid(

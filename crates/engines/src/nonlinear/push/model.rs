@@ -380,9 +380,9 @@ impl<'a> Plan<'a> {
         let lever = tank.roof_height() - tank.wall_height();
         let (mut weight, mut inertia) = (NodalLoads::new(), NodalLoads::new());
         let Some(edge) = rings.last().filter(|_| tank.roof.mass > 0.0) else { return (weight, inertia) };
-        let per_angle = tank.roof.mass / (2.0 * PI);
+        let (per_angle, carried) = (tank.roof.mass / (2.0 * PI), tank.roof.on_wall() / (2.0 * PI));
         for ((&node, share), cosine) in edge.iter().zip(shares(&self.angles)).zip(cosine_shares(&self.angles)) {
-            weight.force(node, [0.0, 0.0, -per_angle * share * self.case.gravity]);
+            weight.force(node, [0.0, 0.0, -carried * share * self.case.gravity]);
             // The moment m d presses the edge with (m d)/(π R²) cos θ.
             let tilt = tank.roof.mass * lever / (PI * self.radius) * cosine;
             inertia.force(node, [per_angle * share, 0.0, -tilt]);
