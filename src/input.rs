@@ -3,6 +3,7 @@
 pub mod csv;
 pub mod diagnostic;
 pub mod fragility;
+pub mod named;
 pub mod records;
 pub mod set;
 mod stdin;

@@ -4,7 +4,7 @@
 //! record it names, so that a plan reports all faults at once; a task reads its own tank and records alone.
 
 mod keys;
-mod pattern;
+pub(in crate::input) mod pattern;
 mod records;
 mod rule;
 mod sample;

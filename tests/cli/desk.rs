@@ -197,6 +197,109 @@ fn an_edit_of_another_window_is_not_lost() {
     );
 }
 
+/// A record is renamed and removed from the page; what names it is asked about, and follows.
+#[test]
+fn a_record_is_renamed_and_removed_but_not_silently() {
+    let desk = Desk::open();
+    let write = |name: &str, text: &str| std::fs::write(desk.folder.path().join(name), text).expect("writable");
+    let read = |name: &str| std::fs::read_to_string(desk.folder.path().join(name)).ok();
+    let set = |name: &str| format!("{{\n  // Three of them.\n  \"records\": [{{ \"along\": \"{name}#1\" }}]\n}}\n");
+    write("inner/set.json", &set("../elcentro.csv"));
+    write("study.json", "{ \"tanks\": { \"files\": \"tank.json\" }, \"records\": [{ \"files\": \"other*.csv\" }] }");
+    write("other1.csv", "0,1\n0.01,2\n");
+    let stamp = |path: &str| {
+        let folder = desk.get("api/folder").json();
+        let files = folder["files"].as_array().expect("files").clone();
+        files.into_iter().find(|file| file["path"] == path).map_or(Value::Null, |file| file["stamp"].clone())
+    };
+    let rename = |path: &str, to: &str, was: &Value, named: bool| {
+        desk.ask("POST", "api/rename", &json!({ "path": path, "to": to, "was": was, "named": named }))
+    };
+    let remove = |path: &str, was: &Value, rest: &str| {
+        let was = was.as_str().unwrap_or("x");
+        desk.send("DELETE", &format!("/{}/api/file?path={path}&was={was}{rest}", desk.token), "", b"")
+    };
+    let before = read("elcentro.csv").expect("a record");
+    let was = stamp("elcentro.csv");
+    // Outside, hidden, another ending, the place of another file, a record that is another one by now, or none.
+    for to in ["../elcentro.csv", "/tmp/elcentro.csv", ".elcentro.csv", "inner/../../x.csv"] {
+        assert_eq!(rename("elcentro.csv", to, &was, true).status, 403, "{to}");
+    }
+    assert_eq!(rename("elcentro.csv", "elcentro.json", &was, true).status, 422);
+    assert_eq!(rename("elcentro.csv", "other1.csv", &was, true).status, 409);
+    assert_eq!(rename("elcentro.csv", "new.csv", &json!("1-1"), true).status, 409);
+    assert_eq!(rename("none.csv", "new.csv", &was, true).status, 404);
+    // It is in use; then the set follows, its comment kept.
+    let asked = rename("elcentro.csv", "far/el centro.csv", &was, false);
+    assert_eq!((asked.status, &asked.json()["named"]), (409, &json!(["inner/set.json"])));
+    assert_eq!(remove("elcentro.csv", &was, "").json()["named"], json!(["inner/set.json"]));
+    assert!(read("elcentro.csv").is_some() && read("inner/set.json") == Some(set("../elcentro.csv")));
+    let done = rename("elcentro.csv", "far/el centro.csv", &was, true);
+    assert_eq!((done.status, &done.json()["changed"]), (200, &json!(["inner/set.json"])));
+    assert_eq!((read("elcentro.csv"), read("far/el centro.csv")), (None, Some(before)));
+    assert_eq!(read("inner/set.json"), Some(set("../far/el centro.csv")));
+    // A pattern finds it no longer, which nobody asked for.
+    assert_eq!(rename("other1.csv", "new.csv", &stamp("other1.csv"), true).status, 422);
+    assert_eq!(remove("other1.csv", &stamp("other1.csv"), "").json()["named"], json!(["study.json"]));
+    assert_eq!(remove("other1.csv", &json!("1-1"), "&named=true").status, 409);
+    assert_eq!(remove("other1.csv", &stamp("other1.csv"), "&named=true").status, 200);
+    assert_eq!(read("other1.csv"), None);
+    // Results are not taken apart.
+    std::fs::create_dir(desk.folder.path().join("out")).expect("writable");
+    write("out/manifest.json", "{ \"kind\": \"compare\", \"files\": {} }");
+    write("out/series.csv", "t,a\n");
+    assert_eq!(remove("out/series.csv", &json!("4-0"), "&named=true").status, 422);
+    assert!(read("out/series.csv").is_some());
+}
+
+/// Sets, studies and tanks that name files outside of the folder are refused as such a path itself is.
+#[test]
+fn what_a_file_names_lies_in_the_folder() {
+    let desk = Desk::open();
+    let write = |name: &str, text: String| std::fs::write(desk.folder.path().join(name), text).expect("writable");
+    let outside =
+        desk.folder.path().parent().expect("a parent").join(format!("desk-outside-{}.csv", std::process::id()));
+    std::fs::write(&outside, "0,0.1\n0.01,0.2\n").expect("writable");
+    let name = outside.file_name().expect("a name").to_string_lossy().into_owned();
+    let mut ways = vec![format!("../{name}"), outside.to_string_lossy().into_owned(), format!("inner/../../{name}#1")];
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(&outside, desk.folder.path().join("link.csv")).expect("linked");
+        ways.push("link.csv".into());
+    }
+    for way in ways {
+        let sentence = format!("`{way}` is not below the opened folder");
+        let refused = |what: &str, answer: Answer| {
+            assert_eq!((answer.status, &answer.json()["error"]["message"]), (403, &json!(sentence)), "{what}");
+        };
+        let records = format!("[{{ \"along\": {} }}]", json!(way));
+        write("set.json", format!("{{ \"records\": {records} }}"));
+        let run = |command: &str, arguments: Value| {
+            desk.ask("POST", "api/runs", &json!({ "command": command, "arguments": arguments, "out": "o" }))
+        };
+        refused("set", run("compare", json!(["tank.json", "--set", "set.json", "--out", "o"])));
+        // Through a study and its tank.
+        let tank = desk.text().replacen("\"site\"", "\"no_site\"", 1);
+        let tank = tank.replacen('{', &format!("{{ \"site\": {{ \"spectrum\": {{ \"file\": {} }} }},", json!(way)), 1);
+        write("farm.json", tank.clone());
+        write("study.json", "{ \"tanks\": { \"files\": \"far*.json\" } }".into());
+        refused("study", run("study plan", json!(["study.json", "--out", "o"])));
+        refused("tank", run("check", json!(["farm.json"])));
+        // In the form it is a fault of its field.
+        let found = desk.ask("POST", "api/check", &json!({ "text": tank })).json();
+        assert_eq!(
+            (&found["faults"][0]["message"], &found["faults"][0]["path"]),
+            (&json!(sentence), &json!("site.spectrum.file"))
+        );
+        refused("solve", desk.ask("POST", "api/solve", &json!({ "text": tank, "variable": "fill_height" })));
+    }
+    // From a folder further down, files above it that are inside are named as ever.
+    write("inner/set.json", "{ \"records\": [{ \"along\": \"../elcentro.csv\" }] }".into());
+    let run = json!({ "command": "compare", "arguments": ["tank.json", "--set", "inner/set.json", "--out", "o"], "out": "o" });
+    assert_eq!(desk.ask("POST", "api/runs", &run).status, 200);
+    std::fs::remove_file(&outside).expect("removed");
+}
+
 /// The battery of hostile requests: none is answered with a file from outside or a change, and the desk lives on.
 #[test]
 fn two_hundred_hostile_requests_reach_nothing() {
@@ -317,6 +420,10 @@ fn two_hundred_hostile_requests_reach_nothing() {
         ("PUT", "app.js"),
         ("POST", ""),
         ("DELETE", "api/runs/99"),
+        ("POST", "api/rename"),
+        ("DELETE", "api/file?path=tank.json"),
+        ("DELETE", "api/file?path=tank.json&was=1-1"),
+        ("DELETE", "api/file?path=../tank.json&was=1-1&named=true"),
         ("DELETE", "api/runs/x"),
     ] {
         refused(method, &desk.send(method, &format!("{own}{path}"), "", b""));

@@ -319,6 +319,68 @@ pub(crate) fn a_record_is_dropped_run_and_looked_at(chromium: &Path) {
     assert!(page.faults.is_empty(), "{:?}", page.faults);
 }
 
+/// The checks are three keys away, and one stop; a table says where columns stand; a record is renamed with the set that names it, and another removed.
+pub(crate) fn records_are_kept_by_keyboard(chromium: &Path) {
+    let files = [("examples/12_water_tank/tank.json", "tank.json"), ("examples/records/elcentro.csv", "elcentro.csv")];
+    let desk = Desk::open(&files);
+    let write = |name: &str, text: &str| fs::write(desk.folder.path().join(name), text).expect("writable");
+    let rows: String =
+        (0..50).map(|i| format!("{} 7 {}\n", 0.01 * f64::from(i), (f64::from(i) * 0.7).sin() * 0.1)).collect();
+    write("columns.txt", &rows);
+    write("set.json", "{ \"records\": [{ \"along\": \"elcentro.csv\" }] }\n");
+    let mut page = Browser::start(chromium);
+    page.look(1300, 1000, false);
+    page.open(&format!("{}#tank/tank.json", desk.address));
+    verdict(&mut page, "holds");
+    // From the top: bar, form, checks; then down the list, and out of it by one Tab.
+    page.value(&format!("{}.focus()", one("#file")));
+    (0..3).for_each(|_| page.key("F6", 0));
+    page.wait("document.activeElement.closest('#tank-side')");
+    page.value(&format!("{}.focus()", one(".check-list [tabindex='0']")));
+    page.key("ArrowDown", 0);
+    page.key("ArrowDown", 0);
+    page.wait("document.activeElement.matches('.check-row')");
+    let stops = "[...document.querySelectorAll('.check-row, .check-method')].filter(e => e.tabIndex === 0).length";
+    assert_eq!(page.value(stops), json!(1));
+    page.key("Tab", 0);
+    assert_eq!(page.value("document.activeElement.matches('.check-row, .check-method')"), json!(false));
+    page.key("F6", 8);
+    page.wait("document.activeElement.closest('.tank-data')");
+    // Three columns without a head: the reader asks which they are.
+    page.key("2", 1);
+    page.click("[...document.querySelectorAll('.rec-items button')].find(b => b.title === 'columns.txt')");
+    page.wait(&one(".rec-form [name=columns]"));
+    page.value(&format!("{}.focus()", one(".rec-form [name=columns]")));
+    page.types("1,3");
+    page.value(&format!("{}.value = 'g'", one(".rec-form [name=units]")));
+    page.key("Enter", 0);
+    page.wait(&format!("{}?.innerText.includes('0.1 g')", one(".rec-detail dl.facts")));
+    // Renamed, with the set.
+    page.click("[...document.querySelectorAll('.rec-items button')].find(b => b.title === 'elcentro.csv')");
+    page.wait("document.querySelector('.rec-detail h1')?.textContent === 'elcentro.csv'");
+    page.click(&button("Rename"));
+    page.wait("document.activeElement.selectionEnd === 8");
+    page.types("far/imperial valley");
+    page.key("Enter", 0);
+    page.click(&button("Rename, and change them"));
+    page.wait("document.querySelector('.rec-detail h1')?.textContent.startsWith('far/imperial') || document.querySelector('.rec-detail .hint')?.textContent.startsWith('far/')");
+    assert!(!desk.folder.path().join("elcentro.csv").exists());
+    assert_eq!(desk.text("set.json"), "{ \"records\": [{ \"along\": \"far/imperial valley.csv\" }] }\n");
+    // Removed: what names it is asked about, and no other file goes.
+    page.click(&button("Remove"));
+    page.click("document.querySelector('dialog[open] button.danger')");
+    page.wait("document.querySelector('dialog[open]')?.innerText.includes('set.json')");
+    page.click(&button("Cancel"));
+    assert!(desk.folder.path().join("far/imperial valley.csv").exists());
+    page.click("[...document.querySelectorAll('.rec-items button')].find(b => b.title === 'columns.txt')");
+    page.wait("document.querySelector('.rec-detail h1')?.textContent === 'columns.txt'");
+    page.click(&button("Remove"));
+    page.click("document.querySelector('dialog[open] button.danger')");
+    page.wait("![...document.querySelectorAll('.rec-items button')].some(b => b.title === 'columns.txt')");
+    assert!(!desk.folder.path().join("columns.txt").exists());
+    assert!(page.faults.iter().all(|fault| fault.contains("409") || fault.contains("422")), "{:?}", page.faults);
+}
+
 /// Nothing is cut off or left without words: every room at 390 and 1920 pixels, light and dark, in English and German.
 pub(crate) fn every_room_fits_in_both_languages(chromium: &Path) {
     let files = [

@@ -29,6 +29,7 @@ fn main() -> ExitCode {
         trial("desk::a_tank_is_entered", chromium, desk::a_tank_is_entered_from_an_empty_form),
         trial("desk::the_verdict_follows_what_is_typed", chromium, desk::the_verdict_follows_what_is_typed),
         trial("desk::a_record_is_dropped_run_and_looked_at", chromium, desk::a_record_is_dropped_run_and_looked_at),
+        trial("desk::records_are_kept_by_keyboard", chromium, desk::records_are_kept_by_keyboard),
         trial("desk::every_room_fits_in_both_languages", chromium, desk::every_room_fits_in_both_languages),
         trial("report_print::it_prints_to_clean_pages", chromium, report_print::it_prints_to_clean_pages),
         trial(

@@ -1,4 +1,4 @@
-// How a record is read: unit, time step and channel that its file does not give. Kept by path.
+// How a record is read: unit, time step, channel, columns and skipped lines that its file does not give. Kept by path.
 
 const KEY = 'desk.reading';
 const kept = new Map(Object.entries(load()));
@@ -11,7 +11,7 @@ function load() {
   }
 }
 
-/** `{units?, dt?, channel?}` of a record. */
+/** `{units?, dt?, channel?, columns?, skip_lines?}` of a record. */
 export function reading(path) {
   return kept.get(path) ?? {};
 }
@@ -21,10 +21,22 @@ export function setReading(path, options) {
   const given = Object.fromEntries(Object.entries(options).filter(([, value]) => value !== null && value !== undefined && value !== ''));
   if (Object.keys(given).length) kept.set(path, given);
   else kept.delete(path);
+  store();
+  return given;
+}
+
+/** A record that has another path is read as before. */
+export function moveReading(from, to) {
+  const given = kept.get(from);
+  kept.delete(from);
+  if (given) kept.set(to, given);
+  store();
+}
+
+function store() {
   try {
     localStorage.setItem(KEY, JSON.stringify(Object.fromEntries(kept)));
   } catch { /* Storage may be blocked: kept until the page is closed. */ }
-  return given;
 }
 
 /** The record as the API takes it. */

@@ -1,7 +1,9 @@
 // One record: how it is read, its history, its numbers, its spectra beside those of the site.
 
 import { choice, fill, h, labelled, spoken } from './dom.js';
+import { nodeAt, plain } from './jsonc.js';
 import { marks } from './marks.js';
+import { keeping } from './record-keep.js';
 import { UNITS, reading, recordOf, setReading } from './reading.js';
 import { show as display } from './units.js';
 import { number, t } from './words.js';
@@ -42,10 +44,10 @@ function drawHead(view) {
   const name = path.slice(path.lastIndexOf('/') + 1);
   const use = h('button.primary', { type: 'button', onclick: () => useIt(view) }, t('rec-use'));
   fill(view.parts.head, h('div', {}, h('h1', {}, name), path !== name ? h('p.hint', {}, path) : null),
-    view.answer ? h('div.row', {},
+    h('div.row', {}, keeping(view.room, path), !view.answer ? null : [
       used ? h('span.tag.holds', {}, t('rec-used')) : use,
       used ? h('button', { type: 'button', onclick: () => desk.setRecord(null) }, t('rec-unuse')) : null,
-      h('button', { type: 'button', onclick: () => { useIt(view, true); desk.go('runs', { kind: 'compare' }); } }, t('rec-run'))) : null);
+      h('button', { type: 'button', onclick: () => { useIt(view, true); desk.go('runs', { kind: 'compare' }); } }, t('rec-run'))]));
 }
 
 function useIt(view, quiet = false) {
@@ -75,46 +77,64 @@ async function read(view, asked = false) {
 
 /** Faults that an answer of the user mends, with the field that asks for it. */
 const ASKED = { T0403: 'units', T0404: 'dt', T0406: 'channel' };
+/** The same by the option that the help of a fault names. */
+const OPTIONS = [[/--skip-lines/, 'skip'], [/--columns/, 'columns'], [/--dt/, 'dt'], [/--units/, 'units'], [/--channel/, 'channel']];
+
+/** The fields that a fault asks for. */
+function askedBy({ message, help }) {
+  const said = `${message} ${help ?? ''}`;
+  const own = ASKED[said.match(/\bT04\d\d\b/)?.[0]];
+  return [...new Set([own, ...OPTIONS.filter(([option]) => option.test(said)).map(([, name]) => name)])].filter(Boolean);
+}
 
 function drawFault(view, error, asked) {
-  const field = ASKED[error.message.match(/\bT04\d\d\b/)?.[0]];
-  const form = readingForm(view, error.message);
-  fill(view.parts.body, h('section.panel.stack', {}, h('h2', {}, t(field ? 'rec-unclear' : 'rec-unreadable')), h('pre.rec-fault', {}, faultText(error)),
+  const fields = askedBy(error);
+  const [field] = fields;
+  const form = readingForm(view, error.message, fields);
+  fill(view.parts.body, h('section.panel.stack', {}, h('h2', {}, t(field ? 'rec-unclear' : 'rec-unreadable')), h('pre.rec-fault', { lang: 'en' }, faultText(error)),
     field ? form : h('details', {}, h('summary', {}, t('rec-how')), form)));
   if (asked && field) form.querySelector(`[name=${field}]`)?.focus();
 }
 
 /** The words of the readers without what only a terminal needs: the path, the count, the hint to `explain`. */
 function faultText({ message, help }) {
-  const told = message.split(/\n+error: \d+ faults? in /)[0].split('\n').filter((line) => !line.startsWith('-->'));
+  const told = message.split(/\n+error: \d+ faults? in /)[0].split('\n').filter((line) => !line.trim().startsWith('-->'));
   return [...told, help && !help.includes('tankcheck explain') ? help.trim() : null].filter(Boolean).join('\n');
 }
 
-/* Unit, time step, channel */
+/* Unit, time step, channel, columns, lines */
 
-/** A form for what the file does not say; `fault` may list the channels. */
-function readingForm(view, fault = '') {
+/** A form for what the file does not say; `fault` may list the channels, `wanted` are the fields that it asks for. */
+function readingForm(view, fault = '', wanted = []) {
   const given = reading(view.path);
   const units = choice([['', t('rec-as-file')], ...UNITS.map((unit) => [unit, unit])], given.units ?? '', { name: 'units' });
   const dt = h('input', { name: 'dt', inputmode: 'decimal', value: given.dt ?? '', placeholder: t('rec-as-file') });
   const channels = channelsOf(fault);
   const channel = channels.length ? choice([['', '–'], ...channels], given.channel ?? '', { name: 'channel' })
     : h('input', { name: 'channel', value: given.channel ?? '', placeholder: t('rec-as-file'), title: t('rec-channel-hint') });
+  const columns = h('input', { name: 'columns', value: given.columns ?? '', placeholder: t('rec-as-file'), spellcheck: 'false' });
+  const skip = h('input', { name: 'skip', inputmode: 'numeric', value: given.skip_lines ?? '', placeholder: '0' });
+  const refuse = (input, bad, words) => {
+    input.setAttribute('aria-invalid', String(bad));
+    if (!bad) return false;
+    view.desk.say(t(words), 'error');
+    input.closest('details')?.setAttribute('open', '');
+    input.focus();
+    return true;
+  };
   const submit = (event) => {
     event.preventDefault();
-    const text = dt.value.trim().replace(',', '.');
-    const bad = text !== '' && !(Number(text) > 0);
-    dt.setAttribute('aria-invalid', String(bad));
-    if (bad) {
-      view.desk.say(t('rec-bad-dt'), 'error');
-      dt.focus();
-      return;
-    }
-    setReading(view.path, { units: units.value, dt: text === '' ? null : Number(text), channel: channel.value.trim() });
+    const [step, lines, which] = [dt.value.trim().replace(',', '.'), skip.value.trim(), columns.value.replace(/\s/g, '').replace(/;/g, ',').toLowerCase()];
+    if (refuse(dt, step !== '' && !(Number(step) > 0), 'rec-bad-dt') || refuse(skip, lines !== '' && !/^\d{1,9}$/.test(lines), 'rec-bad-skip')
+      || refuse(columns, which !== '' && !/^([1-9]\d{0,3}(,[1-9]\d{0,3})?|all)$/.test(which), 'rec-bad-columns')) return;
+    setReading(view.path, {
+      units: units.value, dt: step === '' ? null : Number(step), channel: channel.value.trim(), columns: which, skip_lines: Number(lines) || null,
+    });
     read(view, true);
   };
   return h('form.rec-form', { onsubmit: submit }, labelled(t('rec-unit'), units), labelled(t('rec-dt'), dt),
-    labelled(t('rec-channel'), channel), h('button.primary', {}, t('rec-read')),
+    labelled(t('rec-channel'), channel), labelled(t('rec-columns'), columns, wanted.includes('columns') ? t('rec-columns-hint') : null),
+    labelled(t('rec-skip'), skip, wanted.includes('skip') ? t('rec-skip-hint') : null), h('button.primary', {}, t('rec-read')),
     h('p.hint', {}, t('rec-how-hint')));
 }
 
@@ -151,13 +171,24 @@ async function draw(view) {
 
 const seconds = (value) => `${number(value, 3)} s`;
 
+// What the tank file does to every record; a run does it too.
+function scaled(view) {
+  const { root } = view.desk.document ?? {};
+  const value = (key) => plain(nodeAt(root, ['record', key]));
+  const said = [value('scale_to') !== undefined && t('rec-scale-to', { value: value('scale_to') }), Number(value('scale_by') ?? 1) !== 1 && t('rec-scale-by', { value: value('scale_by') }),
+    Number(value('time_factor') ?? 1) !== 1 && t('rec-time-factor', { value: value('time_factor') })].filter(Boolean);
+  return said.join(', ');
+}
+
 function facts(view) {
   const { info } = view.answer;
   const system = view.desk.settings.units;
   const usable = view.answer.usable_period ?? info.usable_period_s;
   const gravity = `${number(info.pga_g, 3)} g`;
+  const scaling = scaled(view);
   const rows = [
     ['rec-peak', `${display(info.pga, 'acceleration', system)} (${gravity})`],
+    ...(scaling ? [['rec-scaling', scaling]] : []),
     ['rec-duration', t('rec-duration-of', { duration: seconds(info.duration), samples: info.samples, dt: seconds(info.dt) })],
     ['rec-usable', usable ? t('rec-usable-of', { period: `${number(usable, 3)} s`, frequency: `${number(info.low_cut_frequency_hz, 2)} Hz` }) : t('rec-usable-none')],
     ['rec-significant', t('rec-significant-of', { duration: seconds(info.significant_duration), start: seconds(info.significant_start) })],
@@ -172,8 +203,8 @@ function facts(view) {
   const asked = Object.keys(reading(view.path)).length > 0;
   return h('section.panel.stack', {},
     h('dl.facts', {}, rows.map(([id, text]) => [h('dt', {}, t(id)), h('dd', {}, spoken(text))])),
-    view.answer.warnings?.map((warning) => h('p.open-state', {}, spoken(warning.message))),
-    info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', {}, spoken(note))))] : null,
+    view.answer.warnings?.map((warning) => h('p.open-state', { lang: 'en' }, spoken(warning.message))),
+    info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', { lang: 'en' }, spoken(note))))] : null,
     h('details', { open: asked }, h('summary', {}, t('rec-how')), readingForm(view)));
 }
 

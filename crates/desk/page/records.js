@@ -12,8 +12,10 @@ const LARGEST = 64 * 1024 * 1024;
 export function mount(element, desk) {
   const room = {
     desk, files: [], results: [], ticked: new Set(), filter: '', shown: null, view: null, visible: false, stale: true,
-    list: h('div.rec-list'), detail: h('div.rec-detail', { tabindex: '-1' }),
+    list: h('div.rec-list', { dataset: { area: '' } }), detail: h('div.rec-detail', { tabindex: '-1', dataset: { area: '' } }),
   };
+  room.reload = () => load(room);
+  room.forget = () => { drawNothing(room); room.shown = null; };
   element.classList.add('records');
   fill(element, room.list, room.detail);
   buildList(room);

@@ -145,10 +145,11 @@ function record(name, path) {
   return [name, channel ? `${path}#${channel}` : path];
 }
 
-// One unit and one time step stand for all records of a run: those of the first that needs them.
+// One unit, time step and so on stand for all records of a run: those of the first that needs them.
 function how(values) {
   const all = [values.along, values.across, values.up].filter(Boolean).map(reading);
-  return [...given('--units', all.find((one) => one.units)?.units), ...given('--dt', all.find((one) => one.dt)?.dt)];
+  const first = (key) => all.find((one) => one[key])?.[key];
+  return [...given('--units', first('units')), ...given('--dt', first('dt')), ...given('--columns', first('columns')), ...given('--skip-lines', first('skip_lines'))];
 }
 
 function engine(values) {

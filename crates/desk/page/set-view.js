@@ -2,6 +2,7 @@
 
 import { choice, fill, h, labelled } from './dom.js';
 import { reading } from './reading.js';
+import { keeping } from './record-keep.js';
 import { drawRule } from './set-rule.js';
 import { t } from './words.js';
 
@@ -54,6 +55,9 @@ function freeName(room) {
 
 async function save(room, fields, rows, done) {
   const { desk } = room;
+  // A set has no keys for what only the command line can say of a record.
+  const special = rows.find((row) => reading(row.path).skip_lines || reading(row.path).columns);
+  if (special) return void desk.say(t('set-special', { path: special.path }), 'error');
   const path = fields.file.value.trim();
   if (!path.endsWith('.json') || path.startsWith('/') || path.split('/').includes('..')) return void desk.say(t('set-bad-name'), 'error');
   const set = { name: fields.name.value.trim() || undefined, code: fields.rule.value || undefined, combine: fields.combine.value || undefined };
@@ -149,7 +153,7 @@ async function draw(view) {
   view.rule = h('section.panel.stack');
   fill(room.detail,
     h('header.rec-head', {}, h('div', {}, h('h1', {}, set.name ?? path), h('p.hint', {}, path)),
-      h('div.row', {}, h('button', { type: 'button', onclick: () => desk.go('runs', { kind: 'set', set: path }) }, t('set-run')))),
+      h('div.row', {}, keeping(room, path), h('button', { type: 'button', onclick: () => desk.go('runs', { kind: 'set', set: path }) }, t('set-run')))),
     h('div.stack', {}, view.rule, h('section.panel.stack', {}, options(set), recordsTable(view))));
   await loadRule(view);
 }

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::path::Path as FilePath;
 use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::{DefaultBodyLimit, Path, Query, State};
@@ -19,6 +19,7 @@ use serde_json::{Value, json};
 use crate::Opening;
 use crate::folder::{Folder, sha256};
 use crate::guard;
+use crate::keeping::{remove, rename};
 use crate::office::{Office, Question, RecordChoice, Refused, Tank};
 use crate::page;
 use crate::runs::Runs;
@@ -40,13 +41,13 @@ pub(crate) struct Desk {
     pub(crate) runs: Runs,
 }
 
-type Own = State<Arc<Desk>>;
+pub(crate) type Own = State<Arc<Desk>>;
 
 /// A refusal as an answer.
-struct Fault(StatusCode, Value);
+pub(crate) struct Fault(pub(crate) StatusCode, pub(crate) Value);
 
 impl Fault {
-    fn of(status: StatusCode, refused: Refused) -> Fault {
+    pub(crate) fn of(status: StatusCode, refused: Refused) -> Fault {
         Fault(status, json!({ "error": { "message": refused.message, "help": refused.help } }))
     }
 }
@@ -64,7 +65,7 @@ impl From<Refused> for Fault {
     }
 }
 
-fn absent(what: &str) -> Fault {
+pub(crate) fn absent(what: &str) -> Fault {
     Fault::of(StatusCode::NOT_FOUND, Refused::new(format!("there is no `{what}`")))
 }
 
@@ -73,7 +74,8 @@ pub(crate) fn router(desk: Arc<Desk>, token: &str, port: u16) -> Router {
     let api = Router::new()
         .route("/desk", get(about))
         .route("/folder", get(contents))
-        .route("/file", get(file).put(save))
+        .route("/file", get(file).put(save).delete(remove))
+        .route("/rename", post(rename))
         .route("/upload", post(upload).layer(DefaultBodyLimit::max(UPLOAD)))
         .route("/schema", get(|desk: Own| ask(desk.0, Question::Schema)))
         .route("/templates", get(|desk: Own| ask(desk.0, Question::Templates)))
@@ -117,7 +119,7 @@ async fn page(Path(path): Path<String>) -> Response {
 }
 
 /// Work that reads or computes, beside the thread of the server.
-async fn beside<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T, Fault> {
+pub(crate) async fn beside<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T, Fault> {
     // Work that panics has said so on standard error.
     tokio::task::spawn_blocking(work)
         .await
@@ -193,7 +195,7 @@ fn replaced(place: &FilePath, new: &Saved) -> Result<Json<Value>, Fault> {
     Ok(Json(json!({ "sha256": own })))
 }
 
-fn unwritten(path: &str, what: &str) -> Fault {
+pub(crate) fn unwritten(path: &str, what: &str) -> Fault {
     Fault::of(StatusCode::INTERNAL_SERVER_ERROR, Refused::new(format!("{path}: cannot be written: {what}")))
 }
 
@@ -225,14 +227,20 @@ async fn upload(State(desk): Own, Query(Named { name }): Query<Named>, body: Byt
 }
 
 impl Desk {
-    /// The tank of a question, its record found.
-    fn tank(&self, mut tank: Tank) -> Result<Tank, Fault> {
-        if let Some(name) = &tank.name {
-            self.folder.inside(name)?;
+    /// The tank of a question, its record found; or which of its values names a file outside.
+    fn tank(&self, mut tank: Tank) -> Result<Result<Tank, (String, Refused)>, Fault> {
+        let name = tank.name.as_deref().unwrap_or("tank.json");
+        let place = self.folder.inside(name)?;
+        if let Err(outside) = self.admits_named(&place, &tank.text) {
+            return Ok(Err(outside));
         }
         tank.folder = self.folder.root().to_owned();
         tank.record = tank.record.map(|record| self.record(record)).transpose()?;
-        Ok(tank)
+        Ok(Ok(tank))
+    }
+
+    fn admitted(&self, tank: Tank) -> Result<Tank, Fault> {
+        self.tank(tank)?.map_err(|(_, refused)| refused.into())
     }
 
     fn record(&self, record: RecordChoice) -> Result<RecordChoice, Fault> {
@@ -242,7 +250,17 @@ impl Desk {
 }
 
 async fn check(State(desk): Own, Json(tank): Json<Tank>) -> Result<Json<Value>, Fault> {
-    let tank = desk.tank(tank)?;
+    let tank = match desk.tank(tank)? {
+        Ok(tank) => tank,
+        // Shown where it stands in the form.
+        Err((path, Refused { message, help })) => {
+            let fault = json!({ "code": Value::Null, "message": message, "path": path, "line": 1, "column": 1, "start": 0, "end": 0,
+                "found": "", "allowed": "", "help": help });
+            return Ok(Json(
+                json!({ "faults": [fault], "text_faults": message, "warnings": [], "results": null, "sketch": null }),
+            ));
+        }
+    };
     ask(desk, Question::Check(tank)).await
 }
 
@@ -255,7 +273,7 @@ struct OfSheet {
 }
 
 async fn sheet(State(desk): Own, Json(asked): Json<OfSheet>) -> Result<Json<Value>, Fault> {
-    let tank = desk.tank(asked.tank)?;
+    let tank = desk.admitted(asked.tank)?;
     ask(desk, Question::Sheet { tank, method: asked.method, check: asked.check }).await
 }
 
@@ -278,7 +296,7 @@ struct Solved {
 }
 
 async fn solve(State(desk): Own, Json(asked): Json<Solved>) -> Result<Json<Value>, Fault> {
-    let tank = desk.tank(asked.tank)?;
+    let tank = desk.admitted(asked.tank)?;
     ask(desk, Question::Solve { tank, variable: asked.variable }).await
 }
 
@@ -305,6 +323,8 @@ async fn run(State(desk): Own, Json(asked): Json<Asked>) -> Result<Json<Value>, 
     for place in &places {
         desk.folder.admits(place)?;
     }
+    let own = Arc::clone(&desk);
+    beside(move || places.iter().try_for_each(|place| own.admits_below(place))).await??;
     if let Some(out) = asked.out.as_deref().filter(|out| desk.runs.writes(out)) {
         return Err(Fault::of(StatusCode::CONFLICT, Refused::new(format!("another run writes into `{out}`"))));
     }
@@ -319,11 +339,11 @@ async fn cancel(State(desk): Own, Path(id): Path<u64>) -> Result<Json<Value>, Fa
 
 /// Events: `runs` with the list when it changes, `folder` when files come, go or change.
 async fn events(State(desk): Own) -> Sse<impl Stream<Item = Result<Event, Infallible>>> {
-    let state = (desk.runs.changes(), None::<SystemTime>, true, desk);
+    let state = (desk.runs.changes(), None::<u64>, true, desk);
     let next = |(mut changes, mut seen, first, desk): (tokio::sync::watch::Receiver<u64>, _, bool, Arc<Desk>)| async move {
         if first {
             let event = Event::default().event("runs").data(text(&desk.runs.list()));
-            seen = newest(&desk).await;
+            seen = held(&desk).await;
             return Some((Ok(event), (changes, seen, false, desk)));
         }
         loop {
@@ -335,7 +355,7 @@ async fn events(State(desk): Own) -> Sse<impl Stream<Item = Result<Event, Infall
                     return Some((Ok(event), (changes, seen, false, desk)));
                 }
                 Err(_) => {
-                    let now = newest(&desk).await;
+                    let now = held(&desk).await;
                     if now != seen {
                         let event = Event::default().event("folder").data("{}");
                         return Some((Ok(event), (changes, now, false, desk)));
@@ -351,15 +371,10 @@ fn text(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
-/// Time of the last change of the folder itself or of one directly in it.
-async fn newest(desk: &Arc<Desk>) -> Option<SystemTime> {
-    let root = desk.folder.root().to_owned();
-    let look = move || {
-        let time = |path: &FilePath| path.metadata().and_then(|about| about.modified()).ok();
-        let inner = std::fs::read_dir(&root).ok()?.flatten().take(2_000).filter_map(|entry| time(&entry.path()));
-        inner.chain(time(&root)).max()
-    };
-    beside(look).await.ok().flatten()
+/// A number for what the folder holds.
+async fn held(desk: &Arc<Desk>) -> Option<u64> {
+    let folder = desk.folder.clone();
+    beside(move || folder.state()).await.ok()
 }
 
 async fn results(State(desk): Own, Query(at): Query<At>) -> Result<Response, Fault> {

@@ -1,5 +1,6 @@
 //! The opened folder. What lies outside is neither read nor written, whether a path climbs, is absolute or follows a link.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
 
@@ -36,6 +37,8 @@ struct Item {
     size: u64,
     /// Seconds since 1970.
     modified: u64,
+    /// Another one after a change.
+    stamp: String,
 }
 
 /// A folder of results.
@@ -106,6 +109,76 @@ impl Folder {
         self.inside(trimmed).map(|_| ())
     }
 
+    /// A place that another file names must lie inside, as it is written and as the system follows it.
+    ///
+    /// Errors: as [`Folder::inside`].
+    pub(crate) fn holds(&self, place: &Path) -> Result<(), Refused> {
+        let mut written = PathBuf::new();
+        for part in place.components() {
+            match part {
+                Component::ParentDir if written.pop() => {}
+                Component::CurDir => {}
+                part => written.push(part),
+            }
+        }
+        self.admits(&written)?;
+        match place.canonicalize() {
+            Ok(real) if !real.starts_with(&self.0) => {
+                Err(Refused::new(format!("`{}` is not below the opened folder", place.display())))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What tells two versions of a file from each other without reading it; none where there is no file.
+    pub(crate) fn stamp(&self, relative: &str) -> Result<Option<String>, Refused> {
+        let about = self.inside(relative)?.metadata().ok().filter(std::fs::Metadata::is_file);
+        Ok(about.map(|about| stamp(&about)))
+    }
+
+    /// Whether a file lies in a folder of results.
+    pub(crate) fn computed(&self, relative: &str) -> bool {
+        let above = Path::new(relative).ancestors().skip(1);
+        above.into_iter().any(|folder| self.0.join(folder).join(files::MANIFEST_FILE).is_file())
+    }
+
+    /// A number for what the folder holds, as deep as [`Folder::contents`] looks: another one after a file has come, gone or changed.
+    pub(crate) fn state(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        let mut left = MOST;
+        self.look(Path::new(""), 0, &mut left, &mut hasher);
+        hasher.finish()
+    }
+
+    fn look(&self, below: &Path, depth: usize, left: &mut usize, hasher: &mut DefaultHasher) {
+        let Ok(entries) = std::fs::read_dir(self.0.join(below)) else { return };
+        for entry in entries.flatten() {
+            if *left == 0 {
+                return;
+            }
+            *left -= 1;
+            let name = entry.file_name();
+            let Some(name) = name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+            let (path, Ok(about)) = (below.join(name), entry.metadata()) else { continue };
+            (&path, about.len(), about.modified().ok()).hash(hasher);
+            if !about.is_dir() {
+                continue;
+            }
+            // Of results the manifest says all: it is written last.
+            match self.0.join(&path).join(files::MANIFEST_FILE).metadata() {
+                Ok(manifest) => manifest.modified().ok().hash(hasher),
+                Err(_) if depth < DEPTH => self.look(&path, depth + 1, left, hasher),
+                Err(_) => {}
+            }
+        }
+    }
+
+    /// Paths of the files that may name others.
+    pub(crate) fn naming(&self) -> Vec<String> {
+        let kept = |item: &Item| matches!(item.kind, "tank" | "set" | "study");
+        self.contents().files.into_iter().filter(kept).map(|item| item.path).collect()
+    }
+
     /// Tank files, records, sets and results, by their paths.
     pub(crate) fn contents(&self) -> Contents {
         let mut found = Contents::default();
@@ -151,7 +224,8 @@ impl Folder {
             }
             _ => "other",
         };
-        Some(Item { path: slashed(path), kind, size: about.len(), modified: seconds(about.modified().ok()) })
+        let modified = seconds(about.modified().ok());
+        Some(Item { path: slashed(path), kind, size: about.len(), modified, stamp: stamp(&about) })
     }
 
     /// A folder with a manifest.
@@ -242,6 +316,12 @@ fn seconds(time: Option<SystemTime>) -> u64 {
     time.and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok()).map_or(0, |span| span.as_secs())
 }
 
+/// Size and time of a file.
+fn stamp(about: &std::fs::Metadata) -> String {
+    let time = about.modified().ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
+    format!("{}-{}", about.len(), time.map_or(0, |span| span.as_nanos()))
+}
+
 /// Hash of a file's bytes, as hexadecimal digits.
 pub(crate) fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
@@ -278,5 +358,53 @@ mod tests {
         assert!(folder.admits(&place.path().join("secret")).is_err());
         assert!(folder.admits(Path::new("./deep/")).is_ok());
         assert!(folder.admits(&folder.root().join("r.csv#2")).is_ok());
+        // What another file names may climb, but not leave.
+        let from = folder.root().join("deep");
+        assert!(folder.holds(&from.join("../tank.json")).is_ok() && folder.holds(&from.join("./r.csv")).is_ok());
+        for path in ["../../secret", "/etc/passwd", "../../opened-too/x", "../.x"] {
+            assert!(folder.holds(&from.join(path)).is_err(), "{path}");
+        }
+        #[cfg(unix)]
+        {
+            // The system goes up from where a link leads, not from where it stands.
+            std::fs::create_dir(place.path().join("other")).unwrap();
+            std::fs::write(root.join("secret"), "own").unwrap();
+            std::os::unix::fs::symlink(place.path().join("other"), root.join("way")).unwrap();
+            assert!(folder.holds(&folder.root().join("way/../secret")).is_err());
+        }
+    }
+
+    /// Changes down to the depth that is shown, and no deeper.
+    #[test]
+    fn changes_are_seen_where_files_are_shown() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = Folder::open(place.path()).unwrap();
+        let shown = place.path().join("a/b/c/d/e");
+        std::fs::create_dir_all(shown.join("f")).unwrap();
+        let mut last = folder.state();
+        assert_eq!(folder.state(), last);
+        let mut moved = |what: &str| {
+            let now = folder.state();
+            assert_ne!(now, last, "{what}");
+            last = now;
+        };
+        std::fs::write(shown.join("tank.json"), "{ \"tank\": 1, \"liquid\": 2 }").unwrap();
+        moved("come");
+        assert_eq!(folder.contents().files.len(), 1);
+        std::fs::write(shown.join("tank.json"), "{ \"tank\": 1, \"liquid\": 23 }").unwrap();
+        moved("changed");
+        std::fs::rename(shown.join("tank.json"), shown.join("other.json")).unwrap();
+        moved("renamed");
+        std::fs::remove_file(shown.join("other.json")).unwrap();
+        moved("gone");
+        // Of results the manifest alone is looked at.
+        std::fs::create_dir(place.path().join("out")).unwrap();
+        std::fs::write(place.path().join("out").join(files::MANIFEST_FILE), "{}").unwrap();
+        moved("results");
+        let now = folder.state();
+        std::fs::create_dir(place.path().join("out/figures")).unwrap();
+        let there = folder.state();
+        std::fs::write(place.path().join("out/figures/wall.svg"), "x").unwrap();
+        assert!(now != there && folder.state() == there);
     }
 }

@@ -15,6 +15,7 @@ mod api;
 mod folder;
 mod guard;
 mod interactive;
+mod keeping;
 mod office;
 mod page;
 mod runs;
@@ -27,7 +28,7 @@ use std::time::Duration;
 
 pub use folder::Folder;
 pub use interactive::{MOST_SCENE, Shown, interactive};
-pub use office::{Office, Question, RecordChoice, Refused, Tank};
+pub use office::{Named, Office, Question, RecordChoice, Refused, Tank};
 
 /// What the desk is opened with.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Questions that are answered within the process, in milliseconds.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -16,6 +16,22 @@ pub trait Office: Send + Sync {
     ///
     /// Errors: a command or an option that there is not, or that is not for the desk.
     fn admit(&self, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused>;
+
+    /// The files that a tank, set, study or plan names, those of a pattern one by one; none for a text that is none of these.
+    ///
+    /// * `from`: the file itself, from whose folder on they are found
+    fn named(&self, from: &Path, text: &str) -> Vec<Named>;
+}
+
+/// A file that another one names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// Path of the value in the file, `records[0].along`.
+    pub at: String,
+    /// The value as written.
+    pub text: String,
+    /// The file.
+    pub file: PathBuf,
 }
 
 /// A refusal with its reason.
@@ -112,4 +128,10 @@ pub struct RecordChoice {
     /// Channel.
     #[serde(default)]
     pub channel: Option<String>,
+    /// Lines at its beginning that are not read.
+    #[serde(default)]
+    pub skip_lines: Option<usize>,
+    /// Columns of a table, as of `--columns`.
+    #[serde(default)]
+    pub columns: Option<String>,
 }

@@ -4,7 +4,7 @@ use std::any::TypeId;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use desk::{Office, Question, RecordChoice, Refused, Tank};
+use desk::{Named, Office, Question, RecordChoice, Refused, Tank};
 use oscillator::spectrum::{Method, spectrum};
 use report::style::{self, Wish, Wished};
 use serde_json::{Value, json};
@@ -15,7 +15,8 @@ use crate::cli::inputs::{self, Inputs, Reading};
 use crate::cli::{init, quake, solve as solving};
 use crate::error::Error;
 use crate::input::diagnostic::{Fault, Faults, Source};
-use crate::input::records::{self, AccelerationUnit};
+use crate::input::named::{Mention, named};
+use crate::input::records::{self, AccelerationUnit, Columns};
 use crate::input::tank::{edited, json_schema, parse};
 use crate::job::Job;
 use crate::pipeline;
@@ -70,6 +71,11 @@ impl Office for Answers {
 
     fn admit(&self, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused> {
         admitted(&self.commands, command, arguments)
+    }
+
+    fn named(&self, from: &Path, text: &str) -> Vec<Named> {
+        let own = |found: Mention| Named { at: found.at, text: found.text, file: found.file };
+        named(from, text).into_iter().map(own).collect()
     }
 }
 
@@ -152,8 +158,14 @@ fn reading(record: &RecordChoice) -> Result<Reading, Error> {
         units: record.units.as_ref().filter(|text| !text.is_empty()).map(unit).transpose()?,
         dt: record.dt,
         channel: record.channel.clone().filter(|text| !text.is_empty()),
+        skip_lines: record.skip_lines.unwrap_or_default(),
+        columns: record.columns.as_ref().filter(|text| !text.is_empty()).map(columns).transpose()?,
         ..Reading::default()
     })
+}
+
+fn columns(text: &String) -> Result<Columns, Error> {
+    text.parse().map_err(|what| Error::value(format!("found the columns `{}`, {what}", text::line(text))))
 }
 
 fn check(asked: &Tank) -> Value {

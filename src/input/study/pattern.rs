@@ -11,7 +11,7 @@ pub(super) const MOST_ENTRIES: usize = 100_000;
 
 /// Why a pattern gives no files.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Refused {
+pub(in crate::input) enum Refused {
     /// It is not a pattern.
     Faulty(String),
     /// More than [`MOST_FILES`].
@@ -21,7 +21,7 @@ pub(super) enum Refused {
 }
 
 /// Whether a text is a pattern, not the name of one file.
-pub(super) fn is_pattern(text: &str) -> bool {
+pub(in crate::input) fn is_pattern(text: &str) -> bool {
     text.contains(['*', '?', '['])
 }
 
@@ -30,7 +30,7 @@ pub(super) fn is_pattern(text: &str) -> bool {
 /// * `text`: relative to the folder
 ///
 /// Errors: a faulty or unbounded pattern.
-pub(super) fn files(folder: &Path, text: &str) -> Result<Vec<PathBuf>, Refused> {
+pub(in crate::input) fn files(folder: &Path, text: &str) -> Result<Vec<PathBuf>, Refused> {
     let mut walk = Walk { parts: Vec::new(), entries: 0, found: Vec::new() };
     let mut from = folder.to_path_buf();
     for part in Path::new(text).components() {
