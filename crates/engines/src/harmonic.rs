@@ -14,6 +14,7 @@ mod modes;
 mod observe;
 mod places;
 mod reduce;
+mod rings;
 mod state;
 mod wall;
 mod wall_mesh;

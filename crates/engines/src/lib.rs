@@ -13,6 +13,7 @@ pub mod damping;
 pub mod engine;
 mod error;
 pub mod estimate;
+mod fittings;
 pub mod harmonic;
 pub mod modes;
 pub mod nonlinear;

@@ -23,6 +23,7 @@ mod plan;
 mod poles;
 mod project;
 mod reduce;
+pub(crate) mod ring;
 mod ritz;
 pub(crate) mod roof;
 mod rows;

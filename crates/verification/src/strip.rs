@@ -62,6 +62,7 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
         sections: vec![section; wet + dry],
         shells: None,
         options,
+        carried: Vec::new(),
         base_spring: None,
         liquid: StripLiquid { gravity: G, ..StripLiquid::new(HALF_WIDTH, DEPTH, 1e4 / G) },
         sloshing: SLOSHING,

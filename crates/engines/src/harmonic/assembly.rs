@@ -9,6 +9,7 @@ use fem::linalg::Matrix;
 use fem::liquid::Potential;
 
 use super::reduce::Reduction;
+use super::rings::Fitting;
 use super::wall::{NODAL, NODE, Wall};
 
 /// Wall and liquid of one harmonic, joined.
@@ -30,7 +31,7 @@ pub(super) struct Assembly {
     pub(super) rotation: Vec<f64>,
     /// Inertia load of a unit ground acceleration, on all unknowns (right-hand side −load a_g).
     pub(super) load: Vec<f64>,
-    /// Rows of base shear and base moment of the wall alone, on all unknowns.
+    /// Rows of base shear and base moment of the wall with its rings and attachments, on all unknowns.
     pub(super) wall_inertia: [Vec<f64>; 2],
     /// The same of the roof.
     pub(super) roof_inertia: [Vec<f64>; 2],
@@ -60,6 +61,9 @@ impl Assembly {
 
         let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
         add_wall(&wall, &node, &mut mass, &mut stiffness);
+        for fitting in Fitting::all(&case.tank) {
+            fitting.add_to((&wall, &case.tank), &node, &mut mass, &mut stiffness);
+        }
         let bare = mass.clone();
         add_roof(&wall, &node, harmonic, roof, &mut mass);
         let mut assembly = {
@@ -178,7 +182,7 @@ impl Assembly {
 }
 
 /// Unknowns of the two nodes of element `e`.
-fn element_unknowns(node: &[[Option<usize>; NODE]], e: usize) -> [Option<usize>; NODAL] {
+pub(super) fn element_unknowns(node: &[[Option<usize>; NODE]], e: usize) -> [Option<usize>; NODAL] {
     std::array::from_fn(|i| node[e + i / NODE][i % NODE])
 }
 

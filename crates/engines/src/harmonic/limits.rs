@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use tank::Case;
 use tank::{Shape, Support, WallBase};
 
+use crate::fittings;
 use crate::modes::Kind;
 use results::Mode;
 
@@ -80,6 +81,7 @@ pub(crate) fn assumptions(case: &Case, plates: bool, isolated: bool) -> Vec<Stri
             }
         }
     }
+    out.extend(fittings::assumptions(&case.tank, false));
     out
 }
 

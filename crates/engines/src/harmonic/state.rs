@@ -1,7 +1,7 @@
 //! Static state: hydrostatic pressure and self-weight on the same wall mesh (m = 0, liquid as a given pressure).
 //!
 //! ```text
-//! p = ρ g (H − z) outwards,   −ρ_s t g along the axis,   weight of the roof on the top edge
+//! p = ρ g (H − z) outwards,   −ρ_s t g along the axis,   weights of the roof on the top edge, of rings and attachments at their heights
 //! ```
 //!
 //! The hydrostatic state is never solved through the liquid: its pressure is known.
@@ -11,6 +11,7 @@ use tank::Case;
 use fem::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
 use fem::shape::gauss;
 
+use super::rings::Fitting;
 use super::wall::{LOCAL, LocalRow, NODAL, NODE, Output, U_BUBBLES, Wall, displacements};
 
 /// Solved static state of the wall.
@@ -51,6 +52,17 @@ impl Static {
         }
         if let Some(foot) = index[0][2].filter(|_| wall.foot > 0.0) {
             k.add(foot, foot, wall.factor * wall.foot);
+        }
+        for fitting in Fitting::all(&case.tank) {
+            let on = fitting.on(&wall, &case.tank);
+            for (i, p) in index[on.element].iter().enumerate() {
+                let Some(p) = p else { continue };
+                load.add(*p, 0, -on.mass * case.gravity * on.shapes[0][i]);
+                for (stiffness, row) in &on.strains {
+                    let others = index[on.element].iter().zip(row);
+                    others.for_each(|(q, b)| q.iter().for_each(|q| k.add(*p, *q, stiffness * row[i] * b)));
+                }
+            }
         }
         let top = index[index.len() - 1][NODE].expect("the top of the wall is free to move along the axis");
         load.add(top, 0, -roof_mass * case.gravity);

@@ -1,5 +1,6 @@
 //! Tanks of the unit tests.
 
+use tank::{Attachment, Ring};
 use tank::{Bottom, Case, Foundation, FoundationKind, Material, Shape, Support, reference};
 
 /// A case without ground motion; the material as (E [Pa], ν, ρ_s [kg/m³]).
@@ -38,4 +39,12 @@ pub(crate) fn on_ground(case: &mut Case, thickness: f64, material: Material, sti
         thickness: None,
         friction: None,
     });
+}
+
+/// Adds a ring of this area [m²] and second moment [m⁴], of the material of the lowest course, and an attachment of this mass [kg], at
+/// these heights [m].
+pub(crate) fn fit(case: &mut Case, ring: (f64, f64, f64), attachment: (f64, f64)) {
+    let material = case.tank.courses[0].material.clone();
+    case.tank.rings.push(Ring { height: ring.0, area: ring.1, inertia: ring.2, material });
+    case.tank.attachments.push(Attachment { name: "ladder".into(), height: attachment.0, mass: attachment.1 });
 }

@@ -1,4 +1,4 @@
-//! Nodes of the wall: course joints, the liquid level, and a fine layer above the clamped base.
+//! Nodes of the wall: course joints, the liquid level, stiffening rings, and a fine layer above the clamped base.
 
 use tank::{Shape, Tank};
 
@@ -13,9 +13,12 @@ const BASE_ELEMENTS: f64 = 16.0;
 /// Depth of the layer at the base in units of √(R t): three quarters of the decay length 2π/λ · 0.6 of the edge bending.
 const BASE_LAYER: f64 = 3.0;
 
+/// Share of the height of the wall within which a ring makes no node beside another; its place is exact without.
+const NEAR_RING: f64 = 1e-3;
+
 /// Heights of the wall nodes [m], from 0 to the top, with the index of each element's course.
 ///
-/// Nodes lie at every course joint and at the liquid level `fill_height`. The layer of 3 √(R t) above the base (t of the
+/// Nodes lie at every course joint, at the liquid level `fill_height` and at stiffening rings. The layer of 3 √(R t) above the base (t of the
 /// lowest course) has 16 elements, the wall as a whole 30; both counts are multiplied by `refine`. A strip has no
 /// edge bending and no layer.
 pub fn wall_nodes(tank: &Tank, fill_height: f64, refine: f64) -> (Vec<f64>, Vec<usize>) {
@@ -36,6 +39,11 @@ pub fn wall_nodes(tank: &Tank, fill_height: f64, refine: f64) -> (Vec<f64>, Vec<
     for extra in [fill_height.min(height), layer] {
         if cuts.iter().all(|c| (c - extra).abs() > merge) {
             cuts.push(extra);
+        }
+    }
+    for ring in &tank.rings {
+        if cuts.iter().all(|c| (c - ring.height).abs() > NEAR_RING * height) && ring.height < height {
+            cuts.push(ring.height);
         }
     }
     cuts.sort_by(f64::total_cmp);

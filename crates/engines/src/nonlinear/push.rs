@@ -43,6 +43,7 @@ use super::CheckpointFile;
 use super::scope::{Purpose, refusals};
 use crate::FeError;
 use crate::engine::Task;
+use crate::fittings;
 use buckling::Mode;
 use imperfection::{Dent, Depression, half_wave};
 use keep::{Keeper, Kept};
@@ -354,11 +355,16 @@ fn assumptions(plan: &Plan) -> Vec<String> {
          suction: on the side away from the compression the sum of impulsive and hydrostatic pressure is never below zero, so \
          that shear and moment grow more slowly than the acceleration. The formulas do not include this."
             .into(),
-        format!(
-            "Half the wall between planes of symmetry, {foot}, free at its top: a roof is mass without stiffness. A buckle of the edge \
-             on the side away from the compression, above the liquid, is that of a wall without ring or roof; a ring can be given as a \
-             separate course."
-        ),
+        match case.tank.rings.is_empty() {
+            true => format!(
+                "Half the wall between planes of symmetry, {foot}, free at its top: a roof is mass without stiffness. A buckle of the edge \
+                 on the side away from the compression, above the liquid, is that of a wall without ring or roof; a ring can be given as a \
+                 separate course."
+            ),
+            false => format!(
+                "Half the wall between planes of symmetry, {foot}, held by its stiffening rings alone: a roof is mass without stiffness."
+            ),
+        },
         "Steel of nominal strength; transverse shear of the elements is elastic, and tearing is not modelled.".into(),
         "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
          resolved; diamond buckles of an elastic wall are resolved only as far as the element size in the table allows."
@@ -388,6 +394,7 @@ fn assumptions(plan: &Plan) -> Vec<String> {
             .into(),
         );
     }
+    out.extend(fittings::assumptions(&case.tank, true));
     if case.tank.roof.mass > 0.0 {
         out.push("The mass of the roof acts on the edge of the wall, its lever arm as a couple along the edge.".into());
     }

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! h(z) = min over features f of (h_f + (q − 1) |z − z_f|),  at most 1.3 l         q = 1.15
-//! clamped base: h_f = 0.3 l;   thickness step, liquid level: h_f = 0.4 l
+//! clamped base: h_f = 0.3 l;   thickness step, liquid level, ring: h_f = 0.4 l
 //! ```
 //!
 //! with l of the thinner course at a feature (1.3 of a 24th of the height at most on a plane wall). Nodes lie where ∫ dz/h is a multiple of its mean step between two
@@ -24,6 +24,8 @@ use tank::options::solid::{MeshSize, SolidOptions};
 const BASE: f64 = 0.3;
 /// Element length at thickness steps and the liquid level, in √(R t).
 const STEP: f64 = 0.4;
+/// Distance of a ring from another feature within which it has no nodes of its own, in √(R t).
+const NEAR_RING: f64 = 0.2;
 /// Largest element length, in √(R t).
 const LARGEST: f64 = 1.3;
 /// Growth of the element length from one element to the next.
@@ -202,7 +204,8 @@ fn wetted(wall: &[f64], depth: f64) -> Vec<f64> {
     z
 }
 
-/// Heights at which the wall changes: base, joints of courses, liquid level, top. Closer than 1e-6 of the height are one.
+/// Heights at which the wall changes: base, joints of courses, liquid level, top; closer than 1e-6 of the height are one. A ring is one, too,
+/// unless it is so near to another that its nodes serve.
 fn features(tank: &Tank, depth: f64) -> Vec<f64> {
     let height = tank.wall_height();
     let mut cuts = vec![0.0];
@@ -212,6 +215,12 @@ fn features(tank: &Tank, depth: f64) -> Vec<f64> {
     *cuts.last_mut().expect("the base is always there") = height;
     if cuts.iter().all(|c| (c - depth).abs() > 1e-6 * height) && depth < height {
         cuts.push(depth);
+    }
+    for ring in &tank.rings {
+        let near = NEAR_RING * (tank.shape.half_length() * tank.course_at(ring.height).thickness).sqrt();
+        if cuts.iter().all(|c| (c - ring.height).abs() > near) && ring.height < height {
+            cuts.push(ring.height);
+        }
     }
     cuts.sort_by(f64::total_cmp);
     cuts

@@ -1,4 +1,4 @@
-//! The wall of a model: shells, clamped base, mass of the roof.
+//! The wall of a model: shells, clamped base, rings and attachments, mass of the roof.
 
 use std::sync::Arc;
 
@@ -14,11 +14,12 @@ use tank::Case;
 use super::form::Form;
 use super::mesh::Division;
 use super::plan::Plan;
+use super::ring::{Circle, add_fittings, level_at};
 use super::roof::RoofRing;
 use crate::FeError;
 use crate::error::failed;
 
-/// Group of the wall's shells.
+/// Group of the wall's shells, rings and attachments.
 pub const WALL: &str = "wall";
 /// Group of what the loaded state adds to the stiffness of the wall.
 pub const LOADED: &str = "loaded state";
@@ -72,7 +73,7 @@ fn mantle(division: &Division, plan: Option<&Plan>) -> Result<Wall, FeError> {
     mesh.wall().map_err(failed)
 }
 
-/// Shells, clamped base and roof.
+/// Shells, clamped base, rings, attachments and roof.
 ///
 /// Errors: an element that cannot be built.
 pub(super) fn add_wall(
@@ -121,6 +122,7 @@ pub(super) fn add_wall(
             builder.hold(node, dof);
         }
     }
+    fit(case, division, plan.is_none(), &wall, builder)?;
     if case.tank.roof.mass > 0.0 {
         let top = wall.rows[wall.rows.len() - 1].clone();
         let positions: Vec<[f64; 3]> = top.iter().map(|&n| wall.nodes[n]).collect();
@@ -140,4 +142,27 @@ pub(super) fn add_wall(
         poisson_ratio: courses.iter().map(|c| c.material.poisson_ratio).collect(),
         loaded: Vec::new(),
     })
+}
+
+/// Rings and attachments; attachments alone on plane walls.
+///
+/// Errors: nodes that coincide.
+fn fit(case: &Case, division: &Division, round: bool, wall: &Wall, builder: &mut Builder) -> Result<(), FeError> {
+    if round {
+        let sectors = division.sectors as f64;
+        let circle = |level: usize| Circle {
+            nodes: wall.rows[level].clone(),
+            angles: (0..division.sectors).map(|s| std::f64::consts::TAU * s as f64 / sectors).collect(),
+            half: false,
+            radius: case.tank.shape.half_length(),
+        };
+        return add_fittings(&case.tank, &division.wall, circle, WALL, builder);
+    }
+    for (mass, height) in case.tank.carried().filter(|(mass, _)| *mass > 0.0) {
+        let level = level_at(&division.wall, height);
+        let nodes = wall.rows[level].clone();
+        let positions: Vec<[f64; 3]> = nodes.iter().map(|&n| wall.nodes[n]).collect();
+        builder.element(WALL, RoofRing::frame(nodes, &positions, mass, height - division.wall[level]));
+    }
+    Ok(())
 }

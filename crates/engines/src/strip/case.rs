@@ -82,6 +82,7 @@ impl Strip {
             sections,
             shells,
             options: fibre_beam::Options::default(),
+            carried: case.tank.carried().map(|(mass, height)| (mass / case.tank.perimeter(), height)).collect(),
             base_spring: None,
             liquid,
             sloshing: SLOSHING_MODES,

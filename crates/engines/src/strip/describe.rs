@@ -9,6 +9,7 @@ use super::model::StripModel;
 use super::parameters::StripTank;
 use super::parts::StripDamping;
 use crate::FeError;
+use crate::fittings;
 use crate::nonlinear::after_record::Span;
 use results::{Fact, FactKind};
 use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions, StripWall};
@@ -97,6 +98,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
             super::LARGEST_DEFLECTION
         ),
     ];
+    out.extend(fittings::assumptions(&case.tank, true));
     if case.tank.courses.iter().any(|c| c.layers.len() > 1) {
         out.push(
             match options.wall {

@@ -8,7 +8,7 @@ use fem::analysis::observable::{Observable, apply};
 use fem::analysis::system::System;
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
-use fem::element::spring::{Direction, Spring};
+use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::{Inspect, Response, Trial, Want, local_size};
 use fem::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
 use fem::model::{Builder, Model};
@@ -86,6 +86,23 @@ const WALL: &str = "wall";
 /// Group of the liquid.
 const LIQUID: &str = "liquid";
 
+/// Adds the masses that the wall carries, each to the two levels next to it in the shares that hold its moment.
+///
+/// Errors: a negative mass.
+fn carry(builder: &mut Builder, tank: &StripTank, leaf: &[Vec<usize>]) -> Result<(), StripError> {
+    for &(mass, height) in &tank.carried {
+        let upper = tank.levels.partition_point(|z| *z < height).clamp(1, leaf.len() - 1);
+        let (below, above) = (tank.levels[upper - 1], tank.levels[upper]);
+        let share = (height - below) / (above - below);
+        for (level, part) in [(upper - 1, 1.0 - share), (upper, share)].into_iter().filter(|(_, part)| *part != 0.0) {
+            for &node in &leaf[level] {
+                builder.element(WALL, PointMass::new(node, mass * part / leaf[level].len() as f64)?);
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Rayleigh's coefficients of every group: those of the wall, and of the rest.
 fn by_group(model: &Model, [wall, rest]: [Rayleigh; 2]) -> Vec<Rayleigh> {
     let of = |name: &String| match name.as_str() {
@@ -103,7 +120,8 @@ impl StripModel {
     pub fn new(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
         check(tank, damping)?;
         let mut builder = Builder::new();
-        let Nodes { axis: wall, wet, mut feet } = shells::place(&mut builder, tank, WALL)?;
+        let Nodes { axis: wall, wet, leaf, mut feet } = shells::place(&mut builder, tank, WALL)?;
+        carry(&mut builder, tank, &leaf)?;
         let amplitude_nodes: Vec<usize> =
             (0..tank.sloshing).map(|_| builder.node([0.0, 0.0, tank.liquid.depth])).collect();
         let touched: Vec<Vec<usize>> = match tank.contact {

@@ -23,6 +23,8 @@ pub struct StripTank {
     pub shells: Option<ShellWall>,
     /// Integration along the beams, P-Δ.
     pub options: Options,
+    /// Masses that the wall carries at heights [kg per m], [m]; each is on the two levels next to it, which holds its moment.
+    pub carried: Vec<(f64, f64)>,
     /// Rotation spring at the base [N m/rad per m]; clamped without.
     pub base_spring: Option<f64>,
     /// The liquid.

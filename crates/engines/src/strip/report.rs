@@ -130,6 +130,7 @@ impl Report<'_> {
         let liquid: f64 = moved.iter().zip(&translation).map(|(a, b)| a * b).sum();
         let lengths = model.tank.levels.windows(2).map(|w| w[1] - w[0]);
         let walls: f64 = lengths.zip(&model.tank.sections).map(|(l, s)| l * s.mass()).sum();
+        let walls = walls + model.tank.carried.iter().map(|(mass, _)| mass).sum::<f64>();
         let all = self.case.liquid_mass() + self.case.tank.wall_mass();
         vec![Balance {
             label: "base shear of a rigid translation against the mass of liquid and walls".into(),

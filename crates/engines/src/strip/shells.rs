@@ -30,6 +30,8 @@ pub(super) struct Nodes {
     pub axis: Vec<usize>,
     /// Nodes of the wet face, all of each level, upwards.
     pub wet: Vec<Vec<usize>>,
+    /// Nodes of the leaf that bends, all of each level, upwards.
+    pub leaf: Vec<Vec<usize>>,
     /// All at the base.
     pub feet: Vec<usize>,
 }
@@ -45,7 +47,8 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
         for (ends, section) in axis.windows(2).zip(&tank.sections) {
             FibreBeam::add_to(builder, group, [ends[0], ends[1]], section.clone(), tank.options)?;
         }
-        return Ok(Nodes { wet: axis.iter().map(|&n| vec![n]).collect(), feet: vec![axis[0]], axis });
+        let levels: Vec<Vec<usize>> = axis.iter().map(|&n| vec![n]).collect();
+        return Ok(Nodes { wet: levels.clone(), leaf: levels, feet: vec![axis[0]], axis });
     };
     check(tank, shells)?;
     let mesh_error = |e: fem::mesh::MeshError| StripError::Parameter {
@@ -71,6 +74,7 @@ pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Res
     Ok(Nodes {
         axis: footprint.levels.iter().map(|l| bending[l[0]]).collect(),
         wet: footprint.levels.iter().map(|l| l.iter().map(|&p| placed.inner[p]).collect()).collect(),
+        leaf: footprint.levels.iter().map(|l| l.iter().map(|&p| bending[p]).collect()).collect(),
         feet: [&placed.inner, &placed.outer]
             .iter()
             .flat_map(|nodes| base.iter().filter_map(|&p| nodes.get(p).copied()))

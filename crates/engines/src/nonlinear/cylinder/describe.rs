@@ -9,6 +9,7 @@ use tank::units::{Dimension, display, significant};
 use super::super::after_record::Span;
 use super::model::CylinderModel;
 use super::watch::Watch;
+use crate::fittings;
 use results::nonlinear::Count;
 use results::{Fact, FactKind, Labelled};
 use tank::options::nonlinear::{Contact, Damping, NonlinearOptions};
@@ -206,6 +207,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
          its energy is reported."
             .to_owned(),
     ];
+    out.extend(fittings::assumptions(&case.tank, true));
     if let Some(standing) = &tank.standing {
         out.extend(STANDS.map(String::from));
         if options.plane_foot {

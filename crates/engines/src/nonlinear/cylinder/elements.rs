@@ -1,4 +1,4 @@
-//! Rows, supports, roof, liquid and pressure of a cylinder.
+//! Rows, supports, rings, attachments, roof, liquid and pressure of a cylinder.
 
 use std::collections::BTreeMap;
 
@@ -16,6 +16,7 @@ use super::mesh::Cells;
 use super::section::{self, RowBuild};
 use crate::FeError;
 use crate::error::failed;
+use crate::solid::ring::{Circle, add_fittings};
 use crate::solid::roof::RoofRing;
 
 /// Group of shells and layers.
@@ -87,6 +88,26 @@ pub(super) fn support(builder: &mut Builder, footprint: &Footprint, wall: &Place
             wall.hold(builder, &ends, &[Dof::Uy, Dof::Ry]);
         }
     }
+}
+
+/// Rings and attachments.
+///
+/// Errors: nodes that coincide.
+pub(super) fn fit(
+    case: &Case,
+    builder: &mut Builder,
+    footprint: &Footprint,
+    wall: &PlacedWall,
+    cells: &Cells,
+) -> Result<(), FeError> {
+    let columns = if cells.half { cells.columns() + 1 } else { cells.columns() };
+    let circle = |level: usize| Circle {
+        nodes: footprint.levels[level].iter().map(|&p| wall.inner[p]).collect(),
+        angles: cells.edges()[..columns].to_vec(),
+        half: cells.half,
+        radius: case.tank.shape.half_length(),
+    };
+    add_fittings(&case.tank, &cells.z, circle, WALL, builder)
 }
 
 pub(super) fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {

@@ -3,7 +3,7 @@
 //! ```text
 //! layered shells, or two with a layer between them   ─┐
 //! liquid condensed onto radial displacements w and sloshing amplitudes q   ├─ M ü + C u̇ + f_int(u) = p_c − M ι a_g
-//! hydrostatic pressure that rotates with the wall, weight, roof              ─┘
+//! hydrostatic pressure that rotates with the wall, weight, roof, rings       ─┘
 //! ```
 //!
 //! The liquid is that of linear theory ([`fem::liquid::HarmonicLiquid`]): a dense block on the wetted radial displacements.
@@ -34,7 +34,7 @@ use tank::Case;
 use tank::Shape;
 
 use super::contact::{Join, Joints};
-use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
+use super::elements::{WALL, add_liquid, add_roof, build_rows, fit, iterates, penalty, pressures, support};
 use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
 use super::rings::name_rings;
@@ -252,6 +252,7 @@ impl Parts {
         let plate = standing::plate(case, options, radius)?;
         let (wall, mut standing) = place_wall(builder, case, options, (radius, &rows), &footprint, plate.as_ref())?;
         support(builder, &footprint, &wall, &cells, plate.is_some());
+        fit(case, builder, &footprint, &wall, &cells)?;
         if case.tank.roof.mass > 0.0 {
             add_roof(case, builder, &footprint, &wall, &cells);
         }

@@ -31,20 +31,7 @@ pub type Capacity<'a> = Box<dyn Fn(&Course, f64) -> f64 + 'a>;
 
 /// Mass of wall and roof above z, and its moment about z [kg, kg m].
 pub(super) fn masses(plan: &Plan, z: f64) -> (f64, f64) {
-    let tank = &plan.case.tank;
-    let mut sum = (tank.roof.mass, tank.roof.mass * (tank.roof_height() - z));
-    let mut base = 0.0;
-    for course in &tank.courses {
-        let top = base + course.height;
-        let from = f64::max(base, z);
-        if top > from {
-            let mass = tank.perimeter() * (top - from) * course.thickness * course.material.density;
-            sum.0 += mass;
-            sum.1 += mass * (0.5 * (from + top) - z);
-        }
-        base = top;
-    }
-    sum
+    plan.case.tank.mass_above(z)
 }
 
 /// Horizontal force above z and its moment about z per m/s² [kg, kg m].

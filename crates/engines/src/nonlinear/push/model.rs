@@ -2,7 +2,7 @@
 //!
 //! Angles run from θ = 0, the compressed side, to π in a geometric series whose first element is a quarter of the last. Levels
 //! follow the edge bending, of which √(R t) is the measure: 0.15 √(R t) at the base, 0.4 √(R t) at the joints of the courses and at
-//! the surface, at most 1.3 √(R t), growing by 15 % an element. The wall is free at its top; a roof is mass without stiffness. At its
+//! the surface, at most 1.3 √(R t), growing by 15 % an element. The wall is free at its top but for stiffening rings; a roof is mass without stiffness. At its
 //! base the wall of an anchored tank is clamped, that of an unanchored one stands on its bottom (`bottom`).
 
 use std::f64::consts::PI;
@@ -32,6 +32,7 @@ use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::nonlinear::cylinder::section::row;
 use crate::nonlinear::laws::unsupported;
 use crate::solid::mesh::based_levels;
+use crate::solid::ring::{Circle, add_beams, level_at};
 use tank::options::nonlinear::NonlinearOptions;
 
 /// Default number of sectors of the full circle.
@@ -48,7 +49,7 @@ pub(super) struct PushModel {
     pub(super) symbolic: Arc<Symbolic>,
     /// Weight.
     pub(super) weight: Vec<f64>,
-    /// Inertia forces of wall and roof under 1 m/s².
+    /// Inertia forces of wall, fittings and roof under 1 m/s².
     pub(super) inertia: Vec<f64>,
     /// Pressure of the liquid at the wetted nodes.
     pub(super) wet: Vec<WetNode>,
@@ -252,7 +253,8 @@ impl<'a> Plan<'a> {
             }
             None => None,
         };
-        let roof = self.roof(&rings);
+        add_beams(&case.tank, levels, |level| self.circle(&rings[level]), "ring", &mut builder)?;
+        let carried = self.carried(&rings);
         let model = builder.build().map_err(failed)?;
         let assembler = Assembler::new(&model);
         let symbolic =
@@ -260,10 +262,10 @@ impl<'a> Plan<'a> {
         let mut weight = dead.vector(&model);
         if self.options.self_weight {
             add(&mut weight, &assembler.body_force(&model, [0.0, 0.0, -case.gravity]));
-            add(&mut weight, &roof.0.vector(&model));
+            add(&mut weight, &carried.0.vector(&model));
         }
         let mut inertia = assembler.body_force(&model, [1.0, 0.0, 0.0]);
-        add(&mut inertia, &roof.1.vector(&model));
+        add(&mut inertia, &carried.1.vector(&model));
         let mut wet = self.wet(&model, &rings);
         if let (Some(plate), Some(bottom)) = (&self.plate, &bottom) {
             wet.extend(on_bottom(plate, &model, angles, &bottom.rings));
@@ -374,18 +376,27 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Weight of the roof, and its inertia force under 1 m/s² along x, over the half of its edge.
-    fn roof(&self, rings: &[Vec<usize>]) -> (NodalLoads, NodalLoads) {
+    /// The nodes of a level.
+    fn circle(&self, nodes: &[usize]) -> Circle {
+        Circle { nodes: nodes.to_vec(), angles: self.angles.clone(), half: true, radius: self.radius }
+    }
+
+    /// Weights of roof, rings and attachments, and their inertia forces under 1 m/s² along x, over the halves of the levels of nodes next to
+    /// them.
+    fn carried(&self, rings: &[Vec<usize>]) -> (NodalLoads, NodalLoads) {
         let tank = &self.case.tank;
-        let lever = tank.roof_height() - tank.wall_height();
+        let roof = (tank.roof.mass, tank.roof.on_wall(), tank.roof_height(), rings.len() - 1);
+        let fittings = tank.carried().map(|(mass, height)| (mass, mass, height, level_at(&self.levels, height)));
         let (mut weight, mut inertia) = (NodalLoads::new(), NodalLoads::new());
-        let Some(edge) = rings.last().filter(|_| tank.roof.mass > 0.0) else { return (weight, inertia) };
-        let (per_angle, carried) = (tank.roof.mass / (2.0 * PI), tank.roof.on_wall() / (2.0 * PI));
-        for ((&node, share), cosine) in edge.iter().zip(shares(&self.angles)).zip(cosine_shares(&self.angles)) {
-            weight.force(node, [0.0, 0.0, -carried * share * self.case.gravity]);
-            // The moment m d presses the edge with (m d)/(π R²) cos θ.
-            let tilt = tank.roof.mass * lever / (PI * self.radius) * cosine;
-            inertia.force(node, [per_angle * share, 0.0, -tilt]);
+        for (mass, weighs, height, level) in std::iter::once(roof).chain(fittings).filter(|(mass, ..)| *mass > 0.0) {
+            let (per_angle, lever) = (mass / (2.0 * PI), height - self.levels[level]);
+            let around = rings[level].iter().zip(shares(&self.angles)).zip(cosine_shares(&self.angles));
+            for ((&node, share), cosine) in around {
+                weight.force(node, [0.0, 0.0, -weighs / (2.0 * PI) * share * self.case.gravity]);
+                // The moment m d presses the level with (m d)/(π R²) cos θ.
+                let tilt = mass * lever / (PI * self.radius) * cosine;
+                inertia.force(node, [per_angle * share, 0.0, -tilt]);
+            }
         }
         (weight, inertia)
     }

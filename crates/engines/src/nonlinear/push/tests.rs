@@ -7,6 +7,7 @@ use fem::analysis::checkpoint::{CheckpointError, Hash, unfinished};
 use tank::{Behaviour, Shape, Steel};
 
 use super::*;
+use crate::harmonic::test_tanks;
 use tank::options::nonlinear::WallElements;
 use tank::reference::{case, material};
 
@@ -308,4 +309,61 @@ fn a_forged_checkpoint_does_not_panic() {
         assert!(refused > 0);
         std::fs::remove_file(&kept.path).unwrap();
     }
+}
+
+/// Rings and attachments in a pushover: half of their weight, of their inertia and of its moment about the base, wherever the levels of
+/// nodes are; half of the energy of a ring that ovals, E I (n² − 1)²/R⁴ by π R.
+#[test]
+fn fittings_have_their_mass_and_rings_their_stiffness() {
+    let (mut bare, mut fitted) = (small(), small());
+    // The ring is a level of nodes of its own, so that the attachment is alone on the others.
+    let (ring, ladder) = ((2.6, 6e-3, 5e-6), (1.2345, 300.0));
+    test_tanks::fit(&mut fitted, ring, ladder);
+    let model = |case: &Case| {
+        let options = NonlinearOptions {
+            elements: Some(WallElements { height: 20, circumference: 48 }),
+            ..NonlinearOptions::new(case.damping)
+        };
+        Plan::new(case, &options, false).unwrap().build(None).unwrap()
+    };
+    // A ring of nothing keeps the same levels of nodes.
+    test_tanks::fit(&mut bare, (ring.0, 0.0, 0.0), (ladder.0, 0.0));
+    let (bare, with) = (model(&bare), model(&fitted));
+    let work = |model: &model::PushModel, load: &[f64], field: &dyn Fn([f64; 3]) -> [f64; 3]| -> f64 {
+        let nodes = model.model.nodes();
+        let x = model.model.vector(|node| {
+            let [a, b, c] = field(nodes[node]);
+            let mut all = [0.0; fem::dofs::KINDS];
+            all[..3].copy_from_slice(&[a, b, c]);
+            all
+        });
+        fem::linalg::dot(&x, load)
+    };
+    let mass = [2.0 * std::f64::consts::PI * 4.0 * 7850.0 * ring.1, ladder.1];
+    let close = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+    let change = |load: &dyn Fn(&model::PushModel) -> Vec<f64>, field: &dyn Fn([f64; 3]) -> [f64; 3]| {
+        work(&with, &load(&with), field) - work(&bare, &load(&bare), field)
+    };
+    let weight = change(&|m| m.weight.clone(), &|_| [0.0, 0.0, -1.0]);
+    close(weight, 0.5 * 9.81 * (mass[0] + mass[1]));
+    let inertia = change(&|m| m.inertia.clone(), &|_| [1.0, 0.0, 0.0]);
+    close(inertia, 0.5 * (mass[0] + mass[1]));
+    let moment = change(&|m| m.inertia.clone(), &|[x, _, z]| [z, 0.0, -x]);
+    close(moment, 0.5 * (mass[0] * ring.0 + mass[1] * ladder.0));
+    let beam = with.model.elements().iter().find(|e| e.kind() == "ring").unwrap();
+    let n = 3.0;
+    let x: Vec<f64> = beam
+        .nodes()
+        .iter()
+        .flat_map(|&node| {
+            let [x, y, _] = with.model.nodes()[node];
+            let a = y.atan2(x);
+            let (w, v) = ((n * a).cos(), -(n * a).sin() / n);
+            [a.cos() * w - a.sin() * v, a.sin() * w + a.cos() * v, 0.0]
+        })
+        .collect();
+    let stiffness = fem::element::reference_stiffness(&**beam).unwrap().to_matrix();
+    let energy = fem::linalg::dot(&x, &stiffness.times(&x));
+    let exact = 0.5 * std::f64::consts::PI * 2.1e11 * ring.2 * (n * n - 1.0f64).powi(2) / 4.0f64.powi(3);
+    assert!((energy / exact - 1.0).abs() < 1e-2, "{energy} {exact}");
 }

@@ -63,6 +63,7 @@ fn strip(section: FibreSection, damping: StripDamping) -> StripModel {
         sections: vec![section; 20],
         shells: None,
         options: Options::default(),
+        carried: Vec::new(),
         base_spring: None,
         liquid: StripLiquid::new(2.5, DEPTH, 1019.4),
         sloshing: 12,
