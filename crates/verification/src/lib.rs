@@ -56,6 +56,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::transfer::BENCHMARK,
     &tanks::mode_damping::BENCHMARK,
     &tanks::internal_forces::BENCHMARK,
+    &tanks::rings::BENCHMARK,
     &base::strip::BENCHMARK,
     &base::shells::BENCHMARK,
     &base::sector::BENCHMARK,

@@ -19,6 +19,7 @@ pub mod rigid;
 pub(crate) mod rigid_masses;
 pub(crate) mod rigid_sloshing;
 pub(crate) mod rigid_strip;
+pub(crate) mod rings;
 pub mod solid_against_harmonic;
 pub(crate) mod solid_box;
 pub(crate) mod tilt;
