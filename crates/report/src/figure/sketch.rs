@@ -2,7 +2,7 @@
 //! shaking.
 
 use tank::units::Dimension;
-use tank::{Course, Shape, Support};
+use tank::{Course, Roof, RoofKind, Shape, Support};
 
 use super::svg::{Anchor, Svg};
 use super::width::text_width;
@@ -13,6 +13,28 @@ const WIDTH: f64 = super::WIDE;
 const FONT: f64 = 11.0;
 /// Least distance of the labels of courses.
 const LABEL: f64 = 14.0;
+/// Length of the tick of a ring.
+const TICK: f64 = 6.0;
+
+/// Rise of a roof as it is drawn [m]; of a cone without one that of a slope of 1 in 16, of a dome that of a sphere with the diameter as its
+/// radius.
+fn rise(roof: &Roof, half: f64) -> f64 {
+    let usual = match roof.kind {
+        RoofKind::Cone => half / 16.0,
+        RoofKind::Dome => (2.0 - 3.0_f64.sqrt()) * half,
+        _ => 0.0,
+    };
+    roof.rise.unwrap_or(usual)
+}
+
+/// Points (r, z) of a spherical cap over the width 2 `half`.
+fn cap(half: f64, rise: f64) -> impl Iterator<Item = (f64, f64)> {
+    let radius = (half * half + rise * rise) / (2.0 * rise);
+    (0..=24).map(move |i| {
+        let r = half * (f64::from(i) / 12.0 - 1.0);
+        (r, (radius * radius - r * r).max(0.0).sqrt() - (radius - rise))
+    })
+}
 
 /// The section of the tank on the page.
 struct Section<'a> {
@@ -57,20 +79,49 @@ impl Section<'_> {
         svg.text(middle, Anchor::Middle, "lb halo", &text);
     }
 
-    /// A roof whose shape is not known as a mass on the rim, a floating one with its rim.
+    /// A cone or dome with its columns, a roof of another shape as a mass on the rim, a floating one with its rim.
     fn roof(&self, svg: &mut Svg) {
         let (left, right) = self.sides();
         let (roof, wall) = (&self.summary.tank.roof, self.y(self.wall));
+        let rise = rise(roof, self.half);
         if roof.mass > 0.0 {
-            svg.path(&[(left, wall - 4.0), (right, wall - 4.0)], false, "dash");
-            let text = format!("roof {}", given(roof.mass, Dimension::Mass));
-            svg.text((self.x(0.0), wall - 10.0), Anchor::Middle, "lb", &text);
+            let outline: Vec<(f64, f64)> = match roof.kind {
+                RoofKind::Cone => vec![(left, wall), (self.x(0.0), self.y(self.wall + rise)), (right, wall)],
+                RoofKind::Dome => cap(self.half, rise).map(|(r, z)| (self.x(r), self.y(self.wall + z))).collect(),
+                _ => vec![(left, wall - 4.0), (right, wall - 4.0)],
+            };
+            svg.path(&outline, false, "dash");
+            // The mass as the file has it, without a share of snow.
+            let mass = roof.snow.map_or(roof.mass, |snow| snow.bare);
+            let text = format!("roof {}", given(mass, Dimension::Mass));
+            svg.text((self.x(0.0), self.y(self.wall + rise) - 10.0), Anchor::Middle, "lb", &text);
+        }
+        if let Some(ring) = roof.columns {
+            let sides: &[f64] = if ring > 0.0 { &[-1.0, 1.0] } else { &[0.0] };
+            for side in sides {
+                let top = self.y(self.wall + rise * (1.0 - ring / self.half));
+                svg.line((self.x(side * ring), self.ground), (self.x(side * ring), top), "dash");
+            }
         }
         if roof.afloat > 0.0 {
             let depth = self.summary.liquid.fill_height;
             let rim = self.y(depth + roof.rim).min(self.y(depth) - 3.0);
             let size = (2.0 * self.half * self.scale, self.y(depth) - rim);
             svg.rect((left, rim), size, "wall");
+        }
+    }
+
+    /// Rings as ticks outside the wall.
+    ///
+    /// * `thickness`: units per metre of wall thickness
+    fn rings(&self, svg: &mut Svg, thickness: f64) {
+        let (left, right) = self.sides();
+        let tank = &self.summary.tank;
+        for ring in &tank.rings {
+            let wall = (tank.course_at(ring.height).total_thickness() * thickness).max(1.0);
+            let y = self.y(ring.height);
+            svg.line((left - wall - TICK, y), (left - wall, y), "wl");
+            svg.line((right + wall, y), (right + wall + TICK, y), "wl");
         }
     }
 
@@ -128,7 +179,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     // The thickest course becomes 7 units wide, unless it is wider to scale.
     let exaggeration = nice_factor(7.0 / (thickest * scale)).max(1.0);
 
-    let roof = if tank.roof.mass > 0.0 { 34.0 } else { 8.0 };
+    let roof = if tank.roof.mass > 0.0 { 34.0 + rise(&tank.roof, half) * scale } else { 8.0 };
     // A flat tank of many courses: their labels are higher than its wall.
     let tall = LABEL * tank.courses.len().saturating_sub(1) as f64 + 14.0;
     let top = f64::max(10.0 + roof, tall - wall * scale);
@@ -141,6 +192,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let axis = section.x(0.0);
     svg.line((axis, top - roof), (axis, ground + 8.0), "cl");
     courses(&mut svg, &section, exaggeration * scale);
+    section.rings(&mut svg, exaggeration * scale);
     section.roof(&mut svg);
     section.ground(&mut svg);
     section.dimensions(&mut svg);

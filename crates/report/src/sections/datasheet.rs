@@ -50,7 +50,8 @@ const SUBJECTS: [(&str, &str); 9] = [
 pub(super) fn groups(results: &Results) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     for line in &results.input {
-        let listed = line.text == "not given" || line.path.starts_with("tank.courses");
+        let tables = ["tank.courses", "tank.rings", "tank.attachments"];
+        let listed = line.text == "not given" || tables.iter().any(|table| line.path.starts_with(table));
         let Some((title, start)) = SUBJECTS.iter().find(|(_, start)| line.path.starts_with(start)).filter(|_| !listed)
         else {
             continue;

@@ -75,8 +75,17 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     fact("Liquid mass", summary.liquid_mass, Dimension::Mass);
     fact("Liquid density", summary.liquid.density, Dimension::Density);
     fact("Wall mass", summary.wall_mass, Dimension::Mass);
+    if tank.insulation.is_some() {
+        fact(words::INSULATION, tank.insulation_mass(), Dimension::Mass);
+    }
     if tank.roof.mass > 0.0 {
         fact("Roof mass", tank.roof.mass, Dimension::Mass);
+        if let Some(snow) = tank.roof.snow.filter(|snow| snow.mass > 0.0) {
+            fact(words::SNOW_MASS, snow.mass, Dimension::Mass);
+        }
+        if tank.roof.on_columns > 0.0 {
+            fact(words::ROOF_ON_WALL, tank.roof.on_wall(), Dimension::Mass);
+        }
         fact(words::ROOF_HEIGHT, tank.roof_height(), Dimension::Length);
     }
     if tank.roof.afloat > 0.0 {
@@ -103,7 +112,9 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
     for figures in ["figures", "sketch"] {
         section.set_figures(figures, Vec::new());
     }
-    section.set("layers", &layers(summary));
+    let mut more = layers(summary);
+    more.extend(carried(summary));
+    section.set("layers", &more);
     let parameter: Vec<Deformability> = summary
         .deformability
         .iter()
@@ -149,6 +160,38 @@ fn courses(summary: &TankSummary) -> Table {
     }
     table.caption = words::COURSES.into();
     table
+}
+
+/// Rings and attachments; no table without them.
+fn carried(summary: &TankSummary) -> Option<Table> {
+    let tank = &summary.tank;
+    if tank.rings.is_empty() && tank.attachments.is_empty() {
+        return None;
+    }
+    let height = Scale::of(Dimension::Length, tank.carried().map(|(_, z)| z));
+    let mass = Scale::of(Dimension::Mass, tank.carried().map(|(mass, _)| mass));
+    let area = Scale::of(Dimension::Area, tank.rings.iter().map(|ring| ring.area));
+    let inertia = Scale::of(Dimension::SecondMoment, tank.rings.iter().map(|ring| ring.inertia));
+    let mut table = Table::new(columns![
+        words::COMPONENT, "Height" => height.symbol(), "Mass" => mass.symbol(), "A" => area.symbol(), "I" => inertia.symbol(), "Material",
+    ]);
+    let mut masses = tank.carried();
+    for (ring, (own, z)) in tank.rings.iter().zip(masses.by_ref()) {
+        table.row(vec![
+            words::RING.into(),
+            height.given(z),
+            mass.text(own),
+            area.given(ring.area),
+            inertia.given(ring.inertia),
+            ring.material.name.clone(),
+        ]);
+    }
+    for (one, (own, z)) in tank.attachments.iter().zip(masses) {
+        let dash = || "–".to_owned();
+        table.row(vec![one.name.clone(), height.given(z), mass.given(own), dash(), dash(), dash()]);
+    }
+    table.caption = words::CARRIED.into();
+    Some(table)
 }
 
 /// Layers and bars of layered courses: no table, or one or two.

@@ -70,6 +70,18 @@ pub mod tank {
     pub const ON_GROUND: &str = "resting on the ground";
     /// Mass of a roof that the liquid carries.
     pub const FLOATING_ROOF: &str = "Mass of the floating roof";
+    /// Label of a mass.
+    pub const SNOW_MASS: &str = "Snow in the roof mass";
+    /// Label of a mass.
+    pub const ROOF_ON_WALL: &str = "Roof mass that stands on the wall";
+    /// Label of a mass.
+    pub const INSULATION: &str = "Insulation in the wall mass";
+    /// Caption of a table.
+    pub const CARRIED: &str = "Rings and attachments of the wall";
+    /// Head of a column.
+    pub const COMPONENT: &str = "Component";
+    /// A ring among the parts.
+    pub const RING: &str = "ring";
     /// Height of the roof's centre of mass.
     pub const ROOF_HEIGHT: &str = "Height of the roof's centre of mass";
     /// g.
