@@ -68,6 +68,7 @@ pub const ALL: &[&Benchmark] = &[
     &base::sliding::BENCHMARK,
     &base::anchors::BENCHMARK,
     &base::loops::BENCHMARK,
+    &tanks::datasheet::BENCHMARK,
     &soil::impedances::BENCHMARK,
     &soil::structure::BENCHMARK,
     &soil::engine::BENCHMARK,

@@ -9,6 +9,7 @@ use rigid::RigidTank;
 use tank::reference::GRAVITY;
 
 pub(crate) mod coupled_modes;
+pub(crate) mod datasheet;
 pub mod dissertation;
 pub(crate) mod imperfect_wall;
 pub(crate) mod internal_forces;
