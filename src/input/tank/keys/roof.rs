@@ -29,9 +29,9 @@ object! {
         /// Mass of the roof with what is fixed to it, without a snow load that is given as such. Of a roof on columns all that rests on them
         /// and on the wall.
         mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
-        /// Height of its centre of mass above the tank bottom, not below the liquid; not of a floating roof.
-        height ("11 m"): Opt<Length> [SIZE]
-            = without("the top of the wall, with a third of the rise of a cone and half of that of a dome"),
+        /// Height of its centre of mass above the tank bottom, not below the liquid; not of a floating roof. Without it a third of the
+        /// rise of a cone, and half of that of a dome, above the wall.
+        height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),
         /// Height of the crown of a cone or dome above the top of the wall.
         rise ("1.5 m"): Opt<Length> [Limits::above(0.0).to(200.0)],
         /// Radius of the outermost ring of columns under the roof of a cylinder, `0 m` for one column in the middle. Rafters that span from it
@@ -107,14 +107,22 @@ impl FromNode for SnowGiven {
     }
 }
 
-/// The roof, and what the file says of snow in a word; a floating roof does not load the wall.
-pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Shape>) -> (tank::Roof, Option<Snow>) {
+/// What the file says of snow in a word.
+pub(super) fn snow(r: &mut Resolver<'_>, stated: &Stated<Roof>) -> Option<Snow> {
+    match r.optional(&stated.value()?.snow)? {
+        SnowGiven::Word(word) => Some(word),
+        SnowGiven::Load(_) => None,
+    }
+}
+
+/// The roof; a floating one does not load the wall.
+pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Shape>) -> tank::Roof {
     if let Some(field) = &stated.none {
         r.echo_none(field);
     } else if stated.given.is_none() {
         r.echo_default("tank.roof.mass", "0 kg", "no roof stated");
     }
-    let Some(given) = stated.value() else { return Default::default() };
+    let Some(given) = stated.value() else { return tank::Roof::default() };
     let kind = r.or_default(&given.r#type);
     let mass = r.number(&given.mass);
     if kind != RoofKind::Cone && kind != RoofKind::Dome {
@@ -124,10 +132,10 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
     if !kind.is_fixed() {
         unfixed(r, given, kind);
     }
-    let (snow, word) = match r.optional(&given.snow) {
-        Some(SnowGiven::Load(load)) => (Some(load), None),
-        Some(SnowGiven::Word(word)) => (None, Some(word)),
-        None => (None, None),
+    // Its echo stands with the answers about the construction.
+    let snow = match given.snow.value() {
+        Some(SnowGiven::Load(load)) => Some(*load),
+        Some(SnowGiven::Word(_)) | None => None,
     };
     let internal = given.internal_floating.given.as_ref().map_or(0.0, |field| r.number(field));
     let floats = kind == RoofKind::Floating || given.internal_floating.given.is_some();
@@ -135,7 +143,7 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
     if kind == RoofKind::Floating {
         let message = "height does not apply to a floating roof";
         r.inapplicable(&given.height, message, "no height: the roof is on the liquid");
-        return (tank::Roof { afloat: mass, kind, rim, ..tank::Roof::default() }, word);
+        return tank::Roof { afloat: mass, kind, rim, ..tank::Roof::default() };
     }
     if !floats {
         let message = "rim does not apply to a roof that does not float";
@@ -152,7 +160,7 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
     let (on_columns, columns) = columns(r, given, kind, shape);
     let roof = tank::Roof {
         mass,
-        height: r.optional(&given.height),
+        height: height(r, given, kind),
         kind,
         rise: rise(r, given, kind, shape),
         on_columns,
@@ -169,7 +177,19 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
             display(on_columns * mass, Dimension::Mass)
         ));
     }
-    (roof, word)
+    roof
+}
+
+/// Height of the centre of mass [m], if it is given.
+fn height(r: &mut Resolver<'_>, given: &Roof, kind: RoofKind) -> Option<f64> {
+    let rises = given.rise.given.is_some() && given.height.given.is_none();
+    let why = match kind {
+        RoofKind::Cone if rises => "a third of the rise above the top of the wall",
+        RoofKind::Dome if rises => "half of the rise above the top of the wall",
+        _ => return r.optional(&given.height),
+    };
+    r.echo_default(&given.height.path, "not given", why);
+    None
 }
 
 /// Reports the keys of a fixed roof that are given of another.

@@ -2,7 +2,7 @@
 
 use files::code::Code;
 use tank::units::Dimension;
-use tank::{Anchors, Attachment, Insulation, Pipes, Presence, Pressure, SIZE, Shape, Snow, Support};
+use tank::{Anchors, Attachment, Insulation, Pipes, Presence, Pressure, SIZE, Shape, Support};
 
 use super::base::{self, Above, Bottom, Foundation};
 use super::carried::{self, Ring};
@@ -10,7 +10,7 @@ use super::corrosion::Common;
 use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
-use super::roof::{Roof, roof};
+use super::roof::{Roof, roof, snow};
 use super::temperature::TEMPERATURE;
 use super::wall::{self, CORROSION, Course};
 use crate::input::tank::choice::choice;
@@ -96,7 +96,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let support = t.support.value;
     let corrosion = Common::of(r, &t.corrosion_allowance);
     let courses = wall::courses(r, &t.courses, materials, corrosion);
-    let (roof, snow) = roof(r, &t.roof, shape);
+    let roof = roof(r, &t.roof, shape);
     let wall = carried::wall_height(courses.as_deref());
     let rings = carried::rings(r, &t.rings, (shape, wall), materials);
     let attachments = carried::attachments(r, &t.attachments, wall);
@@ -142,7 +142,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         anchors,
         pressure,
         pipes,
-        details: details(r, t, snow),
+        details: details(r, t),
     };
     if tank.corrodes() {
         let remark = "tank: finite elements and Housner's procedure use the thicknesses as built; the codes' stresses and resistances those \
@@ -161,12 +161,12 @@ fn pipes(r: &mut Resolver<'_>, stated: &Stated<Given<Pipes>>) -> Option<Pipes> {
 }
 
 /// Answers about the construction.
-fn details(r: &mut Resolver<'_>, t: &Tank, snow: Option<Snow>) -> tank::Details {
+fn details(r: &mut Resolver<'_>, t: &Tank) -> tank::Details {
     let bottom = t.bottom.value();
     tank::Details {
         internals: r.optional(&t.internals),
         adjacent_structures: r.optional(&t.adjacent_structures),
-        snow,
+        snow: snow(r, &t.roof),
         shell_support: t.foundation.value().and_then(|f| r.optional(&f.shell_support)),
         annular_weld: bottom.and_then(|b| r.optional(&b.annular_weld)),
         shell_weld: bottom.and_then(|b| r.optional(&b.shell_weld)),
